@@ -1,0 +1,18 @@
+# Compile options that every module shares.
+add_library(fb_options INTERFACE)
+target_compile_options(fb_options INTERFACE -Wall -Wextra)
+if(FULLBRIGHT_WERROR)
+  target_compile_options(fb_options INTERFACE -Werror)
+endif()
+target_include_directories(fb_options INTERFACE ${CMAKE_SOURCE_DIR}/Quake ${CMAKE_SOURCE_DIR}/Shaders)
+# Same bits on every x86-64 and arm64 compiler: no contraction of a*b+c behind our back.
+target_compile_options(fb_options INTERFACE -ffp-contract=off)
+if(FULLBRIGHT_SANITIZE)
+  target_compile_options(fb_options INTERFACE -fsanitize=${FULLBRIGHT_SANITIZE} -fno-omit-frame-pointer
+                                              -fno-sanitize-recover=undefined)
+  target_link_options(fb_options INTERFACE -fsanitize=${FULLBRIGHT_SANITIZE})
+endif()
+if(FULLBRIGHT_FUZZERS)
+  target_compile_options(fb_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined)
+  target_link_options(fb_options INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,38 @@
+// Demo files: one line with the CD track, then messages, each with the view angles at its time.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "base/bytes.h"
+#include "base/maths.h"
+#include "base/result.h"
+
+namespace fb::formats {
+
+struct DemMessage {
+  vec3 view_angles;
+  ByteView data;  // into the file's bytes
+};
+constexpr std::size_t kMaxDemMessage = 65536;  // QuakeSpasm's MAX_MSGLEN
+
+// Reads a demo message by message; the bytes must outlive the reader.
+class DemReader {
+ public:
+  static Result<DemReader> open(ByteView data, std::string_view name);
+  int cd_track() const { return cd_track_; }
+  bool at_end() const { return reader_.remaining() == 0; }
+  // One message; an error names the offset where the file is cut short or contradicts itself.
+  Result<DemMessage> next();
+  std::size_t offset() const { return reader_.offset(); }
+
+ private:
+  explicit DemReader(ByteReader reader) : reader_(std::move(reader)) {}
+  ByteReader reader_;
+  int cd_track_ = -1;
+};
+
+// One message in the file's form, appended to out (for recording).
+void append_dem_message(Bytes& out, const vec3& view_angles, ByteView data);
+
+}  // namespace fb::formats

@@ -1,0 +1,41 @@
+// Sprites (IDSP version 1).
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "base/bytes.h"
+#include "base/result.h"
+#include "formats/image.h"
+
+namespace fb::formats {
+
+enum class SpriteOrientation : std::int32_t {
+  kParallelUpright = 0,
+  kFacingUpright = 1,
+  kParallel = 2,
+  kOriented = 3,
+  kParallelOriented = 4,
+};
+
+struct SprImage {
+  std::int32_t origin_x, origin_y;  // of the left top corner from the entity's origin; y up
+  IndexedImage image;               // index 255 is transparent
+};
+struct SprFrame {  // a single image, or a group that plays in a loop
+  std::vector<SprImage> images;
+  std::vector<float> end_times;  // seconds; empty for a single image
+};
+struct Spr {
+  SpriteOrientation orientation = SpriteOrientation::kParallel;
+  float bounding_radius = 0;
+  int max_width = 0, max_height = 0;
+  float beam_length = 0;
+  std::int32_t sync_type = 0;
+  std::vector<SprFrame> frames;
+};
+
+Result<Spr> parse_spr(ByteView data, std::string_view name);
+
+}  // namespace fb::formats

@@ -1,0 +1,37 @@
+// WAD2 archives: gfx.wad, and textures' wads.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "base/bytes.h"
+#include "formats/image.h"
+
+namespace fb::formats {
+
+struct WadLump {
+  std::uint8_t type = 0;  // '@' palette, 'B' status bar picture, 'D' mip texture, 'E' raw
+  std::size_t offset = 0, size = 0;
+};
+
+// Holds its bytes; lump names are lower case. Every lump lies inside the file.
+class Wad {
+ public:
+  static Result<Wad> parse(Bytes data, std::string_view name);
+  const std::map<std::string, WadLump>& lumps() const { return lumps_; }
+  // Empty view when there is no such lump.
+  ByteView lump(std::string_view name) const;
+  // A status bar picture as an image.
+  Result<IndexedImage> picture(std::string_view name) const;
+  // The 128x128 console characters (16x16 glyphs of 8x8); index 0 is transparent.
+  Result<IndexedImage> conchars() const;
+
+ private:
+  std::string name_;
+  Bytes data_;
+  std::map<std::string, WadLump> lumps_;
+};
+
+}  // namespace fb::formats

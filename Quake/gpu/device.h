@@ -1,0 +1,80 @@
+// The Vulkan device: choosing one, what it lacks, its queue, and the one way to submit work. Knows no Quake.
+//
+// All shaders are compute shaders over storage buffers; there are no images but a swapchain's. Two descriptor sets of
+// storage buffers (gpu/binding_table.h) serve every pipeline.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace fb::gpu {
+
+struct DeviceOptions {
+  std::string preferred;    // part of a device's name, or its index; empty: the best
+  bool validation = false;  // VK_LAYER_KHRONOS_validation; its messages count in Device::validation_messages()
+  bool ray_query = true;    // use it where there is one
+  std::vector<const char*> instance_extensions;  // what the window system asks for; empty: headless
+  bool present = false;                          // needs a queue that can present
+};
+
+// A device as -listdevices shows it.
+struct DeviceReport {
+  std::string name, driver;
+  std::string type;                // "discrete", "integrated", "virtual", "cpu"
+  std::vector<std::string> lacks;  // what it lacks and what follows, one sentence each
+  bool usable = false, has_ray_query = false, is_software = false, would_be_chosen = false;
+};
+Result<std::vector<DeviceReport>> list_devices(const DeviceOptions& options);
+
+struct DeviceLimits {
+  VkDeviceSize max_storage_buffer_range = 0;
+  float timestamp_period_ns = 0;  // 0: no timestamps
+  std::uint32_t max_workgroup_invocations = 0;
+  VkDeviceSize min_acceleration_structure_scratch_alignment = 0;
+};
+
+class Buffer;
+class Commands;
+
+class Device {
+ public:
+  static Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
+  ~Device();
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  const DeviceReport& report() const;
+  bool has_ray_query() const;
+  bool is_software() const;  // lavapipe and its like
+  const DeviceLimits& limits() const;
+  // Warnings and errors of the validation layers so far, each logged once; tests hold this to zero.
+  std::uint64_t validation_messages() const;
+  // Device memory allocated now, bytes.
+  std::uint64_t allocated_bytes() const;
+
+  // Records with `record`, submits and waits. The one way to run work without a window.
+  void run(const std::function<void(Commands&)>& record);
+
+  VkInstance instance() const;
+  VkPhysicalDevice physical() const;
+  VkDevice handle() const;
+  VkQueue queue() const;
+  std::uint32_t queue_family() const;
+
+  struct Impl;
+  Impl& impl() { return *impl_; }
+
+ private:
+  explicit Device(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fb::gpu

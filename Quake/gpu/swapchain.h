@@ -1,0 +1,33 @@
+// A window's swapchain. Pictures come as a storage buffer of packed 8-bit pixels, copied into the acquired image.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <memory>
+
+#include "gpu/buffer.h"
+#include "gpu/device.h"
+
+namespace fb::gpu {
+
+class Swapchain {
+ public:
+  // Takes the surface. Formats: B8G8R8A8 or R8G8B8A8 (UNORM); see swaps_red_and_blue.
+  static Result<std::unique_ptr<Swapchain>> create(Device& device, VkSurfaceKHR surface, std::uint32_t width,
+                                                   std::uint32_t height, bool vsync);
+  ~Swapchain();
+  std::uint32_t width() const;
+  std::uint32_t height() const;
+  // True: the pixel's lowest byte is blue.
+  bool swaps_red_and_blue() const;
+  // Shows width*height packed pixels. False: out of date, make a new one of the window's present size.
+  bool present(const Buffer& pixels);
+
+ private:
+  struct Impl;
+  explicit Swapchain(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fb::gpu

@@ -1,0 +1,61 @@
+// GpuScene: the scene on the device. Uploads what is new in the assets, fills this frame's tables from the snapshot,
+// builds a tree per mesh once (host, binned SAH), poses and refits posed instances on the device, builds the tree over
+// instances each frame; and the same as VK_KHR acceleration structures when ray queries are used. The layout that
+// shaders see is Shaders/shared/scene_gpu.h; the trees' is Shaders/shared/bvh.h.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "gpu/acceleration_structure.h"
+#include "gpu/commands.h"
+#include "gpu/device.h"
+#include "gpu/pipeline.h"
+#include "scene/snapshot.h"
+
+namespace fb::render {
+
+struct GpuSceneOptions {
+  bool ray_query = false;  // also build acceleration structures, and bind the top level
+  gpu::BuildPreference build = gpu::BuildPreference::kFastTrace;
+};
+
+// What emission of each kind is multiplied by (r_emit_* cvars).
+using EmissionScales = std::array<float, static_cast<std::size_t>(scene::EmissionKind::kCount)>;
+
+// What the snapshot holds, so that shaders can leave out what it does not.
+struct SceneFeatures {
+  bool alpha_test = false;   // some triangle needs its texel asked
+  bool translucent = false;  // some instance or material has alpha < 1
+  bool specular = false;     // some material is not plain Lambert
+};
+
+struct SceneStatistics {
+  std::uint32_t meshes = 0, triangles = 0, instances = 0, posed_instances = 0;
+  std::uint64_t device_bytes = 0;
+  double host_milliseconds = 0;  // prepare(), this frame
+};
+
+class GpuScene {
+ public:
+  GpuScene(gpu::Device& device, gpu::BindingTable& table, const GpuSceneOptions& options);
+  ~GpuScene();
+  GpuScene(const GpuScene&) = delete;
+  GpuScene& operator=(const GpuScene&) = delete;
+
+  // Host part: uploads, tables, the tree over instances. Between submissions.
+  void prepare(const scene::FrameSnapshot& snapshot, const EmissionScales& emission);
+  // Device part: poses, refits, acceleration structures. Ends with a barrier.
+  void record(gpu::Commands& commands);
+
+  const SceneFeatures& features() const;
+  const SceneStatistics& statistics() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fb::render

@@ -1,0 +1,124 @@
+// What a scene is made of and what outlives a frame: images, materials, meshes. The renderer uploads what is new when
+// it sees a larger count, and everything anew when it sees another `generation`. Nothing here knows Vulkan or edicts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/maths.h"
+#include "formats/image.h"
+
+namespace fb::scene {
+
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+enum class ImageEncoding : std::uint8_t {
+  kPalette,     // one byte a texel: index into Assets::palette
+  kSrgba,       // four bytes: sRGB colour, linear alpha
+  kLinearRgba,  // four bytes, linear: normal maps (xyz in 0..255), gloss
+};
+struct Image {
+  std::string name;
+  ImageEncoding encoding = ImageEncoding::kPalette;
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> texels;  // row-major, top first
+};
+
+// What makes a material's light; each kind is scaled by a cvar of its own in the renderer (r_emit_*).
+enum class EmissionKind : std::uint32_t {
+  kNone,        // does not glow
+  kFullbright,  // palette indices 224..255 of base, or the texels of `luma`
+  kLava,
+  kSlime,
+  kTeleport,  // every texel glows
+  kSky,       // radiance comes from FrameSnapshot::sky by direction
+  kSprite,
+  kParticle,
+  kDynamicLight,
+  kEntityLight,
+  kConstant,  // Material::emission as it is, never scaled: tests and laboratory scenes
+  kCount,
+};
+
+enum MaterialFlags : std::uint32_t {
+  kMaterialAlphaTest = 1u << 0,     // palette index 255 (or alpha < 0.5) is a hole
+  kMaterialWarp = 1u << 1,          // liquid: texture coordinates swing with time as Quake's warp does
+  kMaterialLiquid = 1u << 2,        // a liquid's surface (r_wateralpha and its kin)
+  kMaterialNoFullbright = 1u << 3,  // indices 224..255 are plain colours
+  kMaterialClampTexture = 1u << 4,  // skins and sprites: texture coordinates do not wrap
+  kMaterialTwoSided = 1u << 5,      // emits and shades on both sides (sprites, sky)
+};
+
+// One texture of a material: base image and the images that go with it; kNone where absent.
+struct TextureSet {
+  std::uint32_t base = kNone;
+  std::uint32_t luma = kNone;    // emission, sRGB; black is dark
+  std::uint32_t normal = kNone;  // tangent space, linear
+  std::uint32_t gloss = kNone;   // linear: red = gloss (1 - roughness)
+};
+
+struct Material {
+  std::string name;
+  // The frames of an animated texture, played at `frames_per_second`; alternate_frames (`+a..+j`) when the entity's
+  // frame is not 0 (empty: same as frames). A plain texture has one. Empty `frames`: base_color alone.
+  std::vector<TextureSet> frames;
+  std::vector<TextureSet> alternate_frames;
+  float frames_per_second = 5.0f;  // groups of skins and sprites have their own: end_times, then this is ignored
+  std::vector<float> end_times;    // seconds, ascending, one a frame; empty: frames_per_second
+  vec3 base_color{1.0f};           // linear reflectance factor, multiplies the texture
+  vec3 emission{0.0f};             // kConstant: radiance; other kinds: factor on the texel's colour, usually 1
+  EmissionKind emission_kind = EmissionKind::kFullbright;
+  float roughness = 1.0f;   // GGX alpha = roughness^2; 1 with specular 0 is plain Lambert
+  float specular = 0.0f;    // F0 of the dielectric coat: 0 none, 0.04 usual
+  float metalness = 0.0f;   // base_color becomes F0 as this goes to 1
+  float alpha = 1.0f;       // coverage (liquids' default alpha comes from cvars by name in the client)
+  std::uint32_t flags = 0;  // MaterialFlags
+};
+// Which of a material's frames shows at a time. The one place that knows how Quake's textures animate.
+const TextureSet& texture_at(const Material& material, double time, bool alternate);
+
+// A vertex of a pose: position = (x, y, z) * Mesh::pose_scale + Mesh::pose_origin; normal in octahedral coordinates,
+// signed 16-bit normalised. 8 bytes; uploaded as it is.
+struct PoseVertex {
+  std::uint8_t x, y, z, pad;
+  std::int16_t normal_u, normal_v;
+};
+static_assert(sizeof(PoseVertex) == 8);
+
+struct MeshTriangle {
+  std::array<std::uint32_t, 3> vertices;
+  std::uint32_t material;  // added to Instance::material_base
+  std::array<vec2, 3> uv;  // in units of the texture's size: 1 is one repeat
+};
+
+// Triangles face the side from which their vertices run counter-clockwise (right-handed coordinates).
+// A rigid mesh has `positions` (and optionally `normals`); a posed one has `poses` instead: the renderer interpolates
+// two of them on the device, and refits the mesh's tree.
+struct Mesh {
+  std::string name;
+  std::vector<MeshTriangle> triangles;
+  std::uint32_t vertex_count = 0;
+  std::vector<vec3> positions;    // vertex_count, rigid only
+  std::vector<vec3> normals;      // vertex_count or empty: flat
+  std::vector<PoseVertex> poses;  // pose_count * vertex_count, pose-major
+  std::uint32_t pose_count = 0;
+  vec3 pose_scale{1.0f}, pose_origin{0.0f};
+  Bounds bounds;  // of all poses
+  bool posed() const { return pose_count > 0; }
+};
+
+struct Assets {
+  std::uint64_t generation = 1;  // changes when indices lose their meaning (a new map)
+  formats::Palette palette;
+  std::vector<Image> images;
+  std::vector<Material> materials;
+  std::vector<Mesh> meshes;
+};
+
+// Octahedral coding of a unit vector (Cigolle 2014), as Shaders/shared/packing.h has it.
+PoseVertex make_pose_vertex(std::uint8_t x, std::uint8_t y, std::uint8_t z, const vec3& normal);
+
+}  // namespace fb::scene

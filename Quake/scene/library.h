@@ -1,0 +1,102 @@
+// ModelLibrary: turns maps, alias models and sprites into meshes and materials of one Assets, each once.
+// The client asks it by precache name; it knows no entities.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/bytes.h"
+#include "base/result.h"
+#include "formats/bsp.h"
+#include "formats/mdl.h"
+#include "formats/spr.h"
+#include "scene/assets.h"
+#include "scene/snapshot.h"
+
+namespace fb::scene {
+
+enum class ModelKind { kMissing, kBrush, kAlias, kSprite };
+
+// What the client must know of a precached model.
+struct Model {
+  ModelKind kind = ModelKind::kMissing;
+  std::string name;
+  std::uint32_t mesh = kNone;
+  Bounds bounds;              // of the frame-independent model
+  std::uint32_t flags = 0;    // MdlFlags (trails, rotation)
+  bool random_start = false;  // sync_type
+  // Alias: frames and skins. pose_at gives what to blend.
+  struct Frame {
+    std::string name;
+    std::uint32_t first_pose = 0, pose_count = 1;
+    std::vector<float> end_times;  // seconds; empty for one pose
+  };
+  std::vector<Frame> frames;
+  std::vector<std::uint32_t> skin_materials;  // a material a skin (its own frames are the group's images)
+  // Sprite: orientation, and a mesh and material a frame's image group.
+  formats::SpriteOrientation orientation = formats::SpriteOrientation::kParallel;
+  struct SpriteFrame {
+    std::vector<std::uint32_t> meshes;  // quad in the plane x = 0: y left, z up, facing +x; one an image of the group
+    std::vector<float> end_times;
+    std::uint32_t material = 0;  // of the first image; the k-th has material + k
+  };
+  std::vector<SpriteFrame> sprite_frames;
+  // Brush: the submodel's contents-independent facts.
+  vec3 mins{0.0f}, maxs{0.0f};
+};
+
+// A light from the entity lump, ready to become a sphere.
+struct EntityLight {
+  vec3 position;
+  float radius;      // of the sphere, units
+  vec3 power_color;  // radiance of the sphere at style brightness 1 and r_entlights scale 1
+  int style;         // lightstyle index
+};
+
+using FileLoader = std::function<std::optional<Bytes>(std::string_view path)>;  // nullopt: no such file; never throws
+
+class ModelLibrary {
+ public:
+  explicit ModelLibrary(FileLoader loader);
+  // Forgets everything; Assets get a new generation.
+  void clear();
+  // Loads a map: mesh of the world and of every submodel ("*1"...), textures with replacements from textures/
+  // (<map>/<name> then <name>; .png .tga .pcx; _luma, _glow, _norm, _gloss), sky, entity lights, suns.
+  // External maps/x.ent and x.vis beside it are used. On failure nothing changes.
+  Status load_map(std::string_view bsp_path);
+  const formats::Bsp* map() const;
+  const std::string& map_entities() const;
+  const std::vector<EntityLight>& entity_lights() const;
+  const Sky& map_sky() const;  // layers or black, suns; the client overrides by svc_skybox / "sky" key
+  Sky make_skybox(std::string_view name, const Sky& fallback);  // gfx/env/<name>{rt,bk,lf,ft,up,dn}.{png,tga,pcx}
+
+  // By precache name: "maps/x.bsp" (the loaded map or an item box such as maps/b_bh25.bsp), "*3", "progs/ogre.mdl",
+  // "progs/s_explod.spr". Missing or malformed: a Model of kind kMissing after one logged sentence.
+  const Model& model(std::string_view name);
+  // A player's skin with translated colours (top, bottom rows 0..13 of the palette).
+  std::uint32_t translated_skin(const Model& model, std::uint32_t skin, int top, int bottom);
+
+  // Meshes that need no file, made once: sphere of radius 1 (80 triangles) for lights, a tetrahedron of circumradius 1
+  // for particles, each with one material that takes its colour from the instance.
+  std::uint32_t sphere_mesh();
+  std::uint32_t tetrahedron_mesh();
+  std::uint32_t particle_material();
+  std::uint32_t dynamic_light_material();
+  std::uint32_t entity_light_material();
+
+  std::shared_ptr<const Assets> assets() const;
+
+ private:
+  struct Impl;
+  std::shared_ptr<Impl> impl_;
+};
+
+// The poses to blend for an alias frame: a group's poses play in a loop by their end times.
+std::uint32_t pose_at(const Model& model, std::uint32_t frame, double time);
+
+}  // namespace fb::scene

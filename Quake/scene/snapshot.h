@@ -1,0 +1,98 @@
+// FrameSnapshot: what there is to see this frame, and where all of it was in the previous one. Filled by the client
+// (or by a function, for the laboratory's exact cases), read by the renderer. A snapshot needs no map file.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/maths.h"
+#include "scene/assets.h"
+
+namespace fb::scene {
+
+struct Camera {
+  vec3 position{0.0f};
+  vec3 angles{0.0f};    // pitch, yaw, roll in degrees (angle_vectors gives the axes)
+  float fov_x = 90.0f;  // degrees, horizontal, of the whole image
+  float fov_y = 0.0f;   // degrees, vertical; 0: from fov_x and the image's aspect, square pixels
+};
+
+// position = lerp(pose a, pose b, t)
+struct PoseBlend {
+  std::uint32_t a = 0, b = 0;
+  float t = 0.0f;
+  bool operator==(const PoseBlend&) const = default;
+};
+
+enum Visibility : std::uint32_t {
+  kSeenByCamera = 1u << 0,
+  kSeenByIndirect = 1u << 1,  // bounces, shadows
+  kSeenByAll = 3u,
+};
+
+enum InstanceFlags : std::uint32_t {
+  kInstanceAlternate = 1u << 0,  // the materials' alternate frames (entity frame != 0)
+  kInstanceColor = 1u << 1,      // `color` and `emission` replace the material's
+  kInstanceViewModel = 1u << 2,  // moves with the camera; may be drawn closer to the eye
+  kInstanceNew = 1u << 3,        // was not there in the previous frame: its motion means nothing
+  kInstanceShareTime = 1u << 4,  // animation time is FrameSnapshot::time, not time - time_offset
+};
+
+struct Instance {
+  std::uint32_t id = 0;    // stable from frame to frame; 0 is the world. Unique in a frame. See InstanceIds.
+  std::uint32_t mesh = 0;  // Assets::meshes
+  mat4x3 transform{1.0f}, prev_transform{1.0f};  // object to world, affine
+  PoseBlend pose, prev_pose;                     // posed meshes only
+  std::uint32_t visibility = kSeenByAll;
+  std::uint32_t flags = 0;
+  std::uint32_t material_base = 0;   // added to each triangle's material
+  float alpha = 1.0f;                // coverage of the whole instance
+  float time_offset = 0.0f;          // seconds, of groups that start at random
+  vec3 color{1.0f}, emission{0.0f};  // linear reflectance; radiance factor (kInstanceColor)
+};
+
+// Ranges of Instance::id, so that ids of different kinds never meet. An entity with several meshes is not a thing of
+// Quake's; a beam has many segments.
+enum InstanceIds : std::uint32_t {
+  kIdWorld = 0,
+  kIdEntity = 1,           // + entity number, up to 65535
+  kIdStatic = 0x00010000,  // + index of the static entity
+  kIdViewModel = 0x00020000,
+  kIdBeam = 0x00030000,          // + beam * 256 + segment
+  kIdParticle = 0x00100000,      // + particle's serial number modulo 2^20
+  kIdDynamicLight = 0x00200000,  // + slot
+  kIdEntityLight = 0x00210000,   // + index of the light
+};
+
+enum class SkyMode : std::uint32_t { kBlack, kConstant, kLayers, kBox };
+struct Sun {
+  vec3 direction{0, 0, 1};      // towards the sun, unit
+  vec3 irradiance{0.0f};        // on a surface that faces it, linear
+  float angular_radius = 1.0f;  // degrees
+};
+struct Sky {
+  SkyMode mode = SkyMode::kBlack;
+  vec3 color{0.0f};                            // kConstant: radiance; other modes: factor on the texels
+  std::uint32_t solid = kNone, alpha = kNone;  // kLayers: images; `alpha` scrolls twice as fast over `solid`
+  std::array<std::uint32_t, 6> box{kNone, kNone, kNone, kNone, kNone, kNone};  // rt bk lf ft up dn
+  std::vector<Sun> suns;           // seen through surfaces with EmissionKind::kSky only
+  bool beyond_everything = false;  // a ray that leaves the scene sees the sky too (else black)
+};
+
+struct FrameSnapshot {
+  std::shared_ptr<const Assets> assets;
+  double time = 0.0, prev_time = 0.0;  // seconds: animation, warps, sky
+  std::uint64_t frame = 0;             // counts up; restarts never
+  bool cut = false;                    // no history: a teleport, a new map, a new demo
+  Camera camera, prev_camera;
+  std::vector<Instance> instances;  // [0] is the world if there is one
+  Sky sky;
+  std::array<float, 64>
+      lightstyles{};           // 1 is normal brightness (style 'm'); entity lights have it in `emission` already
+  vec4 screen_tint{0.0f};      // colour and its weight: damage, pickup, liquid
+  float contents_blur = 0.0f;  // under water the view swings (v_contents warp): 0 or 1
+};
+
+}  // namespace fb::scene

@@ -1,0 +1,86 @@
+// The scene as the device holds it: one contract for render/gpu_scene.cpp, which fills it, and Shaders/lib, which reads
+// it. All structs are std430. Transforms are rows of a 3x4 matrix: row i is (m_i0, m_i1, m_i2, translation_i).
+#ifndef FB_SHARED_SCENE_GPU_H
+#define FB_SHARED_SCENE_GPU_H
+#include "shared/common.h"
+FB_NAMESPACE_BEGIN
+
+// Set 0: the scene.
+FB_CONST uint kBindNodes = 0u;       // BvhNode[]: every mesh's tree, every posed instance's refitted copy
+FB_CONST uint kBindTriangles = 1u;   // GpuTriangle[]: positions in leaf order, posed instances' copies too
+FB_CONST uint kBindAttributes = 2u;  // GpuAttribute[]: one a mesh triangle, in the same leaf order
+FB_CONST uint kBindPoses = 3u;       // uvec2[]: PoseVertex of all posed meshes
+FB_CONST uint kBindNormals = 4u;     // uint[]: octahedral 2x16 snorm vertex normals of smooth rigid meshes
+FB_CONST uint kBindInstances = 5u;   // GpuInstance[]
+FB_CONST uint kBindTlasNodes = 6u;   // BvhNode[]: this frame's tree over instances
+FB_CONST uint kBindMaterials = 7u;   // GpuMaterial[]: this frame's (animated textures are resolved)
+FB_CONST uint kBindImages = 8u;      // GpuImage[]
+FB_CONST uint kBindTexels = 9u;      // uint[]: all texels
+FB_CONST uint kBindPalette = 10u;    // vec4[256]: linear Rec.709 colour
+FB_CONST uint kBindRefit = 11u;      // uint[]: what refitting needs (render/gpu_scene.h)
+FB_CONST uint kBindVertices = 12u;   // float[]: positions for ray query builds of posed instances
+
+FB_CONST uint kNoIndex = 0xffffffffu;
+
+struct GpuTriangle {  // 48 bytes: v0, v1 - v0, v2 - v0 in the mesh's space; w of each is free to the intersector
+  vec4 v0;
+  vec4 e1;
+  vec4 e2;
+};
+
+struct GpuAttribute {              // 48 bytes
+  uint vertex0, vertex1, vertex2;  // of the mesh (poses, normals)
+  uint material;                   // added to GpuInstance::material_base
+  vec2 uv0, uv1, uv2;              // 1 is one repeat of the texture
+  uint flags;                      // kTriangle*
+  uint pad;
+};
+FB_CONST uint kTriangleAlphaTest = 1u;  // candidate hits must ask the texel
+FB_CONST uint kTriangleSmooth = 2u;     // has vertex normals
+
+struct GpuInstance {  // 272 bytes
+  vec4 to_world[3];
+  vec4 to_object[3];
+  vec4 prev_to_world[3];
+  uint root_node;        // into nodes
+  uint first_triangle;   // into triangles: the mesh's, or the posed instance's own copy
+  uint first_attribute;  // into attributes
+  uint first_normal;     // into normals, or kNoIndex
+  uint pose_a, pose_b;   // first vertex of the pose in poses; kNoIndex: rigid
+  uint prev_pose_a, prev_pose_b;
+  float pose_t, prev_pose_t;
+  uint material_base;
+  uint flags;  // low bits: scene::Visibility << 0 (2 bits); kInstance* below
+  uint id;     // scene::Instance::id
+  float alpha;
+  float time_offset;
+  uint triangle_count;
+  vec4 color;     // kInstanceHasColor: linear reflectance
+  vec4 emission;  // kInstanceHasColor: radiance factor
+  vec4 pose_scale, pose_origin;
+};
+FB_CONST uint kInstanceMaskBits = 3u;
+FB_CONST uint kInstanceHasColor = 4u;
+FB_CONST uint kInstanceIsViewModel = 8u;
+FB_CONST uint kInstanceIsNew = 16u;
+FB_CONST uint kInstanceTranslucent = 32u;  // alpha < 1: candidate hits must ask
+
+struct GpuMaterial {               // 80 bytes
+  uint base, luma, normal, gloss;  // images, or kNoIndex
+  vec4 base_color;                 // w: alpha
+  vec4 emission;                   // factor with the kind's cvar already in it; w: free
+  float roughness, specular, metalness;
+  uint flags;          // scene::MaterialFlags
+  uint emission_kind;  // scene::EmissionKind
+  uint pad0, pad1, pad2;
+};
+
+struct GpuImage {  // 16 bytes
+  uint first;      // first texel: in bytes for palette images, in uints for RGBA
+  uint size;       // width | height << 16
+  uint encoding;   // scene::ImageEncoding
+  uint pad;
+};
+
+FB_NAMESPACE_END
+#endif
