@@ -23,10 +23,12 @@ namespace fb::scene {
 enum class ModelKind { kMissing, kBrush, kAlias, kSprite };
 
 // What the client must know of a precached model.
+// Instance::material_base: 0 for brush models, whose triangles name their materials; for everything else triangles say
+// 0, and material_base is the material itself (a skin's, a sprite image's, particle_material() and so on).
 struct Model {
   ModelKind kind = ModelKind::kMissing;
   std::string name;
-  std::uint32_t mesh = kNone;
+  std::uint32_t mesh = kNone;  // kNone: nothing to draw (missing, a sprite, a brush model of tool textures alone)
   Bounds bounds;              // of the frame-independent model
   std::uint32_t flags = 0;    // MdlFlags (trails, rotation)
   bool random_start = false;  // sync_type
@@ -41,7 +43,10 @@ struct Model {
   // Sprite: orientation, and a mesh and material a frame's image group.
   formats::SpriteOrientation orientation = formats::SpriteOrientation::kParallel;
   struct SpriteFrame {
-    std::vector<std::uint32_t> meshes;  // quad in the plane x = 0: y left, z up, facing +x; one an image of the group
+    // A quad in the plane x = 0, facing +x; the image's columns run along +y, its rows down from +z, so that it reads
+    // rightly from the side of +x: Instance::transform's columns are (towards the viewer, the viewer's right, up,
+    // origin). For Quake's oriented sprites these are (-forward, right, up) of the entity's angles. One mesh an image.
+    std::vector<std::uint32_t> meshes;
     std::vector<float> end_times;
     std::uint32_t material = 0;  // of the first image; the k-th has material + k
   };
