@@ -1,0 +1,74 @@
+#include "render/frame_constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fb::render {
+
+CameraFrame camera_frame(const scene::Camera& camera, std::uint32_t width, std::uint32_t height) {
+  const AxisVectors axes = angle_vectors(camera.angles);
+  const float tan_x = std::tan(radians(std::clamp(camera.fov_x, 1.0f, 179.0f) * 0.5f));
+  const float tan_y = camera.fov_y > 0 ? std::tan(radians(std::clamp(camera.fov_y, 1.0f, 179.0f) * 0.5f))
+                                       : tan_x * static_cast<float>(height) / static_cast<float>(width);
+  return {camera.position, axes.forward, axes.right * tan_x, axes.up * tan_y};
+}
+
+shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings, uvec2 render,
+                                       uvec2 output) {
+  shared::FrameConstants c{};
+  const CameraFrame now = camera_frame(snapshot.camera, render.x, render.y);
+  const CameraFrame before = camera_frame(snapshot.cut ? snapshot.camera : snapshot.prev_camera, render.x, render.y);
+  c.camera_position = vec4(now.position, glm::length(now.up) / static_cast<float>(render.y));
+  c.camera_forward = vec4(now.forward, 0);
+  c.camera_right = vec4(now.right, 0);
+  c.camera_up = vec4(now.up, 0);
+  c.prev_camera_position = vec4(before.position, 0);
+  c.prev_camera_forward = vec4(before.forward, 0);
+  c.prev_camera_right = vec4(before.right, 0);
+  c.prev_camera_up = vec4(before.up, 0);
+
+  const scene::Sky& sky = snapshot.sky;
+  c.sky_mode = static_cast<std::uint32_t>(sky.mode);
+  c.sky_color = vec4(sky.color, 0);
+  c.sky_solid = sky.solid;
+  c.sky_alpha = sky.alpha;
+  if (sky.mode == scene::SkyMode::kLayers && sky.solid == scene::kNone) c.sky_mode = 0;
+  c.sky_box0 = sky.box[0];
+  c.sky_box1 = sky.box[1];
+  c.sky_box2 = sky.box[2];
+  c.sky_box3 = sky.box[3];
+  c.sky_box4 = sky.box[4];
+  c.sky_box5 = sky.box[5];
+  c.sky_beyond = sky.beyond_everything;
+  c.sun_count = static_cast<std::uint32_t>(std::min<std::size_t>(sky.suns.size(), shared::kMaxSuns));
+  for (std::uint32_t i = 0; i < c.sun_count; ++i) {
+    const scene::Sun& sun = sky.suns[i];
+    const float radius = radians(std::clamp(sun.angular_radius, 0.05f, 90.0f));
+    const float half = std::sin(radius * 0.5f);
+    const float solid_angle = 4.0f * kPi * half * half;  // 2 pi (1 - cos), without the cancellation
+    c.sun_direction[i] = vec4(sun.direction, std::cos(radius));
+    // The sky's own factor reaches suns through the material of sky surfaces; taken out here so that r_emit_sun is alone.
+    const float sky_factor = settings.emit_sky > 0 ? settings.emit_sky : 1.0f;
+    c.sun_radiance[i] = vec4(sun.irradiance * (settings.emit_sun / solid_angle / sky_factor), 0);
+  }
+  c.screen_tint = snapshot.screen_tint;
+  c.width = render.x;
+  c.height = render.y;
+  c.output_width = output.x;
+  c.output_height = output.y;
+  c.seed = static_cast<std::uint32_t>(settings.seed);
+  c.spp = static_cast<std::uint32_t>(settings.spp);
+  c.bounces = static_cast<std::uint32_t>(settings.bounces);
+  c.time = static_cast<float>(snapshot.time);
+  c.prev_time = static_cast<float>(snapshot.prev_time);
+  c.exposure = settings.exposure;
+  c.auto_exposure = static_cast<float>(settings.auto_exposure);
+  c.exposure_target = settings.exposure_target;
+  c.tone_map = static_cast<std::uint32_t>(settings.tone_map);
+  c.fxaa = static_cast<std::uint32_t>(settings.fxaa);
+  c.debug_view = static_cast<std::uint32_t>(settings.debug_view);
+  c.texture_filter = static_cast<std::uint32_t>(settings.texture_filter);
+  return c;
+}
+
+}  // namespace fb::render

@@ -1,0 +1,28 @@
+// 2D drawing on the device: quads and atlas uploaded, quads binned into tiles of the output in drawing order.
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/pipeline.h"
+#include "scene/draw_list.h"
+
+namespace fb::render {
+
+class Overlay {
+ public:
+  Overlay(gpu::Device& device, gpu::BindingTable& table);
+  // Between submissions. `list` may be null.
+  void prepare(const scene::DrawList* list, std::uint32_t width, std::uint32_t height);
+  bool empty() const { return empty_; }
+  std::uint32_t tiles_x() const { return tiles_x_; }
+  std::uint32_t atlas_width() const { return atlas_width_; }
+
+ private:
+  gpu::Device& device_;
+  gpu::BindingTable& table_;
+  gpu::Buffer quads_, tiles_, atlas_;
+  std::uint64_t atlas_revision_ = 0;
+  std::uint32_t atlas_width_ = 1, tiles_x_ = 1;
+  bool empty_ = true;
+};
+
+}  // namespace fb::render

@@ -1,0 +1,3 @@
+#include "render/settings.h"
+
+namespace fb::render {

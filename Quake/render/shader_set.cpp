@@ -1,0 +1,60 @@
+#include "render/shader_set.h"
+
+#include <array>
+
+#include "accumulate.spv.h"
+#include "antialias.spv.h"
+#include "exposure.spv.h"
+#include "exposure_histogram.spv.h"
+#include "gbuffer_bvh.spv.h"
+#include "gbuffer_query.spv.h"
+#include "present.spv.h"
+#include "pt_bvh.spv.h"
+#include "pt_query.spv.h"
+#include "tonemap.spv.h"
+
+#include "base/check.h"
+
+namespace fb::render {
+namespace {
+
+struct Shader {
+  std::string_view name;
+  std::span<const std::uint32_t> plain;  // without tracing, or through the BVH
+  std::span<const std::uint32_t> query;  // through ray queries
+};
+
+const std::array kShaders{
+    Shader{"gbuffer", gbuffer_bvh_spv, gbuffer_query_spv},
+    Shader{"pt", pt_bvh_spv, pt_query_spv},
+    Shader{"accumulate", accumulate_spv, {}},
+    Shader{"exposure_histogram", exposure_histogram_spv, {}},
+    Shader{"exposure", exposure_spv, {}},
+    Shader{"tonemap", tonemap_spv, {}},
+    Shader{"antialias", antialias_spv, {}},
+    Shader{"present", present_spv, {}},
+};
+
+}  // namespace
+
+const gpu::ComputePipeline& ShaderSet::get(std::string_view name, const Variant& variant) {
+  auto key = std::make_tuple(std::string(name), variant);
+  if (auto found = pipelines_.find(key); found != pipelines_.end()) return found->second;
+  for (const Shader& shader : kShaders) {
+    if (shader.name != name) continue;
+    const std::array constants{gpu::SpecializationConstant{0, variant.candidates},
+                               gpu::SpecializationConstant{1, variant.specular}};
+    gpu::ComputePipeline pipeline(device_, table_, variant.ray_query ? shader.query : shader.plain, std::string(name),
+                                  constants);
+    return pipelines_.emplace(std::move(key), std::move(pipeline)).first->second;
+  }
+  fatal(__FILE__, __LINE__, "no shader named " + std::string(name));
+}
+
+const gpu::ComputePipeline& ShaderSet::gbuffer(const Variant& variant) { return get("gbuffer", variant); }
+const gpu::ComputePipeline& ShaderSet::paths(std::string_view estimator, const Variant& variant) {
+  return get(estimator, variant);
+}
+const gpu::ComputePipeline& ShaderSet::pass(std::string_view name) { return get(name, Variant{}); }
+
+}  // namespace fb::render

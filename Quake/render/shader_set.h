@@ -1,0 +1,40 @@
+// The compiled shaders, and pipelines made from them when first asked for: few variants, since each costs start-up time.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+
+#include "gpu/pipeline.h"
+#include "render/gpu_scene.h"
+
+namespace fb::render {
+
+// What a tracing pipeline is specialised for (constants 0 and 1 of Shaders/lib).
+struct Variant {
+  bool ray_query = false;
+  bool candidates = false;  // alpha tests or translucency
+  bool specular = false;
+  auto operator<=>(const Variant&) const = default;
+};
+
+class ShaderSet {
+ public:
+  ShaderSet(gpu::Device& device, const gpu::BindingTable& table) : device_(device), table_(table) {}
+  const gpu::ComputePipeline& gbuffer(const Variant& variant);
+  // `estimator` is a name of estimators().
+  const gpu::ComputePipeline& paths(std::string_view estimator, const Variant& variant);
+  // Passes that trace nothing: "accumulate", "exposure_histogram", "exposure", "tonemap", "antialias", "present".
+  const gpu::ComputePipeline& pass(std::string_view name);
+
+ private:
+  const gpu::ComputePipeline& get(std::string_view name, const Variant& variant);
+  gpu::Device& device_;
+  const gpu::BindingTable& table_;
+  std::map<std::tuple<std::string, Variant>, gpu::ComputePipeline, std::less<>> pipelines_;
+};
+
+}  // namespace fb::render

@@ -1,0 +1,19 @@
+// Whether a candidate hit counts: holes of alpha-tested textures let the ray through, translucent surfaces do so with
+// probability 1 - alpha (unbiased for straight-through transmission).
+#ifndef FB_LIB_CANDIDATE
+#define FB_LIB_CANDIDATE
+#include "lib/trace.glsl"
+#include "lib/material.glsl"
+
+bool accept_candidate(Hit candidate, inout uint rng) {
+  uint record = instances[candidate.instance].first_attribute + candidate.triangle;
+  uint material_index = instances[candidate.instance].material_base + attributes[record].material;
+  GpuMaterial m = materials[material_index];
+  if ((m.flags & kMaterialAlphaTest) != 0u && m.base != kNoIndex) {
+    vec2 uv = hit_uv(record, candidate.bary);
+    if (nearest_texel(m.base, uv, (m.flags & kMaterialClampTexture) != 0u).alpha < 0.5) return false;
+  }
+  float alpha = m.base_color.w * instances[candidate.instance].alpha;
+  return alpha >= 1.0 || rng_uniform(rng) < alpha;
+}
+#endif

@@ -1,0 +1,30 @@
+// Which pixel an invocation works on, and the camera's rays. A workgroup of 64 covers 8x8 pixels in Morton order, so that
+// eight neighbouring lanes hold 4x2 pixels.
+#ifndef FB_LIB_PIXEL
+#define FB_LIB_PIXEL
+#include "lib/frame_bindings.glsl"
+
+layout(local_size_x = 64) in;
+
+uvec2 invocation_pixel() {
+  uint i = gl_LocalInvocationID.x;
+  uvec2 in_tile = uvec2((i & 1u) | ((i >> 1u) & 2u) | ((i >> 2u) & 4u), ((i >> 1u) & 1u) | ((i >> 2u) & 2u) | ((i >> 3u) & 4u));
+  return gl_WorkGroupID.xy * 8u + in_tile;
+}
+
+// Direction through a point of the image, in pixels from the top left; not normalised: its component along the camera's
+// forward axis is 1.
+vec3 camera_direction(vec2 point) {
+  vec2 s = point / vec2(frame.width, frame.height) * 2.0 - 1.0;
+  return frame.camera_forward.xyz + s.x * frame.camera_right.xyz - s.y * frame.camera_up.xyz;
+}
+
+// Where a world point was in the previous frame's image, in pixels; w of the result is its depth (<= 0: behind).
+vec3 previous_pixel(vec3 world) {
+  vec3 d = world - frame.prev_camera_position.xyz;
+  float depth = dot(d, frame.prev_camera_forward.xyz);
+  vec3 right = frame.prev_camera_right.xyz, up = frame.prev_camera_up.xyz;
+  vec2 s = vec2(dot(d, right) / dot(right, right), -dot(d, up) / dot(up, up)) / depth;
+  return vec3((s * 0.5 + 0.5) * vec2(frame.width, frame.height), depth);
+}
+#endif

@@ -1,0 +1,55 @@
+// Texels from the one buffer that holds them all: palette indices, or RGBA words. The filter is ours, so that it is the
+// same on every device.
+#ifndef FB_LIB_TEXTURE
+#define FB_LIB_TEXTURE
+#include "lib/scene_bindings.glsl"
+
+const uint kEncodingPalette = 0u;
+const uint kEncodingSrgba = 1u;
+const uint kFirstFullbright = 224u;
+const uint kTransparentIndex = 255u;
+
+struct Texel {
+  vec3 color;     // linear Rec.709
+  float alpha;    // 0 or 1 for palette images
+  bool glows;     // palette index 224..255
+};
+
+vec3 linear_from_srgb(vec3 c) {
+  return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
+}
+
+Texel fetch_texel(uint image_index, ivec2 p) {
+  GpuImage image = images[image_index];
+  uint at = image.first + uint(p.y) * (image.size & 0xffffu) + uint(p.x);
+  Texel texel;
+  if (image.encoding == kEncodingPalette) {
+    uint index = (texels[at >> 2u] >> ((at & 3u) * 8u)) & 0xffu;
+    texel.color = palette[index].rgb;
+    texel.alpha = index == kTransparentIndex ? 0.0 : 1.0;
+    texel.glows = index >= kFirstFullbright;
+  } else {
+    vec4 c = unpackUnorm4x8(texels[at]);
+    texel.color = image.encoding == kEncodingSrgba ? linear_from_srgb(c.rgb) : c.rgb;
+    texel.alpha = c.a;
+    texel.glows = false;
+  }
+  return texel;
+}
+
+ivec2 image_size(uint image_index) {
+  uint size = images[image_index].size;
+  return ivec2(size & 0xffffu, size >> 16u);
+}
+
+// uv in repeats of the texture.
+ivec2 texel_position(uint image_index, vec2 uv, bool clamped) {
+  ivec2 size = image_size(image_index);
+  uv = clamped ? clamp(uv, vec2(0.0), vec2(1.0)) : uv - floor(uv);
+  return min(ivec2(uv * vec2(size)), size - 1);
+}
+
+Texel nearest_texel(uint image_index, vec2 uv, bool clamped) {
+  return fetch_texel(image_index, texel_position(image_index, uv, clamped));
+}
+#endif

@@ -1,0 +1,22 @@
+// Mean and squared deviations over the frames of a static view (Welford 1962); without accumulation, this frame alone.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/pixel.glsl"
+
+void main() {
+  uvec2 pixel = invocation_pixel();
+  if (pixel.x >= frame.width || pixel.y >= frame.height) return;
+  uint at = pixel.y * frame.width + pixel.x;
+  vec3 x = radiance[at].rgb;
+  if (frame.accumulated_frames == 0u) {
+    mean_radiance[at] = vec4(x, 1.0);
+    m2_radiance[at] = vec4(0.0);
+    return;
+  }
+  float n = float(frame.accumulated_frames) + 1.0;
+  vec3 mean = mean_radiance[at].rgb;
+  vec3 delta = x - mean;
+  mean += delta / n;
+  m2_radiance[at] += vec4(delta * (x - mean), 0.0);
+  mean_radiance[at] = vec4(mean, n);
+}

@@ -1,0 +1,22 @@
+// Histogram of log2 luminance of the picture, every second pixel each way: bins of 0.1875 from 2^-14 to 2^10.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/pixel.glsl"
+#include "lib/exposure.glsl"
+
+shared uint bins[kHistogramBins];
+
+void main() {
+  uint lane = gl_LocalInvocationID.x;
+  for (uint i = lane; i < kHistogramBins; i += 64u) bins[i] = 0u;
+  barrier();
+  uvec2 pixel = invocation_pixel() * 2u;
+  if (pixel.x < frame.width && pixel.y < frame.height) {
+    float y = luminance(mean_radiance[pixel.y * frame.width + pixel.x].rgb);
+    if (y > 0.0) atomicAdd(bins[luminance_bin(y)], 1u);
+  }
+  barrier();
+  for (uint i = lane; i < kHistogramBins; i += 64u) {
+    if (bins[i] != 0u) atomicAdd(histogram[i], bins[i]);
+  }
+}

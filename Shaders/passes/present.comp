@@ -1,0 +1,43 @@
+// The finished picture at output size: scaled up where it was rendered smaller, tinted, 2D drawing on top. Quads come
+// binned into tiles by the host, in their drawing order.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/pixel.glsl"
+
+vec3 smoothed_at(ivec2 p) {
+  p = clamp(p, ivec2(0), ivec2(frame.width, frame.height) - 1);
+  return unpackUnorm4x8(smoothed[uint(p.y) * frame.width + uint(p.x)]).rgb;
+}
+
+vec3 picture_at(uvec2 pixel) {
+  if (frame.width == frame.output_width && frame.height == frame.output_height) return smoothed_at(ivec2(pixel));
+  vec2 p = (vec2(pixel) + 0.5) * vec2(frame.width, frame.height) / vec2(frame.output_width, frame.output_height) - 0.5;
+  vec2 base = floor(p), f = p - base;
+  ivec2 i = ivec2(base);
+  return mix(mix(smoothed_at(i), smoothed_at(i + ivec2(1, 0)), f.x),
+             mix(smoothed_at(i + ivec2(0, 1)), smoothed_at(i + ivec2(1, 1)), f.x), f.y);
+}
+
+vec3 draw_quad(GpuQuad quad, vec2 point, vec3 below) {
+  if (any(lessThan(point, quad.rectangle.xy)) || any(greaterThanEqual(point, quad.rectangle.zw))) return below;
+  vec4 color = quad.color;
+  if (quad.uv.xy != quad.uv.zw) {
+    vec2 s = (point - quad.rectangle.xy) / (quad.rectangle.zw - quad.rectangle.xy);
+    uvec2 texel = uvec2(mix(quad.uv.xy, quad.uv.zw, s));
+    color *= unpackUnorm4x8(atlas[texel.y * frame.atlas_width + texel.x]);
+  }
+  return mix(below, color.rgb, color.a);
+}
+
+void main() {
+  uvec2 pixel = invocation_pixel();
+  if (pixel.x >= frame.output_width || pixel.y >= frame.output_height) return;
+  vec3 color = picture_at(pixel);
+  color = mix(color, frame.screen_tint.rgb, frame.screen_tint.a);
+  if (frame.draw_quads != 0u) {
+    uint tile = (pixel.y / kDrawTile) * frame.quad_tiles_x + pixel.x / kDrawTile;
+    for (uint i = tiles[2u * tile]; i < tiles[2u * tile + 1u]; ++i) color = draw_quad(quads[tiles[i]], vec2(pixel) + 0.5, color);
+  }
+  if (frame.swap_red_blue != 0u) color = color.bgr;
+  output_pixels[pixel.y * frame.output_width + pixel.x] = packUnorm4x8(vec4(color, 1.0));
+}
