@@ -118,6 +118,9 @@ struct Assets {
   std::vector<Mesh> meshes;
 };
 
+// A number no other Assets of this process has had as its generation.
+std::uint64_t next_generation();
+
 // Octahedral coding of a unit vector (Cigolle 2014), as Shaders/shared/packing.h has it.
 PoseVertex make_pose_vertex(std::uint8_t x, std::uint8_t y, std::uint8_t z, const vec3& normal);
 

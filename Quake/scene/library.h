@@ -29,9 +29,9 @@ struct Model {
   ModelKind kind = ModelKind::kMissing;
   std::string name;
   std::uint32_t mesh = kNone;  // kNone: nothing to draw (missing, a sprite, a brush model of tool textures alone)
-  Bounds bounds;              // of the frame-independent model
-  std::uint32_t flags = 0;    // MdlFlags (trails, rotation)
-  bool random_start = false;  // sync_type
+  Bounds bounds;               // of the frame-independent model
+  std::uint32_t flags = 0;     // MdlFlags (trails, rotation)
+  bool random_start = false;   // sync_type
   // Alias: frames and skins. pose_at gives what to blend.
   struct Frame {
     std::string name;
