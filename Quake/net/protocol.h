@@ -1,0 +1,183 @@
+// The numbers that Quake's client and server agree on: protocols 15 (NetQuake), 666 (FitzQuake) and 999 (RMQ) as
+// QuakeSpasm speaks them. Values only; how they lie in a message is message.h's and server_messages.h's business.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace fb::net {
+
+constexpr int kProtocolNetQuake = 15;
+constexpr int kProtocolFitzQuake = 666;
+constexpr int kProtocolRmq = 999;
+
+// Protocol 999 says in svc_serverinfo how wide its numbers are.
+enum ProtocolFlags : std::uint32_t {
+  kShortAngle = 1u << 1,
+  kFloatAngle = 1u << 2,
+  kCoord24 = 1u << 3,
+  kFloatCoord = 1u << 4,
+  kEdictScale = 1u << 5,
+  kAlphaSanity = 1u << 6,  // concerns the server alone: nothing changes in a message
+  kInt32Coord = 1u << 7,
+  kMoreFlags = 1u << 31,  // reserved: no engine sends anything for it
+};
+constexpr std::uint32_t kKnownProtocolFlags =
+    kShortAngle | kFloatAngle | kCoord24 | kFloatCoord | kEdictScale | kAlphaSanity | kInt32Coord;
+
+struct Protocol {
+  int version = kProtocolNetQuake;
+  std::uint32_t flags = 0;  // ProtocolFlags, zero unless version is 999
+  bool extended() const { return version != kProtocolNetQuake; }
+  bool operator==(const Protocol&) const = default;
+};
+constexpr bool is_known_protocol(int version) {
+  return version == kProtocolNetQuake || version == kProtocolFitzQuake || version == kProtocolRmq;
+}
+
+// Server to client.
+enum class Svc : std::uint8_t {
+  kBad = 0,
+  kNop = 1,
+  kDisconnect = 2,
+  kUpdateStat = 3,
+  kVersion = 4,
+  kSetView = 5,
+  kSound = 6,
+  kTime = 7,
+  kPrint = 8,
+  kStuffText = 9,
+  kSetAngle = 10,
+  kServerInfo = 11,
+  kLightStyle = 12,
+  kUpdateName = 13,
+  kUpdateFrags = 14,
+  kClientData = 15,
+  kStopSound = 16,
+  kUpdateColors = 17,
+  kParticle = 18,
+  kDamage = 19,
+  kSpawnStatic = 20,
+  kSpawnBaseline = 22,
+  kTempEntity = 23,
+  kSetPause = 24,
+  kSignonNum = 25,
+  kCenterPrint = 26,
+  kKilledMonster = 27,
+  kFoundSecret = 28,
+  kSpawnStaticSound = 29,
+  kIntermission = 30,
+  kFinale = 31,
+  kCdTrack = 32,
+  kSellScreen = 33,
+  kCutscene = 34,
+  kSkybox = 37,
+  kBonusFlash = 40,
+  kFog = 41,
+  kSpawnBaseline2 = 42,
+  kSpawnStatic2 = 43,
+  kSpawnStaticSound2 = 44,
+};
+// "svc_time"; "fast update" from 128 on; "svc_?" for what no protocol knows.
+std::string_view svc_name(unsigned command);
+
+// Client to server.
+enum class Clc : std::uint8_t { kBad = 0, kNop = 1, kDisconnect = 2, kMove = 3, kStringCommand = 4 };
+
+// What an entity update carries. A command byte of 128 and more is an update; its low seven bits are the first bits.
+enum UpdateBits : std::uint32_t {
+  kUpdateMoreBits = 1u << 0,
+  kUpdateOrigin1 = 1u << 1,
+  kUpdateOrigin2 = 1u << 2,
+  kUpdateOrigin3 = 1u << 3,
+  kUpdateAngle2 = 1u << 4,
+  kUpdateStep = 1u << 5,  // moves by MOVETYPE_STEP: the client smooths it by itself
+  kUpdateFrame = 1u << 6,
+  kUpdateSignal = 1u << 7,
+  kUpdateAngle1 = 1u << 8,
+  kUpdateAngle3 = 1u << 9,
+  kUpdateModel = 1u << 10,
+  kUpdateColormap = 1u << 11,
+  kUpdateSkin = 1u << 12,
+  kUpdateEffects = 1u << 13,
+  kUpdateLongEntity = 1u << 14,
+  kUpdateExtend1 = 1u << 15,  // 666 and 999; in 15 the bit means Nehahra's transparency
+  kUpdateAlpha = 1u << 16,
+  kUpdateFrame2 = 1u << 17,
+  kUpdateModel2 = 1u << 18,
+  kUpdateLerpFinish = 1u << 19,
+  kUpdateScale = 1u << 20,
+  kUpdateExtend2 = 1u << 23,
+};
+
+// What svc_clientdata carries.
+enum ClientDataBits : std::uint32_t {
+  kDataViewHeight = 1u << 0,
+  kDataIdealPitch = 1u << 1,
+  kDataPunch1 = 1u << 2,     // and the next two bits
+  kDataVelocity1 = 1u << 5,  // and the next two bits
+  kDataItems = 1u << 9,      // always sent
+  kDataOnGround = 1u << 10,
+  kDataInWater = 1u << 11,
+  kDataWeaponFrame = 1u << 12,
+  kDataArmor = 1u << 13,
+  kDataWeapon = 1u << 14,
+  kDataExtend1 = 1u << 15,
+  kDataWeapon2 = 1u << 16,
+  kDataArmor2 = 1u << 17,
+  kDataAmmo2 = 1u << 18,
+  kDataShells2 = 1u << 19,
+  kDataNails2 = 1u << 20,
+  kDataRockets2 = 1u << 21,
+  kDataCells2 = 1u << 22,
+  kDataExtend2 = 1u << 23,
+  kDataWeaponFrame2 = 1u << 24,
+  kDataWeaponAlpha = 1u << 25,
+  kDataOnElevator = 1u << 26,
+};
+
+enum SoundBits : std::uint32_t {
+  kSoundVolume = 1u << 0,
+  kSoundAttenuation = 1u << 1,
+  kSoundLargeEntity = 1u << 3,
+  kSoundLargeSound = 1u << 4,
+};
+
+enum BaselineBits : std::uint32_t {
+  kBaselineLargeModel = 1u << 0,
+  kBaselineLargeFrame = 1u << 1,
+  kBaselineAlpha = 1u << 2,
+  kBaselineScale = 1u << 3,
+};
+
+enum class TempEntityType : std::uint8_t {
+  kSpike = 0,
+  kSuperSpike = 1,
+  kGunshot = 2,
+  kExplosion = 3,
+  kTarExplosion = 4,
+  kLightning1 = 5,
+  kLightning2 = 6,
+  kWizSpike = 7,
+  kKnightSpike = 8,
+  kLightning3 = 9,
+  kLavaSplash = 10,
+  kTeleport = 11,
+  kExplosion2 = 12,
+  kBeam = 13,
+};
+
+// An entity's alpha and scale are bytes: alpha 0 means "as the model has it", 1 invisible, 255 opaque; scale is in
+// sixteenths.
+constexpr int kAlphaDefault = 0, kAlphaZero = 1, kAlphaOne = 255;
+constexpr int kScaleDefault = 16;
+float decode_alpha(int alpha);
+int encode_alpha(float alpha);
+inline float decode_scale(int scale) { return static_cast<float>(scale) / 16.0f; }
+
+constexpr int kDefaultViewHeight = 22;
+constexpr int kMaxStats = 32, kMaxLightStyles = 64, kMaxClients = 16;
+constexpr int kMaxEntities = 32768;          // entity numbers are below
+constexpr std::size_t kMaxPrecaches = 8192;  // models, and sounds
+
+}  // namespace fb::net
