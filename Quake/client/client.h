@@ -1,0 +1,146 @@
+// The client: plays demos (and, for the laboratory, shows a map without a server), keeps what the server's messages
+// say, moves everything between them as QuakeSpasm does, and fills the FrameSnapshot that the renderer draws.
+// The loop of its user, a frame at a time:
+//
+//   console.execute();                 // playdemo, timedemo, ... are the client's commands
+//   client.advance(seconds);           // messages that are due, interpolation, particles, view
+//   client.build_snapshot(snapshot);   // as often as wanted; the same frame gives the same snapshot
+//
+// Everything random comes from one seed: the same demo with the same time steps gives the same snapshots.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/maths.h"
+#include "base/result.h"
+#include "scene/library.h"
+#include "scene/snapshot.h"
+
+namespace fb::con {
+class Console;
+}
+
+namespace fb::cl {
+
+using scene::FileLoader;  // nullopt: no such file
+
+enum class DemoMode {
+  kPlay,  // in its own time
+  kTime,  // one message a frame, as fast as frames come: advance() ignores its argument
+};
+
+// What a status bar and a scoreboard show.
+enum Stat : int {
+  kStatHealth,
+  kStatFrags,
+  kStatWeapon,
+  kStatAmmo,
+  kStatArmor,
+  kStatWeaponFrame,
+  kStatShells,
+  kStatNails,
+  kStatRockets,
+  kStatCells,
+  kStatActiveWeapon,
+  kStatTotalSecrets,
+  kStatTotalMonsters,
+  kStatSecrets,
+  kStatMonsters,
+};
+struct Score {
+  std::string name;
+  int frags = 0;
+  int colors = 0;  // 16 * shirt + trousers
+};
+struct Fog {
+  float density = 0.0f;  // QuakeSpasm's unit: fog 1 hides what is 64 units away, about
+  vec3 color{0.3f};
+};
+enum class Intermission { kNone, kLevel, kFinale, kCutscene };
+struct Hud {
+  std::array<std::int32_t, 32> stats{};  // Stat
+  std::int32_t items = 0;
+  std::array<double, 32> item_time{};  // when each bit of items was won
+  double face_pain_until = 0.0;
+  std::string level_name, map_name;
+  int max_clients = 1, game_type = 0;
+  std::vector<Score> scores;
+  std::string center_print;
+  double center_print_time = -1000.0;  // when it came
+  Intermission intermission = Intermission::kNone;
+  double completed_time = 0.0;  // when intermission began
+  bool paused = false;
+  double time = 0.0;
+};
+
+// The line that timedemo ends with.
+struct TimeDemoResult {
+  std::string demo;
+  int frames = 0;
+  double seconds = 0.0;
+  double fps() const { return frames / seconds; }
+  std::string line() const;  // "N frames T seconds F fps"
+};
+
+class Client {
+ public:
+  // Registers cvars and commands on the console; all three must outlive the client. `files` opens demos by name.
+  Client(con::Console& console, scene::ModelLibrary& library, FileLoader files);
+  ~Client();
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+
+  // Starts at the demo's first message, read by the next advance(). "demo1", "demo1.dem", "demos/x".
+  Status start_demo(std::string_view name, DemoMode mode);
+  Status start_demo(Bytes data, std::string_view name, DemoMode mode);
+  // Ends playback; a timedemo prints its line.
+  void stop();
+  bool playing() const;
+  bool timing() const;  // playing in DemoMode::kTime
+  // Why the last demo ended, if not by its own end or by stop().
+  const std::optional<Error>& last_error() const;
+  const std::optional<TimeDemoResult>& last_time_demo() const;
+
+  // A map without a server: its world, its brush entities where they stand at the start, its lamps; the camera in the
+  // first info_player_start. "start" or "maps/start.bsp".
+  Status map_view(std::string_view name);
+
+  // Moves time on by `seconds` (0 keeps it) and everything with it.
+  void advance(double seconds);
+  // Is there a world to show, and are the signon messages complete?
+  bool active() const;
+
+  // The image's size in pixels, for the field of view (fov, fov_adapt). Default 640x480.
+  void set_view_size(int width, int height);
+  // Looks from here instead of from the player's eyes; the player's body is then seen by all. fov_x 0: the player's.
+  void set_camera(const std::optional<scene::Camera>& camera);
+
+  // Everything there is to see now, and where it was in the snapshot before. Two builds without an advance() between
+  // them give the same.
+  void build_snapshot(scene::FrameSnapshot& snapshot);
+
+  const Hud& hud() const;
+  Fog fog() const;
+  double time() const;   // seconds of the server's clock
+  int protocol() const;  // 15, 666 or 999; 0 before the first serverinfo
+  const std::string& demo_name() const;
+  std::size_t messages_read() const;  // of the demo that plays
+
+  // Where timedemo takes the time from, seconds; default a steady clock.
+  void set_clock(std::function<double()> clock);
+  // Without this (the default is true) a demo whose map is missing plays on without a world: tests of messages alone.
+  void set_world_required(bool required);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fb::cl
