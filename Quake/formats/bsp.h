@@ -1,6 +1,11 @@
 // Quake maps: BSP29, BSP2 and 2PSB with every index checked, plus external .ent and .vis. After parsing, every index in
 // this structure is in range (a face's edges, an edge's vertices, a node's children, a model's faces, ...), node trees
-// have no cycles, and floats are finite; so users need no checks of their own.
+// have no cycles and are at most kMaxBspDepth deep, and floats are finite; so users need no checks of their own. Two
+// things stay with the user: a face may have fewer than three edges (draw nothing), and rows of visibility or samples
+// of light may run past the end of their lump (stop there).
+//
+// A file that contradicts itself in its structure is refused. One that QuakeSpasm plays all the same (a bad texture, a
+// light offset beyond the lump, a node whose leaf does not exist, ...) is mended, and `warnings` says what was wrong.
 #pragma once
 
 #include <array>
@@ -18,9 +23,12 @@ namespace fb::formats {
 
 enum class BspVersion { kBsp29, kBsp2, k2Psb };
 
+constexpr std::uint32_t kMaxBspDepth = 4096;  // of node and clip node trees: what a recursive walk must bear
+constexpr float kMaxBspCoordinate = 1e6f;     // of a vertex, on each axis
+
 struct BspTexture {
-  std::string name;  // as stored, at most 15 characters; empty for a missing one
-  int width = 0, height = 0;
+  std::string name;                   // as stored, at most 15 characters; empty for a missing one
+  int width = 0, height = 0;          // 1..kMaxImageSize; 16x16 for a missing one of unknown size
   std::vector<std::uint8_t> indices;  // mip 0; empty when the map leaves the texels to a file outside
   bool missing() const { return indices.empty(); }
 };
@@ -35,15 +43,15 @@ constexpr std::uint32_t kTexSpecial = 1;
 struct BspPlane {
   vec3 normal;
   float distance;
-  std::int32_t type;
+  std::int32_t type;  // 0..2: normal is that axis; 3..5: any normal
 };
 struct BspFace {
   std::uint32_t plane;
   bool back_side;
-  std::uint32_t first_surfedge, surfedge_count;  // surfedges index
+  std::uint32_t first_surfedge, surfedge_count;  // surfedges index; fewer than 3 is possible
   std::uint32_t texinfo;
   std::array<std::uint8_t, 4> styles;
-  std::int32_t light_offset;  // bytes into lighting, -1 none
+  std::int32_t light_offset;  // in samples of lighting (or of RGBLIGHTING, three bytes each); -1 none
 };
 struct BspNode {
   std::uint32_t plane;
@@ -65,7 +73,7 @@ struct BspClipNode {
 struct BspModel {
   vec3 mins, maxs, origin;
   std::array<std::int32_t, 4> head_nodes;  // [0] node (or ~leaf), [1..3] clip nodes (or contents if negative)
-  std::uint32_t visible_leafs;
+  std::uint32_t visible_leafs;             // leafs 1..visible_leafs have visibility; below leafs.size()
   std::uint32_t first_face, face_count;
 };
 
@@ -85,6 +93,7 @@ enum Contents : std::int32_t {
 struct Bsp {
   BspVersion version = BspVersion::kBsp29;
   std::string entities;
+  std::uint16_t entities_crc = 0;  // of the lump without its last byte: names QuakeSpasm's maps/name@crc.ent
   std::vector<BspPlane> planes;
   std::vector<BspTexture> textures;
   std::vector<vec3> vertices;
@@ -101,6 +110,7 @@ struct Bsp {
   Bytes lighting;
   // BSPX lumps by name (RGBLIGHTING, LMSHIFT, ...): parts of the file kept as they are.
   std::vector<std::pair<std::string, Bytes>> bspx;
+  std::vector<std::string> warnings;  // what was mended: one sentence a kind, with file and first offset
 
   // The k-th vertex of a face, k < surfedge_count.
   const vec3& face_vertex(const BspFace& face, std::uint32_t k) const {
@@ -110,13 +120,14 @@ struct Bsp {
   }
 };
 
+// Memory is bounded by a small multiple of data.size().
 Result<Bsp> parse_bsp(ByteView data, std::string_view name);
 
-// External .vis (VisPatch): the record for `map_name` (as "start.bsp") replaces visibility and the leafs' vis_offset
-// and contents-independent leaf data. nullopt when the file has no record for the map.
+// External .vis (VisPatch, BSP29 only): the record for `map_name` (as "start.bsp") replaces visibility and the leafs'
+// vis_offset and contents-independent leaf data. nullopt when the file has no record for the map.
 struct VisRecord {
   Bytes visibility;
-  std::vector<BspLeaf> leafs;
+  std::vector<BspLeaf> leafs;  // as many as the map has
 };
 Result<std::optional<VisRecord>> parse_vis(ByteView data, std::string_view name, std::string_view map_name,
                                            const Bsp& bsp);

@@ -1,4 +1,5 @@
-// Demo files: one line with the CD track, then messages, each with the view angles at its time.
+// Demo files: one line with the CD track, then messages, each with the view angles at its time (degrees; numbers that
+// are not finite are read as 0).
 #pragma once
 
 #include <string_view>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -29,7 +30,11 @@ struct RgbaImage {
   std::vector<std::uint8_t> rgba;
 };
 
-constexpr int kMaxImageSize = 16384;  // a side; larger is refused
+constexpr int kMaxImageSize = 16384;                        // a side; larger is refused
+constexpr std::size_t kMaxImagePixels = 8192ull * 8192ull;  // of an RGBA image; more is refused
+
+// All of these refuse with file, offset and cause, and allocate pixels only when the file is long enough to hold them
+// (compressed ones: long enough at the best ratio their coding allows).
 
 // gfx/palette.lmp: 768 bytes.
 Result<Palette> parse_palette(ByteView data, std::string_view name);
@@ -39,7 +44,7 @@ Result<IndexedImage> parse_lmp(ByteView data, std::string_view name);
 Result<RgbaImage> parse_pcx(ByteView data, std::string_view name);
 Result<RgbaImage> parse_tga(ByteView data, std::string_view name);
 Result<RgbaImage> parse_png(ByteView data, std::string_view name);
-// Chooses by the name's extension.
+// Chooses by the name's extension: .pcx, .tga or .png in any case.
 Result<RgbaImage> parse_image(ByteView data, std::string_view name);
 
 }  // namespace fb::formats

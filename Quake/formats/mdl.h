@@ -1,4 +1,6 @@
-// Alias models (IDPO version 6): groups of frames and skins. After parsing every index is in range.
+// Alias models (IDPO version 6): groups of frames and skins. After parsing every index is in range, there is at least
+// one skin, frame, triangle and vertex, no group is empty, times are finite, positive and never go down, and vectors
+// are finite. Small faults that QuakeSpasm shrugs off are mended and named in `warnings`.
 #pragma once
 
 #include <array>
@@ -26,6 +28,8 @@ enum MdlFlags : std::uint32_t {
   kMdlTracer3 = 128,
   kMdlHoley = 1u << 14,
 };
+
+constexpr int kMdlNormalCount = 162;
 
 struct MdlVertex {
   std::uint8_t x, y, z, normal;  // position = byte * scale + origin; normal indexes Quake's table of 162
@@ -58,9 +62,11 @@ struct Mdl {
   std::vector<MdlTriangle> triangles;
   std::vector<MdlFrame> frames;
   std::uint32_t vertex_count = 0, pose_count = 0;
-  std::vector<MdlVertex> vertices;  // pose-major: [pose * vertex_count + vertex]
+  std::vector<MdlVertex> vertices;    // pose-major: [pose * vertex_count + vertex]
+  std::vector<std::string> warnings;  // what was mended: one sentence a kind, with file and first offset
 };
 
+// Refuses with file, offset and cause. Memory is bounded by a small multiple of data.size().
 Result<Mdl> parse_mdl(ByteView data, std::string_view name);
 
 }  // namespace fb::formats

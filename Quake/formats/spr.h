@@ -1,4 +1,5 @@
-// Sprites (IDSP version 1).
+// Sprites (IDSP version 1). After parsing there is at least one frame, no group is empty, times are finite, positive
+// and never go down, images have at least one texel.
 #pragma once
 
 #include <cstdint>
@@ -36,6 +37,8 @@ struct Spr {
   std::vector<SprFrame> frames;
 };
 
+// Refuses with file, offset and cause; an unknown orientation is taken as kParallel. Memory is bounded by a small
+// multiple of data.size().
 Result<Spr> parse_spr(ByteView data, std::string_view name);
 
 }  // namespace fb::formats

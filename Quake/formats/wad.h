@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/bytes.h"
+#include "base/result.h"
 #include "formats/image.h"
 
 namespace fb::formats {
@@ -16,12 +17,13 @@ struct WadLump {
   std::size_t offset = 0, size = 0;
 };
 
-// Holds its bytes; lump names are lower case. Every lump lies inside the file.
+// Holds its bytes; lump names are lower case, and of two with one name the first counts. Every lump lies inside the
+// file.
 class Wad {
  public:
   static Result<Wad> parse(Bytes data, std::string_view name);
   const std::map<std::string, WadLump>& lumps() const { return lumps_; }
-  // Empty view when there is no such lump.
+  // Empty view when there is no such lump; the name's case does not matter.
   ByteView lump(std::string_view name) const;
   // A status bar picture as an image.
   Result<IndexedImage> picture(std::string_view name) const;

@@ -1,0 +1,31 @@
+// The end times in front of a group of skins, poses or sprite images. Internal to formats.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "base/bytes.h"
+
+namespace fb::formats::detail {
+
+// `count` times in seconds, which the caller has checked against the file's size. False if one of them is not finite or
+// not positive: then all are replaced by tenths of a second, Quake's own pace. Times that go down are held.
+inline bool read_group_times(ByteReader& reader, std::size_t count, std::vector<float>& times) {
+  bool good = true;
+  float latest = 0.0f;
+  times.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const float time = reader.f32();
+    if (!std::isfinite(time) || time <= 0.0f) good = false;
+    latest = std::max(latest, time);
+    times.push_back(latest);
+  }
+  if (!good) {
+    for (std::size_t i = 0; i < count; ++i) times[i] = 0.1f * static_cast<float>(i + 1);
+  }
+  return good;
+}
+
+}  // namespace fb::formats::detail
