@@ -19,7 +19,7 @@ layout(set = 0, binding = 7, std430) readonly buffer MaterialBlock { GpuMaterial
 layout(set = 0, binding = 8, std430) readonly buffer ImageBlock { GpuImage images[]; };
 layout(set = 0, binding = 9, std430) readonly buffer TexelBlock { uint texels[]; };
 layout(set = 0, binding = 10, std430) readonly buffer PaletteBlock { vec4 palette[256]; };
-layout(set = 0, binding = 11, std430) readonly buffer RefitBlock { uint refit_words[]; };
+layout(set = 0, binding = 11, std430) readonly buffer PoseJobBlock { GpuPoseJob pose_jobs[]; };
 layout(set = 0, binding = 12, std430) SCENE_ACCESS buffer VertexBlock { float posed_vertices[]; };
 
 #if INTERSECTOR_QUERY

@@ -12,13 +12,12 @@ FB_CONST uint kBindAttributes = 2u;  // GpuAttribute[]: one a mesh triangle, in 
 FB_CONST uint kBindPoses = 3u;       // uvec2[]: PoseVertex of all posed meshes
 FB_CONST uint kBindNormals = 4u;     // uint[]: octahedral 2x16 snorm vertex normals of smooth rigid meshes
 FB_CONST uint kBindInstances = 5u;   // GpuInstance[]
-FB_CONST uint kBindTlasNodes = 6u;   // BvhNode[]: this frame's tree over instances
 FB_CONST uint kBindMaterials = 7u;   // GpuMaterial[]: this frame's (animated textures are resolved)
 FB_CONST uint kBindImages = 8u;      // GpuImage[]
 FB_CONST uint kBindTexels = 9u;      // uint[]: all texels
 FB_CONST uint kBindPalette = 10u;    // vec4[256]: linear Rec.709 colour
-FB_CONST uint kBindRefit = 11u;      // uint[]: what refitting needs (render/gpu_scene.h)
-FB_CONST uint kBindVertices = 12u;   // float[]: positions for ray query builds of posed instances
+FB_CONST uint kBindPoseJobs = 11u;   // GpuPoseJob[]: this frame's posed copies
+FB_CONST uint kBindVertices = 12u;   // float[]: corners of triangles in leaf order, for ray query builds
 
 FB_CONST uint kNoIndex = 0xffffffffu;
 
@@ -64,6 +63,22 @@ FB_CONST uint kInstanceHasColor = 4u;
 FB_CONST uint kInstanceIsViewModel = 8u;
 FB_CONST uint kInstanceIsNew = 16u;
 FB_CONST uint kInstanceTranslucent = 32u;  // alpha < 1: candidate hits must ask
+
+// A posed mesh's copy: triangles between two poses, and the refitted tree over them. One workgroup makes it.
+FB_CONST uint kPoseJobLevels = 44u;  // above shared/bvh.h's kMaxMeshDepth
+struct GpuPoseJob {                // 256 bytes
+  vec4 scale, origin;              // of pose vertices
+  uint pose_a, pose_b;             // first vertices in poses
+  float pose_t;
+  uint triangle_count;
+  uint first_attribute;            // of the mesh
+  uint first_triangle;             // of the copy
+  uint first_vertex;               // of the copy: corners in posed_vertices
+  uint template_node, first_node;  // of the mesh's tree (references relative to the mesh) and of the copy's
+  uint level_count;
+  uint pad0, pad1;
+  uint level_first[44];            // nodes of level l are level_first[l] .. level_first[l + 1] - 1, relative
+};
 
 struct GpuMaterial {               // 80 bytes
   uint base, luma, normal, gloss;  // images, or kNoIndex

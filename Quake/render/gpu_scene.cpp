@@ -1,0 +1,314 @@
+#include "render/gpu_scene.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+#include "base/check.h"
+#include "base/log.h"
+#include "pose.spv.h"
+#include "render/gpu_scene_assets.h"
+#include "render/gpu_scene_poses.h"
+#include "render/gpu_scene_rays.h"
+#include "render/gpu_scene_tables.h"
+#include "render/gpu_scene_tree.h"
+
+namespace fb::render {
+namespace {
+
+bool is_finite(const mat4x3& m) {
+  for (int c = 0; c < 4; ++c) {
+    for (int r = 0; r < 3; ++r) {
+      if (!std::isfinite(m[c][r])) return false;
+    }
+  }
+  return true;
+}
+
+// An instance that is drawn, before its place in the tables is known.
+struct Drawn {
+  const scene::Instance* instance = nullptr;
+  mat4x3 inverse;
+  Bounds bounds;  // in the world
+  MaterialNeeds needs;
+  std::uint32_t copy = shared::kNoIndex;
+  std::uint32_t order = 0;  // along the curve
+  bool asks() const {
+    return instance->alpha < 1.0f || (instance->material_base != 0 && (needs.alpha_test || needs.translucent));
+  }
+};
+
+// The part of an upload buffer that one of the device's buffers gets.
+struct Transfer {
+  const gpu::Buffer* target = nullptr;
+  VkDeviceSize from = 0, to = 0, bytes = 0;
+};
+
+}  // namespace
+
+struct GpuScene::Impl {
+  Impl(gpu::Device& d, gpu::BindingTable& t, const GpuSceneOptions& o)
+      : device(d),
+        table(t),
+        options(o),
+        assets(d, o.ray_query),
+        rays(d, o.build),
+        instances(d, gpu::BufferUse::kStorage, "instances"),
+        materials(d, gpu::BufferUse::kStorage, "materials"),
+        jobs(d, gpu::BufferUse::kStorage, "pose jobs"),
+        staging(d, gpu::BufferUse::kUpload, 1 << 16, "scene staging") {
+    const gpu::SpecializationConstant constants[]{{0, o.ray_query ? 0u : 1u}, {1, o.ray_query ? 1u : 0u}};
+    pose = gpu::ComputePipeline(d, t, pose_spv, "pose", constants);
+  }
+
+  void collect(const scene::FrameSnapshot& snapshot);
+  void choose_world();
+  void fill(const scene::FrameSnapshot& snapshot, const EmissionScales& emission);
+  void stage();
+  void bind();
+  void record(gpu::Commands& commands);
+
+  gpu::Device& device;
+  gpu::BindingTable& table;
+  GpuSceneOptions options;
+  SceneAssets assets;
+  PosedCopies copies;
+  RayStructures rays;
+  MaterialTable material_table;
+  gpu::ComputePipeline pose;
+
+  DeviceArray<shared::GpuInstance> instances;
+  DeviceArray<shared::GpuMaterial> materials;
+  DeviceArray<shared::GpuPoseJob> jobs;
+  gpu::Buffer staging;
+
+  // This frame.
+  std::vector<Drawn> drawn;
+  bool has_world = false;  // drawn[0] stands in the world's own space
+  std::vector<shared::GpuInstance> instance_table;
+  std::vector<shared::GpuPoseJob> job_table;
+  std::vector<shared::BvhNode> tree;
+  std::vector<Transfer> transfers;
+  VkDeviceSize staged = 0;
+  bool recorded = true;  // the last prepared frame was recorded
+  bool said_unknown_material = false;
+  SceneFeatures features;
+  SceneStatistics statistics;
+};
+
+// Which instances are drawn, along a curve through the world, and what they need.
+void GpuScene::Impl::collect(const scene::FrameSnapshot& snapshot) {
+  features = SceneFeatures{};
+  drawn.clear();
+  copies.begin(assets);
+  Bounds space;
+  for (const scene::Instance& instance : snapshot.instances) {
+    if (instance.mesh >= assets.meshes().size() || !is_finite(instance.transform)) continue;
+    const MeshRecord& mesh = assets.meshes()[instance.mesh];
+    if (mesh.triangle_count == 0 || (instance.visibility & scene::kSeenByAll) == 0 || !(instance.alpha > 0.0f))
+      continue;
+    Drawn d;
+    d.instance = &instance;
+    d.inverse = inverse_affine(instance.transform);
+    if (d.inverse == mat4x3(0.0f) || !is_finite(d.inverse)) continue;
+    d.needs = needs_of(*snapshot.assets, mesh, instance.material_base);
+    if (!d.needs.known) {
+      if (!said_unknown_material)
+        log_warning("instance {} names a material that does not exist; it is not drawn", instance.id);
+      said_unknown_material = true;
+      continue;
+    }
+    features.alpha_test |= d.needs.alpha_test;
+    features.translucent |= d.needs.translucent || instance.alpha < 1.0f;
+    features.specular |= d.needs.specular;
+    Bounds local = mesh.bounds;
+    if (mesh.posed) {
+      scene::PoseBlend blend = PosedCopies::canonical(mesh, instance.pose);
+      local = PosedCopies::bounds(mesh, blend);
+      d.copy = copies.get(assets, instance.mesh, blend, d.asks());
+    }
+    d.bounds = transform_bounds(instance.transform, local);
+    // Rays are rounded when they are taken into the instance's space, and so is the box.
+    vec3 pad = glm::max(glm::abs(d.bounds.min), glm::abs(d.bounds.max)) * 1e-6f;
+    d.bounds.min -= pad;
+    d.bounds.max += pad;
+    space.add((d.bounds.min + d.bounds.max) * 0.5f);
+    drawn.push_back(d);
+  }
+  for (Drawn& d : drawn) d.order = morton_code((d.bounds.min + d.bounds.max) * 0.5f, space);
+  std::stable_sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) { return a.order < b.order; });
+  choose_world();
+}
+
+// The largest rigid instance that all rays see and that stands where its mesh does becomes instance 0: rays meet it
+// without entering it.
+void GpuScene::Impl::choose_world() {
+  has_world = false;
+  std::size_t best = 0;
+  std::uint32_t best_count = 0;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const scene::Instance& instance = *drawn[i].instance;
+    const MeshRecord& mesh = assets.meshes()[instance.mesh];
+    bool fits = !mesh.posed && instance.transform == mat4x3(1.0f) &&
+                (instance.visibility & scene::kSeenByAll) == scene::kSeenByAll;
+    if (fits && mesh.triangle_count > best_count) {
+      has_world = true;
+      best = i;
+      best_count = mesh.triangle_count;
+    }
+  }
+  if (has_world)
+    std::rotate(drawn.begin(), drawn.begin() + static_cast<std::ptrdiff_t>(best),
+                drawn.begin() + static_cast<std::ptrdiff_t>(best) + 1);
+}
+
+// The tables' contents.
+void GpuScene::Impl::fill(const scene::FrameSnapshot& snapshot, const EmissionScales& emission) {
+  const scene::Assets& source = *snapshot.assets;
+  instance_table.clear();
+  std::vector<TreeLeaf> leaves;
+  std::vector<RayInstance> ray_instances;
+  for (std::uint32_t i = 0; i < drawn.size(); ++i) {
+    const Drawn& d = drawn[i];
+    const scene::Instance& instance = *d.instance;
+    const MeshRecord& mesh = assets.meshes()[instance.mesh];
+    const scene::Material& material = source.materials[mesh.materials[0] + instance.material_base];
+    shared::GpuInstance out =
+        make_gpu_instance(mesh, instance, d.inverse, material_table.base_for(source, mesh, instance),
+                          emission_scale(emission, material.emission_kind));
+    if (d.asks()) out.flags |= shared::kInstanceTranslucent;
+    const bool posed = d.copy != shared::kNoIndex;
+    out.root_node = posed ? copies.copies()[d.copy].root : mesh.root;
+    out.first_triangle = posed ? copies.copies()[d.copy].first_triangle : mesh.first_triangle;
+    instance_table.push_back(out);
+    if (options.ray_query) {
+      ray_instances.push_back(
+          {instance.transform, i, instance.visibility & scene::kSeenByAll, instance.mesh, d.copy, d.asks()});
+    } else if (i == 0 && has_world) {
+      if (mesh.subtrees.empty()) leaves.push_back({mesh.root, mesh.bounds});
+      for (const SubtreeRef& part : mesh.subtrees) leaves.push_back({part.ref, part.bounds});
+    } else {
+      leaves.push_back({instance_ref(i, instance.visibility), d.bounds});
+    }
+  }
+  if (options.ray_query) {
+    rays.prepare(assets, std::move(ray_instances));
+  } else {
+    tree = build_instance_tree(leaves, copies.end_node());
+  }
+}
+
+// Makes room on the device and lays this frame's tables into the staging buffer.
+void GpuScene::Impl::stage() {
+  const VkBuffer old[]{assets.nodes().buffer().handle(), assets.triangles().buffer().handle(),
+                       assets.vertices().buffer().handle()};
+  assets.nodes().reserve(std::uint64_t{copies.end_node()} + tree.size());
+  assets.triangles().reserve(copies.end_triangle());
+  assets.vertices().reserve(options.ray_query ? copies.end_vertex() : 1);
+  const bool moved = old[0] != assets.nodes().buffer().handle() || old[1] != assets.triangles().buffer().handle() ||
+                     old[2] != assets.vertices().buffer().handle();
+  copies.finish(moved || !recorded);
+  job_table = copies.jobs(assets);
+
+  instances.reserve(instance_table.size());
+  materials.reserve(material_table.entries().size());
+  jobs.reserve(job_table.size());
+
+  staged = 0;
+  transfers.clear();
+  const auto bytes_of = [](const auto& items) { return items.size() * sizeof(items[0]); };
+  staging.reserve(bytes_of(instance_table) + bytes_of(material_table.entries()) + bytes_of(job_table) + bytes_of(tree));
+  const auto put = [&](const void* data, VkDeviceSize bytes, const gpu::Buffer& target, VkDeviceSize to) {
+    if (bytes == 0) return;
+    std::memcpy(static_cast<std::byte*>(staging.mapped()) + staged, data, bytes);
+    transfers.push_back({&target, staged, to, bytes});
+    staged += bytes;
+  };
+  put(instance_table.data(), bytes_of(instance_table), instances.buffer(), 0);
+  put(material_table.entries().data(), bytes_of(material_table.entries()), materials.buffer(), 0);
+  put(job_table.data(), bytes_of(job_table), jobs.buffer(), 0);
+  if (!options.ray_query) {
+    constexpr VkDeviceSize kNode = sizeof(shared::BvhNode);
+    put(tree.data(), kNode, assets.nodes().buffer(), 0);
+    put(tree.data() + 1, bytes_of(tree) - kNode, assets.nodes().buffer(), copies.end_node() * kNode);
+  }
+}
+
+void GpuScene::Impl::bind() {
+  table.set_scene(shared::kBindNodes, assets.nodes().buffer());
+  table.set_scene(shared::kBindTriangles, assets.triangles().buffer());
+  table.set_scene(shared::kBindAttributes, assets.attributes());
+  table.set_scene(shared::kBindPoses, assets.poses());
+  table.set_scene(shared::kBindNormals, assets.normals());
+  table.set_scene(shared::kBindInstances, instances.buffer());
+  table.set_scene(shared::kBindMaterials, materials.buffer());
+  table.set_scene(shared::kBindImages, assets.images());
+  table.set_scene(shared::kBindTexels, assets.texels());
+  table.set_scene(shared::kBindPalette, assets.palette());
+  table.set_scene(shared::kBindPoseJobs, jobs.buffer());
+  table.set_scene(shared::kBindVertices, assets.vertices().buffer());
+}
+
+void GpuScene::Impl::record(gpu::Commands& commands) {
+  for (const Transfer& t : transfers) commands.copy(staging, *t.target, t.bytes, t.from, t.to);
+  commands.barrier();
+  if (!job_table.empty()) {
+    commands.dispatch(pose, static_cast<std::uint32_t>(job_table.size()));
+    commands.barrier();
+  }
+  if (options.ray_query) {
+    rays.record(commands, assets, copies);
+    commands.barrier();
+  }
+}
+
+GpuScene::GpuScene(gpu::Device& device, gpu::BindingTable& table, const GpuSceneOptions& options)
+    : impl_(std::make_unique<Impl>(device, table, options)) {}
+GpuScene::~GpuScene() = default;
+
+void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScales& emission) {
+  Impl& s = *impl_;
+  const auto start = std::chrono::steady_clock::now();
+  FB_CHECK(snapshot.assets != nullptr);
+  const std::uint64_t generation = s.assets.generation();
+  s.assets.update(*snapshot.assets);
+  if (s.assets.generation() != generation) s.copies.forget();
+  s.material_table.begin(*snapshot.assets, snapshot.time, emission);
+  s.collect(snapshot);
+  s.fill(snapshot, emission);
+  s.stage();
+  s.bind();
+  s.recorded = false;
+  if (s.options.ray_query && s.rays.must_grow()) {
+    s.table.flush();
+    s.device.run([&](gpu::Commands& commands) {
+      commands.bind(s.table);
+      s.record(commands);
+    });
+    s.table.set_tlas(s.rays.top_level());
+  }
+
+  s.statistics.meshes = static_cast<std::uint32_t>(s.assets.meshes().size());
+  s.statistics.triangles = s.assets.triangle_count();
+  s.statistics.instances = static_cast<std::uint32_t>(s.drawn.size());
+  s.statistics.posed_instances = static_cast<std::uint32_t>(
+      std::count_if(s.drawn.begin(), s.drawn.end(), [](const Drawn& d) { return d.copy != shared::kNoIndex; }));
+  s.statistics.device_bytes =
+      s.assets.device_bytes() + s.instances.bytes() + s.materials.bytes() + s.jobs.bytes() + s.staging.size();
+  s.statistics.host_milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void GpuScene::record(gpu::Commands& commands) {
+  const VkAccelerationStructureKHR before = impl_->rays.top_level();
+  impl_->record(commands);
+  impl_->recorded = true;
+  FB_CHECK(before == impl_->rays.top_level());
+}
+
+const SceneFeatures& GpuScene::features() const { return impl_->features; }
+const SceneStatistics& GpuScene::statistics() const { return impl_->statistics; }
+
+}  // namespace fb::render
