@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
-#include <set>
+#include <map>
 #include <utility>
 #include <vector>
 
+#include "scene/liquid_faces.h"
 #include "scene/shapes.h"
 #include "scene/surface_names.h"
 
@@ -38,17 +38,6 @@ std::size_t best_fan_start(const std::vector<vec3>& polygon) {
   return best;
 }
 
-// Which place a face takes, whichever way it faces and wherever its corners begin: corners in eighths of a unit.
-using FacePlace = std::vector<std::array<std::int64_t, 3>>;
-FacePlace place_of(const std::vector<vec3>& polygon) {
-  FacePlace place;
-  for (const vec3& p : polygon)
-    place.push_back({std::llround(p.x * 8.0), std::llround(p.y * 8.0), std::llround(p.z * 8.0)});
-  std::ranges::sort(place);
-  place.erase(std::unique(place.begin(), place.end()), place.end());
-  return place;
-}
-
 class BrushMeshBuilder {
  public:
   BrushMeshBuilder(const formats::Bsp& bsp, MapMaterials& materials) : bsp_(bsp), materials_(materials) {}
@@ -66,15 +55,17 @@ class BrushMeshBuilder {
     for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
       normal += triangle_cross(polygon[0], polygon[k], polygon[k + 1]);
     const vec3 front = bsp_.planes[face.plane].normal * (face.back_side ? -1.0f : 1.0f);
-    if (texture != nullptr && liquid_kind(texture->name) != LiquidKind::kNone &&
-        !liquid_places_.insert({texinfo.texture, place_of(polygon)}).second)
-      return;
     // Quake's faces run clockwise as seen from the front; ours the other way.
     if (glm::dot(normal, front) < 0.0f) std::ranges::reverse(polygon);
-    add_fan(polygon, texinfo, texture);
+    if (texture != nullptr && liquid_kind(texture->name) != LiquidKind::kNone)
+      liquids_.push_back({face.texinfo, texinfo.texture, face.plane, face.back_side, std::move(polygon)});
+    else
+      add_fan(polygon, texinfo, texture);
   }
 
   Mesh take(std::string name) {
+    for (const LiquidFace& face : without_coincident(std::move(liquids_)))
+      add_fan(face.polygon, bsp_.texinfos[face.texinfo], &bsp_.textures[face.texture]);
     mesh_.name = std::move(name);
     finish_mesh(mesh_);
     return std::move(mesh_);
@@ -116,7 +107,7 @@ class BrushMeshBuilder {
   MapMaterials& materials_;
   Mesh mesh_;
   std::map<std::array<float, 3>, std::uint32_t> vertices_;
-  std::set<std::pair<std::uint32_t, FacePlace>> liquid_places_;
+  std::vector<LiquidFace> liquids_;
 };
 
 }  // namespace

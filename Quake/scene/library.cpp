@@ -33,6 +33,10 @@ std::string with_extension(std::string_view path, std::string_view extension) {
   return std::string(path.substr(0, path.find_last_of('.'))) + std::string(extension);
 }
 
+void log_all(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) log_warning("{}", warning);
+}
+
 LiquidAlphas liquid_alphas(const std::vector<world::Entity>& entities) {
   LiquidAlphas alphas;
   if (entities.empty()) return alphas;
@@ -132,6 +136,7 @@ Status ModelLibrary::load_map(std::string_view bsp_path) {
   auto bsp = formats::parse_bsp(*bytes, path);
   if (!bsp) return bsp.error();
   if (bsp->models.empty()) return Error{path + ": a map without models"};
+  log_all(bsp->warnings);
 
   const std::string vis_path = with_extension(path, ".vis");
   if (const std::optional<Bytes> vis = load(vis_path)) {
@@ -144,10 +149,13 @@ Status ModelLibrary::load_map(std::string_view bsp_path) {
     }
   }
   std::string entities_name = path;
-  const std::string ent_path = with_extension(path, ".ent");
-  if (const std::optional<Bytes> ent = load(ent_path)) {
+  for (const std::string& ent_path :
+       {with_extension(path, fmt::format("@{:04x}.ent", bsp->entities_crc)), with_extension(path, ".ent")}) {
+    const std::optional<Bytes> ent = load(ent_path);
+    if (!ent) continue;
     bsp->entities.assign(ent->begin(), ent->end());
     entities_name = ent_path;
+    break;
   }
   std::vector<world::Entity> entities;
   if (auto parsed = world::parse_entity_lump(bsp->entities, entities_name))
@@ -222,7 +230,9 @@ Model ModelLibrary::Impl::load_model(const std::string& name) {
   const std::string_view magic(reinterpret_cast<const char*>(bytes->data()), std::min<std::size_t>(bytes->size(), 4));
   if (magic == "IDPO") {
     auto mdl = formats::parse_mdl(*bytes, name);
-    return mdl ? alias_model(*builder, *mdl, name) : refuse(mdl.error());
+    if (!mdl) return refuse(mdl.error());
+    log_all(mdl->warnings);
+    return alias_model(*builder, *mdl, name);
   }
   if (magic == "IDSP") {
     auto spr = formats::parse_spr(*bytes, name);
@@ -231,6 +241,7 @@ Model ModelLibrary::Impl::load_model(const std::string& name) {
   auto bsp = formats::parse_bsp(*bytes, name);
   if (!bsp) return refuse(bsp.error());
   if (bsp->models.empty()) return refuse({name + ": a map without models"});
+  log_all(bsp->warnings);
   MapMaterials materials(*builder, *bsp, std::string(stem_of(name)), {}, {});
   return brush_model(*bsp, 0, name, add_brush_mesh(*builder, *bsp, 0, materials, name));
 }

@@ -72,7 +72,7 @@ class ModelLibrary {
   void clear();
   // Loads a map: mesh of the world and of every submodel ("*1"...), textures with replacements from textures/
   // (<map>/<name> then <name>; .png .tga .pcx; _luma, _glow, _norm, _gloss), sky, entity lights, suns.
-  // External maps/x.ent and x.vis beside it are used. On failure nothing changes.
+  // External maps/x@<crc>.ent or else x.ent, and x.vis, beside it are used. On failure nothing changes.
   Status load_map(std::string_view bsp_path);
   const formats::Bsp* map() const;
   const std::string& map_entities() const;

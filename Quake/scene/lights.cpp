@@ -14,7 +14,8 @@ namespace {
 
 using world::Entity;
 
-constexpr float kLightmapUnit = 128.0f;  // the lightmap value that shows a texture as it was painted
+constexpr float kLightmapUnit = 128.0f;       // the lightmap value that shows a texture as it was painted
+constexpr float kMaxSurfaceRadiance = 20.0f;  // small faces would be blinding
 constexpr float kDefaultLight = 300.0f;
 constexpr float kDefaultCone = 40.0f;  // degrees
 constexpr float kMinSunRadius = 1.0f;  // degrees: smaller suns are all noise to a path tracer without light sampling
@@ -204,7 +205,7 @@ SurfaceLights surface_lights(const std::vector<Entity>& entities, const formats:
     if (area < 1.0 || !(strength > 0.0f)) continue;
     // A patch of radiance R' and area A has the intensity R' A to its front; the sphere has pi r^2 R.
     const auto radiance = static_cast<float>(kPi * strength * patches / area);
-    result[name] += light.color * std::min(radiance, 50.0f);
+    result[name] += light.color * std::min(radiance, kMaxSurfaceRadiance);
   }
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -149,10 +150,10 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
   const auto lit = surface_lights_.find(lower_case(texture.name));
   if (lit != surface_lights_.end() &&
       (material.emission_kind == EmissionKind::kNone || material.emission_kind == EmissionKind::kFullbright)) {
-    // The radiance is the mean over the texture: a dark texture has a larger factor, within bounds.
+    // The factor is on the texel's colour: a dark texture has a larger one, within bounds.
     const vec3 mean = mean_color(builder_.palette(), builder_.assets().images[material.frames.front().base]);
     material.emission_kind = EmissionKind::kEntityLight;
-    material.emission = lit->second / glm::max(luminance(mean), 0.05f);
+    material.emission = lit->second / std::max({mean.x, mean.y, mean.z, 0.05f});
   }
   return builder_.add_material(std::move(material));
 }
