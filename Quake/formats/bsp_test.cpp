@@ -1,0 +1,512 @@
+// Maps: each version round trips; damaged ones are refused by name and place; what QuakeSpasm plays is mended and said.
+#include "formats/bsp.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "formats/invariants.h"
+#include "formats/test_corruption.h"
+#include "formats/test_files.h"
+
+namespace fb::formats {
+namespace {
+
+using testing::box_room;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using testing::write_bsp;
+
+constexpr std::array kVersions = {BspVersion::kBsp29, BspVersion::kBsp2, BspVersion::k2Psb};
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+const testing::Attempt kAttempt = testing::attempt([](const Bytes& bytes) { return parse_bsp(bytes, "maps/x.bsp"); },
+                                                   [](const Bsp& bsp) { return testing::broken(bsp); });
+
+class EachVersion : public ::testing::TestWithParam<BspVersion> {
+ protected:
+  Bsp room_ = box_room(GetParam());
+
+  // Refused, and for the reason that contains `cause`.
+  void expect_refused(const std::string& cause) {
+    const Bytes file = write_bsp(room_);
+    const auto bsp = parse_bsp(file, "maps/x.bsp");
+    ASSERT_FALSE(bsp.ok()) << "taken, though: " << cause;
+    EXPECT_THAT(bsp.error().message, HasSubstr(cause));
+    EXPECT_TRUE(testing::names_place(bsp.error().message, "maps/x.bsp", file.size()));
+  }
+  // Taken, with exactly one warning, which contains `cause`.
+  Bsp expect_mended(const std::string& cause) {
+    const Bytes file = write_bsp(room_);
+    auto bsp = parse_bsp(file, "maps/x.bsp");
+    if (!bsp.ok()) {
+      ADD_FAILURE() << bsp.error().message;
+      return {};
+    }
+    EXPECT_EQ(testing::broken(*bsp), "");
+    EXPECT_EQ(bsp->warnings.size(), 1u);
+    EXPECT_THAT(bsp->warnings, Contains(HasSubstr(cause)));
+    for (const std::string& warning : bsp->warnings) {
+      EXPECT_TRUE(testing::names_place(warning, "maps/x.bsp", file.size()));
+    }
+    return std::move(*bsp);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Bsp, EachVersion, ::testing::ValuesIn(kVersions));
+
+TEST_P(EachVersion, RoundTrips) {
+  room_.bspx = {{"RGBLIGHTING", Bytes(5202, 9)}, {"LMSHIFT", Bytes(6, 4)}};
+  const Bytes file = write_bsp(room_);
+  const auto bsp = parse_bsp(file, "maps/x.bsp");
+  ASSERT_TRUE(bsp.ok()) << bsp.error().message;
+  EXPECT_EQ(testing::broken(*bsp), "");
+  EXPECT_TRUE(bsp->warnings.empty());
+  EXPECT_EQ(bsp->version, GetParam());
+  EXPECT_EQ(write_bsp(*bsp), file);
+
+  EXPECT_EQ(bsp->textures[0].indices, room_.textures[0].indices);
+  EXPECT_TRUE(bsp->textures[1].missing());
+  EXPECT_EQ(bsp->textures[1].name, "outside");
+  EXPECT_EQ(bsp->textures[1].width, 32);
+  EXPECT_TRUE(bsp->textures[2].missing());
+  EXPECT_EQ(bsp->face_vertex(bsp->faces[1], 0), room_.face_vertex(room_.faces[1], 0));
+  EXPECT_EQ(bsp->bspx, room_.bspx);
+}
+
+// The room itself is what it says: all walls face inwards, clockwise as Quake has it.
+TEST_P(EachVersion, RoomFacesInwards) {
+  for (const BspFace& face : room_.faces) {
+    const vec3 a = room_.face_vertex(face, 0), b = room_.face_vertex(face, 1), c = room_.face_vertex(face, 2);
+    const vec3 normal = room_.planes[face.plane].normal * (face.back_side ? -1.0f : 1.0f);
+    EXPECT_GT(glm::dot(glm::cross(c - a, b - a), normal), 0.0f);
+    EXPECT_LT(glm::dot(normal, a), 0.0f);
+  }
+}
+
+TEST_P(EachVersion, RefusedWhenCut) { testing::expect_refused_when_cut(kAttempt, write_bsp(room_), "maps/x.bsp"); }
+
+TEST_P(EachVersion, SoundWhenDamaged) {
+  room_.bspx = {{"RGBLIGHTING", Bytes(64, 9)}};
+  room_.lighting.resize(64);
+  for (BspFace& face : room_.faces) face.light_offset = 0;
+  testing::expect_sound_when_damaged(kAttempt, write_bsp(room_), "maps/x.bsp");
+}
+
+TEST_P(EachVersion, OversizedLumpsAreRefused) {
+  const Bytes valid = write_bsp(room_);
+  for (std::size_t word = 4; word < 124; word += 4) {
+    for (const std::uint32_t value : {0xffffffffu, 0x7ffffffcu, static_cast<std::uint32_t>(valid.size() + 4)}) {
+      testing::ByteWriter file{valid};
+      file.patch_u32(word, value);
+      testing::expect_refused(kAttempt, file.out, "maps/x.bsp");
+    }
+  }
+}
+
+TEST_P(EachVersion, LumpsOfHalfRecordsAreRefused) {
+  const Bytes valid = write_bsp(room_);
+  for (const std::size_t lump : {1u, 3u, 5u, 6u, 7u, 9u, 10u, 12u, 13u, 14u}) {
+    testing::ByteWriter file{valid};
+    std::uint32_t size = 0;
+    std::memcpy(&size, valid.data() + 8 + 8 * lump, 4);
+    file.patch_u32(8 + 8 * lump, size - 1);
+    const auto bsp = parse_bsp(file.out, "maps/x.bsp");
+    ASSERT_FALSE(bsp.ok()) << lump;
+    EXPECT_THAT(bsp.error().message, HasSubstr("no multiple of"));
+  }
+}
+
+TEST_P(EachVersion, UnknownVersionIsRefused) {
+  Bytes file = write_bsp(room_);
+  file[0] = 30;
+  file[1] = file[2] = file[3] = 0;
+  const auto bsp = parse_bsp(file, "maps/x.bsp");
+  ASSERT_FALSE(bsp.ok());
+  EXPECT_THAT(bsp.error().message, HasSubstr("version 30"));
+}
+
+// --- each index out of range ---
+
+TEST_P(EachVersion, EdgeVertex) {
+  room_.edges[3][1] = 8;
+  expect_refused("edge names vertex 8 of 8");
+}
+TEST_P(EachVersion, SurfedgeEdge) {
+  room_.surfedges[3] = static_cast<std::int32_t>(room_.edges.size());
+  expect_refused("surfedge names edge 13 of 13");
+}
+TEST_P(EachVersion, SurfedgeLeastNumber) {
+  room_.surfedges[3] = std::numeric_limits<std::int32_t>::min();
+  expect_refused("surfedge names edge");
+}
+TEST_P(EachVersion, FacePlane) {
+  room_.faces[2].plane = 6;
+  expect_refused("face names plane 6 of 6");
+}
+TEST_P(EachVersion, FaceSurfedges) {
+  room_.faces[5].surfedge_count = 5;
+  expect_refused("face names surfedges beyond the 24");
+}
+TEST_P(EachVersion, FaceSurfedgesThatWrapRound) {
+  room_.faces[5].first_surfedge = 0xffffffffu;
+  expect_refused("face names surfedges beyond the 24");
+}
+TEST_P(EachVersion, FaceTexinfo) {
+  room_.faces[0].texinfo = 6;
+  expect_refused("face names texinfo 6 of 6");
+}
+TEST_P(EachVersion, MarkFace) {
+  room_.mark_faces[0] = 6;
+  expect_refused("marksurface names face 6 of 6");
+}
+TEST_P(EachVersion, LeafMarkFaces) {
+  room_.leafs[1].first_mark_face = 1;
+  expect_refused("leaf names marksurfaces beyond the 6");
+}
+TEST_P(EachVersion, NodePlane) {
+  room_.nodes[0].plane = 6;
+  expect_refused("node names plane 6 of 6");
+}
+TEST_P(EachVersion, NodeFaces) {
+  room_.nodes[5].face_count = 2;
+  expect_refused("node names faces beyond the 6");
+}
+TEST_P(EachVersion, ClipNodePlane) {
+  room_.clip_nodes[0].plane = 0xffffffffu;
+  expect_refused("clip node names plane");
+}
+TEST_P(EachVersion, ModelHead) {
+  room_.models[0].head_nodes[0] = 6;
+  expect_refused("model names head node 6 of 6");
+}
+TEST_P(EachVersion, ModelHeadLeaf) {
+  room_.models[1].head_nodes[0] = ~2;
+  expect_refused("model names head node -3");
+}
+TEST_P(EachVersion, ModelFaces) {
+  room_.models[0].first_face = 1;
+  expect_refused("model names faces beyond the 6");
+}
+TEST_P(EachVersion, NoModels) {
+  room_.models.clear();
+  expect_refused("no world model");
+}
+TEST_P(EachVersion, NoLeafs) {
+  room_.leafs.clear();
+  expect_refused("no leafs");
+}
+
+// --- trees ---
+
+TEST_P(EachVersion, NodeThatLeadsBack) {
+  room_.nodes[5].children[0] = 3;
+  room_.nodes[2].children = {~1, ~0};
+  expect_refused("node leads back to itself in the nodes lump");
+}
+TEST_P(EachVersion, NodeThatIsItsOwnChild) {
+  room_.nodes[5].children[0] = 5;
+  room_.nodes[4].children = {~1, ~0};
+  expect_refused("node leads back to itself");
+}
+TEST_P(EachVersion, NodeWithTwoParents) {
+  room_.nodes[0].children[1] = 3;
+  expect_refused("another parent");
+}
+TEST_P(EachVersion, ClipNodeThatLeadsBack) {
+  room_.clip_nodes[5].children[0] = 0;
+  expect_refused("node leads back to itself in the clipnodes lump");
+}
+TEST_P(EachVersion, ClipNodesMayBeShared) {
+  room_.clip_nodes[0].children[1] = 3;
+  const auto bsp = parse_bsp(write_bsp(room_), "maps/x.bsp");
+  ASSERT_TRUE(bsp.ok()) << bsp.error().message;
+  EXPECT_EQ(bsp->clip_nodes[0].children[1], 3);
+}
+TEST_P(EachVersion, DepthIsBounded) {
+  room_ = testing::deep_room(GetParam(), kMaxBspDepth);
+  const auto bsp = parse_bsp(write_bsp(room_), "maps/x.bsp");
+  ASSERT_TRUE(bsp.ok()) << bsp.error().message;
+  EXPECT_EQ(testing::broken(*bsp), "");
+  room_ = testing::deep_room(GetParam(), kMaxBspDepth + 1);
+  expect_refused("deeper than");
+}
+
+// --- numbers that are none ---
+
+TEST_P(EachVersion, PlaneNotFinite) {
+  room_.planes[2].distance = kNaN;
+  expect_refused("plane has a number that is not finite");
+}
+TEST_P(EachVersion, VertexNotFinite) {
+  room_.vertices[2].y = kInfinity;
+  expect_refused("vertex is not finite");
+}
+TEST_P(EachVersion, VertexTooFar) {
+  room_.vertices[2].y = -1.5e6f;
+  expect_refused("too far");
+}
+TEST_P(EachVersion, TexinfoNotFinite) {
+  room_.texinfos[1].axes[1].z = kNaN;
+  const Bsp bsp = expect_mended("axis is taken as 0");
+  EXPECT_EQ(bsp.texinfos[1].axes[1], vec4(0.0f));
+  EXPECT_EQ(bsp.texinfos[1].axes[0], room_.texinfos[1].axes[0]);
+}
+TEST_P(EachVersion, ModelBoxNotFinite) {
+  room_.models[0].maxs.x = kNaN;
+  EXPECT_EQ(expect_mended("bounds or origin").models[0].maxs, vec3(0.0f));
+}
+
+// --- what QuakeSpasm plays ---
+
+TEST_P(EachVersion, NodeChildThatDoesNotExist) {
+  room_.nodes[5].children[0] = ~7;
+  EXPECT_EQ(expect_mended("solid leaf 0").nodes[5].children[0], ~0);
+}
+TEST_P(EachVersion, LightOutsideItsLump) {
+  room_.faces[0].light_offset = 1 << 20;
+  room_.faces[1].light_offset = -7;
+  const Bsp bsp = expect_mended("light outside the lighting lump; taken as none (and 1 more)");
+  EXPECT_EQ(bsp.faces[0].light_offset, -1);
+  EXPECT_EQ(bsp.faces[1].light_offset, -1);
+  EXPECT_EQ(bsp.faces[2].light_offset, room_.faces[2].light_offset);
+}
+TEST_P(EachVersion, ColouredLightAlone) {
+  room_.bspx = {{"RGBLIGHTING", Bytes(3 * room_.lighting.size())}};
+  room_.lighting.clear();
+  const auto bsp = parse_bsp(write_bsp(room_), "maps/x.bsp");
+  ASSERT_TRUE(bsp.ok());
+  EXPECT_EQ(bsp->faces[5].light_offset, room_.faces[5].light_offset);
+}
+TEST_P(EachVersion, NoLightNoVisibility) {
+  room_.lighting.clear();
+  room_.visibility.clear();
+  const auto bsp = parse_bsp(write_bsp(room_), "maps/x.bsp");
+  ASSERT_TRUE(bsp.ok());
+  EXPECT_TRUE(bsp->warnings.empty());
+  EXPECT_EQ(bsp->leafs[1].vis_offset, -1);
+  EXPECT_EQ(bsp->faces[1].light_offset, -1);
+}
+TEST_P(EachVersion, VisibilityOutsideItsLump) {
+  room_.leafs[1].vis_offset = 1;
+  EXPECT_EQ(expect_mended("seeing all").leafs[1].vis_offset, -1);
+}
+TEST_P(EachVersion, TexinfoTexture) {
+  room_.texinfos[0].texture = 3;
+  EXPECT_EQ(expect_mended("taken as none").texinfos[0].texture, kNoTexture);
+}
+TEST_P(EachVersion, FaceOfTwoEdges) {
+  room_.faces[0].surfedge_count = 2;
+  EXPECT_EQ(expect_mended("fewer than three").faces[0].surfedge_count, 2u);
+}
+TEST_P(EachVersion, UnknownContents) {
+  room_.leafs[1].contents = 12;
+  EXPECT_EQ(expect_mended("unknown contents").leafs[1].contents, kContentsEmpty);
+}
+TEST_P(EachVersion, UnknownPlaneType) {
+  room_.planes[0].type = 9;
+  EXPECT_EQ(expect_mended("unknown type").planes[0].type, 3);
+}
+TEST_P(EachVersion, TooManyVisibleLeafs) {
+  room_.models[0].visible_leafs = 2;
+  EXPECT_EQ(expect_mended("visible leafs").models[0].visible_leafs, 1u);
+}
+TEST_P(EachVersion, HullThatDoesNotExist) {
+  room_.models[0].head_nodes[2] = 6;
+  EXPECT_EQ(expect_mended("hull is taken as empty").models[0].head_nodes[2], kContentsEmpty);
+}
+
+// --- textures ---
+
+class TextureLump : public ::testing::Test {
+ protected:
+  // The room with its texture lump as `edit` leaves it; offsets in the lump: 16 wall, then outside.
+  template <typename Edit>
+  Result<Bsp> parse_with(const Edit& edit) {
+    const Bytes valid = write_bsp(box_room(BspVersion::kBsp29));
+    testing::ByteWriter file{valid};
+    std::uint32_t lump = 0;
+    std::memcpy(&lump, valid.data() + 4 + 8 * 2, 4);
+    edit(file, lump);
+    return parse_bsp(file.out, "maps/x.bsp");
+  }
+};
+
+TEST_F(TextureLump, OffsetOutside) {
+  const auto bsp = parse_with([](auto& file, std::uint32_t lump) { file.patch_u32(lump + 4, 0x7fffffff); });
+  ASSERT_TRUE(bsp.ok());
+  EXPECT_TRUE(bsp->textures[0].missing());
+  EXPECT_EQ(bsp->textures[0].width, 16);
+  EXPECT_THAT(bsp->warnings, Contains(HasSubstr("texture lies outside its lump")));
+}
+TEST_F(TextureLump, TexelsOutside) {
+  const auto bsp = parse_with([](auto& file, std::uint32_t lump) { file.patch_u32(lump + 16 + 16, 4096); });
+  ASSERT_TRUE(bsp.ok());
+  EXPECT_TRUE(bsp->textures[0].missing());
+  EXPECT_EQ(bsp->textures[0].name, "wall");
+  EXPECT_THAT(bsp->warnings, Contains(HasSubstr("runs past the end of its lump")));
+}
+TEST_F(TextureLump, ImpossibleSize) {
+  for (const std::uint32_t size : {0u, 0xffffffffu, 16385u}) {
+    const auto bsp = parse_with([&](auto& file, std::uint32_t lump) { file.patch_u32(lump + 16 + 20, size); });
+    ASSERT_TRUE(bsp.ok());
+    EXPECT_TRUE(bsp->textures[0].missing());
+    EXPECT_THAT(bsp->warnings, Contains(HasSubstr("impossible size")));
+  }
+}
+TEST_F(TextureLump, WrongOffsetOfTexelsMeansBehindTheHeader) {
+  const auto bsp = parse_with([](auto& file, std::uint32_t lump) { file.patch_u32(lump + 16 + 24, 0x01010101); });
+  ASSERT_TRUE(bsp.ok());
+  EXPECT_EQ(bsp->textures[0].indices, box_room(BspVersion::kBsp29).textures[0].indices);
+}
+TEST_F(TextureLump, DirectoryTooLarge) {
+  for (const std::uint32_t count : {0xffffffffu, 0x40000000u, 100000u}) {
+    const auto bsp = parse_with([&](auto& file, std::uint32_t lump) { file.patch_u32(lump, count); });
+    ASSERT_FALSE(bsp.ok());
+    EXPECT_THAT(bsp.error().message, HasSubstr("too small for its directory"));
+  }
+}
+
+// A directory that names one texture a thousand times does not cost a thousand times its memory.
+TEST(BspMemory, TexturesCannotBeMultiplied) {
+  Bsp room = box_room(BspVersion::kBsp29);
+  room.textures.assign(1000, BspTexture{"", 16, 16, {}});
+  room.textures[0] = {"wall", 64, 64, std::vector<std::uint8_t>(4096, 5)};
+  Bytes file = write_bsp(room);
+  std::uint32_t lump = 0;
+  std::memcpy(&lump, file.data() + 4 + 8 * 2, 4);
+  testing::ByteWriter edited{file};
+  for (std::uint32_t i = 0; i < 1000; ++i) edited.patch_u32(lump + 4 + 4 * i, 4 + 4 * 1000);
+  const auto bsp = parse_bsp(edited.out, "maps/x.bsp");
+  ASSERT_TRUE(bsp.ok());
+  std::size_t texels = 0;
+  for (const BspTexture& texture : bsp->textures) texels += texture.indices.size();
+  EXPECT_LE(texels, edited.out.size());
+  EXPECT_GE(texels, 4096u);
+}
+
+TEST(BspMemory, BspxLumpsCannotBeMultiplied) {
+  Bsp room = box_room(BspVersion::kBsp29);
+  room.bspx.assign(100, {"AGAIN", Bytes(16)});
+  testing::ByteWriter file{write_bsp(room)};
+  const std::size_t directory = file.out.size() - 100 * (32 + 16);
+  for (std::size_t i = 0; i < 100; ++i) {
+    file.patch_u32(directory + 32 * i + 24, 0);
+    file.patch_u32(directory + 32 * i + 28, static_cast<std::uint32_t>(file.out.size()));
+  }
+  const auto bsp = parse_bsp(file.out, "maps/x.bsp");
+  ASSERT_TRUE(bsp.ok());
+  EXPECT_EQ(bsp->bspx.size(), 1u);
+  EXPECT_THAT(bsp->warnings, Contains(HasSubstr("BSPX lump")));
+}
+
+// --- sixteen bits ---
+
+// BSP29 clip nodes past 32767 would be negative as signed numbers; the rest of the 16 bits are contents.
+TEST(Bsp29, ClipNodesPastTheSignBit) {
+  Bsp room = box_room(BspVersion::kBsp29);
+  room.clip_nodes.assign(40000, BspClipNode{0, {kContentsEmpty, kContentsSolid}});
+  room.clip_nodes[0].children = {39999, -20000};
+  const auto bsp = parse_bsp(write_bsp(room), "maps/x.bsp");
+  ASSERT_TRUE(bsp.ok()) << bsp.error().message;
+  EXPECT_EQ(bsp->clip_nodes[0].children[0], 39999);
+  EXPECT_EQ(bsp->clip_nodes[0].children[1], kContentsEmpty);
+  EXPECT_EQ(bsp->clip_nodes[1].children[1], kContentsSolid);
+  EXPECT_THAT(bsp->warnings, Contains(HasSubstr("unknown contents")));
+}
+TEST(Bsp29, NodesPastTheSignBit) {
+  Bsp room = box_room(BspVersion::kBsp29);
+  room.nodes.assign(40000, BspNode{0, {~1, ~0}, vec3(0.0f), vec3(0.0f), 0, 0});
+  room.nodes[0].children[0] = 39999;
+  const auto bsp = parse_bsp(write_bsp(room), "maps/x.bsp");
+  ASSERT_TRUE(bsp.ok()) << bsp.error().message;
+  EXPECT_EQ(bsp->nodes[0].children[0], 39999);
+  EXPECT_EQ(bsp->nodes[1].children[0], ~1);
+}
+TEST(Bsp2, ClipNodeChild) {
+  for (const std::int32_t child : {6, 65530, std::numeric_limits<std::int32_t>::max()}) {
+    Bsp room = box_room(BspVersion::kBsp2);
+    room.clip_nodes[5].children[0] = child;
+    const auto bsp = parse_bsp(write_bsp(room), "maps/x.bsp");
+    ASSERT_FALSE(bsp.ok());
+    EXPECT_THAT(bsp.error().message, HasSubstr("clip node names child " + std::to_string(child) + " of 6"));
+  }
+}
+TEST(Bsp2, BoxNotFinite) {
+  Bsp room = box_room(BspVersion::kBsp2);
+  room.leafs[1].mins.x = kNaN;
+  const auto bsp = parse_bsp(write_bsp(room), "maps/x.bsp");
+  ASSERT_TRUE(bsp.ok());
+  EXPECT_EQ(bsp->leafs[1].mins, vec3(0.0f));
+  EXPECT_EQ(bsp->warnings.size(), 1u);
+}
+
+// The published check value of CRC-16/CCITT with start 0xffff.
+TEST(Bsp, EntitiesCrc) {
+  Bsp room = box_room(BspVersion::kBsp29);
+  room.entities = "123456789";
+  EXPECT_EQ(parse_bsp(write_bsp(room), "x")->entities_crc, 0x29b1);
+}
+
+// --- external visibility ---
+
+class Vis : public ::testing::Test {
+ protected:
+  Vis() : map_(box_room(BspVersion::kBsp29)), changed_(map_), other_(map_) {
+    changed_.visibility = {0, 3, 1};
+    changed_.leafs[1].vis_offset = 2;
+    changed_.leafs[1].ambient = {9, 8, 7, 6};
+    other_.leafs.resize(1);
+  }
+  Bytes file() const { return testing::write_vis({{"other.bsp", other_}, {"Room.bsp", changed_}}); }
+  testing::Attempt attempt() const {
+    return testing::attempt([this](const Bytes& bytes) { return parse_vis(bytes, "x.vis", "room.bsp", map_); },
+                            [this](const std::optional<VisRecord>& record) {
+                              return record ? testing::broken_leafs(record->leafs, map_.mark_faces.size(),
+                                                                    record->visibility.size())
+                                            : std::string();
+                            });
+  }
+  Bsp map_, changed_, other_;
+};
+
+TEST_F(Vis, ReplacesLeafs) {
+  const auto record = parse_vis(file(), "x.vis", "room.bsp", map_);
+  ASSERT_TRUE(record.ok()) << record.error().message;
+  ASSERT_TRUE(record->has_value());
+  EXPECT_EQ((*record)->visibility, changed_.visibility);
+  ASSERT_EQ((*record)->leafs.size(), 2u);
+  EXPECT_EQ((*record)->leafs[1].vis_offset, 2);
+  EXPECT_EQ((*record)->leafs[1].ambient, changed_.leafs[1].ambient);
+  EXPECT_EQ((*record)->leafs[1].mins, map_.leafs[1].mins);
+}
+TEST_F(Vis, NoRecord) {
+  const auto record = parse_vis(file(), "x.vis", "start.bsp", map_);
+  ASSERT_TRUE(record.ok());
+  EXPECT_FALSE(record->has_value());
+}
+TEST_F(Vis, LeafsOfAnotherMap) {
+  const auto record = parse_vis(file(), "x.vis", "other.bsp", map_);
+  ASSERT_FALSE(record.ok());
+  EXPECT_THAT(record.error().message, HasSubstr("the map has 2 leafs"));
+}
+TEST_F(Vis, MapOfAnotherVersion) {
+  const auto record = parse_vis(file(), "x.vis", "room.bsp", box_room(BspVersion::kBsp2));
+  ASSERT_FALSE(record.ok());
+  EXPECT_THAT(record.error().message, HasSubstr("BSP29"));
+}
+TEST_F(Vis, RefusedWhenCut) {
+  const Bytes valid = file();
+  const std::size_t second = 32 + 4 + 8 + 1 + 28;  // between two records is a good end
+  for (std::size_t length = 1; length < valid.size(); ++length) {
+    if (length == second) continue;
+    testing::expect_refused(attempt(), Bytes(valid.begin(), valid.begin() + static_cast<std::ptrdiff_t>(length)),
+                            "x.vis");
+  }
+}
+TEST_F(Vis, SoundWhenDamaged) { testing::expect_sound_when_damaged(attempt(), file(), "x.vis"); }
+
+}  // namespace
+}  // namespace fb::formats
