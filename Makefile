@@ -1,0 +1,72 @@
+# The short commands. CMake and Ninja do the work (CMakePresets.json); this only names it, and installs what is missing
+# first (DEPS=: skips that).
+DEPS ?= Linux/install-deps.sh --quiet
+JOBS ?= $(shell nproc)
+FUZZ_SECONDS ?= 60
+QUAKE_DIR ?=
+export FUZZ_SECONDS QUAKE_DIR JOBS
+
+.DEFAULT_GOAL := all
+.PHONY: all deps test demo bench fuzz asan coverage check tidy format clean help
+
+define configure_and_build
+@cmake --preset $(1) $(2) >$(3).configure.log 2>&1 || { cat $(3).configure.log; exit 1; }; rm -f $(3).configure.log
+@cmake --build --preset $(1) --parallel $(JOBS) $(4)
+endef
+
+all: ## build/fullbright and build/fullbright-lab
+	@$(DEPS) build
+	$(call configure_and_build,release,,build,--target fullbright fullbright-lab)
+
+test: ## build everything and run every test
+	@$(DEPS) test
+	$(call configure_and_build,release,,build,)
+	ctest --test-dir build --output-on-failure
+
+demo: all ## play a recorded demo headless through the path tracer; QUAKE_DIR=... says where the game data is
+	@Misc/demo.sh
+
+bench: ## measure, on this machine, what the README's numbers say
+	@$(DEPS) bench
+	$(call configure_and_build,release,,build,)
+	@Misc/bench.sh
+
+fuzz: ## run each parser's fuzzer for FUZZ_SECONDS (60)
+	@$(DEPS) fuzz
+	@Misc/fuzz.sh
+
+asan: ## build with the address and undefined-behaviour sanitizers and run every test
+	@$(DEPS) test
+	$(call configure_and_build,asan-ubsan,,build-asan,)
+	@Misc/sanitized.sh ctest --test-dir build-asan --output-on-failure
+
+coverage: ## line coverage of the tests: build-coverage/coverage.html
+	@$(DEPS) coverage
+	$(call configure_and_build,coverage,,build-coverage,)
+	@find build-coverage -name '*.gcda' -delete
+	ctest --test-dir build-coverage --output-on-failure
+	gcovr --root . --filter Quake/ --filter Shaders/ --exclude '.*_test\.cpp' --exclude '.*_bench\.cpp' --gcov-ignore-errors=no_working_dir_found --print-summary \
+	  --html-details build-coverage/coverage.html build-coverage
+
+check: ## layers, formatting and text of the sources
+	@$(DEPS) check
+	@Misc/check_layers.py --self-test && Misc/check_layers.py
+	@Misc/check_text.py --self-test && Misc/check_text.py
+	@Misc/check_format.sh
+
+tidy: ## clang-tidy on what differs from BASE (the main branch's last commit in common)
+	@$(DEPS) check
+	@Misc/tidy_changed.sh
+
+format: ## put the sources into .clang-format's shape
+	@$(DEPS) check
+	@Misc/check_format.sh --fix
+
+deps: ## install everything that any of these needs
+	@Linux/install-deps.sh all
+
+clean: ## remove what was built
+	rm -rf build build-asan build-coverage build-fuzz
+
+help: ## this list
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 18

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Holds the C++ sources and the shared shader headers to .clang-format; --fix rewrites them. Releases of clang-format
+# differ in details, so the check is strict only with the one that Debian 12 calls clang-format (14).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+mapfile -t files < <(git ls-files 'Quake/*.cpp' 'Quake/*.h' 'Shaders/*.h' 'Shaders/*.cpp')
+[[ ${#files[@]} -gt 0 ]] || exit 0
+if [[ ${1:-} == --fix ]]; then
+  clang-format -i "${files[@]}"
+  exit 0
+fi
+version=$(clang-format --version | sed -n 's/.*version \([0-9]*\).*/\1/p')
+if [[ $version != 14 ]]; then
+  echo "check_format: skipped, clang-format is release $version and the sources follow release 14"
+  exit 0
+fi
+failed=0
+for file in "${files[@]}"; do
+  [[ -f $file ]] || continue
+  if ! clang-format --dry-run -Werror "$file" >/dev/null 2>&1; then
+    echo "check_format: $file is not as .clang-format wants it (make format)"
+    failed=1
+  fi
+done
+[[ $failed -eq 0 ]] && echo "check_format: ${#files[@]} files are in shape"
+exit $failed

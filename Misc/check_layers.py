@@ -1,0 +1,223 @@
+#!/usr/bin/env python3
+"""Holds the modules to their layers: who may include and link whom (the design's table).
+
+A module may use what its row names and, through it, what those may use. Tests, benchmarks and fuzzers may besides use
+every module that is built before theirs. Shaders have layers of their own. SDL belongs to platform alone, Vulkan's
+headers to gpu and what stands on it, Embree to benchmarks.
+
+    Misc/check_layers.py [--root DIR]    prints each break as file:line: sentence; exit status 1 if there is one
+    Misc/check_layers.py --self-test     holds the checks themselves to a small tree that breaks every rule
+"""
+
+import argparse
+import pathlib
+import re
+import sys
+import tempfile
+
+# In the order in which they are built.
+MAY_INCLUDE = {
+    "base": [],
+    "fs": ["base"],
+    "console": ["base", "fs"],
+    "formats": ["base"],
+    "world": ["formats", "base"],
+    "net": ["console"],
+    "progs": ["console"],
+    "server": ["world", "progs", "net"],
+    "scene": ["world"],
+    "client": ["scene", "net"],
+    "ui": ["client"],
+    "audio": ["scene", "fs", "console"],
+    "gpu": ["base"],
+    "render": ["gpu", "scene", "console"],
+    "platform": ["base"],
+    "lab": ["client", "render"],
+    "host": ["server", "ui", "audio", "platform", "lab"],
+}
+ORDER = list(MAY_INCLUDE)
+# Modules whose C++ shares structs and pure functions with the shaders.
+USES_SHARED = {"scene", "gpu", "render", "lab", "host"}
+SHADER_LAYERS = {
+    "shared": {"shared"},
+    "lib": {"shared", "lib"},
+    "estimators": {"shared", "lib", "estimators"},
+    "passes": {"shared", "lib", "passes"},
+}
+# Third-party headers that only some may include: pattern, modules, whether benchmarks may as well.
+FENCED = [
+    (re.compile(r"^(SDL2/)?SDL\w*\.h"), {"platform"}, False),
+    (re.compile(r"^vulkan/"), {"gpu", "render", "platform", "lab", "host"}, True),
+    (re.compile(r"^embree"), set(), True),
+]
+INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
+TEST_FILE = re.compile(r"(_test|_bench|_fuzz|make_seed_corpus)\.(cpp|h)$|(^|/)(test|fuzz|bench)_[^/]*$")
+
+
+def closure(module):
+    reached, todo = {module}, [module]
+    while todo:
+        for below in MAY_INCLUDE[todo.pop()]:
+            if below not in reached:
+                reached.add(below)
+                todo.append(below)
+    return reached
+
+
+CLOSURE = {module: closure(module) for module in MAY_INCLUDE}
+
+
+def allowed_modules(module, is_test):
+    allowed = set(CLOSURE[module])
+    if is_test:
+        allowed |= set(ORDER[: ORDER.index(module)])
+    return allowed
+
+
+def includes(path):
+    for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), 1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, match.group(1), match.group(2)
+
+
+def check_cpp(root):
+    for path in sorted((root / "Quake").rglob("*")):
+        if path.suffix not in (".h", ".cpp"):
+            continue
+        name = path.relative_to(root)
+        module = name.parts[1]
+        if module not in MAY_INCLUDE:
+            yield f"{name}:1: '{module}' is not a module of the design"
+            continue
+        is_test = bool(TEST_FILE.search(str(name)))
+        allowed = allowed_modules(module, is_test)
+        for number, quote, target in includes(path):
+            if quote == '"':
+                first = target.split("/")[0]
+                if ".." in target or "/" not in target:
+                    generated = target.endswith(".spv.h") or target.endswith(".inc")
+                    if not generated:
+                        yield f'{name}:{number}: "{target}" names no module; write "{module}/..."'
+                elif first == "shared":
+                    if module not in USES_SHARED:
+                        yield f"{name}:{number}: {module} knows no shader, so not {target}"
+                elif first not in MAY_INCLUDE:
+                    yield f'{name}:{number}: "{target}" names no module'
+                elif first not in allowed:
+                    yield f"{name}:{number}: {module} must not include {target} (it may: {listed(allowed)})"
+            for pattern, modules, benchmarks in FENCED:
+                if pattern.match(target) and module not in modules and not (benchmarks and "bench" in path.name):
+                    yield f"{name}:{number}: {target} is not for {module}"
+
+
+def check_shaders(root):
+    for path in sorted((root / "Shaders").rglob("*")):
+        if path.suffix not in (".h", ".glsl", ".comp", ".cpp"):
+            continue
+        name = path.relative_to(root)
+        layer = name.parts[1]
+        is_test = bool(TEST_FILE.search(str(name)))
+        if layer not in SHADER_LAYERS:
+            yield f"{name}:1: '{layer}' is not a layer of the shaders"
+            continue
+        for number, quote, target in includes(path):
+            if quote != '"':
+                continue
+            first = target.split("/")[0] if "/" in target else layer
+            if is_test and first == "base":
+                continue
+            if first not in SHADER_LAYERS[layer]:
+                yield f"{name}:{number}: {layer} must not include {target}"
+            elif first == layer == "estimators" and "/" in target and target.split("/")[1] != name.parts[2]:
+                yield f"{name}:{number}: one estimator must not include another; what they share belongs in lib"
+
+
+def check_links(root):
+    keyword = re.compile(r"[A-Z_]{3,}$")
+    for path in sorted((root / "Quake").rglob("CMakeLists.txt")):
+        name = path.relative_to(root)
+        if len(name.parts) < 3:
+            continue
+        module = name.parts[1]
+        if module not in MAY_INCLUDE:
+            yield f"{name}:1: '{module}' is not a module of the design"
+            continue
+        is_test = False
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            for word in re.findall(r"[\w:.$<>/{}-]+", line.split("#")[0]):
+                if word in ("fb_module", "add_executable", "target_link_libraries"):
+                    is_test = False
+                elif keyword.match(word):
+                    is_test = word.startswith(("TEST", "BENCHMARK", "FUZZ"))
+                elif re.search(r"_(test|bench)$|^fuzz_|make_seed_corpus$", word):
+                    is_test = True
+                elif word.startswith("fb_") and word[3:] in MAY_INCLUDE:
+                    if word[3:] not in allowed_modules(module, is_test):
+                        yield f"{name}:{number}: {module} must not link {word}"
+
+
+def listed(modules):
+    return " ".join(module for module in ORDER if module in modules) or "nothing"
+
+
+def check(root):
+    return [*check_cpp(root), *check_shaders(root), *check_links(root)]
+
+
+SELF_TEST = {  # file: (text, lines that break a rule)
+    "Quake/base/a.h": ('#include <string>\n#include "fs/pak.h"\n#include "base/b.h"\n', [2]),
+    "Quake/net/a.cpp": ('#include "net/a.h"\n#include "fs/pak.h"\n#include "world/w.h"\n#include "shared/rng.h"\n', [3, 4]),
+    "Quake/net/a_test.cpp": ('#include "formats/dem.h"\n#include "client/c.h"\n', [2]),
+    "Quake/render/a.cpp": ('#include <vulkan/vulkan.h>\n#include "shared/rng.h"\n#include "x.spv.h"\n#include "server/s.h"\n', [4]),
+    "Quake/render/a_bench.cpp": ("#include <embree3/rtcore.h>\n", []),
+    "Quake/render/b.cpp": ('#include <embree3/rtcore.h>\n#include "b.h"\n#include "../scene/b.h"\n', [1, 2, 3]),
+    "Quake/scene/a.h": ("#include <SDL.h>\n  #  include <vulkan/vulkan.h>\n", [1, 2]),
+    "Quake/platform/a.cpp": ("#include <SDL2/SDL.h>\n", []),
+    "Quake/extra/a.cpp": ("", [1]),
+    "Quake/render/CMakeLists.txt": (
+        "fb_module(render\n  LINKS fb_gpu fb_net fb_scene\n  PRIVATE_LINKS fb_client\n  TEST_LINKS fb_world fb_host)\n",
+        [2, 3, 4],
+    ),
+    "Quake/scene/CMakeLists.txt": ("fb_module(scene SOURCES a.cpp\n  LINKS fb_world fb_render # fb_host\n)\n", [2]),
+    "Shaders/shared/a.h": ('#include "shared/b.h"\n#include "lib/trace.glsl"\n', [2]),
+    "Shaders/lib/a.glsl": ('#include "shared/b.h"\n#include "lib/b.glsl"\n#include "passes/c.glsl"\n', [3]),
+    "Shaders/estimators/pt/pt.comp": ('#include "lib/a.glsl"\n#include "estimators/rival/r.glsl"\n', [2]),
+    "Shaders/passes/a.comp": ('#include "lib/a.glsl"\n#include "estimators/pt/pt.comp"\n', [2]),
+}
+
+
+def self_test():
+    expected = set()
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        for name, (text, lines) in SELF_TEST.items():
+            path = root / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+            expected |= {f"{name}:{line}" for line in lines}
+        found = {":".join(break_.split(":")[:2]) for break_ in check(root)}
+    for name in sorted(expected - found):
+        print(f"check_layers: self-test: {name} breaks a rule and was not found")
+    for name in sorted(found - expected):
+        print(f"check_layers: self-test: {name} breaks no rule and was reported")
+    return expected == found
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parent.parent)
+    parser.add_argument("--self-test", action="store_true")
+    arguments = parser.parse_args()
+    if arguments.self_test:
+        return 0 if self_test() else 1
+    breaks = check(arguments.root)
+    for break_ in breaks:
+        print(break_)
+    if not breaks:
+        print("check_layers: every include and link follows the layers")
+    return 1 if breaks else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+"""Holds the repository's text to what reviews would otherwise repeat.
+
+Errors: trailing blanks, tabs and carriage returns in sources, a file that does not end with one newline, marks of
+unfinished work, absolute paths of somebody's machine, network addresses of private hosts, disabled code. A source of
+more than 600 lines gets a warning: it may hold a second idea.
+
+    Misc/check_text.py [--root DIR]    looks at the files that git would track
+    Misc/check_text.py --self-test     holds the checks themselves to texts that break every rule
+"""
+
+import argparse
+import pathlib
+import re
+import subprocess
+import sys
+
+CODE = {".cpp", ".h", ".glsl", ".comp", ".py", ".sh", ".cmake"}
+TEXT = CODE | {".md", ".txt", ".bib", ".json", ".supp", ".qc", ".ent", ".cfg"}
+LINES_WORTH_A_WARNING = 600
+
+# The words are put together here so that this file does not break its own rules.
+UNFINISHED = re.compile(r"\b(" + "|".join(["TO" + "DO", "FIX" + "ME", "XX" + "X", "HA" + "CK"]) + r")\b")
+# Folders that only one machine has: homes, mounts, what somebody unpacked. Tests may make up homes.
+ABSOLUTE = re.compile(
+    r"""(?:^|[\s"'(=:`])(/(?:home|root|Users|mnt|media|srv|opt|workspace)/[\w.-]+|[A-Z]:\\Users\\\w+)"""
+)
+PRIVATE_HOST = re.compile(
+    r"\b(?:10\.\d{1,3}\.\d{1,3}\.\d{1,3}|192\.168\.\d{1,3}\.\d{1,3}|172\.(?:1[6-9]|2\d|3[01])\.\d{1,3}\.\d{1,3})\b"
+    r"|\b[\w-]+\.(?:internal|corp|lan)\b(?!\()"
+)
+DISABLED = re.compile(r"^\s*#\s*if\s+0\b")
+
+
+def errors_of(name, text, checkout="/nowhere/" + "else/"):
+    """Yields (line, sentence) for one file's text; name decides which rules apply, checkout is a path never to name."""
+    suffix = pathlib.PurePath(name).suffix
+    is_code = suffix in CODE
+    if text and not text.endswith("\n"):
+        yield text.count("\n") + 1, "the file does not end with a newline"
+    if text.endswith("\n\n"):
+        yield text.count("\n"), "the file ends with an empty line"
+    for number, line in enumerate(text.split("\n"), 1):
+        if line.endswith("\r"):
+            yield number, "carriage return"
+        elif line != line.rstrip():
+            yield number, "trailing blanks"
+        if is_code and "\t" in line:
+            yield number, "a tab; indent with spaces"
+        if UNFINISHED.search(line):
+            yield number, "a mark of unfinished work; finish it, or open an issue"
+        match = ABSOLUTE.search(line)
+        if match and not ("_test." in name and match.group(1).startswith("/home/")):
+            yield number, f"{match.group(1)} is a path of one machine"
+        if checkout in line:
+            yield number, f"{checkout} is where this checkout happens to be"
+        if PRIVATE_HOST.search(line):
+            yield number, f"{PRIVATE_HOST.search(line).group(0)} is a host that only some can reach"
+        if is_code and DISABLED.search(line):
+            yield number, "disabled code; delete it"
+
+
+def files_of(root):
+    listing = subprocess.run(
+        ["git", "-C", str(root), "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+        check=True,
+        capture_output=True,
+    ).stdout
+    for name in sorted(set(listing.decode().split("\0"))):
+        path = root / name
+        if not name or not path.is_file():
+            continue
+        is_text = path.suffix in TEXT or path.name in ("Makefile", "CMakeLists.txt", "run", ".clang-format", ".clang-tidy")
+        if is_text and path.name != "LICENSE":
+            yield name, path
+
+
+def check(root):
+    failed = False
+    root = root.resolve()
+    # The folder that holds the checkout, unless every machine has one of that name.
+    home = root.parent if str(root.parent) not in ("/", "/tmp", "/usr/src") else root
+    for name, path in files_of(root):
+        data = path.read_bytes()
+        try:
+            text = data.decode("utf-8")
+        except UnicodeDecodeError as error:
+            print(f"{name}: byte {error.start} is not UTF-8")
+            failed = True
+            continue
+        if path.name == "Makefile":
+            text = text.replace("\t", " ")
+        for line, sentence in errors_of(name, text, f"{home}/"):
+            print(f"{name}:{line}: {sentence}")
+            failed = True
+        lines = text.count("\n")
+        if path.suffix in CODE and lines > LINES_WORTH_A_WARNING:
+            print(f"{name}: warning: {lines} lines; is there a second idea in it?")
+    if not failed:
+        print("check_text: the text is in order")
+    return 1 if failed else 0
+
+
+def self_test():
+    cases = [  # name, text, lines with an error
+        ("a.cpp", "int a;\n", []),
+        ("a.cpp", "int a; \n\tint b;\r\n", [1, 2, 2]),
+        ("a.cpp", "int a;", [1]),
+        ("a.cpp", "int a;\n\n", [2]),
+        ("a.h", "// " + "TO" + "DO: later\n", [1]),
+        ("a.md", "in `/ho" + "me/anyone/quake` or /usr/games and ~/quake\n", [1]),
+        ("a.sh", "ls /o" + "pt/thing\n", [1]),
+        ("a.md", "from 192." + "168.0.7 or files.in" + "ternal, not 127.0.0.1 or version 10.2\n", [1]),
+        ("a.md", "C:\\Us" + "ers\\anyone\n", [1]),
+        ("a.cpp", "#if" + " 0\nint a;\n#endif\n", [1]),
+        ("a.cpp", "#if 0x10 == 16\n", []),
+        ("a.txt", "a\tb\n", []),
+        ("a_test.cpp", 'open("/ho' + 'me/ranger/quake");\n', []),
+        ("a.txt", "see /nowhere/" + "else/quake\n", [1]),
+    ]
+    passed = True
+    for name, text, lines in cases:
+        found = sorted(line for line, _ in errors_of(name, text))
+        if found != lines:
+            print(f"check_text: self-test: {name} {text!r}: expected errors in lines {lines}, found {found}")
+            passed = False
+    return passed
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parent.parent)
+    parser.add_argument("--self-test", action="store_true")
+    arguments = parser.parse_args()
+    if arguments.self_test:
+        return 0 if self_test() else 1
+    return check(arguments.root)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

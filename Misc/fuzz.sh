@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# `make fuzz`: builds every libFuzzer target and runs each for FUZZ_SECONDS. A module's *_make_seed_corpus program, built
+# with them, writes seeds into build-fuzz/seeds/<target>/. What a target finds stays in build-fuzz/corpus/<target>, an
+# input that breaks it in build-fuzz/crash/. usage: Misc/fuzz.sh [TARGET ...]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+seconds=${FUZZ_SECONDS:-60}
+dir=build-fuzz
+
+cmake --preset fuzz >/dev/null
+targets=$(ninja -C $dir -t targets all | sed -n 's/^\(fuzz_[a-z0-9_]*\): phony.*/\1/p' | sort -u)
+makers=$(ninja -C $dir -t targets all | sed -n 's/^\([a-z0-9_]*make_seed_corpus\): phony.*/\1/p' | sort -u)
+[[ $# -eq 0 ]] || targets="$*"
+if [[ -z $targets ]]; then
+  echo "fuzz: no module has a fuzz target"
+  exit 0
+fi
+ninja -C $dir $targets $makers
+
+mkdir -p $dir/seeds $dir/crash
+for maker in $makers; do "$dir/$maker" $dir/seeds; done
+failed=()
+for target in $targets; do
+  mkdir -p "$dir/corpus/$target" "$dir/seeds/$target"
+  echo "== $target for $seconds s"
+  if ! timeout $((seconds + 120)) "$dir/$target" -max_total_time="$seconds" -rss_limit_mb=2048 -timeout=10 -print_final_stats=1 \
+      -verbosity=0 -artifact_prefix=$dir/crash/"$target"- "$dir/corpus/$target" "$dir/seeds/$target" >"$dir/$target.log" 2>&1; then
+    tail -n 60 "$dir/$target.log"
+    failed+=("$target")
+  else
+    sed -n 's/^stat::number_of_executed_units: */  runs: /p; s/^stat::peak_rss_mb: */  peak MB: /p' "$dir/$target.log"
+  fi
+done
+if [[ ${#failed[@]} -gt 0 ]]; then
+  echo "fuzz: failed: ${failed[*]}; the inputs are in $dir/crash" >&2
+  exit 1
+fi
+echo "fuzz: every target ran $seconds s clean"
