@@ -1,0 +1,34 @@
+// What a directory holds, by lower-case name: the fallback for data that was made where case does not matter. A listing
+// is kept until the directory changes, so that the many names that no directory has (replacement textures) cost a
+// look-up each and not a scan.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace fb::fs {
+
+// Safe to use from several threads.
+class DirectoryIndex {
+ public:
+  // The path below `root` that equals `name` but for case, e.g. "Maps/START.bsp"; nullopt where there is none. Of
+  // several the one that sorts first counts.
+  std::optional<std::string> find(const std::filesystem::path& root, std::string_view name);
+
+ private:
+  struct Listing {
+    std::filesystem::file_time_type changed;
+    std::map<std::string, std::string, std::less<>> names;  // lower case to real
+  };
+  const Listing* listing(const std::filesystem::path& directory);
+
+  std::mutex mutex_;
+  std::map<std::string, Listing> listings_;
+};
+
+}  // namespace fb::fs

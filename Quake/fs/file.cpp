@@ -1,0 +1,164 @@
+#include "fs/file.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+#ifdef _WIN32
+#define NOMINMAX
+#include <windows.h>
+#else
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+namespace fb::fs {
+namespace {
+
+#ifdef _WIN32
+
+std::string last_failure() { return std::system_category().message(static_cast<int>(GetLastError())); }
+
+HANDLE as_handle(std::intptr_t handle) { return reinterpret_cast<HANDLE>(handle); }
+
+std::intptr_t open_to_write(const std::filesystem::path& path) {
+  return reinterpret_cast<std::intptr_t>(
+      CreateFileW(path.c_str(), GENERIC_WRITE, 0, nullptr, CREATE_ALWAYS, FILE_ATTRIBUTE_NORMAL, nullptr));
+}
+
+bool write_all(std::intptr_t handle, ByteView data) {
+  while (!data.empty()) {
+    DWORD written = 0;
+    const DWORD wanted = static_cast<DWORD>(std::min<std::size_t>(data.size(), 1u << 30u));
+    if (!WriteFile(as_handle(handle), data.data(), wanted, &written, nullptr) || written == 0) return false;
+    data = data.subspan(written);
+  }
+  return FlushFileBuffers(as_handle(handle)) != 0;
+}
+
+bool close_handle(std::intptr_t handle) { return CloseHandle(as_handle(handle)) != 0; }
+
+#else
+
+std::string last_failure() { return std::generic_category().message(errno); }
+
+std::intptr_t open_to_write(const std::filesystem::path& path) {
+  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+}
+
+bool write_all(std::intptr_t handle, ByteView data) {
+  while (!data.empty()) {
+    const ssize_t written = ::write(static_cast<int>(handle), data.data(), data.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    data = data.subspan(static_cast<std::size_t>(written));
+  }
+  return ::fsync(static_cast<int>(handle)) == 0;
+}
+
+bool close_handle(std::intptr_t handle) { return ::close(static_cast<int>(handle)) == 0; }
+
+#endif
+
+}  // namespace
+
+Result<RandomAccessFile> RandomAccessFile::open(const std::filesystem::path& path) {
+  RandomAccessFile file;
+  file.name_ = path.generic_string();
+#ifdef _WIN32
+  HANDLE handle =
+      CreateFileW(path.c_str(), GENERIC_READ, FILE_SHARE_READ, nullptr, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr);
+  LARGE_INTEGER size;
+  file.handle_ = reinterpret_cast<std::intptr_t>(handle);
+  if (handle == INVALID_HANDLE_VALUE || !GetFileSizeEx(handle, &size))
+    return Error{fmt::format("{}: cannot be opened: {}", file.name_, last_failure())};
+  file.size_ = static_cast<std::uint64_t>(size.QuadPart);
+#else
+  file.handle_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  struct stat facts {};
+  if (file.handle_ < 0 || ::fstat(static_cast<int>(file.handle_), &facts) != 0)
+    return Error{fmt::format("{}: cannot be opened: {}", file.name_, last_failure())};
+  if (!S_ISREG(facts.st_mode)) return Error{fmt::format("{}: not a regular file", file.name_)};
+  file.size_ = static_cast<std::uint64_t>(facts.st_size);
+#endif
+  return file;
+}
+
+RandomAccessFile::RandomAccessFile(RandomAccessFile&& other) noexcept
+    : name_(std::move(other.name_)), handle_(std::exchange(other.handle_, -1)), size_(std::exchange(other.size_, 0)) {}
+
+RandomAccessFile& RandomAccessFile::operator=(RandomAccessFile&& other) noexcept {
+  if (this != &other) {
+    close();
+    name_ = std::move(other.name_);
+    handle_ = std::exchange(other.handle_, -1);
+    size_ = std::exchange(other.size_, 0);
+  }
+  return *this;
+}
+
+RandomAccessFile::~RandomAccessFile() { close(); }
+
+void RandomAccessFile::close() {
+  if (handle_ != -1) close_handle(std::exchange(handle_, -1));
+}
+
+Status RandomAccessFile::read_at(std::uint64_t offset, std::span<std::uint8_t> into) const {
+  while (!into.empty()) {
+#ifdef _WIN32
+    OVERLAPPED where{};
+    where.Offset = static_cast<DWORD>(offset);
+    where.OffsetHigh = static_cast<DWORD>(offset >> 32u);
+    DWORD got = 0;
+    const DWORD wanted = static_cast<DWORD>(std::min<std::size_t>(into.size(), 1u << 30u));
+    if (!ReadFile(as_handle(handle_), into.data(), wanted, &got, &where) && GetLastError() != ERROR_HANDLE_EOF)
+      return Error{fmt::format("{}: offset {}: cannot be read: {}", name_, offset, last_failure())};
+#else
+    const ssize_t got = ::pread(static_cast<int>(handle_), into.data(), into.size(), static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return Error{fmt::format("{}: offset {}: cannot be read: {}", name_, offset, last_failure())};
+#endif
+    if (got == 0) return Error{fmt::format("{}: offset {}: the file ends, {} bytes short", name_, offset, into.size())};
+    offset += static_cast<std::uint64_t>(got);
+    into = into.subspan(static_cast<std::size_t>(got));
+  }
+  return ok_status();
+}
+
+Result<Bytes> read_whole_file(const std::filesystem::path& path) {
+  auto file = RandomAccessFile::open(path);
+  if (!file) return file.error();
+  Bytes data(static_cast<std::size_t>(file->size()));
+  if (auto status = file->read_at(0, data); !status) return status.error();
+  return data;
+}
+
+Status write_file_atomically(const std::filesystem::path& path, ByteView data) {
+  const std::string name = path.generic_string();
+  std::error_code code;
+  if (path.has_parent_path()) {
+    std::filesystem::create_directories(path.parent_path(), code);
+    if (code) return Error{fmt::format("{}: its directory cannot be made: {}", name, code.message())};
+  }
+  std::filesystem::path beside = path;
+  beside += ".new";
+  const std::intptr_t handle = open_to_write(beside);
+  if (handle == -1) return Error{fmt::format("{}: cannot be written: {}", beside.generic_string(), last_failure())};
+  std::string failure;
+  if (!write_all(handle, data)) failure = last_failure();
+  if (!close_handle(handle) && failure.empty()) failure = last_failure();
+  if (failure.empty()) {
+    std::filesystem::rename(beside, path, code);
+    if (!code) return ok_status();
+    failure = code.message();
+  }
+  std::filesystem::remove(beside, code);
+  return Error{fmt::format("{}: cannot be written: {}", name, failure)};
+}
+
+}  // namespace fb::fs

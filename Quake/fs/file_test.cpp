@@ -1,0 +1,61 @@
+#include "fs/file.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+
+#include "fs/test_files.h"
+
+namespace fb::fs {
+namespace {
+
+using testing::HasSubstr;
+
+Bytes bytes_of(std::string_view text) { return Bytes(text.begin(), text.end()); }
+
+TEST(File, ReadsAtOffsets) {
+  const TestDirectory directory;
+  directory.put("x", "0123456789");
+  const auto file = RandomAccessFile::open(directory.path() / "x");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->size(), 10u);
+  std::array<std::uint8_t, 3> part{};
+  ASSERT_TRUE(file->read_at(4, part));
+  EXPECT_EQ(std::string(part.begin(), part.end()), "456");
+  const auto past = file->read_at(8, part);
+  ASSERT_FALSE(past);
+  EXPECT_THAT(past.error().message, HasSubstr("offset 10: the file ends, 1 bytes short"));
+}
+
+TEST(File, MissingFilesAndDirectoriesAreErrors) {
+  const TestDirectory directory;
+  EXPECT_FALSE(RandomAccessFile::open(directory.path() / "none"));
+  EXPECT_FALSE(RandomAccessFile::open(directory.path()));
+  EXPECT_FALSE(read_whole_file(directory.path() / "none"));
+}
+
+TEST(File, WritesReplaceAndMakeDirectories) {
+  const TestDirectory directory;
+  const auto path = directory.path() / "a" / "b" / "config.cfg";
+  ASSERT_TRUE(write_file_atomically(path, bytes_of("a longer first text")));
+  ASSERT_TRUE(write_file_atomically(path, bytes_of("second")));
+  EXPECT_EQ(as_text(*read_whole_file(path)), "second");
+  int count = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(path.parent_path())) ++count;
+  EXPECT_EQ(count, 1) << "a temporary file was left behind";
+}
+
+TEST(File, AFailedWriteKeepsTheOldAndSaysWhy) {
+  const TestDirectory directory;
+  directory.put("taken/inside", "x");  // a directory that is not empty stands where the file should
+  const auto status = write_file_atomically(directory.path() / "taken", bytes_of("y"));
+  ASSERT_FALSE(status);
+  EXPECT_THAT(status.error().message, HasSubstr("taken: cannot be written"));
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "taken.new"));
+  directory.put("file", "x");
+  EXPECT_FALSE(write_file_atomically(directory.path() / "file" / "below", bytes_of("y")));
+  EXPECT_EQ(as_text(*read_whole_file(directory.path() / "file")), "x");
+}
+
+}  // namespace
+}  // namespace fb::fs

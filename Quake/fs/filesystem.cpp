@@ -1,0 +1,277 @@
+#include "fs/filesystem.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <mutex>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "base/log.h"
+#include "fs/directory_index.h"
+#include "fs/path.h"
+
+namespace fb::fs {
+namespace {
+
+namespace stdfs = std::filesystem;
+
+constexpr int kMaxDepth = 16;  // of directories below a gamedir; links may make loops
+
+// One stop of the search: a pak, or a directory of loose files.
+struct Place {
+  std::string label;  // FileSystem::source_of
+  int game_index = 0;
+  std::unique_ptr<Pak> pak;
+  stdfs::path directory;  // where there is no pak
+};
+
+struct Hit {
+  const Place* place = nullptr;
+  const PakEntry* entry = nullptr;  // of place->pak
+  stdfs::path path;                 // of a loose file
+};
+
+bool is_file(const stdfs::path& path) {
+  std::error_code code;
+  return stdfs::is_regular_file(path, code);
+}
+bool is_a_directory(const stdfs::path& path) {
+  std::error_code code;
+  return stdfs::is_directory(path, code);
+}
+
+using ListedFiles = std::map<std::string, FoundFile>;
+
+// What find() looks for.
+struct Pattern {
+  std::string prefix;  // lower case
+  std::string_view extension;
+
+  bool file(std::string_view name) const {
+    return lower_case(name).starts_with(prefix) && ends_with_ignoring_case(name, extension);
+  }
+  // Can there be such a file below this directory ("maps/")?
+  bool directory(std::string_view name) const {
+    const std::string lower = lower_case(name);
+    return lower.starts_with(prefix) || prefix.starts_with(lower);
+  }
+};
+
+void add_loose_files(const stdfs::path& directory, const std::string& below, const Place& place, int depth,
+                     const Pattern& pattern, ListedFiles& files) {
+  std::error_code code;
+  for (stdfs::directory_iterator it(directory, code), end; !code && it != end; it.increment(code)) {
+    const std::string name = below + it->path().filename().string();
+    std::error_code unreadable;
+    if (it->is_directory(unreadable)) {
+      if (depth < kMaxDepth && pattern.directory(name + '/'))
+        add_loose_files(it->path(), name + '/', place, depth + 1, pattern, files);
+    } else if (pattern.file(name) && it->is_regular_file(unreadable)) {
+      const std::uint64_t size = it->file_size(unreadable);
+      files.emplace(name, FoundFile{name, place.label, unreadable ? 0 : size});
+    }
+  }
+}
+
+}  // namespace
+
+struct FileSystem::Impl {
+  FsOptions options;
+  stdfs::path user_dir;            // empty: none
+  std::string game = "id1";        // where writing goes
+  std::vector<Place> places;       // in search order
+  mutable DirectoryIndex index;    // guards itself
+  mutable std::mutex notes_mutex;  // guards `noted`
+  mutable std::set<std::string> noted;
+
+  Status add_game(const std::string& name, int game_index);
+  Status add_directory(const stdfs::path& directory, const std::string& label, int game_index);
+  std::optional<Hit> find_exact(const std::string& name) const;
+  std::optional<Hit> find_ignoring_case(const std::string& name) const;
+  std::optional<Hit> locate(std::string_view name) const;
+};
+
+// Each directory is put before everything that came earlier, each of its paks before the pak below it.
+Status FileSystem::Impl::add_directory(const stdfs::path& directory, const std::string& label, int game_index) {
+  std::vector<Place> stack;
+  Place loose;
+  loose.label = label;
+  loose.game_index = game_index;
+  loose.directory = directory;
+  stack.push_back(std::move(loose));
+  for (int number = 0;; ++number) {
+    std::string file = fmt::format("pak{}.pak", number);
+    if (!is_file(directory / file)) {
+      const auto other_case = index.find(directory, file);
+      if (!other_case || !is_file(directory / *other_case)) break;
+      log_info("{}/{} is taken for {}: its name differs in case.", label, *other_case, file);
+      file = *other_case;
+    }
+    auto pak = Pak::open(directory / file, label + "/" + file);
+    if (!pak) return pak.error();
+    Place place;
+    place.label = pak->name();
+    place.game_index = game_index;
+    place.pak = std::make_unique<Pak>(*std::move(pak));
+    stack.push_back(std::move(place));
+  }
+  for (Place& place : stack) places.insert(places.begin(), std::move(place));
+  return ok_status();
+}
+
+Status FileSystem::Impl::add_game(const std::string& name, int game_index) {
+  std::string folder = name;
+  if (!is_a_directory(options.base_dir / folder)) {
+    if (const auto other_case = index.find(options.base_dir, name)) folder = *other_case;
+  }
+  const bool in_base = is_a_directory(options.base_dir / folder);
+  const bool in_user = !user_dir.empty() && is_a_directory(user_dir / name);
+  if (!in_base && !in_user) {
+    return Error{fmt::format("{}: there is no directory {} in it; -basedir DIR says where the game's data is",
+                             options.base_dir.generic_string(), name)};
+  }
+  if (auto status = add_directory(options.base_dir / folder, folder, game_index); !status) return status;
+  if (!user_dir.empty()) {
+    if (auto status = add_directory(user_dir / name, "user/" + name, game_index); !status) return status;
+  }
+  game = name;
+  return ok_status();
+}
+
+std::optional<Hit> FileSystem::Impl::find_exact(const std::string& name) const {
+  for (const Place& place : places) {
+    if (place.pak) {
+      if (const PakEntry* entry = place.pak->find(name)) return Hit{&place, entry, {}};
+    } else if (stdfs::path path = place.directory / name; is_file(path)) {
+      return Hit{&place, nullptr, std::move(path)};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Hit> FileSystem::Impl::find_ignoring_case(const std::string& name) const {
+  for (const Place& place : places) {
+    if (place.pak) {
+      if (const PakEntry* entry = place.pak->find_ignoring_case(name)) return Hit{&place, entry, {}};
+    } else if (const auto real = index.find(place.directory, name)) {
+      if (stdfs::path path = place.directory / *real; is_file(path)) return Hit{&place, nullptr, std::move(path)};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Hit> FileSystem::Impl::locate(std::string_view raw_name) const {
+  const auto name = normalise(raw_name);
+  if (!name) return std::nullopt;
+  if (auto hit = find_exact(*name)) return hit;
+  auto hit = find_ignoring_case(*name);
+  if (hit) {
+    std::lock_guard lock(notes_mutex);
+    if (noted.insert(*name).second) {
+      const std::string real = hit->entry != nullptr ? hit->entry->name : hit->path.filename().generic_string();
+      log_info("{}: found only as {} in {}: its name differs in case.", *name, real, hit->place->label);
+    }
+  }
+  return hit;
+}
+
+FileSystem::FileSystem(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+FileSystem::FileSystem(FileSystem&&) noexcept = default;
+FileSystem& FileSystem::operator=(FileSystem&&) noexcept = default;
+FileSystem::~FileSystem() = default;
+
+Result<FileSystem> FileSystem::open(const FsOptions& options) {
+  auto impl = std::make_unique<Impl>();
+  impl->options = options;
+  impl->user_dir = options.user_dir ? *options.user_dir : default_user_dir();
+  // With the user directory inside the base directory's place the same files would be found twice.
+  std::error_code code;
+  if (!impl->user_dir.empty() && stdfs::equivalent(impl->user_dir, options.base_dir, code)) impl->user_dir.clear();
+
+  if (auto status = impl->add_game("id1", 0); !status) return status.error();
+  int game_index = 1;
+  for (const std::string& game : options.games) {
+    if (!is_game_name(game)) return Error{fmt::format("\"{}\": a gamedir is one directory's name, not a path", game)};
+    if (auto status = impl->add_game(game, game_index++); !status) return status.error();
+  }
+  return FileSystem(std::move(impl));
+}
+
+Result<Bytes> FileSystem::load(std::string_view name) const {
+  const auto hit = impl_->locate(name);
+  if (!hit) return Error{fmt::format("{}: no such file in the game's directories and paks", name)};
+  return hit->entry != nullptr ? hit->place->pak->read(*hit->entry) : read_whole_file(hit->path);
+}
+
+std::optional<Bytes> FileSystem::read(std::string_view name) const {
+  const auto hit = impl_->locate(name);
+  if (!hit) return std::nullopt;
+  auto data = hit->entry != nullptr ? hit->place->pak->read(*hit->entry) : read_whole_file(hit->path);
+  if (data) return *std::move(data);
+  log_warning("{}", data.error().message);
+  return std::nullopt;
+}
+
+bool FileSystem::exists(std::string_view name) const { return impl_->locate(name).has_value(); }
+
+std::string FileSystem::source_of(std::string_view name) const {
+  const auto hit = impl_->locate(name);
+  return hit ? hit->place->label : std::string();
+}
+
+int FileSystem::game_index_of(std::string_view name) const {
+  const auto hit = impl_->locate(name);
+  return hit ? hit->place->game_index : -1;
+}
+
+std::vector<FoundFile> FileSystem::find(std::string_view prefix, std::string_view extension) const {
+  const Pattern pattern{lower_case(prefix), extension};
+  ListedFiles files;
+  for (const Place& place : impl_->places) {
+    if (place.pak) {
+      for (const PakEntry& entry : place.pak->entries()) {
+        if (pattern.file(entry.name)) files.emplace(entry.name, FoundFile{entry.name, place.label, entry.size});
+      }
+    } else {
+      add_loose_files(place.directory, "", place, 0, pattern, files);
+    }
+  }
+  std::vector<FoundFile> list;
+  list.reserve(files.size());
+  for (auto& [name, file] : files) list.push_back(std::move(file));
+  return list;
+}
+
+Result<stdfs::path> FileSystem::write_path(std::string_view raw_name) const {
+  const auto name = normalise(raw_name);
+  if (!name) return Error{fmt::format("{}: not a name that the game may write to", raw_name)};
+  return (impl_->user_dir.empty() ? impl_->options.base_dir : impl_->user_dir) / impl_->game / *name;
+}
+
+Status FileSystem::write(std::string_view name, ByteView data) const {
+  const auto path = write_path(name);
+  if (!path) return path.error();
+  return write_file_atomically(*path, data);
+}
+
+std::vector<std::string> FileSystem::describe() const {
+  std::vector<std::string> lines;
+  for (const Place& place : impl_->places) {
+    if (place.pak)
+      lines.push_back(fmt::format("{} ({} files)", place.label, place.pak->entries().size()));
+    else if (is_a_directory(place.directory))
+      lines.push_back(place.label);
+  }
+  return lines;
+}
+
+const std::string& FileSystem::game() const { return impl_->game; }
+const FsOptions& FileSystem::options() const { return impl_->options; }
+
+std::function<std::optional<Bytes>(std::string_view)> FileSystem::loader() const {
+  return [this](std::string_view name) { return read(name); };
+}
+
+}  // namespace fb::fs

@@ -1,0 +1,257 @@
+#include "fs/filesystem.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+#include "base/log.h"
+#include "fs/test_files.h"
+
+namespace fb::fs {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+FileSystem open(const FsOptions& options) {
+  auto files = FileSystem::open(options);
+  if (!files) {
+    ADD_FAILURE() << files.error().message;
+    std::abort();
+  }
+  return *std::move(files);
+}
+
+FsOptions options_for(const TestDirectory& base, std::vector<std::string> games = {}) {
+  FsOptions options;
+  options.base_dir = base.path();
+  options.games = std::move(games);
+  options.user_dir.emplace();
+  return options;
+}
+
+std::string text(const FileSystem& files, std::string_view name) {
+  const auto data = files.read(name);
+  return data ? as_text(*data) : "(none)";
+}
+
+// Collects what is logged while it lives.
+class LogLines {
+ public:
+  LogLines() : handle_(add_log_listener([this](LogLevel, std::string_view line) { lines.emplace_back(line); })) {}
+  ~LogLines() { remove_log_listener(handle_); }
+  std::vector<std::string> lines;
+
+ private:
+  int handle_;
+};
+
+TEST(FileSystem, LaterPaksThenEarlierThenLooseFiles) {
+  const TestDirectory base;
+  base.put("id1/a", "loose");
+  base.put("id1/b", "loose");
+  base.put("id1/c", "loose");
+  base.put("id1/pak0.pak", make_pak({{"a", "pak0"}, {"b", "pak0"}}));
+  base.put("id1/pak1.pak", make_pak({{"a", "pak1"}}));
+  const FileSystem files = open(options_for(base));
+  EXPECT_EQ(text(files, "a"), "pak1");
+  EXPECT_EQ(text(files, "b"), "pak0");
+  EXPECT_EQ(text(files, "c"), "loose");
+  EXPECT_EQ(files.source_of("a"), "id1/pak1.pak");
+  EXPECT_EQ(files.source_of("c"), "id1");
+  EXPECT_EQ(files.source_of("d"), "");
+  EXPECT_THAT(files.describe(), ElementsAre("id1/pak1.pak (1 files)", "id1/pak0.pak (2 files)", "id1"));
+}
+
+TEST(FileSystem, PakNumbersHaveNoGaps) {
+  const TestDirectory base;
+  base.put("id1/pak0.pak", make_pak({{"a", "pak0"}}));
+  base.put("id1/pak2.pak", make_pak({{"a", "pak2"}}));
+  EXPECT_EQ(text(open(options_for(base)), "a"), "pak0");
+}
+
+TEST(FileSystem, MoreThanTenPaksGoByNumber) {
+  const TestDirectory base;
+  for (int i = 0; i < 12; ++i)
+    base.put("id1/pak" + std::to_string(i) + ".pak", make_pak({{"a", "pak" + std::to_string(i)}}));
+  EXPECT_EQ(text(open(options_for(base)), "a"), "pak11");
+}
+
+TEST(FileSystem, LaterGamesWinEvenWithLooseFilesOverPaks) {
+  const TestDirectory base;
+  base.put("id1/pak0.pak", make_pak({{"a", "id1 pak"}, {"b", "id1 pak"}, {"c", "id1 pak"}}));
+  base.put("hipnotic/a", "hipnotic loose");
+  base.put("hipnotic/b", "hipnotic loose");
+  base.put("ad/a", "ad loose");
+  const FileSystem files = open(options_for(base, {"hipnotic", "ad"}));
+  EXPECT_EQ(text(files, "a"), "ad loose");
+  EXPECT_EQ(text(files, "b"), "hipnotic loose");
+  EXPECT_EQ(text(files, "c"), "id1 pak");
+  EXPECT_EQ(files.game_index_of("a"), 2);
+  EXPECT_EQ(files.game_index_of("b"), 1);
+  EXPECT_EQ(files.game_index_of("c"), 0);
+  EXPECT_EQ(files.game_index_of("d"), -1);
+  EXPECT_EQ(files.game(), "ad");
+}
+
+TEST(FileSystem, UserDirectoryWinsOverItsGamedirOnly) {
+  const TestDirectory base, user;
+  base.put("id1/pak0.pak", make_pak({{"a", "id1 pak"}, {"b", "id1 pak"}}));
+  base.put("id1/pak1.pak", make_pak({{"c", "id1 pak1"}}));
+  base.put("ad/b", "ad loose");
+  user.put("id1/a", "user id1 loose");
+  user.put("id1/b", "user id1 loose");
+  user.put("id1/c", "user id1 loose");
+  user.put("id1/pak0.pak", make_pak({{"c", "user id1 pak0"}}));
+  FsOptions options = options_for(base, {"ad"});
+  options.user_dir = user.path();
+  const FileSystem files = open(options);
+  EXPECT_EQ(text(files, "a"), "user id1 loose");
+  EXPECT_EQ(text(files, "b"), "ad loose");
+  EXPECT_EQ(text(files, "c"), "user id1 pak0");
+  EXPECT_EQ(files.source_of("c"), "user/id1/pak0.pak");
+}
+
+TEST(FileSystem, WritesBelowTheUserDirectoryAndFindsThemAgain) {
+  const TestDirectory base, user;
+  base.put("id1/config.cfg", "old");
+  base.put("ad/x", "");
+  FsOptions options = options_for(base, {"ad"});
+  options.user_dir = user.path() / "not" / "yet" / "there";
+  const FileSystem files = open(options);
+  EXPECT_FALSE(std::filesystem::exists(*options.user_dir)) << "only writing may make it";
+  EXPECT_EQ(text(files, "config.cfg"), "old");
+  const std::string fresh = "new";
+  ASSERT_TRUE(files.write("config.cfg", Bytes(fresh.begin(), fresh.end())));
+  EXPECT_EQ(*files.write_path("config.cfg"), *options.user_dir / "ad" / "config.cfg");
+  EXPECT_EQ(text(files, "config.cfg"), "new");
+  EXPECT_FALSE(files.write_path("../x"));
+}
+
+TEST(FileSystem, WritesBelowTheBaseWhereThereIsNoUserDirectory) {
+  const TestDirectory base;
+  base.put("id1/x", "");
+  EXPECT_EQ(*open(options_for(base)).write_path("s0.sav"), base.path() / "id1" / "s0.sav");
+}
+
+TEST(FileSystem, NamesOutsideAreNeverFound) {
+  const TestDirectory base;
+  base.put("secret", "s");
+  base.put("id1/maps/a.bsp", "a");
+  base.put("id1/pak0.pak", make_pak({{"../secret", "p"}, {"/etc/x", "p"}}));
+  const FileSystem files = open(options_for(base));
+  for (const char* name : {"../secret", "maps/../../secret", "/etc/x", "", ".", "maps"})
+    EXPECT_FALSE(files.exists(name)) << name;
+  EXPECT_FALSE(files.exists((base.path() / "secret").string()));
+  EXPECT_EQ(text(files, "maps\\a.bsp"), "a");
+  const auto missing = files.load("maps/none.bsp");
+  ASSERT_FALSE(missing);
+  EXPECT_THAT(missing.error().message, HasSubstr("maps/none.bsp: no such file"));
+}
+
+TEST(FileSystem, CaseIsAFallbackWithOneNote) {
+  const TestDirectory base;
+  base.put("id1/Maps/START.bsp", "loose");
+  base.put("id1/pak0.pak", make_pak({{"Progs/Ogre.mdl", "pak"}, {"gfx/A.lmp", "upper pak"}}));
+  base.put("id1/gfx/a.lmp", "exact loose");
+  const FileSystem files = open(options_for(base));
+  LogLines log;
+  EXPECT_EQ(text(files, "maps/start.bsp"), "loose");
+  EXPECT_EQ(text(files, "maps/start.bsp"), "loose");
+  EXPECT_EQ(text(files, "progs/ogre.mdl"), "pak");
+  EXPECT_THAT(log.lines, SizeIs(2));
+  EXPECT_THAT(log.lines.front(), HasSubstr("maps/start.bsp: found only as START.bsp in id1"));
+  EXPECT_EQ(text(files, "gfx/a.lmp"), "exact loose") << "the exact name wins, also over an earlier place";
+  EXPECT_THAT(log.lines, SizeIs(2));
+}
+
+TEST(FileSystem, CaseFallbackSeesNewFiles) {
+  const TestDirectory base;
+  base.put("id1/x", "");
+  const FileSystem files = open(options_for(base));
+  EXPECT_FALSE(files.exists("s0.sav"));
+  base.put("id1/S0.SAV", "saved");
+  std::filesystem::last_write_time(base.path() / "id1", std::filesystem::file_time_type::clock::now() +
+                                                            std::chrono::seconds(5));  // clocks may be coarse
+  EXPECT_EQ(text(files, "s0.sav"), "saved");
+}
+
+TEST(FileSystem, UpperCasePaksAsOnTheCd) {
+  const TestDirectory base;
+  base.put("ID1/PAK0.PAK", make_pak({{"a", "pak"}}));
+  EXPECT_EQ(text(open(options_for(base)), "a"), "pak");
+}
+
+TEST(FileSystem, ListsEachFileOnceAsItWouldBeRead) {
+  const TestDirectory base;
+  base.put("id1/maps/loose.bsp", "12345");
+  base.put("id1/maps/both.bsp", "loose");
+  base.put("id1/maps/notes.txt", "");
+  base.put("id1/textures/deep/x.BSP", "");
+  base.put("id1/pak0.pak", make_pak({{"maps/both.bsp", "in pak"}, {"maps/b_shell0.bsp", ""}, {"sound/x.wav", ""}}));
+  const FileSystem files = open(options_for(base));
+  std::vector<std::string> names, sources;
+  for (const FoundFile& file : files.find("maps/", ".bsp")) {
+    names.push_back(file.name);
+    sources.push_back(file.source);
+  }
+  EXPECT_THAT(names, ElementsAre("maps/b_shell0.bsp", "maps/both.bsp", "maps/loose.bsp"));
+  EXPECT_THAT(sources, ElementsAre("id1/pak0.pak", "id1/pak0.pak", "id1"));
+  EXPECT_EQ(files.find("maps/loose", "")[0].size, 5u);
+  EXPECT_THAT(files.find("", ".bsp"), SizeIs(4));
+  EXPECT_THAT(files.find("MAPS/", ".BSP"), SizeIs(3));
+}
+
+TEST(FileSystem, AListingEndsWhereLinksLoop) {
+  const TestDirectory base;
+  base.put("id1/maps/a.bsp", "");
+  std::filesystem::create_directory_symlink("..", base.path() / "id1" / "maps" / "up");
+  EXPECT_GE(open(options_for(base)).find("", ".bsp").size(), 1u);
+}
+
+TEST(FileSystem, WhatIsMissingOrMalformedIsSaid) {
+  const TestDirectory base;
+  const auto failure = [](const FsOptions& options) {
+    const auto files = FileSystem::open(options);
+    return files ? std::string("no failure") : files.error().message;
+  };
+  EXPECT_THAT(failure(options_for(base)), HasSubstr("there is no directory id1"));
+  base.put("id1/x", "");
+  EXPECT_THAT(failure(options_for(base, {"ad"})), HasSubstr("there is no directory ad"));
+  EXPECT_THAT(failure(options_for(base, {".."})), HasSubstr("not a path"));
+  base.put("id1/pak0.pak", "PACX");
+  EXPECT_THAT(failure(options_for(base)), HasSubstr("id1/pak0.pak: offset"));
+}
+
+TEST(FileSystem, LoaderFollowsAReopenedFileSystem) {
+  const TestDirectory base;
+  base.put("id1/a", "id1");
+  base.put("ad/a", "ad");
+  FileSystem files = open(options_for(base));
+  const auto loader = files.loader();
+  EXPECT_EQ(as_text(*loader("a")), "id1");
+  files = open(options_for(base, {"ad"}));
+  EXPECT_EQ(as_text(*loader("a")), "ad");
+  EXPECT_EQ(loader("b"), std::nullopt);
+}
+
+TEST(FileSystem, RealData) {
+  const char* variable = std::getenv("FULLBRIGHT_TEST_DATA");
+  FsOptions options;
+  options.base_dir = variable != nullptr ? variable : "../shared/librequake";
+  options.user_dir.emplace();
+  if (!std::filesystem::exists(options.base_dir / "id1" / "pak0.pak"))
+    GTEST_SKIP() << "no game data: set FULLBRIGHT_TEST_DATA to a directory that holds id1/pak0.pak";
+  const FileSystem files = open(options);
+  for (const FoundFile& file : files.find("", "")) {
+    const auto data = files.load(file.name);
+    ASSERT_TRUE(data) << data.error().message;
+    EXPECT_EQ(data->size(), file.size) << file.name;
+  }
+  EXPECT_EQ(files.load("gfx/palette.lmp")->size(), 768u);
+  EXPECT_GE(files.find("maps/", ".bsp").size(), 1u);
+}
+
+}  // namespace
+}  // namespace fb::fs

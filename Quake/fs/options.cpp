@@ -1,0 +1,56 @@
+#include "fs/options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "fs/path.h"
+
+namespace fb::fs {
+namespace {
+
+void add_once(std::vector<std::string>& games, const std::string& game) {
+  const auto same = [&](const std::string& other) { return lower_case(other) == lower_case(game); };
+  if (!same("id1") && std::none_of(games.begin(), games.end(), same)) games.push_back(game);
+}
+
+}  // namespace
+
+Result<FsOptions> options_from_arguments(std::span<const std::string> arguments) {
+  FsOptions options;
+  const auto given = [&](const char* flag) {
+    return std::find(arguments.begin(), arguments.end(), flag) != arguments.end();
+  };
+  // QuakeSpasm's order when there are several, whatever theirs on the line.
+  for (const char* pack : {"rogue", "hipnotic", "quoth"}) {
+    if (given(fmt::format("-{}", pack).c_str())) add_once(options.games, pack);
+  }
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const bool game = arguments[i] == "-game";
+    if (!game && arguments[i] != "-basedir") continue;
+    if (i + 1 == arguments.size()) return Error{fmt::format("{} needs a directory after it", arguments[i])};
+    const std::string& value = arguments[++i];
+    if (game) {
+      if (!is_game_name(value))
+        return Error{fmt::format("-game \"{}\": a gamedir is one directory's name below -basedir, not a path", value)};
+      add_once(options.games, value);
+    } else {
+      if (value.empty()) return Error{"-basedir needs a directory after it"};
+      options.base_dir = value;
+    }
+  }
+  return options;
+}
+
+std::filesystem::path default_user_dir() {
+#ifndef _WIN32
+  if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data == '/')
+    return std::filesystem::path(data) / "fullbright";
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/')
+    return std::filesystem::path(home) / ".fullbright";
+#endif
+  return {};
+}
+
+}  // namespace fb::fs

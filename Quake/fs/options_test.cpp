@@ -1,0 +1,69 @@
+#include "fs/options.h"
+
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+namespace fb::fs {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+FsOptions parse(const std::vector<std::string>& arguments) {
+  auto options = options_from_arguments(arguments);
+  EXPECT_TRUE(options) << options.error().message;
+  return *std::move(options);
+}
+
+std::string failure(const std::vector<std::string>& arguments) {
+  const auto options = options_from_arguments(arguments);
+  return options ? "no failure" : options.error().message;
+}
+
+TEST(FsOptions, NothingGiven) {
+  const FsOptions options = parse({"fullbright", "+map", "start"});
+  EXPECT_EQ(options.base_dir, ".");
+  EXPECT_THAT(options.games, IsEmpty());
+}
+
+TEST(FsOptions, MissionPacksComeBeforeGames) {
+  const FsOptions options = parse({"fullbright", "-game", "ad", "-basedir", "/quake", "-hipnotic"});
+  EXPECT_EQ(options.base_dir, "/quake");
+  EXPECT_THAT(options.games, ElementsAre("hipnotic", "ad"));
+}
+
+TEST(FsOptions, SeveralGamesInOrderEachOnce) {
+  EXPECT_THAT(parse({"-game", "one", "-game", "two", "-game", "ONE", "-game", "ID1"}).games, ElementsAre("one", "two"));
+  EXPECT_THAT(parse({"-rogue", "-game", "rogue"}).games, ElementsAre("rogue"));
+}
+
+TEST(FsOptions, Refusals) {
+  EXPECT_THAT(failure({"-game"}), HasSubstr("-game needs"));
+  EXPECT_THAT(failure({"-basedir"}), HasSubstr("-basedir needs"));
+  EXPECT_THAT(failure({"-basedir", ""}), HasSubstr("-basedir needs"));
+  EXPECT_THAT(failure({"-game", "../secret"}), HasSubstr("not a path"));
+}
+
+TEST(FsOptions, UserDirectoryFollowsTheEnvironment) {
+  const char* home = ::getenv("HOME");
+  const char* data = ::getenv("XDG_DATA_HOME");
+  const std::string old_home = home != nullptr ? home : "", old_data = data != nullptr ? data : "";
+
+  ::setenv("HOME", "/home/ranger", 1);
+  ::unsetenv("XDG_DATA_HOME");
+  EXPECT_EQ(default_user_dir(), "/home/ranger/.fullbright");
+  ::setenv("XDG_DATA_HOME", "/data", 1);
+  EXPECT_EQ(default_user_dir(), "/data/fullbright");
+  ::setenv("XDG_DATA_HOME", "relative", 1);  // the specification has such a value ignored
+  EXPECT_EQ(default_user_dir(), "/home/ranger/.fullbright");
+  ::unsetenv("XDG_DATA_HOME");
+  ::unsetenv("HOME");
+  EXPECT_TRUE(default_user_dir().empty());
+
+  if (home != nullptr) ::setenv("HOME", old_home.c_str(), 1);
+  if (data != nullptr) ::setenv("XDG_DATA_HOME", old_data.c_str(), 1);
+}
+
+}  // namespace
+}  // namespace fb::fs

@@ -1,0 +1,65 @@
+// PAK archives: twelve bytes of header ("PACK", where the directory is, how long it is), then files, then 64 bytes a
+// directory entry (56 of name, offset, size). The directory is read once; files are read when they are asked for, so a
+// pak of a gigabyte costs its directory only.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/bytes.h"
+#include "base/result.h"
+#include "fs/file.h"
+
+namespace fb::fs {
+
+struct PakEntry {
+  std::string name;          // as the pak spells it, with forward slashes
+  std::uint64_t offset = 0;  // bytes from the pak's start
+  std::uint32_t size = 0;    // bytes; offset + size lies inside the file
+};
+
+constexpr std::size_t kPakHeaderSize = 12;
+constexpr std::size_t kPakEntrySize = 64;
+constexpr std::size_t kPakNameSize = 56;
+
+struct PakHeader {
+  std::uint32_t directory_offset = 0, directory_size = 0;  // bytes, inside the file
+};
+
+// The two halves of opening a pak; `file_size` is the whole pak's. Errors name the pak, the offset and the cause.
+Result<PakHeader> parse_pak_header(ByteView header, std::uint64_t file_size, std::string_view name);
+Result<std::vector<PakEntry>> parse_pak_directory(ByteView directory, const PakHeader& header, std::uint64_t file_size,
+                                                  std::string_view name);
+// Both, from a pak that is in memory.
+Result<std::vector<PakEntry>> parse_pak(ByteView data, std::string_view name);
+
+class Pak {
+ public:
+  // `name` is what errors call it, e.g. "id1/pak0.pak".
+  static Result<Pak> open(const std::filesystem::path& path, std::string name);
+
+  const std::string& name() const { return name_; }
+  const std::vector<PakEntry>& entries() const { return entries_; }
+  // Of two entries with one name the first counts, as in Quake. nullptr: none.
+  const PakEntry* find(std::string_view name) const;
+  // The same without regard to case.
+  const PakEntry* find_ignoring_case(std::string_view name) const;
+  // The entry's bytes, whole.
+  Result<Bytes> read(const PakEntry& entry) const;
+
+ private:
+  Pak(RandomAccessFile file, std::string name, std::vector<PakEntry> entries);
+
+  RandomAccessFile file_;
+  std::string name_;
+  std::vector<PakEntry> entries_;
+  std::map<std::string, std::size_t, std::less<>> by_name_, by_lower_name_;
+};
+
+}  // namespace fb::fs
