@@ -25,7 +25,8 @@ enum class BufferUse {
 class Buffer {
  public:
   Buffer() = default;
-  // Fails a check if the device is out of memory (with the size and name).
+  // Rounds the size up to 16 bytes, at least 16; the contents are undefined. Fatal if the device is out of memory
+  // (with the size and name).
   Buffer(Device& device, BufferUse use, VkDeviceSize bytes, std::string name);
   ~Buffer();
   Buffer(Buffer&& other) noexcept;
@@ -44,13 +45,20 @@ class Buffer {
 
   // Grows to at least `bytes` (by half again), losing the contents; true if the handle changed.
   bool reserve(VkDeviceSize bytes);
+  // Differs between any two buffers ever made: handles are used again, this is not. 0: no buffer.
+  std::uint64_t serial() const { return serial_; }
+  const std::string& name() const { return name_; }
 
  private:
+  void release();
+
   Device* device_ = nullptr;
   BufferUse use_ = BufferUse::kStorage;
   VkBuffer buffer_ = VK_NULL_HANDLE;
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
   VkDeviceSize size_ = 0;
+  VkDeviceSize allocated_ = 0;
+  std::uint64_t serial_ = 0;
   void* mapped_ = nullptr;
   std::string name_;
 };

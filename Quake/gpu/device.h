@@ -20,7 +20,8 @@ namespace fb::gpu {
 struct DeviceOptions {
   std::string preferred;    // part of a device's name, or its index; empty: the best
   bool validation = false;  // VK_LAYER_KHRONOS_validation; its messages count in Device::validation_messages()
-  bool ray_query = true;    // use it where there is one
+  bool synchronization_validation = false;       // with validation: missing barriers as well (slow)
+  bool ray_query = true;                         // use it where there is one
   std::vector<const char*> instance_extensions;  // what the window system asks for; empty: headless
   bool present = false;                          // needs a queue that can present
 };
@@ -60,7 +61,8 @@ class Device {
   // Device memory allocated now, bytes.
   std::uint64_t allocated_bytes() const;
 
-  // Records with `record`, submits and waits. The one way to run work without a window.
+  // Records with `record`, submits and waits. The one way to run work without a window. A run inside another's `record`
+  // finishes before the outer one starts. One thread at a time.
   void run(const std::function<void(Commands&)>& record);
 
   VkInstance instance() const;

@@ -34,8 +34,8 @@ class BindingTable {
   void set_frame(std::uint32_t binding, const Buffer& buffer);
   void set_uniform(const Buffer& buffer);
   void set_tlas(VkAccelerationStructureKHR tlas);
-  // Writes what changed; only between submissions.
-  void flush();
+  // Writes what changed; only between submissions. Commands::bind does so too.
+  void flush() const;
   VkPipelineLayout layout() const;
   std::array<VkDescriptorSet, 2> sets() const;
 

@@ -13,7 +13,7 @@ namespace fb::gpu {
 
 class Swapchain {
  public:
-  // Takes the surface. Formats: B8G8R8A8 or R8G8B8A8 (UNORM); see swaps_red_and_blue.
+  // Takes the surface, also if it fails. Formats: B8G8R8A8 or R8G8B8A8 (UNORM); see swaps_red_and_blue.
   static Result<std::unique_ptr<Swapchain>> create(Device& device, VkSurfaceKHR surface, std::uint32_t width,
                                                    std::uint32_t height, bool vsync);
   ~Swapchain();
@@ -21,7 +21,10 @@ class Swapchain {
   std::uint32_t height() const;
   // True: the pixel's lowest byte is blue.
   bool swaps_red_and_blue() const;
-  // Shows width*height packed pixels. False: out of date, make a new one of the window's present size.
+  // Makes the images anew for the window's present size (the arguments count only where the window system leaves the
+  // size to us). Fails while the window has no area (minimised): then present() shows nothing until it succeeds.
+  Status resize(std::uint32_t width, std::uint32_t height);
+  // Shows width()*height() packed pixels and waits for the copy. False: out of date, so resize().
   bool present(const Buffer& pixels);
 
  private:

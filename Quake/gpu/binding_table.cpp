@@ -1,0 +1,187 @@
+// The two descriptor sets. Descriptors are written when something changed, always in one call, always while no
+// submission is under way.
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "base/check.h"
+#include "gpu/device_impl.h"
+#include "gpu/pipeline.h"
+#include "gpu/vulkan_error.h"
+#include "gpu/vulkan_struct.h"
+
+namespace fb::gpu {
+namespace {
+
+struct Slot {
+  VkBuffer buffer = VK_NULL_HANDLE;
+  std::uint64_t serial = 0;
+  bool dirty = true;
+};
+
+VkDescriptorSetLayoutBinding compute_binding(std::uint32_t binding, VkDescriptorType type) {
+  VkDescriptorSetLayoutBinding info{};
+  info.binding = binding;
+  info.descriptorType = type;
+  info.descriptorCount = 1;
+  info.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
+  return info;
+}
+
+VkDescriptorSetLayout make_set_layout(VkDevice device, const std::vector<VkDescriptorSetLayoutBinding>& bindings) {
+  auto info = vk_struct<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
+  info.bindingCount = static_cast<std::uint32_t>(bindings.size());
+  info.pBindings = bindings.data();
+  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+  FB_VK(vkCreateDescriptorSetLayout(device, &info, nullptr, &layout));
+  return layout;
+}
+
+}  // namespace
+
+struct BindingTable::Impl {
+  explicit Impl(Device& d)
+      : device(d),
+        unset_storage(d, BufferUse::kStorage, 256, "unset storage buffer"),
+        unset_uniform(d, BufferUse::kUniform, 16384, "unset uniform buffer") {}
+
+  void set(Slot& slot, const Buffer& buffer) {
+    const VkBuffer handle = buffer ? buffer.handle() : unset_storage.handle();
+    if (buffer && buffer.size() > device.limits().max_storage_buffer_range)
+      fatal(__FILE__, __LINE__,
+            fmt::format("buffer \"{}\" of {} bytes is bound to shaders; {} binds {} at most", buffer.name(),
+                        buffer.size(), device.report().name, device.limits().max_storage_buffer_range));
+    if (slot.serial == buffer.serial() && slot.buffer == handle) return;
+    slot = {handle, buffer.serial(), true};
+    dirty = true;
+  }
+
+  Device& device;
+  Buffer unset_storage, unset_uniform;
+  std::array<Slot, kSceneBuffers> scene;
+  std::array<Slot, kFrameBuffers> frame;
+  Slot uniform;
+  VkAccelerationStructureKHR tlas = VK_NULL_HANDLE;
+  bool tlas_dirty = false, dirty = true;
+  std::array<VkDescriptorSetLayout, 2> set_layouts{};
+  VkPipelineLayout layout = VK_NULL_HANDLE;
+  VkDescriptorPool pool = VK_NULL_HANDLE;
+  std::array<VkDescriptorSet, 2> sets{};
+};
+
+BindingTable::BindingTable(Device& device) : impl_(std::make_unique<Impl>(device)) {
+  const VkDevice handle = device.handle();
+  const bool has_tlas = device.has_ray_query();
+  std::vector<VkDescriptorSetLayoutBinding> scene, frame;
+  for (std::uint32_t i = 0; i < kSceneBuffers; ++i)
+    scene.push_back(compute_binding(i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER));
+  scene.push_back(compute_binding(kUniformBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER));
+  if (has_tlas) scene.push_back(compute_binding(kTlasBinding, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR));
+  for (std::uint32_t i = 0; i < kFrameBuffers; ++i)
+    frame.push_back(compute_binding(i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER));
+  impl_->set_layouts = {make_set_layout(handle, scene), make_set_layout(handle, frame)};
+
+  VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, kPushConstantBytes};
+  auto layout = vk_struct<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
+  layout.setLayoutCount = 2;
+  layout.pSetLayouts = impl_->set_layouts.data();
+  layout.pushConstantRangeCount = 1;
+  layout.pPushConstantRanges = &push;
+  FB_VK(vkCreatePipelineLayout(handle, &layout, nullptr, &impl_->layout));
+
+  const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, kSceneBuffers + kFrameBuffers},
+                                        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
+                                        {VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, 1}};
+  auto pool = vk_struct<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
+  pool.maxSets = 2;
+  pool.poolSizeCount = has_tlas ? 3 : 2;
+  pool.pPoolSizes = sizes;
+  FB_VK(vkCreateDescriptorPool(handle, &pool, nullptr, &impl_->pool));
+  auto allocate = vk_struct<VkDescriptorSetAllocateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO);
+  allocate.descriptorPool = impl_->pool;
+  allocate.descriptorSetCount = 2;
+  allocate.pSetLayouts = impl_->set_layouts.data();
+  FB_VK(vkAllocateDescriptorSets(handle, &allocate, impl_->sets.data()));
+
+  for (Slot& slot : impl_->scene) slot.buffer = impl_->unset_storage.handle();
+  for (Slot& slot : impl_->frame) slot.buffer = impl_->unset_storage.handle();
+  impl_->uniform.buffer = impl_->unset_uniform.handle();
+}
+
+BindingTable::~BindingTable() {
+  const VkDevice handle = impl_->device.handle();
+  vkDestroyDescriptorPool(handle, impl_->pool, nullptr);
+  vkDestroyPipelineLayout(handle, impl_->layout, nullptr);
+  for (VkDescriptorSetLayout layout : impl_->set_layouts) vkDestroyDescriptorSetLayout(handle, layout, nullptr);
+}
+
+void BindingTable::set_scene(std::uint32_t binding, const Buffer& buffer) {
+  FB_CHECK_LT(binding, kSceneBuffers);
+  impl_->set(impl_->scene[binding], buffer);
+}
+
+void BindingTable::set_frame(std::uint32_t binding, const Buffer& buffer) {
+  FB_CHECK_LT(binding, kFrameBuffers);
+  impl_->set(impl_->frame[binding], buffer);
+}
+
+void BindingTable::set_uniform(const Buffer& buffer) {
+  const VkBuffer handle = buffer ? buffer.handle() : impl_->unset_uniform.handle();
+  if (impl_->uniform.serial == buffer.serial() && impl_->uniform.buffer == handle) return;
+  impl_->uniform = {handle, buffer.serial(), true};
+  impl_->dirty = true;
+}
+
+void BindingTable::set_tlas(VkAccelerationStructureKHR tlas) {
+  FB_CHECK(impl_->device.has_ray_query());
+  impl_->tlas = tlas;
+  // Written again even if the handle is the same: a structure made anew may have got the old one's.
+  impl_->tlas_dirty = tlas != VK_NULL_HANDLE;
+  impl_->dirty |= impl_->tlas_dirty;
+}
+
+void BindingTable::flush() const {
+  Impl& table = *impl_;
+  if (!table.dirty) return;
+  std::vector<VkDescriptorBufferInfo> infos;
+  std::vector<VkWriteDescriptorSet> writes;
+  infos.reserve(kSceneBuffers + kFrameBuffers + 1);  // the writes point into it
+  const auto write = [&](Slot& slot, VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type) {
+    if (!slot.dirty) return;
+    slot.dirty = false;
+    infos.push_back({slot.buffer, 0, VK_WHOLE_SIZE});
+    auto out = vk_struct<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
+    out.dstSet = set;
+    out.dstBinding = binding;
+    out.descriptorCount = 1;
+    out.descriptorType = type;
+    out.pBufferInfo = &infos.back();
+    writes.push_back(out);
+  };
+  for (std::uint32_t i = 0; i < kSceneBuffers; ++i)
+    write(table.scene[i], table.sets[0], i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+  for (std::uint32_t i = 0; i < kFrameBuffers; ++i)
+    write(table.frame[i], table.sets[1], i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+  write(table.uniform, table.sets[0], kUniformBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
+  auto structure = vk_struct<VkWriteDescriptorSetAccelerationStructureKHR>(
+      VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR);
+  if (table.tlas_dirty) {
+    table.tlas_dirty = false;
+    structure.accelerationStructureCount = 1;
+    structure.pAccelerationStructures = &table.tlas;
+    auto out = vk_struct<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
+    out.pNext = &structure;
+    out.dstSet = table.sets[0];
+    out.dstBinding = kTlasBinding;
+    out.descriptorCount = 1;
+    out.descriptorType = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
+    writes.push_back(out);
+  }
+  table.dirty = false;
+  vkUpdateDescriptorSets(table.device.handle(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
+}
+
+VkPipelineLayout BindingTable::layout() const { return impl_->layout; }
+std::array<VkDescriptorSet, 2> BindingTable::sets() const { return impl_->sets; }
+
+}  // namespace fb::gpu

@@ -1,0 +1,206 @@
+#include "gpu/buffer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.h"
+#include "base/log.h"
+#include "gpu/commands.h"
+#include "gpu/device_impl.h"
+#include "gpu/vulkan_error.h"
+#include "gpu/vulkan_struct.h"
+
+namespace fb::gpu {
+namespace {
+
+constexpr VkDeviceSize kStagingBytes = 8u << 20u;
+
+VkBufferUsageFlags usage_flags(BufferUse use, bool ray_query) {
+  constexpr VkBufferUsageFlags kCopy = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+  constexpr VkBufferUsageFlags kBuildInput =
+      VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+  switch (use) {
+    case BufferUse::kStorage:
+      return kCopy | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    case BufferUse::kUpload:
+    case BufferUse::kGeometry:
+      return kCopy | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | (ray_query ? kBuildInput : 0);
+    case BufferUse::kReadback:
+      return kCopy;
+    case BufferUse::kUniform:
+      return kCopy | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT;
+    case BufferUse::kAccelerationStructure:
+      return VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+    case BufferUse::kScratch:
+      return VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | (ray_query ? VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT : 0);
+  }
+  return 0;
+}
+
+// Kinds of memory to try, best first.
+std::vector<VkMemoryPropertyFlags> memory_wishes(BufferUse use) {
+  constexpr VkMemoryPropertyFlags kMapped = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+  switch (use) {
+    case BufferUse::kUpload:
+    case BufferUse::kUniform:
+      return {kMapped | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, kMapped};
+    case BufferUse::kReadback:
+      return {kMapped | VK_MEMORY_PROPERTY_HOST_CACHED_BIT, kMapped};
+    default:
+      return {VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0};
+  }
+}
+
+bool is_mapped(BufferUse use) {
+  return use == BufferUse::kUpload || use == BufferUse::kUniform || use == BufferUse::kReadback;
+}
+
+VkDeviceMemory allocate(const Device::Impl& device, BufferUse use, const VkMemoryRequirements& needs) {
+  auto flags = vk_struct<VkMemoryAllocateFlagsInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO);
+  flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
+  auto info = vk_struct<VkMemoryAllocateInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO);
+  if (usage_flags(use, device.ray_query) & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT) info.pNext = &flags;
+  info.allocationSize = needs.size;
+  for (const VkMemoryPropertyFlags wish : memory_wishes(use)) {
+    for (std::uint32_t type = 0; type < device.memory.memoryTypeCount; ++type) {
+      if (!(needs.memoryTypeBits & (1u << type))) continue;
+      if ((device.memory.memoryTypes[type].propertyFlags & wish) != wish) continue;
+      if (needs.size > device.memory.memoryHeaps[device.memory.memoryTypes[type].heapIndex].size) continue;
+      info.memoryTypeIndex = type;
+      VkDeviceMemory memory = VK_NULL_HANDLE;
+      if (vkAllocateMemory(device.device, &info, nullptr, &memory) == VK_SUCCESS) return memory;
+    }
+  }
+  return VK_NULL_HANDLE;
+}
+
+[[noreturn]] void out_of_memory(const Device::Impl& device, const std::string& name, VkDeviceSize bytes) {
+  fatal(__FILE__, __LINE__,
+        fmt::format("{} is out of memory: no {:.1f} MiB for \"{}\" beside the {:.1f} MiB that are in use",
+                    device.report.name, static_cast<double>(bytes) / 1048576.0, name,
+                    static_cast<double>(device.allocated_bytes) / 1048576.0));
+}
+
+}  // namespace
+
+Buffer::Buffer(Device& device, BufferUse use, VkDeviceSize bytes, std::string name)
+    : device_(&device), use_(use), name_(std::move(name)) {
+  Device::Impl& d = device.impl();
+  FB_CHECK_LE(bytes, ~VkDeviceSize{0} - 15);
+  size_ = std::max<VkDeviceSize>(16, (bytes + 15) & ~VkDeviceSize{15});
+  if ((use == BufferUse::kStorage || use == BufferUse::kUpload || use == BufferUse::kGeometry) &&
+      size_ > d.limits.max_storage_buffer_range)
+    log_warning("buffer \"{}\" of {} bytes is larger than {} binds to a shader ({} bytes)", name_, size_, d.report.name,
+                d.limits.max_storage_buffer_range);
+
+  auto info = vk_struct<VkBufferCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO);
+  info.size = size_;
+  info.usage = usage_flags(use, d.ray_query);
+  info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+  const VkResult made = vkCreateBuffer(d.device, &info, nullptr, &buffer_);
+  if (made == VK_ERROR_OUT_OF_HOST_MEMORY || made == VK_ERROR_OUT_OF_DEVICE_MEMORY) out_of_memory(d, name_, size_);
+  FB_VK(made);
+  VkMemoryRequirements needs;
+  vkGetBufferMemoryRequirements(d.device, buffer_, &needs);
+  memory_ = allocate(d, use, needs);
+  if (!memory_) out_of_memory(d, name_, size_);
+  FB_VK(vkBindBufferMemory(d.device, buffer_, memory_, 0));
+  if (is_mapped(use)) FB_VK(vkMapMemory(d.device, memory_, 0, VK_WHOLE_SIZE, 0, &mapped_));
+  allocated_ = needs.size;
+  d.allocated_bytes += allocated_;
+  serial_ = d.next_serial++;
+  d.set_name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(buffer_), name_);
+}
+
+Buffer::~Buffer() { release(); }
+
+void Buffer::release() {
+  if (!device_) return;
+  Device::Impl& d = device_->impl();
+  if (mapped_) vkUnmapMemory(d.device, memory_);
+  vkDestroyBuffer(d.device, buffer_, nullptr);
+  vkFreeMemory(d.device, memory_, nullptr);
+  d.allocated_bytes -= allocated_;
+  device_ = nullptr;
+  buffer_ = VK_NULL_HANDLE;
+  memory_ = VK_NULL_HANDLE;
+  size_ = allocated_ = serial_ = 0;
+  mapped_ = nullptr;
+}
+
+Buffer::Buffer(Buffer&& other) noexcept { *this = std::move(other); }
+
+Buffer& Buffer::operator=(Buffer&& other) noexcept {
+  if (this == &other) return *this;
+  release();
+  device_ = std::exchange(other.device_, nullptr);
+  use_ = other.use_;
+  buffer_ = std::exchange(other.buffer_, VK_NULL_HANDLE);
+  memory_ = std::exchange(other.memory_, VK_NULL_HANDLE);
+  size_ = std::exchange(other.size_, 0);
+  allocated_ = std::exchange(other.allocated_, 0);
+  serial_ = std::exchange(other.serial_, 0);
+  mapped_ = std::exchange(other.mapped_, nullptr);
+  name_ = std::move(other.name_);
+  return *this;
+}
+
+VkDeviceAddress Buffer::address() const {
+  FB_CHECK(buffer_ != VK_NULL_HANDLE);
+  FB_CHECK(usage_flags(use_, device_->has_ray_query()) & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT);
+  auto info = vk_struct<VkBufferDeviceAddressInfo>(VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO);
+  info.buffer = buffer_;
+  return vkGetBufferDeviceAddress(device_->handle(), &info);
+}
+
+bool Buffer::reserve(VkDeviceSize bytes) {
+  FB_CHECK(device_ != nullptr);
+  if (bytes <= size_) return false;
+  Device& device = *device_;
+  const BufferUse use = use_;
+  const VkDeviceSize larger = std::max(bytes, size_ + size_ / 2);
+  std::string name = std::move(name_);
+  release();  // first, so that the two need not fit side by side
+  *this = Buffer(device, use, larger, std::move(name));
+  return true;
+}
+
+void upload_now(Device& device, Buffer& target, const void* data, VkDeviceSize bytes, VkDeviceSize offset) {
+  if (bytes == 0) return;
+  FB_CHECK_LE(offset, target.size());
+  FB_CHECK_LE(bytes, target.size() - offset);
+  if (target.mapped()) {
+    std::memcpy(static_cast<std::uint8_t*>(target.mapped()) + offset, data, bytes);
+    return;
+  }
+  Buffer& staging = device.impl().upload_staging;
+  if (!staging) staging = Buffer(device, BufferUse::kUpload, kStagingBytes, "upload staging");
+  for (VkDeviceSize done = 0; done < bytes;) {
+    const VkDeviceSize part = std::min(bytes - done, staging.size());
+    std::memcpy(staging.mapped(), static_cast<const std::uint8_t*>(data) + done, part);
+    device.run([&](Commands& commands) { commands.copy(staging, target, part, 0, offset + done); });
+    done += part;
+  }
+}
+
+void read_now(Device& device, const Buffer& source, void* data, VkDeviceSize bytes, VkDeviceSize offset) {
+  if (bytes == 0) return;
+  FB_CHECK_LE(offset, source.size());
+  FB_CHECK_LE(bytes, source.size() - offset);
+  if (source.mapped()) {
+    std::memcpy(data, static_cast<const std::uint8_t*>(source.mapped()) + offset, bytes);
+    return;
+  }
+  Buffer& staging = device.impl().readback_staging;
+  if (!staging) staging = Buffer(device, BufferUse::kReadback, kStagingBytes, "readback staging");
+  for (VkDeviceSize done = 0; done < bytes;) {
+    const VkDeviceSize part = std::min(bytes - done, staging.size());
+    device.run([&](Commands& commands) { commands.copy(source, staging, part, offset + done, 0); });
+    std::memcpy(static_cast<std::uint8_t*>(data) + done, staging.mapped(), part);
+    done += part;
+  }
+}
+
+}  // namespace fb::gpu

@@ -1,0 +1,64 @@
+// What a Device holds, for the files of this module alone.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/device.h"
+#include "gpu/instance.h"
+
+namespace fb::gpu {
+
+// Entry points of VK_KHR_acceleration_structure; all null unless ray queries are on.
+struct AccelerationStructureCalls {
+  PFN_vkCreateAccelerationStructureKHR create = nullptr;
+  PFN_vkDestroyAccelerationStructureKHR destroy = nullptr;
+  PFN_vkGetAccelerationStructureBuildSizesKHR build_sizes = nullptr;
+  PFN_vkGetAccelerationStructureDeviceAddressKHR address = nullptr;
+  PFN_vkCmdBuildAccelerationStructuresKHR build = nullptr;
+};
+
+// Names and labels for debuggers and validation messages; null without VK_EXT_debug_utils.
+struct DebugCalls {
+  PFN_vkSetDebugUtilsObjectNameEXT set_name = nullptr;
+  PFN_vkCmdBeginDebugUtilsLabelEXT begin_label = nullptr;
+  PFN_vkCmdEndDebugUtilsLabelEXT end_label = nullptr;
+};
+
+struct Device::Impl {
+  ~Impl();
+  void set_name(VkObjectType type, std::uint64_t object, std::string_view name) const;
+
+  std::unique_ptr<Instance> instance;
+  DeviceReport report;
+  DeviceLimits limits;
+  bool ray_query = false;
+  VkPhysicalDevice physical = VK_NULL_HANDLE;
+  VkPhysicalDeviceMemoryProperties memory{};
+  VkDevice device = VK_NULL_HANDLE;
+  VkQueue queue = VK_NULL_HANDLE;
+  std::uint32_t queue_family = 0;
+  std::uint32_t timestamp_bits = 0;
+  AccelerationStructureCalls acceleration;
+  DebugCalls debug;
+
+  // One command buffer a depth of nested runs.
+  struct Recording {
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    VkFence fence = VK_NULL_HANDLE;
+  };
+  VkCommandPool pool = VK_NULL_HANDLE;
+  std::vector<Recording> recordings;
+  std::size_t depth = 0;
+
+  std::uint64_t allocated_bytes = 0;
+  std::uint64_t next_serial = 1;
+  Buffer upload_staging, readback_staging;
+  Buffer no_triangle;  // zeros: a degenerate triangle's vertices and indices
+};
+
+}  // namespace fb::gpu

@@ -1,0 +1,150 @@
+#include "gpu/instance.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <vector>
+
+#include "base/log.h"
+#include "gpu/vulkan_error.h"
+#include "gpu/vulkan_struct.h"
+
+namespace fb::gpu {
+namespace {
+
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+constexpr const char* kNoDriver =
+    "no Vulkan driver was found: install the graphics card's, or Mesa's software driver (Debian: mesa-vulkan-drivers)";
+
+std::vector<VkExtensionProperties> instance_extensions(const char* layer) {
+  std::uint32_t count = 0;
+  std::vector<VkExtensionProperties> list;
+  if (vkEnumerateInstanceExtensionProperties(layer, &count, nullptr) != VK_SUCCESS) return list;
+  list.resize(count);
+  if (vkEnumerateInstanceExtensionProperties(layer, &count, list.data()) < 0) count = 0;
+  list.resize(count);
+  return list;
+}
+
+bool contains(const std::vector<VkExtensionProperties>& list, const char* name) {
+  for (const auto& extension : list)
+    if (std::strcmp(extension.extensionName, name) == 0) return true;
+  return false;
+}
+
+bool has_validation_layer() {
+  std::uint32_t count = 0;
+  if (vkEnumerateInstanceLayerProperties(&count, nullptr) != VK_SUCCESS) return false;
+  std::vector<VkLayerProperties> layers(count);
+  if (vkEnumerateInstanceLayerProperties(&count, layers.data()) < 0) return false;
+  layers.resize(count);
+  for (const auto& layer : layers)
+    if (std::strcmp(layer.layerName, kValidationLayer) == 0) return true;
+  return false;
+}
+
+VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
+                                          VkDebugUtilsMessageTypeFlagsEXT,
+                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
+  const bool is_error = severity >= VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  static_cast<ValidationLog*>(user)->add(is_error, data->pMessage ? data->pMessage : "(no text)");
+  return VK_FALSE;
+}
+
+// Not the loader's general messages: they are about drivers that could not be loaded, not about us.
+VkDebugUtilsMessengerCreateInfoEXT messenger_info(ValidationLog& log) {
+  auto info = vk_struct<VkDebugUtilsMessengerCreateInfoEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT);
+  info.messageSeverity =
+      VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+  info.pfnUserCallback = on_message;
+  info.pUserData = &log;
+  return info;
+}
+
+}  // namespace
+
+void ValidationLog::add(bool is_error, const std::string& text) {
+  ++count_;
+  {
+    std::lock_guard lock(mutex_);
+    if (!seen_.insert(text).second) return;
+  }
+  log_line(is_error ? LogLevel::kError : LogLevel::kWarning, "Vulkan validation: " + text);
+}
+
+Result<std::unique_ptr<Instance>> Instance::create(const DeviceOptions& options) {
+  std::uint32_t version = VK_API_VERSION_1_0;
+  if (vkEnumerateInstanceVersion(&version) != VK_SUCCESS || version < VK_API_VERSION_1_2)
+    return Error{"the Vulkan loader is older than 1.2: install a newer one (Debian: libvulkan1)"};
+
+  std::unique_ptr<Instance> made(new Instance);
+  const auto offered = instance_extensions(nullptr);
+  std::vector<const char*> extensions = options.instance_extensions;
+  for (const char* name : extensions)
+    if (!contains(offered, name)) return Error{fmt::format("the Vulkan loader offers no {}: {}", name, kNoDriver)};
+  made->has_debug_utils_ = contains(offered, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+
+  std::vector<const char*> layers;
+  bool synchronization = false;
+  if (options.validation) {
+    if (!has_validation_layer()) {
+      log_warning("{} is not installed: Vulkan calls are not validated (Debian: vulkan-validationlayers)",
+                  kValidationLayer);
+    } else {
+      layers.push_back(kValidationLayer);
+      const auto of_layer = instance_extensions(kValidationLayer);
+      made->has_debug_utils_ |= contains(of_layer, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+      synchronization =
+          options.synchronization_validation && contains(of_layer, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
+      if (synchronization) extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
+    }
+  }
+  if (made->has_debug_utils_) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+
+  auto application = vk_struct<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
+  application.pApplicationName = "Fullbright";
+  application.pEngineName = "Fullbright";
+  application.apiVersion = VK_API_VERSION_1_2;
+  auto info = vk_struct<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
+  info.pApplicationInfo = &application;
+  info.enabledLayerCount = static_cast<std::uint32_t>(layers.size());
+  info.ppEnabledLayerNames = layers.data();
+  info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+  info.ppEnabledExtensionNames = extensions.data();
+
+  const VkValidationFeatureEnableEXT enables[] = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+  auto features = vk_struct<VkValidationFeaturesEXT>(VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT);
+  features.enabledValidationFeatureCount = 1;
+  features.pEnabledValidationFeatures = enables;
+  // In the instance's chain the messenger also hears of the instance's own making and end.
+  auto messenger = messenger_info(made->validation_);
+  const bool listens = !layers.empty() && made->has_debug_utils_;
+  if (listens) info.pNext = &messenger;
+  if (synchronization) {
+    features.pNext = info.pNext;
+    info.pNext = &features;
+  }
+
+  const VkResult result = vkCreateInstance(&info, nullptr, &made->handle_);
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) return Error{kNoDriver};
+  if (result != VK_SUCCESS) return Error{"Vulkan could not be started: vkCreateInstance gave " + result_name(result)};
+  if (listens) {
+    const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
+        vkGetInstanceProcAddr(made->handle_, "vkCreateDebugUtilsMessengerEXT"));
+    messenger.pNext = nullptr;
+    if (create) FB_VK(create(made->handle_, &messenger, nullptr, &made->messenger_));
+  }
+  return made;
+}
+
+Instance::~Instance() {
+  if (messenger_) {
+    const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+        vkGetInstanceProcAddr(handle_, "vkDestroyDebugUtilsMessengerEXT"));
+    if (destroy) destroy(handle_, messenger_, nullptr);
+  }
+  if (handle_) vkDestroyInstance(handle_, nullptr);
+}
+
+}  // namespace fb::gpu
