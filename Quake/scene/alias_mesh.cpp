@@ -160,9 +160,10 @@ std::vector<std::uint32_t> make_skin_materials(AssetBuilder& builder, const Mdl&
       const bool replaced = set.base != kNone, bright = flame || has_fullbright(image.indices, holes);
       if (!replaced)
         set.base = builder.add_image({image_name, ImageEncoding::kPalette, image.width, image.height, image.indices});
-      if (set.luma == kNone && bright && (replaced || flame))
+      if (set.luma == kNone && flame) set.luma = set.base;
+      if (set.luma == kNone && bright && replaced)
         set.luma = builder.add_image(
-            luma_from_indices(builder.palette(), image_name, image.width, image.height, image.indices, holes, flame));
+            luma_from_indices(builder.palette(), image_name, image.width, image.height, image.indices, holes));
       if (set.gloss != kNone) material.specular = 0.04f;
       glows |= bright || set.luma != kNone;
       material.frames.push_back(set);

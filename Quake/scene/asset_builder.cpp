@@ -85,11 +85,11 @@ bool has_fullbright(const std::vector<std::uint8_t>& indices, bool holes) {
 }
 
 Image luma_from_indices(const formats::Palette& palette, const std::string& name, int width, int height,
-                        const std::vector<std::uint8_t>& indices, bool holes, bool everything) {
+                        const std::vector<std::uint8_t>& indices, bool holes) {
   Image image{name + "_luma", ImageEncoding::kSrgba, width, height, {}};
   image.texels.reserve(indices.size() * 4);
   for (const std::uint8_t i : indices) {
-    const bool glows = (everything || i >= 224) && !(holes && i == 255);
+    const bool glows = i >= 224 && !(holes && i == 255);
     for (std::size_t channel = 0; channel < 3; ++channel)
       image.texels.push_back(glows ? palette.rgb[i][channel] : std::uint8_t{0});
     image.texels.push_back(255);

@@ -43,9 +43,8 @@ class AssetBuilder {
 // Palette indices 224..255 glow; 255 does not where it is a hole.
 bool has_fullbright(const std::vector<std::uint8_t>& indices, bool holes);
 // The glowing texels in their colours, the others black: what a replaced image needs to keep the original's light.
-// With `everything`, all texels.
 Image luma_from_indices(const formats::Palette& palette, const std::string& name, int width, int height,
-                        const std::vector<std::uint8_t>& indices, bool holes, bool everything = false);
+                        const std::vector<std::uint8_t>& indices, bool holes);
 // Linear Rec.709 colour of an sRGB byte, and the mean over an image (opaque texels alone).
 float linear_from_srgb(std::uint8_t byte);
 float linear_from_srgb(float encoded);

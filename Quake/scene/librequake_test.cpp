@@ -82,8 +82,8 @@ void expect_sound(const Assets& assets) {
   }
 }
 
-// The area of triangles that have open space behind and solid in front: they would face the wrong way. (Faces with solid
-// on both sides exist: detail brushes inside of others.)
+// The area of triangles that have open space behind and solid in front: they would face the wrong way. (Faces with
+// solid on both sides exist: detail brushes inside of others.)
 double share_of_wrong_sides(const formats::Bsp& bsp, const Mesh& mesh, const Assets& assets) {
   double wrong = 0.0, all = 0.0;
   for (const MeshTriangle& t : mesh.triangles) {

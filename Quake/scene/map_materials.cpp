@@ -150,10 +150,12 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
   const auto lit = surface_lights_.find(lower_case(texture.name));
   if (lit != surface_lights_.end() &&
       (material.emission_kind == EmissionKind::kNone || material.emission_kind == EmissionKind::kFullbright)) {
-    // The factor is on the texel's colour: a dark texture has a larger one, within bounds.
+    // Every texel glows in its colour, times a factor: a dark texture has a larger one, within bounds.
     const vec3 mean = mean_color(builder_.palette(), builder_.assets().images[material.frames.front().base]);
-    material.emission_kind = EmissionKind::kEntityLight;
+    material.emission_kind = EmissionKind::kFullbright;
     material.emission = lit->second / std::max({mean.x, mean.y, mean.z, 0.05f});
+    for (auto* sets : {&material.frames, &material.alternate_frames})
+      for (TextureSet& set : *sets) set.luma = set.base;
   }
   return builder_.add_material(std::move(material));
 }
