@@ -1,0 +1,184 @@
+#include "lab/image_io.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfChromaticities.h>
+#include <OpenEXR/ImfCompression.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "base/bytes.h"
+#include "base/check.h"
+
+namespace fb::lab {
+namespace {
+
+// The name under which a file grows. Gone again unless commit() gave it its own.
+class PartialFile {
+ public:
+  explicit PartialFile(std::string path) : path_(std::move(path)), partial_(path_ + ".part") {}
+  PartialFile(const PartialFile&) = delete;
+  PartialFile& operator=(const PartialFile&) = delete;
+  ~PartialFile() {
+    std::error_code ignored;
+    if (!committed_) std::filesystem::remove(partial_, ignored);
+  }
+  const std::string& name() const { return partial_; }
+  Status commit() {
+    std::error_code failed;
+    std::filesystem::rename(partial_, path_, failed);
+    if (failed) return Error{fmt::format("{}: cannot be written: {}", path_, failed.message())};
+    committed_ = true;
+    return ok_status();
+  }
+
+ private:
+  std::string path_, partial_;
+  bool committed_ = false;
+};
+
+Status write_whole(const std::string& path, std::span<const std::uint8_t> data) {
+  PartialFile partial(path);
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(partial.name().c_str(), "wb"), std::fclose);
+  const auto failure = [&] { return Error{fmt::format("{}: cannot be written: {}", path, std::strerror(errno))}; };
+  if (!file) return failure();
+  if (std::fwrite(data.data(), 1, data.size(), file.get()) != data.size()) return failure();
+  if (std::fclose(file.release()) != 0) return failure();
+  return partial.commit();
+}
+
+Imf::Slice float_slice(const std::vector<float>& plane, std::size_t width) {
+  char* base = reinterpret_cast<char*>(const_cast<float*>(plane.data()));
+  return Imf::Slice(Imf::FLOAT, base, sizeof(float), sizeof(float) * width);
+}
+
+// OpenEXR converts what it reads, but wants to be given what it shall write.
+std::vector<half> to_half(const std::vector<float>& plane) {
+  std::vector<half> halves(plane.size());
+  std::transform(plane.begin(), plane.end(), halves.begin(), [](float value) { return half(value); });
+  return halves;
+}
+
+}  // namespace
+
+void ExrImage::add_channel(const std::string& name, std::vector<float> values) {
+  FB_CHECK_EQ(values.size(), pixels());
+  channels_[name] = std::move(values);
+}
+
+const std::vector<float>* ExrImage::channel(const std::string& name) const {
+  const auto found = channels_.find(name);
+  return found == channels_.end() ? nullptr : &found->second;
+}
+
+Status write_png(const std::string& path, std::uint32_t width, std::uint32_t height,
+                 std::span<const std::uint32_t> pixels) {
+  FB_CHECK_EQ(pixels.size(), std::size_t{width} * height);
+  Bytes rgb;
+  rgb.reserve(pixels.size() * 3);
+  for (const std::uint32_t pixel : pixels) {
+    for (int shift = 0; shift < 24; shift += 8) rgb.push_back(static_cast<std::uint8_t>(pixel >> shift));
+  }
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = width;
+  image.height = height;
+  image.format = PNG_FORMAT_RGB;
+  // libpng frees its own state when a call fails; the first call only asks for a bound of the size.
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  Bytes file(size);
+  if (!png_image_write_to_memory(&image, file.data(), &size, 0, rgb.data(), 0, nullptr)) {
+    return Error{fmt::format("{}: cannot be written: {}", path, image.message)};
+  }
+  file.resize(size);
+  return write_whole(path, file);
+}
+
+Status write_exr(const std::string& path, const ExrImage& image, ExrPixels kind) {
+  FB_CHECK(image.pixels() > 0 && !image.channels().empty());
+  const Imf::PixelType type = kind == ExrPixels::kHalf ? Imf::HALF : Imf::FLOAT;
+  PartialFile partial(path);
+  try {
+    Imf::Header header(static_cast<int>(image.width()), static_cast<int>(image.height()));
+    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::addChromaticities(header, Imf::Chromaticities());  // Rec.709 and D65
+    for (const auto& [name, value] : image.texts()) header.insert(name, Imf::StringAttribute(value));
+    Imf::FrameBuffer buffer;
+    std::map<std::string, std::vector<half>> halves;
+    for (const auto& [name, plane] : image.channels()) {
+      header.channels().insert(name, Imf::Channel(type));
+      if (kind == ExrPixels::kFloat) {
+        buffer.insert(name, float_slice(plane, image.width()));
+      } else {
+        std::vector<half>& converted = halves[name] = to_half(plane);
+        buffer.insert(name, Imf::Slice(Imf::HALF, reinterpret_cast<char*>(converted.data()), sizeof(half),
+                                       sizeof(half) * image.width()));
+      }
+    }
+    Imf::OutputFile file(partial.name().c_str(), header, 0);
+    file.setFrameBuffer(buffer);
+    file.writePixels(static_cast<int>(image.height()));
+  } catch (const std::exception& failure) {
+    return Error{fmt::format("{}: cannot be written: {}", path, failure.what())};
+  }
+  return partial.commit();
+}
+
+Result<ExrImage> read_exr(const std::string& path) {
+  try {
+    Imf::InputFile file(path.c_str(), 0);
+    const Imf::Header& header = file.header();
+    const Imath::Box2i window = header.dataWindow();
+    const std::uint64_t width = static_cast<std::uint64_t>(std::int64_t{window.max.x} - window.min.x + 1);
+    const std::uint64_t height = static_cast<std::uint64_t>(std::int64_t{window.max.y} - window.min.y + 1);
+    std::uint64_t count = 0;
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c, ++count) {
+      if (c.channel().xSampling != 1 || c.channel().ySampling != 1) {
+        return Error{fmt::format("{}: channel {} is subsampled, which is not supported", path, c.name())};
+      }
+    }
+    // Each factor is below 2^32, so the products are compared by division.
+    if (count == 0 || width > kMaxExrValues / height || count > kMaxExrValues / (width * height)) {
+      return Error{
+          fmt::format("{}: {} channels of {}x{} pixels; at least 1 channel and at most {} values in all can be read",
+                      path, count, width, height, kMaxExrValues)};
+    }
+    if (!file.isComplete()) return Error{fmt::format("{}: the file is not complete", path)};
+
+    ExrImage image(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
+    std::map<std::string, std::vector<float>> planes;
+    Imf::FrameBuffer buffer;
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+      std::vector<float>& plane = planes[c.name()];
+      plane.resize(image.pixels());
+      buffer.insert(c.name(), Imf::Slice::Make(Imf::FLOAT, plane.data(), window, sizeof(float), sizeof(float) * width));
+    }
+    file.setFrameBuffer(buffer);
+    file.readPixels(window.min.y, window.max.y);
+    for (auto& [name, plane] : planes) image.add_channel(name, std::move(plane));
+    for (auto a = header.begin(); a != header.end(); ++a) {
+      if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute())) {
+        image.set_text(a.name(), text->value());
+      }
+    }
+    return image;
+  } catch (const std::exception& failure) {
+    return Error{fmt::format("{}: cannot be read: {}", path, failure.what())};
+  }
+}
+
+}  // namespace fb::lab
