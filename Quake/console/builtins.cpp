@@ -1,0 +1,137 @@
+// The console's own commands, but for those about cvars (cvar_builtins.cpp).
+#include <algorithm>
+#include <string>
+
+#include "base/log.h"
+#include "console/console.h"
+
+namespace fb::con {
+namespace {
+
+constexpr std::size_t kMaxAliasName = 31;  // QuakeSpasm's
+
+}  // namespace
+
+void Console::add_builtins() {
+  add_command("wait", "wait: put the rest of the commands off to the next frame",
+              [this](const Args&) { wait_ = true; });
+  add_command("echo", "echo <text>: print it", [](const Args& args) { log_info("{}", args.joined(1)); });
+  add_command("clear", "clear: empty the console's window", [this](const Args&) { scrollback_->clear(); });
+
+  add_command("exec", "exec <file>: run a script of console commands", [this](const Args& args) {
+    if (args.size() == 2)
+      exec(args[1]);
+    else
+      log_info("exec <filename> : execute a script file");
+  });
+  add_command("stuffcmds", "stuffcmds: run the commands of the program's command line (+map start)",
+              [this](const Args&) {
+                const std::string commands = commands_of_arguments(command_line_);
+                if (!commands.empty()) insert(commands);
+              });
+
+  add_command("alias", "alias [name [commands]]: list, show or make a command of commands", [this](const Args& args) {
+    if (args.size() == 1) {
+      for (const auto& [name, body] : aliases_) log_info("   {}: {}", name, body);
+      log_info("{} alias commands", aliases_.size());
+    } else if (args.size() == 2) {
+      const auto found = aliases_.find(args[1]);
+      if (found == aliases_.end())
+        log_info("There is no alias \"{}\".", args[1]);
+      else
+        log_info("   {}: {}", found->first, found->second);
+    } else if (args[1].size() > kMaxAliasName) {
+      log_info("Alias \"{}\": the name is longer than {} characters.", args[1], kMaxAliasName);
+    } else {
+      aliases_[args[1]] = args.joined(2);
+    }
+  });
+  add_command("unalias", "unalias <name>: forget an alias", [this](const Args& args) {
+    const auto found = aliases_.find(args[1]);
+    if (args.size() != 2)
+      log_info("unalias <name> : delete alias");
+    else if (found == aliases_.end())
+      log_info("There is no alias \"{}\".", args[1]);
+    else
+      aliases_.erase(found);
+  });
+  add_command("unaliasall", "unaliasall: forget all aliases", [this](const Args&) { aliases_.clear(); });
+
+  add_command("cmdlist", "cmdlist [prefix]: list the commands", [this](const Args& args) {
+    std::size_t count = 0;
+    for (const auto& [name, command] : commands_) {
+      if (!name_starts_with(name, args[1])) continue;
+      log_info("   {}", name);
+      ++count;
+    }
+    if (args.size() > 1)
+      log_info("{} commands beginning with \"{}\"", count, args[1]);
+    else
+      log_info("{} commands", count);
+  });
+
+  const auto apropos = [this](const Args& args) {
+    if (args.size() == 2)
+      list_names(args[1], true);
+    else
+      log_info("{} <text> : search the names and help of commands and cvars", args[0]);
+  };
+  add_command("apropos", "apropos <text>: search the names and help of commands and cvars", apropos);
+  add_command("find", "find <text>: the same as apropos", apropos);
+
+  add_command("help", "help <name>: what a command or cvar is for", [this](const Args& args) {
+    if (args.size() != 2) {
+      log_info("help <name> : what a command or cvar is for; cmdlist, cvarlist and apropos <text> find names");
+    } else if (const auto command = commands_.find(args[1]); command != commands_.end()) {
+      log_info("{}", command->second.help);
+    } else if (const auto alias = aliases_.find(args[1]); alias != aliases_.end()) {
+      log_info("{} is an alias: {}", alias->first, alias->second);
+    } else if (const Cvar* cvar = find_cvar(args[1])) {
+      const std::string range = cvar->range_text();
+      log_info("{}: {}", cvar->name(), cvar->spec().help.empty() ? "(set at the console)" : cvar->spec().help);
+      log_info("   is \"{}\", default \"{}\"{}{}{}", cvar->string(), cvar->default_string(),
+               range.empty() ? "" : ", " + range, cvar->archived() ? ", kept in config.cfg" : "",
+               (cvar->spec().flags & kCvarRom) != 0 ? ", read-only" : "");
+    } else {
+      log_info("There is no command, alias or cvar \"{}\".", args[1]);
+    }
+  });
+}
+
+void Console::exec(const std::string& name) {
+  std::optional<Bytes> script;
+  if (files_) {
+    script = files_(name);
+    if (!script) script = files_(name + ".cfg");
+  }
+  if (!script) {
+    log_info("couldn't exec {}", name);
+    return;
+  }
+  log_info("execing {}", name);
+  // Old editors end a file with a zero or ^Z, and new ones begin it with a byte order mark.
+  std::string text(script->begin(), script->end());
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+  std::replace(text.begin(), text.end(), '\0', ' ');
+  insert(text);
+}
+
+void Console::list_names(std::string_view part, bool in_help_too) const {
+  std::size_t count = 0;
+  const auto matches = [&](const std::string& name, const std::string& help) {
+    return name_contains(name, part) || (in_help_too && name_contains(help, part));
+  };
+  for (const auto& [name, command] : commands_) {
+    if (!matches(name, command.help)) continue;
+    log_info("   {}", command.help.empty() ? name : command.help);
+    ++count;
+  }
+  for (const auto& [name, cvar] : cvars_) {
+    if (!matches(name, cvar->spec().help)) continue;
+    log_info("   {} \"{}\": {}", name, cvar->string(), cvar->spec().help);
+    ++count;
+  }
+  log_info("{} commands and cvars with \"{}\" in their name or help", count, part);
+}
+
+}  // namespace fb::con

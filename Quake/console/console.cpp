@@ -1,0 +1,220 @@
+#include "console/console.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.h"
+#include "base/log.h"
+#include "fs/file.h"
+
+namespace fb::con {
+namespace {
+
+// In one execute(), against aliases that multiply without nesting deeply.
+constexpr int kMaxCommands = 100000;
+
+// Quake's scripts have no escape for a quote or a newline inside quotes.
+std::string in_quotes(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? '\'' : c == '\n' || c == '\r' ? ' ' : c;
+  return result + '"';
+}
+
+}  // namespace
+
+Console::Console() : scrollback_(std::make_shared<Scrollback>()) {
+  log_listener_ = add_log_listener(
+      [scrollback = scrollback_](LogLevel level, std::string_view text) { scrollback->add(level, text); });
+  add_builtins();
+  add_cvar_builtins();
+}
+
+Console::~Console() { remove_log_listener(log_listener_); }
+
+void Console::add_command(std::string name, std::string help, Handler handler) {
+  FB_CHECK(!name.empty() && handler != nullptr);
+  if (find_cvar(name) != nullptr) fatal(__FILE__, __LINE__, fmt::format("{} is a cvar already", name));
+  Command command{std::move(help), std::move(handler), nullptr};
+  if (!commands_.emplace(name, std::move(command)).second)
+    fatal(__FILE__, __LINE__, fmt::format("there is a command {} already", name));
+}
+
+void Console::set_argument_completer(std::string_view command, ArgumentCompleter completer) {
+  const auto found = commands_.find(command);
+  FB_CHECK(found != commands_.end());
+  found->second.completer = std::move(completer);
+}
+
+bool Console::has_command(std::string_view name) const { return commands_.find(name) != commands_.end(); }
+
+Cvar& Console::add_cvar(CvarSpec spec) {
+  if (has_command(spec.name)) fatal(__FILE__, __LINE__, fmt::format("{} is a command already", spec.name));
+  const auto known = cvars_.find(spec.name);
+  if (known == cvars_.end()) {
+    auto cvar = std::make_unique<Cvar>(std::move(spec));
+    Cvar& reference = *cvar;
+    cvars_.emplace(reference.name(), std::move(cvar));
+    return reference;
+  }
+  // The user was first. His object stays, for whoever holds it, and becomes what the program says.
+  Cvar& cvar = *known->second;
+  if ((cvar.spec().flags & kCvarUser) == 0)
+    fatal(__FILE__, __LINE__, fmt::format("there is a cvar {} already", spec.name));
+  const std::string wanted = cvar.string();
+  const bool archived = cvar.archived();
+  Cvar fresh(std::move(spec));
+  cvar.spec_ = std::move(fresh.spec_);
+  std::move(fresh.listeners_.begin(), fresh.listeners_.end(), std::back_inserter(cvar.listeners_));
+  if (archived) cvar.set_archived();
+  cvar.assign(cvar.default_string());
+  if ((cvar.spec().flags & kCvarRom) == 0) set_from_console(cvar, wanted);
+  return cvar;
+}
+
+Cvar& Console::add_cvar(std::string name, std::string default_value, std::string help, unsigned flags) {
+  CvarSpec spec;
+  spec.name = std::move(name);
+  spec.default_value = std::move(default_value);
+  spec.help = std::move(help);
+  spec.flags = flags;
+  return add_cvar(std::move(spec));
+}
+
+const Cvar* Console::find_cvar(std::string_view name) const {
+  const auto found = cvars_.find(name);
+  return found == cvars_.end() ? nullptr : found->second.get();
+}
+Cvar* Console::find_cvar(std::string_view name) {
+  return const_cast<Cvar*>(static_cast<const Console*>(this)->find_cvar(name));
+}
+const Cvar& Console::cvar(std::string_view name) const {
+  const Cvar* found = find_cvar(name);
+  if (found == nullptr) fatal(__FILE__, __LINE__, fmt::format("there is no cvar {}", name));
+  return *found;
+}
+Cvar& Console::cvar(std::string_view name) { return const_cast<Cvar&>(static_cast<const Console*>(this)->cvar(name)); }
+
+bool Console::set(std::string_view name, std::string_view text) {
+  Cvar* cvar = cvar_or_sentence(std::string(name));
+  return cvar != nullptr && set_from_console(*cvar, text);
+}
+
+std::vector<const Cvar*> Console::cvars() const {
+  std::vector<const Cvar*> list;
+  for (const auto& [name, cvar] : cvars_) list.push_back(cvar.get());
+  return list;
+}
+
+void Console::append(std::string_view text) {
+  if (!buffer_.append(text)) log_warning("The command buffer is full; {} bytes of commands are dropped.", text.size());
+}
+
+void Console::insert(std::string_view text) {
+  if (buffer_.insert(text, CommandBuffer::Origin::kScript)) return;
+  log_warning("Scripts run scripts without end (or the command buffer is full): all of them are dropped.");
+  buffer_.drop(CommandBuffer::Origin::kScript);
+}
+
+void Console::execute() {
+  if (executing_) return;
+  executing_ = true;
+  wait_ = false;
+  int commands = 0;
+  while (!wait_) {
+    const auto command = buffer_.next();
+    if (!command) break;
+    if (++commands > kMaxCommands) {
+      log_warning("{} commands without a wait: what aliases and scripts still had to do is dropped.", kMaxCommands);
+      buffer_.drop(CommandBuffer::Origin::kScript);
+      commands = 0;
+      continue;
+    }
+    run(Args(*command));
+  }
+  buffer_.forget_depth();
+  executing_ = false;
+}
+
+void Console::execute(std::string_view text) {
+  append(text);
+  append("\n");
+  execute();
+}
+
+void Console::execute_line(std::string_view line) { run(Args(line)); }
+
+bool Console::buffer_empty() const { return buffer_.empty(); }
+
+// Quake's order: commands, aliases, cvars.
+void Console::run(const Args& args) {
+  if (args.empty()) return;
+  const std::string& name = args[0];
+  if (const auto command = commands_.find(name); command != commands_.end()) {
+    const Handler handler = command->second.handler;  // it may replace itself
+    handler(args);
+    return;
+  }
+  if (const auto alias = aliases_.find(name); alias != aliases_.end()) {
+    if (buffer_.insert(alias->second, CommandBuffer::Origin::kAlias)) return;
+    log_warning("Alias \"{}\" runs itself without a wait: it is stopped.", name);
+    buffer_.drop(CommandBuffer::Origin::kAlias);
+    return;
+  }
+  if (Cvar* cvar = find_cvar(name)) {
+    show_or_set(*cvar, args);
+    return;
+  }
+  log_info("Unknown command \"{}\"", name);
+}
+
+void Console::show_or_set(Cvar& cvar, const Args& args) {
+  if (args.size() < 2)
+    log_info("\"{}\" is \"{}\"", cvar.name(), cvar.string());
+  else
+    set_from_console(cvar, args[1]);
+}
+
+bool Console::set_from_console(Cvar& cvar, std::string_view text) {
+  if ((cvar.spec().flags & kCvarRom) != 0) {
+    log_info("\"{}\" is read-only.", cvar.name());
+    return false;
+  }
+  const std::string sentence = cvar.set(text);
+  if (!sentence.empty()) log_info("{}", sentence);
+  return sentence.empty();
+}
+
+Cvar* Console::cvar_or_sentence(const std::string& name) {
+  Cvar* cvar = find_cvar(name);
+  if (cvar == nullptr) log_info("There is no cvar \"{}\".", name);
+  return cvar;
+}
+
+void Console::set_file_loader(FileLoader loader) { files_ = std::move(loader); }
+void Console::set_command_line(std::vector<std::string> arguments) { command_line_ = std::move(arguments); }
+
+void Console::add_config_section(std::function<std::string()> section) {
+  config_sections_.push_back(std::move(section));
+}
+
+std::string Console::config_text() const {
+  std::string text;
+  for (const auto& section : config_sections_) {
+    text += section();
+    if (!text.empty() && text.back() != '\n') text += '\n';
+  }
+  for (const auto& [name, cvar] : cvars_) {
+    if (!cvar->archived()) continue;
+    // One that the program does not know must come back as the user's own.
+    if ((cvar->spec().flags & kCvarUser) != 0) text += "seta ";
+    text += name + ' ' + in_quotes(cvar->string()) + '\n';
+  }
+  return text;
+}
+
+Status Console::write_config(const std::filesystem::path& path) const {
+  const std::string text = config_text();
+  return fs::write_file_atomically(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+}  // namespace fb::con

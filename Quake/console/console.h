@@ -1,0 +1,134 @@
+// The console: commands, cvars, aliases and the buffer of commands that wait. No drawing (ui/console_view.h) and no
+// keys. What it says goes to the log, and everybody's log lines come into its scrollback.
+//
+//   con::Console console;
+//   con::Cvar& fov = console.add_cvar({"fov", "90", "width of the view, degrees", con::kCvarArchive, 10, 170});
+//   console.add_command("playdemo", "playdemo <name>: play a recorded demo", [&](const con::Args& args) { ... });
+//   console.append("exec quake.rc\n");
+//   each frame: console.set_time(now); console.execute();
+//
+// One thread uses a Console; its scrollback alone may be written by several.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/bytes.h"
+#include "base/result.h"
+#include "console/args.h"
+#include "console/command_buffer.h"
+#include "console/cvar.h"
+#include "console/scrollback.h"
+
+namespace fb::con {
+
+using Handler = std::function<void(const Args&)>;
+// What a command's argument may be, given what is typed of it so far.
+using ArgumentCompleter = std::function<std::vector<std::string>(std::string_view typed)>;
+using FileLoader = std::function<std::optional<Bytes>(std::string_view path)>;
+
+enum class NameKind { kCommand, kCvar, kAlias, kArgument };
+
+struct Completion {
+  struct Candidate {
+    std::string text;
+    NameKind kind = NameKind::kCommand;
+  };
+  std::vector<Candidate> candidates;  // by name
+  std::string line;                   // the typed line, completed as far as all candidates agree
+};
+
+class Console {
+ public:
+  Console();
+  ~Console();
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+
+  // Commands. A name that is taken, by a command or a cvar, is a fault of the program.
+  void add_command(std::string name, std::string help, Handler handler);
+  void set_argument_completer(std::string_view command, ArgumentCompleter completer);
+  bool has_command(std::string_view name) const;
+
+  // Cvars. If the user has already `set` one of this name, its value is kept where it is allowed.
+  Cvar& add_cvar(CvarSpec spec);
+  Cvar& add_cvar(std::string name, std::string default_value, std::string help, unsigned flags = kCvarPlain);
+  Cvar* find_cvar(std::string_view name);
+  const Cvar* find_cvar(std::string_view name) const;
+  // Of a cvar that must be there.
+  Cvar& cvar(std::string_view name);
+  const Cvar& cvar(std::string_view name) const;
+  // Sets a cvar as the console does (clamping, sentences, read-only ones stay). False where there is none or the text
+  // was not taken.
+  bool set(std::string_view name, std::string_view text);
+  std::vector<const Cvar*> cvars() const;  // by name
+
+  // The buffer. append: after everything; insert: before everything.
+  void append(std::string_view text);
+  void insert(std::string_view text);
+  // Executes the buffer until it is empty or a `wait` puts the rest off to the next call. A call from inside a command
+  // returns at once: the outer call goes on with what was added.
+  void execute();
+  // append + newline, then execute().
+  void execute(std::string_view text);
+  // One command, now, without the buffer.
+  void execute_line(std::string_view line);
+  bool buffer_empty() const;
+
+  // Where `exec` gets its scripts; without one it says that there are none.
+  void set_file_loader(FileLoader loader);
+  // What `stuffcmds` executes: the program's arguments without its name.
+  void set_command_line(std::vector<std::string> arguments);
+
+  // The typed line's last word against names (first word) or the command's own arguments.
+  Completion complete(std::string_view line) const;
+
+  Scrollback& scrollback() { return *scrollback_; }
+  const Scrollback& scrollback() const { return *scrollback_; }
+  void set_time(double seconds) { scrollback_->set_time(seconds); }
+
+  // config.cfg: sections first (bindings, say), then every archived cvar. Sections are text of whole lines.
+  void add_config_section(std::function<std::string()> section);
+  std::string config_text() const;
+  // Replaces the file as a whole or leaves it as it was.
+  Status write_config(const std::filesystem::path& path) const;
+
+ private:
+  struct Command {
+    std::string help;
+    Handler handler;
+    ArgumentCompleter completer;
+  };
+
+  void add_builtins();       // builtins.cpp
+  void add_cvar_builtins();  // cvar_builtins.cpp
+  void run(const Args& args);
+  void exec(const std::string& name);
+  void show_or_set(Cvar& cvar, const Args& args);
+  // One sentence to the log where there is no such cvar.
+  Cvar* cvar_or_sentence(const std::string& name);
+  // As set(), of a cvar at hand.
+  bool set_from_console(Cvar& cvar, std::string_view text);
+  void set_user_cvar(const Args& args, bool archive);
+  void list_names(std::string_view part, bool in_help_too) const;
+
+  std::map<std::string, Command, NameLess> commands_;
+  std::map<std::string, std::unique_ptr<Cvar>, NameLess> cvars_;
+  std::map<std::string, std::string, NameLess> aliases_;
+  CommandBuffer buffer_;
+  bool executing_ = false, wait_ = false;
+  FileLoader files_;
+  std::vector<std::string> command_line_;
+  std::vector<std::function<std::string()>> config_sections_;
+  std::shared_ptr<Scrollback> scrollback_;
+  int log_listener_ = 0;
+};
+
+}  // namespace fb::con

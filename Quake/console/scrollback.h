@@ -1,0 +1,51 @@
+// What was said: the last megabyte of log lines, for the console's window and for the notify lines on top of the game.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/log.h"
+
+namespace fb::con {
+
+struct ScrollLine {
+  std::string text;
+  LogLevel level = LogLevel::kInfo;
+  double time = 0.0;  // seconds, of set_time()
+};
+
+// Safe from several threads: the log has many speakers.
+class Scrollback {
+ public:
+  explicit Scrollback(std::size_t max_bytes = 1u << 20u);
+  // One line, or several where the text has newlines.
+  void add(LogLevel level, std::string_view text);
+  void clear();
+  // The time that lines are given from now on, seconds.
+  void set_time(double seconds);
+
+  std::size_t size() const;  // lines kept
+  // How many lines there ever were: changes whenever something is added.
+  std::uint64_t total() const;
+  // `count` lines that end `skip` lines before the newest, oldest first; fewer where there are no more.
+  std::vector<ScrollLine> latest(std::size_t count, std::size_t skip = 0) const;
+  // The newest lines that are younger than `max_age` seconds at `now`, at most `count`, oldest first.
+  std::vector<ScrollLine> recent(std::size_t count, double now, double max_age) const;
+
+ private:
+  void add_line(LogLevel level, std::string_view text);
+
+  mutable std::mutex mutex_;
+  std::deque<ScrollLine> lines_;
+  std::size_t max_bytes_, bytes_ = 0;
+  std::uint64_t total_ = 0;
+  double time_ = 0.0;
+};
+
+}  // namespace fb::con
