@@ -310,5 +310,8 @@ void GpuScene::record(gpu::Commands& commands) {
 
 const SceneFeatures& GpuScene::features() const { return impl_->features; }
 const SceneStatistics& GpuScene::statistics() const { return impl_->statistics; }
+SceneBuffers GpuScene::buffers() const {
+  return {&impl_->assets.nodes().buffer(), &impl_->assets.triangles().buffer(), &impl_->instances.buffer()};
+}
 
 }  // namespace fb::render

@@ -38,6 +38,11 @@ struct SceneStatistics {
   double host_milliseconds = 0;  // prepare(), this frame
 };
 
+// What tests look into.
+struct SceneBuffers {
+  const gpu::Buffer *nodes, *triangles, *instances;
+};
+
 class GpuScene {
  public:
   GpuScene(gpu::Device& device, gpu::BindingTable& table, const GpuSceneOptions& options);
@@ -52,6 +57,7 @@ class GpuScene {
 
   const SceneFeatures& features() const;
   const SceneStatistics& statistics() const;
+  SceneBuffers buffers() const;
 
  private:
   struct Impl;
