@@ -201,8 +201,8 @@ bool Swapchain::Impl::present(const Buffer& pixels) {
   FB_VK(vkResetFences(device.handle(), 1, &fence));
   if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_ERROR_SURFACE_LOST_KHR) return false;
   FB_VK(result);
-  if (result != VK_SUBOPTIMAL_KHR) return true;
-  // Some systems call a swapchain suboptimal for good; only another size is a reason to make a new one.
+  // Asked each time: some drivers never say that the window's size has changed, others call a swapchain suboptimal for
+  // good whatever its size.
   VkSurfaceCapabilitiesKHR can;
   if (vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device.physical(), surface, &can) != VK_SUCCESS) return false;
   return can.currentExtent.width == UINT32_MAX ||

@@ -1,0 +1,28 @@
+// What the user did, in the order in which it happened.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "platform/keys.h"
+
+namespace fb::platform {
+
+struct InputEvent {
+  enum class Kind {
+    kKey,          // key, down, repeat; keyboard, mouse buttons and wheel steps (a step goes down and up at once)
+    kText,         // text: UTF-8 as the layout and the input method make it
+    kMouseMotion,  // dx to the right, dy downwards: counts of the mouse while grabbed, else pixels
+    kFocus,        // focused
+    kResize,       // width, height: the window's new size in pixels; 0, 0 while it is minimised
+    kQuit,         // the user closed the window or the system asks the program to end
+  };
+  Kind kind = Kind::kQuit;
+  int key = kKeyNone;
+  bool down = false, repeat = false, focused = false;
+  int dx = 0, dy = 0;
+  std::uint32_t width = 0, height = 0;
+  std::string text;
+};
+
+}  // namespace fb::platform

@@ -1,0 +1,92 @@
+#include "platform/keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace fb::platform {
+namespace {
+
+struct Named {
+  int key;
+  std::string_view name;
+};
+
+// A semicolon separates commands and a quote opens a string, so configuration files need a word for the former.
+constexpr Named kNamed[] = {{kKeyTab, "TAB"},
+                            {kKeyEnter, "ENTER"},
+                            {kKeyEscape, "ESCAPE"},
+                            {kKeySpace, "SPACE"},
+                            {kKeyBackspace, "BACKSPACE"},
+                            {kKeyUpArrow, "UPARROW"},
+                            {kKeyDownArrow, "DOWNARROW"},
+                            {kKeyLeftArrow, "LEFTARROW"},
+                            {kKeyRightArrow, "RIGHTARROW"},
+                            {kKeyAlt, "ALT"},
+                            {kKeyCtrl, "CTRL"},
+                            {kKeyShift, "SHIFT"},
+                            {kKeyInsert, "INS"},
+                            {kKeyDelete, "DEL"},
+                            {kKeyPageDown, "PGDN"},
+                            {kKeyPageUp, "PGUP"},
+                            {kKeyHome, "HOME"},
+                            {kKeyEnd, "END"},
+                            {kKeypadNumLock, "KP_NUMLOCK"},
+                            {kKeypadSlash, "KP_SLASH"},
+                            {kKeypadStar, "KP_STAR"},
+                            {kKeypadMinus, "KP_MINUS"},
+                            {kKeypadHome, "KP_HOME"},
+                            {kKeypadUpArrow, "KP_UPARROW"},
+                            {kKeypadPageUp, "KP_PGUP"},
+                            {kKeypadPlus, "KP_PLUS"},
+                            {kKeypadLeftArrow, "KP_LEFTARROW"},
+                            {kKeypad5, "KP_5"},
+                            {kKeypadRightArrow, "KP_RIGHTARROW"},
+                            {kKeypadEnd, "KP_END"},
+                            {kKeypadDownArrow, "KP_DOWNARROW"},
+                            {kKeypadPageDown, "KP_PGDN"},
+                            {kKeypadEnter, "KP_ENTER"},
+                            {kKeypadInsert, "KP_INS"},
+                            {kKeypadDelete, "KP_DEL"},
+                            {kKeyCommand, "COMMAND"},
+                            {kKeyMouse1, "MOUSE1"},
+                            {kKeyMouse2, "MOUSE2"},
+                            {kKeyMouse3, "MOUSE3"},
+                            {kKeyMouse4, "MOUSE4"},
+                            {kKeyMouse5, "MOUSE5"},
+                            {kKeyWheelUp, "MWHEELUP"},
+                            {kKeyWheelDown, "MWHEELDOWN"},
+                            {kKeyPause, "PAUSE"},
+                            {';', "SEMICOLON"},
+                            {'`', "BACKQUOTE"},
+                            {'~', "TILDE"}};
+
+bool same_word(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char x, unsigned char y) { return std::toupper(x) == std::toupper(y); });
+}
+
+}  // namespace
+
+std::string key_name(int key) {
+  if (key >= kKeyF1 && key <= kKeyF12) return fmt::format("F{}", key - kKeyF1 + 1);
+  for (const Named& named : kNamed)
+    if (named.key == key) return std::string(named.name);
+  if (key > kKeySpace && key < kKeyBackspace) return std::string(1, static_cast<char>(key));
+  return {};
+}
+
+int key_from_name(std::string_view name) {
+  if (name.size() == 1) {
+    const auto c = static_cast<unsigned char>(name[0]);
+    return c > kKeySpace && c < kKeyBackspace ? std::tolower(c) : kKeyNone;
+  }
+  for (int key = kKeyF1; key <= kKeyF12; ++key)
+    if (same_word(name, key_name(key))) return key;
+  for (const Named& named : kNamed)
+    if (same_word(name, named.name)) return named.key;
+  return kKeyNone;
+}
+
+}  // namespace fb::platform

@@ -1,0 +1,67 @@
+// Keys by the numbers and names that Quake and its configuration files give them. A key that prints has its character's
+// number on a US keyboard, in lower case, whatever the layout: places count, as in QuakeSpasm. Mouse buttons and the
+// wheel's steps are keys as well.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace fb::platform {
+
+enum Key : int {
+  kKeyNone = 0,
+  kKeyTab = 9,
+  kKeyEnter = 13,
+  kKeyEscape = 27,
+  kKeySpace = 32,
+  kKeyBackspace = 127,
+  kKeyUpArrow = 128,
+  kKeyDownArrow,
+  kKeyLeftArrow,
+  kKeyRightArrow,
+  kKeyAlt,
+  kKeyCtrl,
+  kKeyShift,
+  kKeyF1,
+  kKeyF12 = kKeyF1 + 11,
+  kKeyInsert,
+  kKeyDelete,
+  kKeyPageDown,
+  kKeyPageUp,
+  kKeyHome,
+  kKeyEnd,
+  kKeypadNumLock,
+  kKeypadSlash,
+  kKeypadStar,
+  kKeypadMinus,
+  kKeypadHome,
+  kKeypadUpArrow,
+  kKeypadPageUp,
+  kKeypadPlus,
+  kKeypadLeftArrow,
+  kKeypad5,
+  kKeypadRightArrow,
+  kKeypadEnd,
+  kKeypadDownArrow,
+  kKeypadPageDown,
+  kKeypadEnter,
+  kKeypadInsert,
+  kKeypadDelete,
+  kKeyCommand,
+  kKeyMouse1 = 200,  // left
+  kKeyMouse2,        // right
+  kKeyMouse3,        // middle
+  kKeyWheelUp = 239,
+  kKeyWheelDown,
+  kKeyMouse4,
+  kKeyMouse5,
+  kKeyPause = 255,
+};
+
+// "SPACE", "MWHEELUP", "a", as `bind` writes them; empty for a number that is no key.
+std::string key_name(int key);
+
+// The key of a name, whatever its case; kKeyNone if there is none.
+int key_from_name(std::string_view name);
+
+}  // namespace fb::platform

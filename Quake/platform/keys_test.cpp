@@ -1,0 +1,53 @@
+#include "platform/keys.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace fb::platform {
+namespace {
+
+// The numbers are Quake's: mods and old configuration files know some of them.
+TEST(Keys, HaveQuakesNumbers) {
+  EXPECT_EQ(kKeyUpArrow, 128);
+  EXPECT_EQ(kKeyShift, 134);
+  EXPECT_EQ(kKeyF1, 135);
+  EXPECT_EQ(kKeyF12, 146);
+  EXPECT_EQ(kKeyInsert, 147);
+  EXPECT_EQ(kKeyEnd, 152);
+  EXPECT_EQ(kKeyWheelDown, 240);
+}
+
+TEST(Keys, NamesGoBothWays) {
+  std::set<std::string> names;
+  for (int key = 0; key < 256; ++key) {
+    const std::string name = key_name(key);
+    if (name.empty()) continue;
+    EXPECT_TRUE(names.insert(name).second) << name;
+    if (key >= 'A' && key <= 'Z')
+      EXPECT_EQ(key_from_name(name), key - 'A' + 'a');  // keys are lower case
+    else
+      EXPECT_EQ(key_from_name(name), key) << name;
+  }
+  EXPECT_EQ(names.count("MWHEELUP"), 1u);
+  EXPECT_EQ(names.count("KP_NUMLOCK"), 1u);
+}
+
+TEST(Keys, NamesInAnyCase) {
+  EXPECT_EQ(key_from_name("mouse1"), kKeyMouse1);
+  EXPECT_EQ(key_from_name("f11"), kKeyF1 + 10);
+  EXPECT_EQ(key_from_name("semicolon"), ';');
+  EXPECT_EQ(key_from_name("W"), 'w');
+}
+
+TEST(Keys, WhatIsNoKeyHasNoName) {
+  EXPECT_EQ(key_name(-1), "");
+  EXPECT_EQ(key_name(0), "");
+  EXPECT_EQ(key_name(1000), "");
+  EXPECT_EQ(key_from_name(""), kKeyNone);
+  EXPECT_EQ(key_from_name("F13"), kKeyNone);
+  EXPECT_EQ(key_from_name("\x80"), kKeyNone);
+}
+
+}  // namespace
+}  // namespace fb::platform
