@@ -43,6 +43,7 @@ SHADER_LAYERS = {
     "lib": {"shared", "lib"},
     "estimators": {"shared", "lib", "estimators"},
     "passes": {"shared", "lib", "passes"},
+    "tests": {"shared", "lib", "tests"},
 }
 # Third-party headers that only some may include: pattern, modules, whether benchmarks may as well.
 FENCED = [
