@@ -44,6 +44,12 @@ std::size_t command_end(std::string_view text, std::size_t start) {
   return at;
 }
 
+std::string in_quotes(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? '\'' : c == '\n' || c == '\r' ? ' ' : c;
+  return result + '"';
+}
+
 Args::Args(std::string_view line) {
   std::size_t at = 0;
   while (true) {

@@ -39,6 +39,9 @@ class Args {
 // text's end. The character there, if any, belongs to no command.
 std::size_t command_end(std::string_view text, std::size_t start);
 
+// The text as one quoted word. Quake has no escape for a quote or a newline inside one: they become ' and a space.
+std::string in_quotes(std::string_view text);
+
 // Names of commands and cvars are compared without regard to case.
 struct NameLess {
   using is_transparent = void;

@@ -13,13 +13,6 @@ namespace {
 // In one execute(), against aliases that multiply without nesting deeply.
 constexpr int kMaxCommands = 100000;
 
-// Quake's scripts have no escape for a quote or a newline inside quotes.
-std::string in_quotes(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? '\'' : c == '\n' || c == '\r' ? ' ' : c;
-  return result + '"';
-}
-
 }  // namespace
 
 Console::Console() : scrollback_(std::make_shared<Scrollback>()) {
@@ -37,6 +30,10 @@ void Console::add_command(std::string name, std::string help, Handler handler) {
   Command command{std::move(help), std::move(handler), nullptr};
   if (!commands_.emplace(name, std::move(command)).second)
     fatal(__FILE__, __LINE__, fmt::format("there is a command {} already", name));
+}
+
+void Console::remove_command(std::string_view name) {
+  if (const auto found = commands_.find(name); found != commands_.end()) commands_.erase(found);
 }
 
 void Console::set_argument_completer(std::string_view command, ArgumentCompleter completer) {

@@ -54,6 +54,8 @@ class Console {
 
   // Commands. A name that is taken, by a command or a cvar, is a fault of the program.
   void add_command(std::string name, std::string help, Handler handler);
+  // For those who may end before the console does.
+  void remove_command(std::string_view name);
   void set_argument_completer(std::string_view command, ArgumentCompleter completer);
   bool has_command(std::string_view name) const;
 

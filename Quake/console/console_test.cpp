@@ -269,6 +269,9 @@ TEST_F(ConsoleTest, ACommandMayAddCommands) {
   console.execute("grow");
   EXPECT_TRUE(console.has_command("grown99"));
   EXPECT_THAT(done, ElementsAre("grown"));
+  console.remove_command("grow");
+  EXPECT_FALSE(console.has_command("grow"));
+  console.remove_command("grow");
 }
 
 TEST_F(ConsoleTest, DeathOfDuplicates) {
