@@ -1,0 +1,239 @@
+#include "client/client.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/log.h"
+#include "client/client_impl.h"
+#include "client/interpolate.h"
+#include "client/map_view.h"
+#include "client/parse.h"
+
+namespace fb::cl {
+
+Client::Impl::Impl(con::Console& console_, scene::ModelLibrary& library_, FileLoader files_)
+    : console(console_), library(library_), files(std::move(files_)) {
+  clock = [] { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); };
+  session.load_world = [this](ClientState& state) { return load_world(state); };
+  session.print = [this](const std::string& text) { print(text); };
+  register_console();
+  read_settings();
+}
+
+// Whole lines go to the log, where the console sees them. Quake's coloured letters have the high bit set.
+void Client::Impl::print(const std::string& text) {
+  for (const char c : text) {
+    if (c == '\n') {
+      log_info("{}", unfinished_line);
+      unfinished_line.clear();
+      continue;
+    }
+    const char plain = static_cast<char>(static_cast<unsigned char>(c) & 0x7f);
+    if (plain >= ' ' && unfinished_line.size() < 4096) unfinished_line.push_back(plain);
+  }
+}
+
+Status Client::Impl::load_world(ClientState& state) {
+  snapshots.forget();
+  view_memory = {};
+  sky = {};
+  if (state.model_names.size() < 2) return world_required ? Status(Error{"the server names no map"}) : ok_status();
+  const std::string& path = state.model_names[1];
+  const Status loaded = library.load_map(path);
+  if (!loaded.ok()) {
+    if (world_required) return loaded;
+    library.clear();
+  }
+  for (std::size_t i = 1; i < state.model_names.size(); ++i)
+    if (loaded.ok() || i > 1) state.models[i] = &library.model(state.model_names[i]);
+  if (loaded.ok()) apply_worldspawn(library.map_entities(), path, state);
+  log_info("{}", state.hud.level_name);
+  return ok_status();
+}
+
+void Client::Impl::refresh_sky() {
+  ClientState& state = session.state;
+  if (!state.sky_changed) return;
+  state.sky_changed = false;
+  sky = library.map_sky();
+  if (state.skybox && !state.skybox->empty()) sky = library.make_skybox(*state.skybox, library.map_sky());
+}
+
+Status Client::Impl::start(Bytes data, std::string_view name, DemoMode mode) {
+  end_demo(std::nullopt);
+  auto opened = DemoPlayback::open(std::move(data), name, mode, frame, clock());
+  if (!opened.ok()) return opened.error();
+  session.clear();
+  session.state.signon = 0;
+  session.state.message_view_angles = {};
+  session.reconnect = false;
+  session.rng = Rng(0x66756c6c62726967ull);
+  session.particles = ParticleSystem();
+  view = {};
+  view_memory = {};
+  snapshots.forget();
+  showing_map = false;
+  error.reset();
+  demo.emplace(std::move(*opened));
+  log_info("Playing demo from {}.", name);
+  return ok_status();
+}
+
+void Client::Impl::end_demo(std::optional<Error> why) {
+  if (!demo) return;
+  if (demo->mode() == DemoMode::kTime) {
+    time_demo = demo->result(frame, clock());
+    log_info("{}", time_demo->line());
+  }
+  demo.reset();
+  session.state.signon = 0;
+  session.state.hud.intermission = Intermission::kNone;
+  snapshots.forget();
+  if (why) {
+    log_error("{}", why->message);
+    error = std::move(why);
+  }
+}
+
+// What Quake does after a frame has been drawn.
+void Client::Impl::finish_frame() {
+  const ClientState& state = session.state;
+  const double seconds = std::max(0.0, state.time - state.old_time);
+  session.particles.run(state.time, seconds);
+  if (state.signon == kSignons) session.lights.decay(state.time, seconds);
+}
+
+void Client::Impl::read_messages() {
+  ClientState& state = session.state;
+  while (demo && demo->due(state.signon == kSignons, state.time, state.message_times[0], frame, clock())) {
+    if (demo->at_end()) {
+      end_demo(std::nullopt);
+      next_demo();
+      return;
+    }
+    auto message = demo->next();
+    Status status = ok_status();
+    if (message.ok()) {
+      state.message_view_angles = {message->view_angles, state.message_view_angles[0]};
+      status = parse_server_message(session, message->data, demo->message_name());
+    } else {
+      status = message.error();
+    }
+    if (!status.ok()) {
+      end_demo(status.error());
+      return;
+    }
+    if (session.disconnected) {
+      session.disconnected = false;
+      log_info("Server disconnected");
+      end_demo(std::nullopt);
+      next_demo();
+      return;
+    }
+  }
+}
+
+void Client::Impl::advance(double seconds) {
+  read_settings();
+  ClientState& state = session.state;
+  ++session.frame;
+  if (showing_map) {
+    state.old_time = state.time;
+    state.time += seconds;
+    finish_frame();
+    place_entities(session);
+  } else if (demo) {
+    finish_frame();
+    if (session.reconnect) {
+      session.reconnect = false;
+      state.signon = 0;
+    }
+    state.old_time = state.time;
+    if (demo->mode() == DemoMode::kPlay) state.time += seconds;
+    read_messages();
+    if (demo) {
+      const bool timing = demo->mode() == DemoMode::kTime;
+      relink(session, true, timing);
+      const Entity* eye = state.view_entity_state();
+      session.beams.update(state.time, state.view_entity, eye ? eye->origin : vec3(0.0f));
+      // A timedemo's frames are as long as the time between its messages, so that they look the same on any machine.
+      frame_seconds = timing ? std::clamp(state.time - state.old_time, 0.0, 0.1) : seconds;
+      if (!state.hud.paused || state.hud.intermission != Intermission::kNone)
+        view = calculate_view(session, view_memory, library.map(), frame_seconds);
+      state.view_model.frame = state.hud.stats[kStatWeaponFrame];
+      const scene::Model* weapon = state.model(state.hud.stats[kStatWeapon]);
+      if (weapon && weapon->kind == scene::ModelKind::kAlias)
+        animate_entity(state.view_model, *weapon, state.time, animates_smoothly(session.settings, weapon->name));
+      place_entities(session);
+    }
+  }
+  if (active()) refresh_sky();
+  state.hud.time = state.time;
+  ++frame;
+}
+
+Client::Client(con::Console& console, scene::ModelLibrary& library, FileLoader files)
+    : impl_(std::make_unique<Impl>(console, library, std::move(files))) {}
+Client::~Client() = default;
+
+Status Client::start_demo(std::string_view name, DemoMode mode) {
+  const std::string path = demo_path(name);
+  std::optional<Bytes> data = impl_->files ? impl_->files(path) : std::nullopt;
+  if (!data) {
+    stop();
+    return Error{fmt::format("couldn't open {}: no such file", path)};
+  }
+  return impl_->start(std::move(*data), path, mode);
+}
+Status Client::start_demo(Bytes data, std::string_view name, DemoMode mode) {
+  return impl_->start(std::move(data), name, mode);
+}
+void Client::stop() { impl_->end_demo(std::nullopt); }
+bool Client::playing() const { return impl_->demo.has_value(); }
+bool Client::timing() const { return playing() && impl_->demo->mode() == DemoMode::kTime; }
+const std::optional<Error>& Client::last_error() const { return impl_->error; }
+const std::optional<TimeDemoResult>& Client::last_time_demo() const { return impl_->time_demo; }
+
+Status Client::map_view(std::string_view name) {
+  stop();
+  const Status status = load_map_view(name, impl_->library, impl_->session, impl_->view);
+  if (!status.ok()) return status;
+  impl_->showing_map = true;
+  impl_->snapshots.forget();
+  impl_->refresh_sky();
+  place_entities(impl_->session);
+  return status;
+}
+
+void Client::advance(double seconds) { impl_->advance(seconds); }
+bool Client::active() const { return impl_->active(); }
+void Client::set_view_size(int width, int height) {
+  impl_->width = width;
+  impl_->height = height;
+}
+void Client::set_camera(const std::optional<scene::Camera>& camera) { impl_->camera = camera; }
+
+void Client::build_snapshot(scene::FrameSnapshot& snapshot) {
+  Impl& i = *impl_;
+  const SnapshotInput input{i.session, i.view,     i.library, i.active() ? i.world() : nullptr, i.camera, i.width,
+                            i.height,  i.active(), i.sky};
+  i.snapshots.build(input, snapshot);
+}
+
+const Hud& Client::hud() const { return impl_->session.state.hud; }
+Fog Client::fog() const { return fog_at(impl_->session.state.fog, impl_->session.state.time); }
+double Client::time() const { return impl_->session.state.time; }
+int Client::protocol() const {
+  return impl_->session.state.have_server_info ? impl_->session.state.protocol.version : 0;
+}
+const std::string& Client::demo_name() const {
+  static const std::string kNone;
+  return impl_->demo ? impl_->demo->name() : kNone;
+}
+std::size_t Client::messages_read() const { return impl_->demo ? impl_->demo->messages_read() : 0; }
+void Client::set_clock(std::function<double()> clock) { impl_->clock = std::move(clock); }
+void Client::set_world_required(bool required) { impl_->world_required = required; }
+
+}  // namespace fb::cl

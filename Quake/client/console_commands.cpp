@@ -1,0 +1,130 @@
+// The client at the console: its cvars, playdemo, timedemo, stopdemo, the demo loop, and the commands that colour the
+// picture.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/log.h"
+#include "client/client_impl.h"
+#include "client/parse.h"
+#include "console/console.h"
+
+namespace fb::cl {
+namespace {
+
+constexpr std::size_t kMaxDemoLoop = 8;
+
+// Other modules know some of these cvars, too: who comes first registers.
+void ensure_cvar(con::Console& console, const char* name, std::string value, const char* help, unsigned flags) {
+  if (!console.find_cvar(name)) console.add_cvar(name, std::move(value), help, flags);
+}
+
+// A number as a cvar's text: "0.02", "90".
+std::string text_of(float value) { return fmt::format("{}", value); }
+
+// Those that QuakeSpasm writes into its configuration.
+bool is_archived(std::string_view name) {
+  constexpr std::array<std::string_view, 8> kArchived = {
+      "fov", "fov_adapt", "r_lerpmodels", "r_lerpmove", "r_particles", "r_viewmodel_quake", "viewsize", "r_entlights"};
+  return std::find(kArchived.begin(), kArchived.end(), name) != kArchived.end();
+}
+
+}  // namespace
+
+void Client::Impl::read_settings() {
+  Settings& s = session.settings;
+#define FB_READ(member, name, initial, help) s.member = console.cvar(name).value();
+  FB_CLIENT_CVARS(FB_READ)
+#undef FB_READ
+  const std::string& list = console.cvar("r_nolerp_list").string();
+  if (list != nolerp_list) {
+    nolerp_list = list;
+    s.nolerp_models = split_names(list);
+  }
+}
+
+void Client::Impl::next_demo() {
+  if (demo_loop_next < 0) return;
+  if (demo_loop.empty()) {
+    log_info("No demos listed with startdemos");
+    demo_loop_next = -1;
+    return;
+  }
+  const auto index = static_cast<std::size_t>(demo_loop_next) % demo_loop.size();
+  demo_loop_next = static_cast<int>(index) + 1;
+  console.insert("playdemo \"" + demo_loop[index] + "\"\n");
+}
+
+// True if the demo started.
+bool Client::Impl::demo_command(const con::Args& args, DemoMode mode) {
+  if (args.size() != 2) {
+    log_info("{} <demo>: {}", args[0],
+             mode == DemoMode::kTime ? "plays a demo as fast as it can and says how fast" : "plays a demo");
+    return false;
+  }
+  const std::string path = demo_path(args[1]);
+  std::optional<Bytes> data = files ? files(path) : std::nullopt;
+  end_demo(std::nullopt);
+  const Status status = data ? start(std::move(*data), path, mode) : Status(Error{"couldn't open " + path});
+  if (status.ok()) return true;
+  log_error("{}", status.error().message);
+  error = status.error();
+  demo_loop_next = -1;
+  return false;
+}
+
+void Client::Impl::register_console() {
+#define FB_REGISTER(member, name, value, help) \
+  ensure_cvar(console, name, text_of(value), help, is_archived(name) ? con::kCvarArchive : con::kCvarPlain);
+  FB_CLIENT_CVARS(FB_REGISTER)
+#undef FB_REGISTER
+  ensure_cvar(console, "r_nolerp_list", kNoLerpModels, "models whose poses are not blended, with commas between",
+              con::kCvarPlain);
+
+  console.add_command("playdemo", "playdemo <demo>: plays a demo",
+                      [this](const con::Args& args) { demo_command(args, DemoMode::kPlay); });
+  console.add_command("timedemo", "timedemo <demo>: plays a demo as fast as it can and says how fast",
+                      [this](const con::Args& args) {
+                        // What stands behind it on the command line has to wait: +timedemo demo1 +quit.
+                        if (!demo_command(args, DemoMode::kTime) || console.buffer_empty()) return;
+                        held = true;
+                        console.insert("wait\ntimedemo_wait\n");
+                      });
+  console.add_command("timedemo_wait", "puts off what follows until the timedemo is over", [this](const con::Args&) {
+    if (demo && demo->mode() == DemoMode::kTime) console.insert("wait\ntimedemo_wait\n");
+  });
+  console.add_command("stopdemo", "ends the demo that plays", [this](const con::Args&) {
+    demo_loop_next = -1;
+    end_demo(std::nullopt);
+  });
+  console.add_command("startdemos", "startdemos <demo> ...: plays demos one after the other, for ever",
+                      [this](const con::Args& args) {
+                        demo_loop.clear();
+                        for (std::size_t i = 1; i < args.size() && i <= kMaxDemoLoop; ++i) demo_loop.push_back(args[i]);
+                        const bool busy = demo.has_value() || showing_map || held;
+                        held = false;
+                        demo_loop_next = busy ? -1 : 0;
+                        next_demo();
+                      });
+  console.add_command("demos", "goes on with the demos of startdemos", [this](const con::Args&) {
+    demo_loop_next = std::max(demo_loop_next, 0);
+    end_demo(std::nullopt);
+    next_demo();
+  });
+  if (!console.has_command("bf"))
+    console.add_command("bf", "flashes as if something had been picked up",
+                        [this](const con::Args&) { bonus_flash(session.state); });
+  if (!console.has_command("v_cshift"))
+    console.add_command(
+        "v_cshift", "v_cshift <red> <green> <blue> <percent>: colours the picture", [this](const con::Args& args) {
+          set_empty_shift(session.state, {args.number(1), args.number(2), args.number(3)}, args.number(4));
+        });
+  if (!console.has_command("sky"))
+    console.add_command("sky", "sky <name>: shows a skybox; without a name the map's own sky",
+                        [this](const con::Args& args) {
+                          session.state.skybox = args[1];
+                          session.state.sky_changed = true;
+                        });
+}
+
+}  // namespace fb::cl

@@ -1,0 +1,135 @@
+// For tests: messages and demos written in code, and the files of a small game to play them in.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "client/parse.h"
+#include "client/session.h"
+#include "formats/dem.h"
+#include "formats/test_files.h"
+#include "net/server_messages.h"
+#include "scene/test_maps.h"
+
+namespace fb::cl::test {
+
+inline Bytes datagram(const std::vector<net::ServerMessage>& messages, const net::Protocol& protocol = {}) {
+  net::MessageWriter writer(protocol);
+  for (const auto& message : messages) net::write_server_message(writer, message);
+  return writer.take();
+}
+
+inline net::svc::ServerInfo server_info(const net::Protocol& protocol = {}) {
+  net::svc::ServerInfo info;
+  info.protocol = protocol;
+  info.max_clients = 2;
+  info.level_name = "A test";
+  info.models = {"maps/test.bsp", "*1", "progs/thing.mdl", "progs/star.spr"};
+  info.sounds = {"misc/null.wav"};
+  return info;
+}
+
+// An update of everything that a moving entity has.
+inline net::svc::EntityUpdate update(int entity, int model, const vec3& origin, const vec3& angles = vec3(0.0f),
+                                     std::uint32_t more_bits = 0) {
+  net::svc::EntityUpdate u;
+  u.bits = net::kUpdateModel | net::kUpdateOrigin1 | net::kUpdateOrigin2 | net::kUpdateOrigin3 | net::kUpdateAngle1 |
+           net::kUpdateAngle2 | net::kUpdateAngle3 | more_bits;
+  u.entity = entity;
+  u.model = model;
+  u.origin = origin;
+  u.angles = angles;
+  return u;
+}
+
+// A session that has been told messages, with models made by hand.
+struct ToldSession : Session {
+  explicit ToldSession(const net::Protocol& protocol = {}) {
+    for (scene::Model& m : known) m.kind = scene::ModelKind::kMissing;
+    known[2].kind = scene::ModelKind::kAlias;
+    known[2].name = "progs/thing.mdl";
+    known[2].mesh = 1;
+    known[2].frames = {{"a", 0, 1, {}}, {"b", 1, 1, {}}, {"c", 2, 1, {}}, {"group", 3, 2, {0.2f, 0.4f}}};
+    known[2].skin_materials = {5, 6};
+    load_world = [this](ClientState& s) {
+      for (std::size_t i = 1; i < s.models.size() && i <= known.size(); ++i) s.models[i] = &known[i - 1];
+      return ok_status();
+    };
+    tell({server_info(protocol), net::svc::SetView{1}, net::svc::SignonNum{1}, net::svc::SignonNum{2},
+          net::svc::SignonNum{3}});
+  }
+  // One datagram; it must be understood.
+  void tell(const std::vector<net::ServerMessage>& messages) {
+    const Bytes bytes = datagram(messages, state.protocol);
+    const Status status = parse_server_message(*this, bytes, "test");
+    EXPECT_TRUE(status.ok()) << (status.ok() ? "" : status.error().message);
+  }
+  // One that is not; returns why.
+  std::string refuse(const std::vector<net::ServerMessage>& messages) {
+    const Bytes bytes = datagram(messages, state.protocol);
+    const Status status = parse_server_message(*this, bytes, "test");
+    EXPECT_FALSE(status.ok());
+    return status.ok() ? "" : status.error().message;
+  }
+  Entity& entity(std::size_t i) { return state.entities.at(i); }
+
+  std::array<scene::Model, 4> known;  // precaches 1 to 4
+};
+
+// A demo: signon messages, then whatever a test adds.
+class DemoBuilder {
+ public:
+  explicit DemoBuilder(const net::Protocol& protocol = {}) : protocol_(protocol) {
+    bytes_ = {'-', '1', '\n'};
+    add({server_info(protocol), net::svc::SetView{1}, net::svc::SignonNum{1}});
+    add({net::svc::SpawnBaseline{1, {}, false}, net::svc::SignonNum{2}});
+    add({net::svc::SignonNum{3}});
+  }
+  DemoBuilder& add(const std::vector<net::ServerMessage>& messages, const vec3& view_angles = vec3(0.0f)) {
+    formats::append_dem_message(bytes_, view_angles, datagram(messages, protocol_));
+    return *this;
+  }
+  // A moment of the game: the player at an x, and whatever else.
+  DemoBuilder& moment(float time, float x, std::vector<net::ServerMessage> more = {}) {
+    net::svc::ClientData data;
+    data.health = 100;
+    data.on_ground = true;
+    std::vector<net::ServerMessage> messages{net::svc::Time{time}, data, update(1, 3, {x, 0, 24})};
+    messages.insert(messages.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    return add(messages);
+  }
+  DemoBuilder& raw(const Bytes& message) {
+    formats::append_dem_message(bytes_, vec3(0.0f), message);
+    return *this;
+  }
+  const Bytes& bytes() const { return bytes_; }
+
+ private:
+  net::Protocol protocol_;
+  Bytes bytes_;
+};
+
+// The files that server_info() names.
+inline scene::test::TestFiles game_files() {
+  scene::test::TestFiles files;
+  files.add_palette();
+  formats::Bsp room = formats::testing::box_room(formats::BspVersion::kBsp29);
+  room.entities =
+      "{\"classname\" \"worldspawn\" \"fog\" \"0.1 0.2 0.3 0.4\"}"
+      "{\"classname\" \"info_player_start\" \"origin\" \"8 -8 0\" \"angle\" \"90\"}"
+      "{\"classname\" \"light\" \"origin\" \"0 0 32\" \"light\" \"200\" \"style\" \"4\"}";
+  files.files["maps/test.bsp"] = formats::testing::write_bsp(room);
+  formats::Mdl thing = formats::testing::tetrahedron();
+  thing.flags = 0;  // no trail
+  files.files["progs/thing.mdl"] = formats::testing::write_mdl(thing);
+  files.files["progs/star.spr"] =
+      formats::testing::write_spr(formats::testing::small_sprite(formats::SpriteOrientation::kParallel));
+  return files;
+}
+
+}  // namespace fb::cl::test
