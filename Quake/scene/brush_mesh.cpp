@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -14,7 +15,9 @@
 namespace fb::scene {
 namespace {
 
-constexpr float kMinTriangleArea = 1e-4f;  // units^2; less is a sliver between collinear corners
+constexpr std::size_t kMaxSearchedCorners = 64;  // compilers' faces have fewer; a damaged file's may have 100,000
+constexpr float kMaxRepeats = 1e7f;              // texture axes beyond that come from a damaged file
+constexpr float kMinTriangleArea = 1e-4f;        // units^2; less is a sliver between collinear corners
 
 vec3 triangle_cross(const vec3& a, const vec3& b, const vec3& c) { return glm::cross(b - a, c - a); }
 
@@ -22,6 +25,7 @@ vec3 triangle_cross(const vec3& a, const vec3& b, const vec3& c) { return glm::c
 // straight edges (T junctions), and a fan from the wrong corner is all slivers.
 std::size_t best_fan_start(const std::vector<vec3>& polygon) {
   const std::size_t n = polygon.size();
+  if (n > kMaxSearchedCorners) return 0;
   std::size_t best = 0;
   float best_area = -1.0f;
   for (std::size_t start = 0; start < n; ++start) {
@@ -78,9 +82,11 @@ class BrushMeshBuilder {
     const vec2 size(texture != nullptr && texture->width > 0 ? static_cast<float>(texture->width) : 16.0f,
                     texture != nullptr && texture->height > 0 ? static_cast<float>(texture->height) : 16.0f);
     const auto uv_at = [&](const vec3& p) {
-      return vec2(glm::dot(vec3(texinfo.axes[0]), p) + texinfo.axes[0].w,
-                  glm::dot(vec3(texinfo.axes[1]), p) + texinfo.axes[1].w) /
-             size;
+      const vec2 uv = vec2(glm::dot(vec3(texinfo.axes[0]), p) + texinfo.axes[0].w,
+                           glm::dot(vec3(texinfo.axes[1]), p) + texinfo.axes[1].w) /
+                      size;
+      const auto sane = [](float x) { return std::fabs(x) < kMaxRepeats ? x : 0.0f; };
+      return vec2(sane(uv.x), sane(uv.y));
     };
     // Large repeats cost precision: move the face's coordinates near zero by whole repeats.
     const vec2 shift = glm::floor(uv_at(polygon[start]));

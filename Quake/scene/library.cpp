@@ -33,6 +33,12 @@ std::string with_extension(std::string_view path, std::string_view extension) {
   return std::string(path.substr(0, path.find_last_of('.'))) + std::string(extension);
 }
 
+bool lies_within(const Bounds& bounds, float limit) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(bounds.min[axis] > -limit && bounds.max[axis] < limit)) return false;
+  return true;
+}
+
 void log_all(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) log_warning("{}", warning);
 }
@@ -76,6 +82,10 @@ Model alias_model(AssetBuilder& builder, const formats::Mdl& mdl, const std::str
   model.name = name;
   Mesh mesh = make_alias_mesh(mdl, name);
   model.bounds = mesh.bounds;
+  if (!lies_within(mesh.bounds, formats::kMaxBspCoordinate)) {
+    log_warning("{}: its scale and origin put vertices more than {} units away", name, formats::kMaxBspCoordinate);
+    return {};
+  }
   if (!mesh.triangles.empty()) model.mesh = builder.add_mesh(std::move(mesh));
   model.flags = mdl.flags;
   model.random_start = mdl.sync_type == 1;

@@ -17,7 +17,8 @@ using world::Entity;
 constexpr float kLightmapUnit = 128.0f;       // the lightmap value that shows a texture as it was painted
 constexpr float kMaxSurfaceRadiance = 20.0f;  // small faces would be blinding
 constexpr float kDefaultLight = 300.0f;
-constexpr float kDefaultCone = 40.0f;  // degrees
+constexpr float kMaxLight = 1e5f, kMinWait = 0.01f;  // beyond these are typing errors
+constexpr float kDefaultCone = 40.0f;                // degrees
 constexpr float kMinSunRadius = 1.0f;  // degrees: smaller suns are all noise to a path tracer without light sampling
 
 // A key with or without its leading underscore.
@@ -140,7 +141,7 @@ vec3 towards_sun(const vec3& mangle) { return -angle_vectors({-mangle.y, mangle.
 Sun make_sun(float value, const vec3& color, const vec3& direction, float penumbra) {
   Sun sun;
   sun.direction = direction;
-  sun.irradiance = color * (kPi * value / kLightmapUnit);
+  sun.irradiance = color * (kPi * std::min(value, kMaxLight) / kLightmapUnit);
   sun.angular_radius = std::clamp(0.5f * penumbra, kMinSunRadius, 45.0f);
   return sun;
 }
@@ -149,7 +150,8 @@ Sun make_sun(float value, const vec3& color, const vec3& direction, float penumb
 
 float light_strength(float value, float wait, int delay) {
   if (!(value > 0.0f)) return 0.0f;
-  const float w = wait > 0.0f ? wait : 1.0f;
+  value = std::min(value, kMaxLight);
+  const float w = wait > 0.0f ? std::max(wait, kMinWait) : 1.0f;
   switch (delay) {
     case 1:
     case 2:
@@ -175,7 +177,9 @@ std::vector<EntityLight> entity_lights(const std::vector<Entity>& entities, cons
     const LightValue light = light_value(entity);
     const float strength = strength_of(entity, light.value) * cone_fraction(entity);
     if (!(strength > 0.0f) || light.color == vec3(0.0f)) continue;
-    const std::optional<vec3> open = nearest_open(bsp, entity.vector("origin").value_or(vec3(0.0f)));
+    const vec3 origin = entity.vector("origin").value_or(vec3(0.0f));
+    if (!(glm::length(origin) < formats::kMaxBspCoordinate)) continue;
+    const std::optional<vec3> open = nearest_open(bsp, origin);
     if (!open) continue;
     EntityLight sphere;
     sphere.position = push_off_walls(bsp, *open, kLightRadius);

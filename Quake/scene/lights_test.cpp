@@ -47,6 +47,8 @@ TEST(Lights, NoLightIsNone) {
   EXPECT_TRUE(lights_of("{classname light light -100}{classname light delay 4}{classname info_light light 9}"
                         "{classname light _surface wall}{classname light _sun 1}{classname light _color \"0 0 0\"}")
                   .empty());
+  EXPECT_TRUE(lights_of("{classname light origin \"1e30 0 0\"}").empty());
+  for (int delay = 0; delay < 6; ++delay) EXPECT_TRUE(std::isfinite(light_strength(1e30f, 1e-30f, delay)));
   EXPECT_EQ(light_strength(std::nanf(""), 1.0f, 0), 0.0f);
   EXPECT_EQ(light_strength(100.0f, 0.0f, 0), light_strength(100.0f, 1.0f, 0)) << "wait 0 is not a division";
 }
