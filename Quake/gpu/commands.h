@@ -12,7 +12,8 @@
 
 namespace fb::gpu {
 
-// GPU time of named passes, in milliseconds, in the order recorded. Zero where the device has no timestamps.
+// GPU time of named passes, in milliseconds, in the order recorded; a pass counts what was recorded since the pass
+// before it. Zero where the device has no timestamps.
 struct PassTime {
   std::string name;
   double milliseconds = 0;

@@ -215,6 +215,7 @@ TEST_F(GpuTest, PassesAreTimed) {
 TEST_F(GpuTest, BufferBeyondTheBindingLimitIsFatalWhenBound) {
   const VkDeviceSize limit = device_->limits().max_storage_buffer_range;
   if (limit > (VkDeviceSize{256} << 20u)) GTEST_SKIP() << "the limit is too large to go beyond in a test";
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // the driver has threads
   Buffer large(*device_, BufferUse::kStorage, limit + 16, "too large");
   BindingTable table(*device_);
   EXPECT_DEATH(table.set_scene(0, large), "too large");
