@@ -9,18 +9,19 @@ export FUZZ_SECONDS QUAKE_DIR JOBS
 .DEFAULT_GOAL := all
 .PHONY: all deps test demo bench fuzz asan coverage check tidy format clean help
 
+# preset, its folder, options of the build. Configuring is silent unless it fails.
 define configure_and_build
-@cmake --preset $(1) $(2) >$(3).configure.log 2>&1 || { cat $(3).configure.log; exit 1; }; rm -f $(3).configure.log
-@cmake --build --preset $(1) --parallel $(JOBS) $(4)
+@mkdir -p $(2) && cmake --preset $(1) >$(2)/configure.log 2>&1 || { cat $(2)/configure.log; exit 1; }
+@cmake --build --preset $(1) --parallel $(JOBS) $(3)
 endef
 
 all: ## build/fullbright and build/fullbright-lab
 	@$(DEPS) build
-	$(call configure_and_build,release,,build,--target fullbright fullbright-lab)
+	$(call configure_and_build,release,build,--target fullbright fullbright-lab)
 
 test: ## build everything and run every test
 	@$(DEPS) test
-	$(call configure_and_build,release,,build,)
+	$(call configure_and_build,release,build)
 	ctest --test-dir build --output-on-failure
 
 demo: all ## play a recorded demo headless through the path tracer; QUAKE_DIR=... says where the game data is
@@ -28,7 +29,7 @@ demo: all ## play a recorded demo headless through the path tracer; QUAKE_DIR=..
 
 bench: ## measure, on this machine, what the README's numbers say
 	@$(DEPS) bench
-	$(call configure_and_build,release,,build,)
+	$(call configure_and_build,release,build)
 	@Misc/bench.sh
 
 fuzz: ## run each parser's fuzzer for FUZZ_SECONDS (60)
@@ -37,12 +38,12 @@ fuzz: ## run each parser's fuzzer for FUZZ_SECONDS (60)
 
 asan: ## build with the address and undefined-behaviour sanitizers and run every test
 	@$(DEPS) test
-	$(call configure_and_build,asan-ubsan,,build-asan,)
+	$(call configure_and_build,asan-ubsan,build-asan)
 	@Misc/sanitized.sh ctest --test-dir build-asan --output-on-failure
 
 coverage: ## line coverage of the tests: build-coverage/coverage.html
 	@$(DEPS) coverage
-	$(call configure_and_build,coverage,,build-coverage,)
+	$(call configure_and_build,coverage,build-coverage)
 	@find build-coverage -name '*.gcda' -delete
 	ctest --test-dir build-coverage --output-on-failure
 	gcovr --root . --filter Quake/ --filter Shaders/ --exclude '.*_test\.cpp' --exclude '.*_bench\.cpp' --gcov-ignore-errors=no_working_dir_found --print-summary \
