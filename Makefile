@@ -46,8 +46,9 @@ coverage: ## line coverage of the tests: build-coverage/coverage.html
 	$(call configure_and_build,coverage,build-coverage)
 	@find build-coverage -name '*.gcda' -delete
 	ctest --test-dir build-coverage --output-on-failure
-	gcovr --root . --filter Quake/ --filter Shaders/ --exclude '.*_test\.cpp' --exclude '.*_bench\.cpp' --gcov-ignore-errors=no_working_dir_found --print-summary \
-	  --html-details build-coverage/coverage.html build-coverage
+	@merge=; if gcovr --help | grep -q merge-mode-functions; then merge=--merge-mode-functions=separate; fi; \
+	gcovr --root . --filter Quake/ --filter Shaders/ --exclude '.*_test\.cpp' --exclude '.*_bench\.cpp' $$merge \
+	  --print-summary --html-details build-coverage/coverage.html build-coverage
 
 check: ## layers, formatting and text of the sources
 	@$(DEPS) check
