@@ -19,7 +19,6 @@ namespace fb::cl {
 
 struct Client::Impl {
   Impl(con::Console& console_, scene::ModelLibrary& library_, FileLoader files_);
-  ~Impl();
 
   // console_commands.cpp
   void register_console();

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace fb::cl {
 
 std::string demo_path(std::string_view name) {
@@ -49,7 +51,7 @@ std::string DemoPlayback::message_name() const { return fmt::format("{}, message
 TimeDemoResult DemoPlayback::result(std::uint64_t frame, double now) const {
   TimeDemoResult result;
   result.demo = name_;
-  result.frames = static_cast<int>(frame - start_frame_) - 1;
+  result.frames = std::max(0, static_cast<int>(frame - start_frame_) - 1);
   result.seconds = now - start_time_;
   if (!(result.seconds > 0.0)) result.seconds = 1.0;
   return result;

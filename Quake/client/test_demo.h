@@ -126,6 +126,10 @@ inline scene::test::TestFiles game_files() {
   files.files["maps/test.bsp"] = formats::testing::write_bsp(room);
   formats::Mdl thing = formats::testing::tetrahedron();
   thing.flags = 0;  // no trail
+  for (std::size_t i = 0; i < thing.vertices.size(); ++i)
+    thing.vertices[i] = {static_cast<std::uint8_t>(i % 4 == 1 ? 80 : 10 + i),
+                         static_cast<std::uint8_t>(i % 4 == 2 ? 80 : 10),
+                         static_cast<std::uint8_t>(i % 4 == 3 ? 80 : 10), 0};
   files.files["progs/thing.mdl"] = formats::testing::write_mdl(thing);
   files.files["progs/star.spr"] =
       formats::testing::write_spr(formats::testing::small_sprite(formats::SpriteOrientation::kParallel));

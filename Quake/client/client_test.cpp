@@ -1,0 +1,295 @@
+// The client as its users see it: demos from files, the console's commands, snapshots, maps without a server.
+#include "client/client.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/log.h"
+#include "client/demo.h"
+#include "client/test_demo.h"
+#include "console/console.h"
+
+namespace fb::cl {
+namespace {
+
+using test::DemoBuilder;
+using testing::HasSubstr;
+namespace svc = net::svc;
+
+struct Game : testing::Test {
+  Game() : files(test::game_files()), library(files.loader()), client(console, library, files.loader()) {
+    listener = add_log_listener([this](LogLevel, std::string_view line) { log += std::string(line) + "\n"; });
+    client.set_clock([this] { return now; });
+  }
+  ~Game() override { remove_log_listener(listener); }
+  void put(const std::string& name, const DemoBuilder& demo) { files.files[name] = demo.bytes(); }
+  // One turn of the host's loop; every frame takes a hundredth of a second.
+  void frame(double seconds = 0.01) {
+    now += 0.01;
+    console.execute();
+    client.advance(seconds);
+  }
+  const scene::Instance* find(std::uint32_t id) const {
+    for (const auto& i : snapshot.instances)
+      if (i.id == id) return &i;
+    return nullptr;
+  }
+  scene::test::TestFiles files;
+  con::Console console;
+  scene::ModelLibrary library;
+  Client client;
+  scene::FrameSnapshot snapshot;
+  std::string log;
+  int listener = 0;
+  double now = 100.0;
+};
+
+DemoBuilder walk(int moments) {
+  DemoBuilder demo;
+  for (int i = 0; i < moments; ++i) demo.moment(1.0f + 0.1f * static_cast<float>(i), 2.0f * static_cast<float>(i));
+  return demo;
+}
+
+TEST_F(Game, TimedemoCountsAsQuakeDoes) {
+  // The first moment ends the signon stages and is read with them, and with it, in the same frame, the second. Then one
+  // a frame: 8 frames for the other 8 of 10, and one more that finds the end. Neither the first nor the last counts.
+  put("walk.dem", walk(10));
+  ASSERT_TRUE(client.start_demo("walk", DemoMode::kTime).ok());
+  int frames = 0;
+  while (client.playing()) {
+    frame();
+    ASSERT_LT(++frames, 100);
+  }
+  EXPECT_EQ(frames, 10);
+  ASSERT_TRUE(client.last_time_demo().has_value());
+  EXPECT_EQ(client.last_time_demo()->frames, 8);
+  EXPECT_NEAR(client.last_time_demo()->seconds, 0.08, 1e-9) << "from the second frame to the last";
+  EXPECT_THAT(log, HasSubstr("8 frames   0.1 seconds 100.0 fps"));
+  EXPECT_FALSE(client.last_error().has_value());
+}
+
+TEST_F(Game, ADisconnectEndsItAsTheEndDoes) {
+  DemoBuilder demo = walk(10);
+  demo.add({svc::Disconnect{}}).add({svc::Print{"never read"}});
+  put("walk.dem", demo);
+  ASSERT_TRUE(client.start_demo("walk.dem", DemoMode::kTime).ok());
+  for (int i = 0; i < 50; ++i) frame();
+  EXPECT_EQ(client.last_time_demo()->frames, 8);
+  EXPECT_THAT(log, Not(HasSubstr("never read")));
+}
+
+TEST_F(Game, ALevelChangeReadsTheSignonInOneFrame) {
+  DemoBuilder demo = walk(4);
+  demo.add({svc::StuffText{"reconnect\n"}});
+  demo.add({test::server_info(), svc::SetView{1}, svc::SignonNum{1}});
+  demo.add({svc::SignonNum{2}});
+  demo.add({svc::SignonNum{3}});
+  for (int i = 0; i < 4; ++i) demo.moment(1.0f + 0.1f * static_cast<float>(i), 0.0f);
+  put("two.dem", demo);
+  ASSERT_TRUE(client.start_demo("two", DemoMode::kTime).ok());
+  for (int i = 0; i < 50; ++i) frame();
+  EXPECT_FALSE(client.last_error().has_value()) << client.last_error()->message;
+  // Frames: moments 1+2, 3, 4, reconnect, signon and moments 1+2, 3, 4, the end: 8, of which 6 count.
+  EXPECT_EQ(client.last_time_demo()->frames, 6);
+}
+
+TEST_F(Game, WhatFollowsATimedemoOnTheCommandLineWaits) {
+  put("walk.dem", walk(6));
+  bool quit = false;
+  console.add_command("quit", "ends the program", [&](const con::Args&) { quit = true; });
+  console.append("timedemo walk\ntimedemo walk\nquit\nstartdemos walk\n");
+  int frames = 0;
+  while (!quit) {
+    frame();
+    ASSERT_LT(++frames, 100);
+    if (frames == 3) {
+      EXPECT_TRUE(client.timing());
+    }
+  }
+  EXPECT_FALSE(client.playing());
+  const std::size_t first = log.find("4 frames");
+  ASSERT_NE(first, std::string::npos) << log;
+  EXPECT_NE(log.find("4 frames", first + 1), std::string::npos) << "both were played";
+}
+
+TEST_F(Game, AMissingDemoDoesNotHoldTheRest) {
+  bool quit = false;
+  console.add_command("quit", "ends the program", [&](const con::Args&) { quit = true; });
+  console.append("timedemo nothing\nquit\n");
+  frame();
+  EXPECT_TRUE(quit);
+  EXPECT_THAT(log, HasSubstr("couldn't open nothing.dem"));
+  EXPECT_FALSE(client.start_demo("nothing", DemoMode::kPlay).ok());
+}
+
+TEST_F(Game, DemosPlayInTheirOwnTime) {
+  put("walk.dem", walk(20));
+  console.append("playdemo walk\n");
+  frame(0.0);
+  EXPECT_TRUE(client.playing());
+  EXPECT_FALSE(client.timing());
+  EXPECT_TRUE(client.active());
+  EXPECT_EQ(client.protocol(), 15);
+  EXPECT_EQ(client.hud().level_name, "A test");
+  const double start = client.time();
+  for (int i = 0; i < 50; ++i) frame(0.02);
+  EXPECT_NEAR(client.time(), start + 1.0, 0.03);
+  EXPECT_NEAR(static_cast<double>(client.messages_read()), 3 + 10, 1.0);
+  client.build_snapshot(snapshot);
+  // Two units each tenth of a second.
+  EXPECT_NEAR(snapshot.camera.position.x, (client.time() - 1.0) * 20.0, 0.05);
+  console.append("stopdemo\n");
+  frame();
+  EXPECT_FALSE(client.playing());
+  EXPECT_FALSE(client.active());
+  client.build_snapshot(snapshot);
+  EXPECT_TRUE(snapshot.instances.empty());
+}
+
+TEST_F(Game, SnapshotsHoldTheWorldAndItsLamps) {
+  put("walk.dem", walk(10).moment(2.0f, 0.0f, {svc::LightStyle{4, "z"}}));
+  ASSERT_TRUE(client.start_demo("walk", DemoMode::kTime).ok());
+  frame();
+  client.build_snapshot(snapshot);
+  ASSERT_FALSE(snapshot.instances.empty());
+  EXPECT_EQ(snapshot.instances[0].id, static_cast<std::uint32_t>(scene::kIdWorld));
+  EXPECT_TRUE(snapshot.cut);
+  ASSERT_NE(find(scene::kIdEntityLight), nullptr);
+  const vec3 normal = find(scene::kIdEntityLight)->emission;
+  EXPECT_EQ(find(scene::kIdEntityLight)->visibility, static_cast<std::uint32_t>(scene::kSeenByIndirect));
+  EXPECT_FLOAT_EQ(client.fog().density, 0.1f);
+  for (int i = 0; i < 9; ++i) frame();
+  client.build_snapshot(snapshot);
+  EXPECT_NEAR(find(scene::kIdEntityLight)->emission.x, normal.x * 25.0f / 12.0f, normal.x * 1e-4f);
+  console.execute("r_entlights 0");
+  frame();
+  client.build_snapshot(snapshot);
+  EXPECT_EQ(find(scene::kIdEntityLight), nullptr);
+}
+
+TEST_F(Game, TheSameDemoGivesTheSameSnapshots) {
+  DemoBuilder demo;
+  for (int i = 0; i < 30; ++i) {
+    svc::TempEntity boom;
+    boom.type = net::TempEntityType::kExplosion;
+    auto flash = test::update(2, 3, {0, 0, 0}, vec3(0.0f), net::kUpdateEffects);
+    flash.effects = 2;
+    demo.moment(1.0f + 0.1f * static_cast<float>(i), static_cast<float>(i), {boom, flash});
+  }
+  put("boom.dem", demo);
+  std::vector<std::vector<scene::Instance>> runs;
+  for (int run = 0; run < 2; ++run) {
+    ASSERT_TRUE(client.start_demo("boom", DemoMode::kPlay).ok());
+    for (int i = 0; i < 60; ++i) frame(1.0 / 60);
+    client.build_snapshot(snapshot);
+    runs.push_back(snapshot.instances);
+    client.stop();
+  }
+  ASSERT_EQ(runs[0].size(), runs[1].size());
+  for (std::size_t i = 0; i < runs[0].size(); ++i) {
+    EXPECT_EQ(runs[0][i].id, runs[1][i].id);
+    EXPECT_EQ(runs[0][i].transform, runs[1][i].transform);
+    EXPECT_EQ(runs[0][i].emission, runs[1][i].emission);
+  }
+}
+
+TEST_F(Game, BadDemosEndWithASentence) {
+  DemoBuilder demo = walk(3);
+  demo.raw({99});
+  put("bad.dem", demo);
+  ASSERT_TRUE(client.start_demo("bad", DemoMode::kTime).ok());
+  for (int i = 0; i < 10; ++i) frame();
+  EXPECT_FALSE(client.playing());
+  ASSERT_TRUE(client.last_error().has_value());
+  EXPECT_THAT(client.last_error()->message, HasSubstr("bad.dem, message at "));
+  EXPECT_THAT(client.last_error()->message, HasSubstr("command 99 is unknown"));
+
+  Bytes cut = walk(3).bytes();
+  cut.resize(cut.size() - 5);
+  ASSERT_TRUE(client.start_demo(cut, "cut.dem", DemoMode::kTime).ok());
+  EXPECT_FALSE(client.last_error().has_value());
+  for (int i = 0; i < 10; ++i) frame();
+  ASSERT_TRUE(client.last_error().has_value());
+  EXPECT_THAT(client.last_error()->message, HasSubstr("cut.dem"));
+
+  EXPECT_FALSE(client.start_demo(Bytes{'x'}, "no.dem", DemoMode::kPlay).ok());
+  EXPECT_FALSE(client.playing());
+}
+
+TEST_F(Game, AMissingMapEndsTheDemoUnlessNoWorldIsNeeded) {
+  put("walk.dem", walk(5));
+  files.files.erase("maps/test.bsp");
+  ASSERT_TRUE(client.start_demo("walk", DemoMode::kTime).ok());
+  frame();
+  EXPECT_FALSE(client.playing());
+  ASSERT_TRUE(client.last_error().has_value());
+  EXPECT_THAT(client.last_error()->message, HasSubstr("maps/test.bsp"));
+  client.set_world_required(false);
+  ASSERT_TRUE(client.start_demo("walk", DemoMode::kTime).ok());
+  frame();
+  EXPECT_TRUE(client.active());
+  client.build_snapshot(snapshot);
+
+  EXPECT_NE(find(scene::kIdEntity + 1), nullptr);
+}
+
+TEST_F(Game, TheDemoLoopGoesRound) {
+  put("a.dem", walk(2));
+  put("b.dem", walk(2));
+  console.append("startdemos a b\n");
+  std::vector<std::string> played;
+  for (int i = 0; i < 200 && played.size() < 3; ++i) {
+    frame(0.1);
+    if (client.playing() && (played.empty() || played.back() != client.demo_name()))
+      played.push_back(client.demo_name());
+  }
+  EXPECT_EQ(played, (std::vector<std::string>{"a.dem", "b.dem", "a.dem"}));
+}
+
+TEST_F(Game, MapsCanBeSeenWithoutAServer) {
+  formats::Bsp room = formats::testing::box_room(formats::BspVersion::kBsp29);
+  room.models[1] = room.models[0];
+  room.entities =
+      "{\"classname\" \"worldspawn\" \"sky\" \"dusk_\"}"
+      "{\"classname\" \"info_player_start\" \"origin\" \"8 -8 0\" \"angle\" \"90\"}"
+      "{\"classname\" \"func_door\" \"model\" \"*1\"}"
+      "{\"classname\" \"trigger_once\" \"model\" \"*1\"}"
+      "{\"classname\" \"light\" \"origin\" \"0 0 32\" \"light\" \"200\" \"style\" \"33\" \"spawnflags\" \"1\"}"
+      "{\"classname\" \"light\" \"origin\" \"0 0 64\" \"light\" \"200\"}";
+  files.files["maps/view.bsp"] = formats::testing::write_bsp(room);
+  EXPECT_FALSE(client.map_view("nowhere").ok());
+  const Status status = client.map_view("view");
+  ASSERT_TRUE(status.ok()) << status.error().message;
+  EXPECT_TRUE(client.active());
+  client.set_view_size(1920, 1080);
+  client.advance(0.0);
+  client.build_snapshot(snapshot);
+  EXPECT_EQ(snapshot.camera.position, vec3(8, -8, 23));
+  EXPECT_EQ(snapshot.camera.angles, vec3(0, 90, 0));
+  EXPECT_NEAR(snapshot.camera.fov_x, 106.26f, 0.01f);
+  int doors = 0, lamps = 0;
+  for (const auto& i : snapshot.instances) {
+    doors += i.id >= scene::kIdStatic && i.id < scene::kIdViewModel;
+    lamps += i.id >= scene::kIdEntityLight;
+  }
+  EXPECT_EQ(doors, 1) << "triggers are not to be seen";
+  EXPECT_EQ(lamps, 1) << "one is switched off";
+  EXPECT_TRUE(snapshot.cut);
+  client.advance(0.1);
+  client.build_snapshot(snapshot);
+  EXPECT_FALSE(snapshot.cut);
+  for (const auto& i : snapshot.instances) EXPECT_EQ(i.transform, i.prev_transform);
+  client.set_camera(scene::Camera{{0, 0, 64}, {10, 20, 0}, 70.0f, 0.0f});
+  client.build_snapshot(snapshot);
+  EXPECT_EQ(snapshot.camera.angles, vec3(10, 20, 0));
+  EXPECT_EQ(snapshot.camera.fov_x, 70.0f);
+}
+
+TEST(DemoPath, GetsItsExtension) {
+  EXPECT_EQ(demo_path("demo1"), "demo1.dem");
+  EXPECT_EQ(demo_path("demo1.dem"), "demo1.dem");
+  EXPECT_EQ(demo_path("v1.0/run"), "v1.0/run.dem");
+}
+
+}  // namespace
+}  // namespace fb::cl
