@@ -13,8 +13,8 @@ CameraFrame camera_frame(const scene::Camera& camera, std::uint32_t width, std::
   return {camera.position, axes.forward, axes.right * tan_x, axes.up * tan_y};
 }
 
-shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings, uvec2 render,
-                                       uvec2 output) {
+shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
+                                       uvec2 render, uvec2 output) {
   shared::FrameConstants c{};
   const CameraFrame now = camera_frame(snapshot.camera, render.x, render.y);
   const CameraFrame before = camera_frame(snapshot.cut ? snapshot.camera : snapshot.prev_camera, render.x, render.y);
@@ -47,7 +47,8 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
     const float half = std::sin(radius * 0.5f);
     const float solid_angle = 4.0f * kPi * half * half;  // 2 pi (1 - cos), without the cancellation
     c.sun_direction[i] = vec4(sun.direction, std::cos(radius));
-    // The sky's own factor reaches suns through the material of sky surfaces; taken out here so that r_emit_sun is alone.
+    // The sky's own factor reaches suns through the material of sky surfaces; taken out here so that r_emit_sun is
+    // alone.
     const float sky_factor = settings.emit_sky > 0 ? settings.emit_sky : 1.0f;
     c.sun_radiance[i] = vec4(sun.irradiance * (settings.emit_sun / solid_angle / sky_factor), 0);
   }

@@ -14,8 +14,9 @@ struct CameraFrame {
 };
 CameraFrame camera_frame(const scene::Camera& camera, std::uint32_t width, std::uint32_t height);
 
-// Camera, sky, suns, time, sizes. What depends on the renderer's history (accumulation, jitter, adaptation) is left to it.
-shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings, uvec2 render,
-                                       uvec2 output);
+// Camera, sky, suns, time, sizes. What depends on the renderer's history (accumulation, jitter, adaptation) is left to
+// it.
+shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
+                                       uvec2 render, uvec2 output);
 
 }  // namespace fb::render

@@ -70,7 +70,8 @@ void Overlay::prepare(const scene::DrawList* list, std::uint32_t width, std::uin
   auto quads = quads_.mapped_as<shared::GpuQuad>();
   for (std::size_t i = 0; i < list->quads.size(); ++i) {
     const scene::DrawQuad& q = list->quads[i];
-    quads[i] = {vec4(q.min.x, q.min.y, q.max.x, q.max.y), vec4(q.uv_min.x, q.uv_min.y, q.uv_max.x, q.uv_max.y), q.color};
+    quads[i] = {vec4(q.min.x, q.min.y, q.max.x, q.max.y), vec4(q.uv_min.x, q.uv_min.y, q.uv_max.x, q.uv_max.y),
+                q.color};
   }
   table_.set_frame(shared::kBindQuads, quads_);
   table_.set_frame(shared::kBindTiles, tiles_);

@@ -22,10 +22,10 @@ using gpu::BufferUse;
 // Everything that a picture depends on and that may move. Equal keys: the frames may be averaged.
 std::uint64_t view_key(const scene::FrameSnapshot& s, const RenderSettings& settings) {
   static_assert(sizeof(scene::Instance) == 4 * 43, "hashed as bytes: no padding");
-  std::uint64_t key = hash_span(std::span<const scene::Instance>(s.instances), s.assets ? s.assets->generation : 0);
-  const float camera[] = {s.camera.position.x, s.camera.position.y, s.camera.position.z, s.camera.angles.x,
-                          s.camera.angles.y,   s.camera.angles.z,   s.camera.fov_x,      s.camera.fov_y,
-                          static_cast<float>(s.time)};
+  std::uint64_t key = hash_span(std::span<const scene::Instance>(s.instances), s.assets->generation);
+  const float camera[] = {s.camera.position.x, s.camera.position.y, s.camera.position.z,
+                          s.camera.angles.x,   s.camera.angles.y,   s.camera.angles.z,
+                          s.camera.fov_x,      s.camera.fov_y,      static_cast<float>(s.time)};
   key = hash_span(std::span<const float>(camera), key);
   const float numbers[] = {
 #define FB_NUMBER(type, field, cvar, value, low, high, help) static_cast<float>(settings.field),
@@ -46,7 +46,13 @@ vec2 jitter_at(std::uint32_t index) {
 
 struct Renderer::Impl {
   Impl(gpu::Device& d, const GpuSceneOptions& options)
-      : device(d), ray_query(options.ray_query), table(d), scene(d, table, options), overlay(d, table), shaders(d, table), timer(d) {
+      : device(d),
+        ray_query(options.ray_query),
+        table(d),
+        scene(d, table, options),
+        overlay(d, table),
+        shaders(d, table),
+        timer(d) {
     uniform = Buffer(d, BufferUse::kUniform, sizeof(shared::FrameConstants), "frame constants");
     exposure = Buffer(d, BufferUse::kStorage, sizeof(shared::ExposureState) + shared::kHistogramBins * 4, "exposure");
     counters = Buffer(d, BufferUse::kStorage, shared::kCounterCount * 4, "counters");
@@ -140,7 +146,8 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.accumulated_frames = accumulated;
   constants.frame = shared::hash_combine(static_cast<std::uint32_t>(snapshot.frame), accumulated);
   if (settings.jitter > 0 || (settings.jitter < 0 && accumulated > 0)) {
-    const vec2 jitter = jitter_at(settings.jitter > 0 && accumulated == 0 ? static_cast<std::uint32_t>(snapshot.frame) : accumulated);
+    const vec2 jitter =
+        jitter_at(settings.jitter > 0 && accumulated == 0 ? static_cast<std::uint32_t>(snapshot.frame) : accumulated);
     constants.jitter_x = jitter.x;
     constants.jitter_y = jitter.y;
   }
@@ -170,7 +177,8 @@ void Renderer::Impl::record(gpu::Commands& commands) {
     gpu::Commands::Scope scope(commands, "scene");
     scene.record(commands);
   }
-  const auto dispatch = [&](const char* name, const gpu::ComputePipeline& pipeline, std::uint32_t gx, std::uint32_t gy) {
+  const auto dispatch = [&](const char* name, const gpu::ComputePipeline& pipeline, std::uint32_t gx,
+                            std::uint32_t gy) {
     gpu::Commands::Scope scope(commands, name);
     commands.dispatch(pipeline, gx, gy);
     commands.barrier();
@@ -185,8 +193,15 @@ void Renderer::Impl::record(gpu::Commands& commands) {
   dispatch("present", shaders.pass("present"), tiles(output_size.x, 8), tiles(output_size.y, 8));
 }
 
-void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw, const RenderSettings& settings) {
+void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw,
+                      const RenderSettings& settings) {
   Impl& r = *impl_;
+  if (!snapshot.assets) {  // nothing loaded yet: an empty scene
+    scene::FrameSnapshot empty = snapshot;
+    empty.assets = std::make_shared<scene::Assets>();
+    empty.instances.clear();
+    return render(empty, draw, settings);
+  }
   const auto& known = estimators();
   if (std::any_of(known.begin(), known.end(), [&](const EstimatorInfo& e) { return e.name == settings.estimator; })) {
     r.estimator = settings.estimator;
@@ -203,7 +218,7 @@ void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawLis
   r.scene.prepare(snapshot, emission_scales(settings));
 
   // Features only grow while the assets stay: no compilation in mid-game when something comes and goes.
-  const std::uint64_t generation = snapshot.assets ? snapshot.assets->generation : 0;
+  const std::uint64_t generation = snapshot.assets->generation;
   if (generation != r.generation) r.features = SceneFeatures{};
   r.generation = generation;
   const SceneFeatures& features = r.scene.features();
@@ -229,14 +244,16 @@ const std::string& Renderer::intersector_name() const {
 
 const gpu::Buffer& Renderer::output_pixels() const { return impl_->output; }
 std::vector<std::uint32_t> Renderer::read_output() const {
-  return gpu::read_now<std::uint32_t>(impl_->device, impl_->output, static_cast<std::size_t>(impl_->output_size.x) * impl_->output_size.y);
+  return gpu::read_now<std::uint32_t>(impl_->device, impl_->output,
+                                      static_cast<std::size_t>(impl_->output_size.x) * impl_->output_size.y);
 }
 std::vector<vec4> Renderer::read_linear() const {
-  return gpu::read_now<vec4>(impl_->device, impl_->mean, static_cast<std::size_t>(impl_->render_size.x) * impl_->render_size.y);
+  return gpu::read_now<vec4>(impl_->device, impl_->mean,
+                             static_cast<std::size_t>(impl_->render_size.x) * impl_->render_size.y);
 }
 std::vector<vec4> Renderer::read_variance_of_mean() const {
-  auto variance =
-      gpu::read_now<vec4>(impl_->device, impl_->m2, static_cast<std::size_t>(impl_->render_size.x) * impl_->render_size.y);
+  auto variance = gpu::read_now<vec4>(impl_->device, impl_->m2,
+                                      static_cast<std::size_t>(impl_->render_size.x) * impl_->render_size.y);
   const float n = static_cast<float>(impl_->accumulated);
   const float factor = n > 1 ? 1.0f / ((n - 1) * n) : 0.0f;
   for (vec4& v : variance) v *= factor;

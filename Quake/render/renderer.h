@@ -50,9 +50,9 @@ class Renderer {
   std::uint32_t accumulated_frames() const;
   const std::string& intersector_name() const;  // "query" or "bvh"
 
-  const gpu::Buffer& output_pixels() const;       // packed 8-bit pixels, output size
-  std::vector<std::uint32_t> read_output() const;  // r lowest (unless swapped)
-  std::vector<vec4> read_linear() const;           // mean radiance, linear Rec.709; w: frames averaged
+  const gpu::Buffer& output_pixels() const;         // packed 8-bit pixels, output size
+  std::vector<std::uint32_t> read_output() const;   // r lowest (unless swapped)
+  std::vector<vec4> read_linear() const;            // mean radiance, linear Rec.709; w: frames averaged
   std::vector<vec4> read_variance_of_mean() const;  // per channel, from the accumulated frames (zero for one)
   std::vector<shared::GBufferTexel> read_gbuffer() const;
   // Samples that were not finite, since the renderer was made; they counted as zero.

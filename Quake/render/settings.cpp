@@ -1,3 +1,75 @@
 #include "render/settings.h"
 
+#include <fmt/format.h>
+
 namespace fb::render {
+namespace {
+
+con::CvarSpec number_spec(const char* name, float value, float low, float high, bool integer, const char* help) {
+  con::CvarSpec spec;
+  spec.name = name;
+  spec.default_value = con::number_text(value);
+  spec.help = help;
+  spec.flags = con::kCvarArchive;
+  spec.min = low;
+  spec.max = high;
+  spec.integer = integer;
+  return spec;
+}
+
+template <typename T>
+T read_number(const con::Console& console, std::string_view name) {
+  if constexpr (std::is_same_v<T, int>)
+    return console.cvar(name).integer();
+  else
+    return console.cvar(name).value();
+}
+
+}  // namespace
+
+void register_render_cvars(con::Console& console) {
+#define FB_REGISTER(type, field, cvar, value, low, high, help)                                                     \
+  console.add_cvar(number_spec(cvar, static_cast<float>(value), static_cast<float>(low), static_cast<float>(high), \
+                               std::is_same_v<type, int>, help));
+  FB_RENDER_SETTINGS(FB_REGISTER)
+#undef FB_REGISTER
+  console.add_cvar("r_estimator", "pt", "how light is estimated; fullbright-lab estimators lists them",
+                   con::kCvarArchive);
+  console.add_cvar(
+      "r_intersector", "auto",
+      "what traces rays: query (VK_KHR_ray_query), bvh (trees in the shader), auto (query on GPUs that have it); "
+      "counts from the next start",
+      con::kCvarArchive);
+}
+
+RenderSettings read_render_settings(const con::Console& console) {
+  RenderSettings settings;
+#define FB_READ(type, field, cvar, value, low, high, help) settings.field = read_number<type>(console, cvar);
+  FB_RENDER_SETTINGS(FB_READ)
+#undef FB_READ
+  settings.estimator = console.cvar("r_estimator").string();
+  const std::string& intersector = console.cvar("r_intersector").string();
+  settings.intersector = intersector == "query" ? Intersector::kQuery
+                         : intersector == "bvh" ? Intersector::kBvh
+                                                : Intersector::kAuto;
+  return settings;
+}
+
+EmissionScales emission_scales(const RenderSettings& s) {
+  using Kind = scene::EmissionKind;
+  EmissionScales scales{};
+  const auto set = [&](Kind kind, float value) { scales[static_cast<std::size_t>(kind)] = value; };
+  set(Kind::kFullbright, s.emit_fullbright);
+  set(Kind::kLava, s.emit_lava);
+  set(Kind::kSlime, s.emit_slime);
+  set(Kind::kTeleport, s.emit_teleport);
+  set(Kind::kSky, s.emit_sky);
+  set(Kind::kSprite, s.emit_sprite);
+  set(Kind::kParticle, s.emit_particle);
+  set(Kind::kDynamicLight, s.emit_dlight);
+  set(Kind::kEntityLight, s.emit_entlight);
+  set(Kind::kConstant, 1.0f);
+  return scales;
+}
+
+}  // namespace fb::render

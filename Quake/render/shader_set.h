@@ -1,4 +1,5 @@
-// The compiled shaders, and pipelines made from them when first asked for: few variants, since each costs start-up time.
+// The compiled shaders, and pipelines made from them when first asked for: few variants, since each costs start-up
+// time.
 #pragma once
 
 #include <cstdint>

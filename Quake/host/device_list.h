@@ -1,0 +1,11 @@
+// -listdevices: each device's name, what it lacks, which would be chosen.
+#pragma once
+
+#include <string>
+
+namespace fb::host {
+
+// Prints the list; the exit status: 0 if some device is usable.
+int print_devices(const std::string& preferred);
+
+}  // namespace fb::host

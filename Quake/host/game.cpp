@@ -1,0 +1,231 @@
+#include "host/game.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "base/check.h"
+#include "base/log.h"
+#include "lab/image_io.h"
+#include "platform/clock.h"
+
+namespace fb::host {
+namespace {
+
+constexpr uvec2 kWindowSize{1280, 720}, kHeadlessSize{640, 360};
+
+void register_host_cvars(con::Console& console) {
+  console.add_cvar({"host_framerate", "0", "seconds that every frame lasts, whatever it took; 0: real time",
+                    con::kCvarPlain, 0.0f, 1.0f});
+  console.add_cvar({"host_timescale", "1", "how fast time goes", con::kCvarPlain, 0.0f, 100.0f});
+  console.add_cvar({"host_maxfps", "250", "most frames a second in a window", con::kCvarArchive, 10.0f, 1000.0f});
+  console.add_cvar({"vid_vsync", "0", "wait for the display's refresh; counts from the next start", con::kCvarArchive,
+                    0.0f, 1.0f, true});
+}
+
+}  // namespace
+
+Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
+    : options_(options), engine_(std::move(engine)) {}
+Game::~Game() {
+  swapchain_.reset();  // before the device, the device before the window
+  renderer_.reset();
+  device_.reset();
+}
+
+Result<std::unique_ptr<Game>> Game::create(const GameOptions& options) {
+  if (options.headless && !options.has_commands) {
+    return Error{"-headless: there is nothing to do; give a command, for instance +timedemo demo1"};
+  }
+  auto engine = Engine::create(options.arguments);
+  if (!engine) return engine.error();
+  std::unique_ptr<Game> game(new Game(options, std::move(*engine)));
+  game->register_commands();
+  if (!options.capture.empty()) {
+    std::error_code failed;
+    std::filesystem::create_directories(options.capture, failed);
+    if (failed) return Error{fmt::format("-capture {}: {}", options.capture, failed.message())};
+  }
+
+  con::Console& console = game->engine_->console();
+  console.set_command_line(options.arguments);
+  // quake.rc runs default.cfg, config.cfg, autoexec.cfg and the command line, then the demo loop.
+  console.append(game->engine_->files().exists("quake.rc") ? "exec quake.rc\n" : "exec default.cfg\nstuffcmds\n");
+
+  if (auto status = game->open_device(); !status) return status.error();
+  return game;
+}
+
+Status Game::open_device() {
+  gpu::DeviceOptions wanted;
+  wanted.preferred = options_.device;
+  wanted.validation = options_.validation;
+  uvec2 size = options_.size;
+  if (!options_.headless) {
+    if (size.x == 0) size = kWindowSize;
+    platform::WindowOptions window;
+    window.width = size.x;
+    window.height = size.y;
+    window.fullscreen = options_.fullscreen;
+    auto made = platform::Window::create(window);
+    if (!made) return Error{made.error().message + " (-headless needs none)"};
+    window_ = std::move(*made);
+    wanted.present = true;
+    wanted.instance_extensions = window_->vulkan_extensions();
+    size = window_->pixel_size();
+  } else if (size.x == 0) {
+    size = kHeadlessSize;
+  }
+  auto device = gpu::Device::create(wanted);
+  if (!device) return device.error();
+  device_ = std::move(*device);
+  auto renderer = render::Renderer::create(*device_, render::read_render_settings(engine_->console()));
+  if (!renderer) return renderer.error();
+  renderer_ = std::move(*renderer);
+  renderer_->resize(size.x, size.y);
+  engine_->client().set_view_size(static_cast<int>(size.x), static_cast<int>(size.y));
+  log_info("{}: {}, rays by {}", version_text(), device_->report().name, renderer_->intersector_name());
+  return window_ ? open_swapchain() : ok_status();
+}
+
+Status Game::open_swapchain() {
+  swapchain_.reset();
+  auto surface = window_->create_surface(device_->instance());
+  if (!surface) return surface.error();
+  const uvec2 size = window_->pixel_size();
+  auto made = gpu::Swapchain::create(*device_, *surface, size.x, size.y, engine_->console().cvar("vid_vsync").on());
+  if (!made) return made.error();
+  swapchain_ = std::move(*made);
+  renderer_->resize(swapchain_->width(), swapchain_->height());
+  renderer_->set_swap_red_blue(swapchain_->swaps_red_and_blue());
+  engine_->client().set_view_size(static_cast<int>(swapchain_->width()), static_cast<int>(swapchain_->height()));
+  return ok_status();
+}
+
+void Game::register_commands() {
+  con::Console& console = engine_->console();
+  register_host_cvars(console);
+  console.add_command("quit", "ends the program", [this](const con::Args&) { quit_ = true; });
+  console.add_command("viewmap", "viewmap <map>: shows a map's world from its first player start, without a game",
+                      [this](const con::Args& args) {
+                        if (args.size() != 2) {
+                          log_info("viewmap <map>: shows a map's world from its first player start");
+                          return;
+                        }
+                        if (auto status = engine_->client().map_view(args[1]); !status)
+                          log_error("{}", status.error().message);
+                      });
+  console.add_command("screenshot", "screenshot [name]: writes the picture as NAME.png", [this](const con::Args& args) {
+    const uvec2 size = renderer_->output_size();
+    const std::string name = (args.size() > 1 ? args[1] : fmt::format("fullbright{:04}", captured_++)) + ".png";
+    const auto path = engine_->files().write_path("screenshots/" + name);
+    if (!path) return log_error("{}", path.error().message);
+    std::error_code failed;
+    std::filesystem::create_directories(path->parent_path(), failed);
+    std::vector<std::uint32_t> pixels = renderer_->read_output();
+    if (swapchain_ && swapchain_->swaps_red_and_blue()) {
+      for (std::uint32_t& p : pixels) p = (p & 0xff00ff00u) | ((p & 0xffu) << 16u) | ((p >> 16u) & 0xffu);
+    }
+    const auto status = lab::write_png(path->string(), size.x, size.y, pixels);
+    if (!status) return log_error("{}", status.error().message);
+    log_info("wrote {}", path->string());
+  });
+}
+
+void Game::handle_events() {
+  if (!window_) return;
+  for (const platform::InputEvent& event : window_->poll_events()) {
+    using Kind = platform::InputEvent::Kind;
+    if (event.kind == Kind::kQuit) quit_ = true;
+    if (event.kind == Kind::kKey && event.down && event.key == platform::kKeyEscape) quit_ = true;
+    if (event.kind == Kind::kKey && event.down && event.key == platform::kKeyF1 + 11)
+      engine_->console().append("screenshot\n");
+    if (event.kind == Kind::kResize && event.width > 0 && event.height > 0) {
+      if (auto status = open_swapchain(); !status) {
+        log_error("{}", status.error().message);
+        quit_ = true;
+        exit_status_ = 1;
+      }
+    }
+  }
+}
+
+double Game::frame_seconds() {
+  con::Console& console = engine_->console();
+  const double fixed = console.cvar("host_framerate").value();
+  double now = platform::now_seconds();
+  if (fixed <= 0 && window_ && !engine_->client().timing()) {
+    const double shortest = 1.0 / console.cvar("host_maxfps").value();
+    if (now - last_time_ < shortest) platform::sleep_seconds(shortest - (now - last_time_));
+    now = platform::now_seconds();
+  }
+  const double passed = frame_ == 0 ? 0.0 : now - last_time_;
+  last_time_ = now;
+  return (fixed > 0 ? fixed : std::min(passed, 0.2)) * console.cvar("host_timescale").value();
+}
+
+void Game::capture() {
+  if (options_.capture.empty() || frame_ % options_.capture_every != 0) return;
+  const uvec2 size = renderer_->output_size();
+  const std::string path = fmt::format("{}/frame_{:06}.png", options_.capture, frame_);
+  std::vector<std::uint32_t> pixels = renderer_->read_output();
+  if (const auto status = lab::write_png(path, size.x, size.y, pixels); !status) {
+    log_error("{}", status.error().message);
+    quit_ = true;
+    exit_status_ = 1;
+  }
+}
+
+bool Game::draw_frame() {
+  cl::Client& client = engine_->client();
+  if (!client.active() && !window_) return false;
+  client.build_snapshot(snapshot_);
+  snapshot_.frame = frame_;
+  renderer_->render(snapshot_, nullptr, render::read_render_settings(engine_->console()));
+  if (swapchain_ && !swapchain_->present(renderer_->output_pixels())) {
+    const uvec2 size = window_->pixel_size();
+    if (size.x > 0 && size.y > 0) {
+      if (auto status = open_swapchain(); !status) log_error("{}", status.error().message);
+    }
+  }
+  capture();
+  ++frame_;
+  return true;
+}
+
+void Game::report_timing() {
+  const bool timing = engine_->client().timing();
+  if (timing && !was_timing_) pass_report_.clear();
+  if (!timing && was_timing_) {
+    if (const std::string line = pass_report_.line(); !line.empty()) log_info("{}", line);
+  }
+  was_timing_ = timing;
+}
+
+int Game::run() {
+  con::Console& console = engine_->console();
+  cl::Client& client = engine_->client();
+  set_reproduction_hint([this] {
+    return fmt::format("demo {}, frame {}, {}x{}, {}", engine_->client().demo_name(), frame_,
+                       renderer_->output_size().x, renderer_->output_size().y, device_->report().name);
+  });
+  while (!quit_) {
+    handle_events();
+    console.set_time(platform::now_seconds());
+    console.execute();
+    if (quit_) break;
+    client.advance(frame_seconds());
+    report_timing();
+    const bool drawn = draw_frame();
+    if (drawn && client.timing()) pass_report_.add(renderer_->pass_times());
+    const bool idle = !client.playing() && console.buffer_empty();
+    if (options_.headless && idle) {
+      if (client.last_error()) exit_status_ = 1;
+      break;
+    }
+  }
+  set_reproduction_hint(nullptr);
+  return exit_status_;
+}
+
+}  // namespace fb::host

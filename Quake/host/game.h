@@ -1,0 +1,52 @@
+// The frame loop of fullbright: input, console, client, renderer, window or files.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "gpu/device.h"
+#include "gpu/swapchain.h"
+#include "host/engine.h"
+#include "host/options.h"
+#include "host/pass_report.h"
+#include "platform/window.h"
+#include "render/renderer.h"
+
+namespace fb::host {
+
+class Game {
+ public:
+  static Result<std::unique_ptr<Game>> create(const GameOptions& options);
+  ~Game();
+  // Until `quit`; headless also until there is nothing left to do. The exit status.
+  int run();
+
+ private:
+  Game(const GameOptions& options, std::unique_ptr<Engine> engine);
+  Status open_device();
+  Status open_swapchain();
+  void register_commands();
+  void handle_events();
+  double frame_seconds();
+  bool draw_frame();
+  void capture();
+  void report_timing();
+
+  GameOptions options_;
+  std::unique_ptr<Engine> engine_;
+  std::unique_ptr<platform::Window> window_;
+  std::unique_ptr<gpu::Device> device_;
+  std::unique_ptr<gpu::Swapchain> swapchain_;
+  std::unique_ptr<render::Renderer> renderer_;
+  scene::FrameSnapshot snapshot_;
+  PassReport pass_report_;
+  bool quit_ = false, was_timing_ = false;
+  int exit_status_ = 0;
+  double last_time_ = 0;
+  std::uint64_t frame_ = 0, captured_ = 0;
+};
+
+}  // namespace fb::host

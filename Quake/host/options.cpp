@@ -1,0 +1,127 @@
+#include "host/options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace fb::host {
+namespace {
+
+bool parse_number(std::string_view text, std::uint32_t& value) {
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  return result.ec == std::errc() && result.ptr == text.data() + text.size();
+}
+
+}  // namespace
+
+Result<uvec2> parse_size(const std::string& text) {
+  const std::size_t x = text.find('x');
+  uvec2 size(0);
+  if (x == std::string::npos || !parse_number(std::string_view(text).substr(0, x), size.x) ||
+      !parse_number(std::string_view(text).substr(x + 1), size.y) || size.x < 1 || size.y < 1 || size.x > 16384 ||
+      size.y > 16384) {
+    return Error{fmt::format("a size is WIDTHxHEIGHT, each 1 to 16384, not '{}'", text)};
+  }
+  return size;
+}
+
+Result<GameOptions> parse_game_options(const std::vector<std::string>& arguments) {
+  GameOptions options;
+  options.arguments = arguments;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& a = arguments[i];
+    const auto value = [&](std::string& out) -> Status {
+      if (i + 1 >= arguments.size()) return Error{fmt::format("{}: needs a value; -help lists the options", a)};
+      out = arguments[++i];
+      return ok_status();
+    };
+    if (!a.empty() && a[0] == '+') {
+      // What follows, up to the next '+' or '-', is the command's.
+      options.has_commands = true;
+      while (i + 1 < arguments.size() && arguments[i + 1][0] != '+' &&
+             (arguments[i + 1][0] != '-' ||
+              (arguments[i + 1].size() > 1 && (std::isdigit(arguments[i + 1][1]) || arguments[i + 1][1] == '.')))) {
+        ++i;
+      }
+      continue;
+    }
+    std::string text;
+    if (a == "-help" || a == "--help" || a == "-h")
+      options.help = true;
+    else if (a == "-version" || a == "--version")
+      options.version = true;
+    else if (a == "-listdevices")
+      options.list_devices = true;
+    else if (a == "-headless")
+      options.headless = true;
+    else if (a == "-fullscreen")
+      options.fullscreen = true;
+    else if (a == "-window")
+      options.fullscreen = false;
+    else if (a == "-validation")
+      options.validation = true;
+    else if (a == "-hipnotic" || a == "-rogue" || a == "-quoth")
+      continue;  // fs/options.h
+    else if (a == "-basedir" || a == "-game" || a == "-userdir") {
+      if (auto s = value(text); !s) return s.error();
+    } else if (a == "-device") {
+      if (auto s = value(options.device); !s) return s.error();
+    } else if (a == "-size") {
+      if (auto s = value(text); !s) return s.error();
+      auto size = parse_size(text);
+      if (!size) return Error{"-size: " + size.error().message};
+      options.size = *size;
+    } else if (a == "-width" || a == "-height") {
+      if (auto s = value(text); !s) return s.error();
+      std::uint32_t& side = a == "-width" ? options.size.x : options.size.y;
+      if (!parse_number(text, side) || side < 1 || side > 16384)
+        return Error{fmt::format("{} {}: a number from 1 to 16384 is wanted", a, text)};
+    } else if (a == "-capture") {
+      if (auto s = value(options.capture); !s) return s.error();
+    } else if (a == "-capture_every") {
+      if (auto s = value(text); !s) return s.error();
+      if (!parse_number(text, options.capture_every) || options.capture_every == 0) {
+        return Error{fmt::format("-capture_every {}: a number of frames, 1 or more, is wanted", text)};
+      }
+    } else {
+      return Error{fmt::format("{}: there is no such option; -help lists them", a)};
+    }
+  }
+  if (options.size.x == 0 || options.size.y == 0) {
+    if (options.size.x != 0)
+      options.size.y = std::max(1u, options.size.x * 9 / 16);
+    else if (options.size.y != 0)
+      options.size.x = std::max(1u, options.size.y * 16 / 9);
+  }
+  return options;
+}
+
+std::string version_text() { return "fullbright " FULLBRIGHT_VERSION; }
+
+std::string game_help() {
+  return version_text() +
+         R"(: Quake, path traced.
+
+usage: fullbright [options] [+command arguments ...]
+
+  -basedir DIR         folder that holds id1 (default: the current one)
+  -game DIR            a mod's folder beside id1; several count, the last wins
+  -hipnotic -rogue -quoth   the mission packs
+  -headless            no window; needs a command, e.g. +timedemo demo1
+  -size WxH            of the picture (default 1280x720, headless 640x360)
+  -fullscreen -window  how the window opens
+  -device NAME         part of a device's name, or its index
+  -listdevices         what devices there are, what each lacks, which would be chosen
+  -capture DIR         write frames as DIR/frame_000000.png ...
+  -capture_every N     only every N-th frame
+  -validation          Vulkan's validation layers
+  -version -help
+
+Commands run in order; a timedemo is over before the next one runs:
+  fullbright -basedir ~/quake -headless +timedemo demo1 +quit
+  fullbright -basedir ~/quake -game ad +playdemo demo1
+At the console: cvarlist, cmdlist, apropos WORD, help NAME.
+)";
+}
+
+}  // namespace fb::host

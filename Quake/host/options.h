@@ -1,0 +1,31 @@
+// The command line of fullbright: options with '-', console commands with '+', as Quake has always had it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/maths.h"
+#include "base/result.h"
+
+namespace fb::host {
+
+struct GameOptions {
+  bool help = false, version = false, list_devices = false;
+  bool headless = false, fullscreen = false, validation = false;
+  std::string device;   // part of a name, or an index
+  uvec2 size{0, 0};     // 0: the window's default
+  std::string capture;  // folder for numbered PNG frames; empty: none
+  std::uint32_t capture_every = 1;
+  bool has_commands = false;           // any '+'
+  std::vector<std::string> arguments;  // all of them, for files and stuffcmds
+};
+
+// Fails on an unknown option and on a value that is missing or malformed, with a sentence that names it.
+Result<GameOptions> parse_game_options(const std::vector<std::string>& arguments);
+// "640x360" to a size; each side 1..16384.
+Result<uvec2> parse_size(const std::string& text);
+std::string game_help();
+std::string version_text();
+
+}  // namespace fb::host

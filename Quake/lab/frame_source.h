@@ -1,0 +1,25 @@
+// FrameSource: snapshots of consecutive frames at fixed time steps: what the laboratory renders.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "scene/snapshot.h"
+
+namespace fb::lab {
+
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+  // The next frame's snapshot; false when there are no more (a demo ended).
+  virtual Result<bool> next(scene::FrameSnapshot& snapshot) = 0;
+};
+
+// A scene made in code by its name (code_scene_names): nothing moves, it never ends.
+Result<std::unique_ptr<FrameSource>> code_scene(std::string_view name, double frames_per_second);
+std::vector<std::string> code_scene_names();
+
+}  // namespace fb::lab

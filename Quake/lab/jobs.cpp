@@ -1,0 +1,160 @@
+#include "lab/jobs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "base/hash.h"
+#include "lab/image_io.h"
+#include "lab/progress.h"
+#include "shared/packing.h"
+
+namespace fb::lab {
+namespace {
+
+// Work is cut into dispatches of so many samples a pixel, so that progress shows and no device's watchdog bites.
+constexpr std::uint32_t kSamplesPerPass = 16;
+
+// The frame that ends the run early names how far the source went.
+Result<bool> step(FrameSource& source, scene::FrameSnapshot& snapshot, std::uint64_t frame) {
+  auto more = source.next(snapshot);
+  if (more && !*more)
+    return Error{fmt::format("there is no frame {}: the demo has {} frames at this rate", frame, frame)};
+  return more;
+}
+
+// Averages `spp` samples of one snapshot.
+void render_samples(render::Renderer& renderer, render::RenderSettings& settings, const scene::FrameSnapshot& snapshot,
+                    std::uint32_t spp, RenderSummary& summary, const std::function<void(std::uint32_t)>& progress) {
+  renderer.restart_accumulation();
+  settings.accumulate = 1;
+  std::uint32_t done = 0;
+  // All passes have equal weight, so they must have equal samples: the largest divisor of spp that is small enough.
+  std::uint32_t per_pass = std::min(spp, kSamplesPerPass);
+  while (spp % per_pass != 0) --per_pass;
+  settings.spp = static_cast<int>(per_pass);
+  while (done < spp) {
+    renderer.render(snapshot, nullptr, settings);
+    done += per_pass;
+    summary.gpu_milliseconds += renderer.gpu_milliseconds();
+    for (const gpu::PassTime& pass : renderer.pass_times()) {
+      auto same = std::find_if(summary.passes.begin(), summary.passes.end(),
+                               [&](const gpu::PassTime& p) { return p.name == pass.name; });
+      if (same == summary.passes.end())
+        summary.passes.push_back(pass);
+      else
+        same->milliseconds += pass.milliseconds;
+    }
+    if (progress) progress(done);
+  }
+}
+
+std::vector<float> channel(const std::vector<vec4>& image, int component) {
+  std::vector<float> values(image.size());
+  std::transform(image.begin(), image.end(), values.begin(), [&](const vec4& p) { return p[component]; });
+  return values;
+}
+
+void add_rgb(ExrImage& exr, const std::vector<vec4>& image, const std::string& prefix) {
+  exr.add_channel(prefix + "R", channel(image, 0));
+  exr.add_channel(prefix + "G", channel(image, 1));
+  exr.add_channel(prefix + "B", channel(image, 2));
+}
+
+Status write_frame(const render::Renderer& renderer, const RenderJob& job, std::uint64_t frame,
+                   const std::vector<vec4>& linear) {
+  const std::string extension = job.format == ImageFormat::kPng ? "png" : "exr";
+  const std::string path = fmt::format("{}/frame_{:06}.{}", job.out, frame, extension);
+  if (job.format == ImageFormat::kPng) {
+    const uvec2 size = renderer.output_size();
+    return write_png(path, size.x, size.y, renderer.read_output());
+  }
+  ExrImage exr(renderer.render_size().x, renderer.render_size().y);
+  add_rgb(exr, linear, "");
+  return write_exr(path, exr);
+}
+
+float luminance(const vec4& c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
+
+}  // namespace
+
+Result<RenderSummary> render_frames(FrameSource& source, render::Renderer& renderer, render::RenderSettings settings,
+                                    const RenderJob& job) {
+  if (job.last < job.first)
+    return Error{fmt::format("--frames {}:{}: the last comes before the first", job.first, job.last)};
+  const bool writes = !job.out.empty() && job.format != ImageFormat::kNone;
+  if (writes) {
+    std::error_code failed;
+    std::filesystem::create_directories(job.out, failed);
+    if (failed) return Error{fmt::format("--out {}: {}", job.out, failed.message())};
+  }
+  renderer.resize(job.width, job.height);
+  RenderSummary summary;
+  scene::FrameSnapshot snapshot;
+  Progress progress("frame", job.last - job.first + 1, job.quiet);
+  for (std::uint64_t frame = 0; frame <= job.last; ++frame) {
+    if (auto more = step(source, snapshot, frame); !more) return more.error();
+    if (frame < job.first) continue;
+    render_samples(renderer, settings, snapshot, job.spp, summary, nullptr);
+    const std::vector<vec4> linear = renderer.read_linear();
+    if (job.hash) {
+      fmt::print("frame {} hash {:016x}\n", frame, hash_span(std::span<const vec4>(linear)));
+      std::fflush(stdout);
+    }
+    if (writes) {
+      if (auto status = write_frame(renderer, job, frame, linear); !status) return status.error();
+    }
+    progress.update(++summary.frames);
+  }
+  return summary;
+}
+
+Result<ReferenceSummary> render_reference(FrameSource& source, render::Renderer& renderer,
+                                          render::RenderSettings settings, const ReferenceJob& job) {
+  renderer.resize(job.width, job.height);
+  scene::FrameSnapshot snapshot;
+  for (std::uint64_t frame = 0; frame <= job.frame; ++frame) {
+    if (auto more = step(source, snapshot, frame); !more) return more.error();
+  }
+  RenderSummary timing;
+  {
+    Progress progress("sample", job.spp, job.quiet);
+    render_samples(renderer, settings, snapshot, job.spp, timing, [&](std::uint32_t done) { progress.update(done); });
+  }
+  const std::vector<vec4> mean = renderer.read_linear(), variance = renderer.read_variance_of_mean();
+  const auto gbuffer = renderer.read_gbuffer();
+
+  ReferenceSummary summary;
+  summary.frames = renderer.accumulated_frames();
+  double squared_error = 0;
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    summary.mean_luminance += luminance(mean[i]);
+    squared_error += luminance(variance[i]);
+  }
+  const double n = static_cast<double>(mean.size());
+  summary.mean_luminance /= n;
+  summary.relative_error = summary.mean_luminance > 0 ? std::sqrt(squared_error / n) / summary.mean_luminance : 0;
+
+  ExrImage exr(renderer.render_size().x, renderer.render_size().y);
+  add_rgb(exr, mean, "");
+  add_rgb(exr, variance, "variance.");
+  std::vector<vec4> albedo(gbuffer.size()), normal(gbuffer.size());
+  std::vector<float> depth(gbuffer.size());
+  for (std::size_t i = 0; i < gbuffer.size(); ++i) {
+    albedo[i] = gbuffer[i].albedo_roughness;
+    normal[i] = vec4(shared::unpack_direction(gbuffer[i].shading_normal), 0);
+    depth[i] = gbuffer[i].motion.z;
+  }
+  add_rgb(exr, albedo, "albedo.");
+  exr.add_channel("normal.X", channel(normal, 0));
+  exr.add_channel("normal.Y", channel(normal, 1));
+  exr.add_channel("normal.Z", channel(normal, 2));
+  exr.add_channel("Z", std::move(depth));
+  if (auto status = write_exr(job.out, exr); !status) return status.error();
+  return summary;
+}
+
+}  // namespace fb::lab

@@ -1,0 +1,49 @@
+// What fullbright-lab does: render chosen frames, or accumulate one frame's reference.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "base/result.h"
+#include "lab/frame_source.h"
+#include "render/renderer.h"
+
+namespace fb::lab {
+
+enum class ImageFormat { kNone, kPng, kExr };
+
+struct RenderJob {
+  std::uint64_t first = 0, last = 0;  // frames, inclusive; earlier ones are played and not written
+  std::uint32_t width = 640, height = 360;
+  std::uint32_t spp = 1;  // samples a pixel and frame
+  std::string out;        // folder; empty: nothing is written
+  ImageFormat format = ImageFormat::kPng;
+  bool hash = false;   // print `frame N hash H` of the linear image
+  bool quiet = false;  // no progress on stderr
+};
+struct RenderSummary {
+  std::uint64_t frames = 0;
+  double gpu_milliseconds = 0;
+  std::vector<gpu::PassTime> passes;  // summed over the frames
+};
+// Renders frames in order. A demo that ends before job.last is an error that says how many frames there were.
+Result<RenderSummary> render_frames(FrameSource& source, render::Renderer& renderer, render::RenderSettings settings,
+                                    const RenderJob& job);
+
+struct ReferenceJob {
+  std::uint64_t frame = 0;
+  std::uint32_t width = 640, height = 360;
+  std::uint32_t spp = 1024;
+  std::string out;  // an .exr file
+  bool quiet = false;
+};
+struct ReferenceSummary {
+  std::uint32_t frames = 0;  // that were averaged
+  double mean_luminance = 0;
+  double relative_error = 0;  // standard error of pixels' luminance, RMS, over the mean luminance
+};
+// Writes R, G, B (mean radiance), variance.R, .G, .B (of that mean, from the averaged frames), albedo, normal, depth.
+Result<ReferenceSummary> render_reference(FrameSource& source, render::Renderer& renderer,
+                                          render::RenderSettings settings, const ReferenceJob& job);
+
+}  // namespace fb::lab

@@ -1,0 +1,328 @@
+// The whole renderer on scenes made in code: closed forms, motion, determinism, agreement of the two intersectors.
+#include "render/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "base/hash.h"
+#include "render/frame_constants.h"
+#include "render/test_device.h"
+#include "scene/scenes_in_code.h"
+#include "scene/shapes.h"
+
+namespace fb::render {
+namespace {
+
+using RendererTest = DeviceTest;
+
+RenderSettings settings_for(Intersector intersector, int spp, int bounces) {
+  RenderSettings s;
+  s.intersector = intersector;
+  s.spp = spp;
+  s.bounces = bounces;
+  return s;
+}
+
+// Mean over the image's red channel, and the standard error of that mean from the pixels' own spread.
+struct Estimate {
+  double mean = 0, error = 0;
+};
+Estimate image_estimate(const std::vector<vec4>& image) {
+  double sum = 0, sum2 = 0;
+  for (const vec4& p : image) {
+    sum += p.x;
+    sum2 += static_cast<double>(p.x) * p.x;
+  }
+  const double n = static_cast<double>(image.size()), mean = sum / n;
+  return {mean, std::sqrt(std::max(0.0, sum2 / n - mean * mean) / n)};
+}
+
+TEST_F(RendererTest, FurnaceGivesItsClosedForm) {
+  for (const Intersector intersector : intersectors()) {
+    for (const bool objects : {false, true}) {
+      for (const float albedo : {0.3f, 0.9f}) {
+        const float emission = 0.7f;
+        auto renderer = make_renderer(settings_for(intersector, 4, 2), 96, 64);
+        renderer->render(scene::furnace(albedo, emission, objects), nullptr, settings_for(intersector, 4, 2));
+        const Estimate e = image_estimate(renderer->read_linear());
+        const double expected = emission * (1.0 + albedo + albedo * albedo);
+        // Every path has the same value, so the spread comes from lost rays alone: 4.5 sigma and rounding.
+        EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 4e-6 * expected)
+            << renderer->intersector_name() << objects << albedo;
+        EXPECT_LT(e.error, 1e-3 * expected);
+        EXPECT_EQ(renderer->nan_count(), 0u);
+      }
+    }
+  }
+}
+
+TEST_F(RendererTest, BouncesAreCounted) {
+  const float albedo = 0.8f;
+  for (int bounces = 0; bounces <= 5; ++bounces) {
+    auto renderer = make_renderer(settings_for(Intersector::kBvh, 1, bounces), 16, 16);
+    renderer->render(scene::furnace(albedo, 1.0f), nullptr, settings_for(Intersector::kBvh, 1, bounces));
+    double expected = 0;
+    for (int k = 0; k <= bounces; ++k) expected += std::pow(albedo, k);
+    EXPECT_NEAR(image_estimate(renderer->read_linear()).mean, expected, 1e-4 * expected) << bounces;
+  }
+}
+
+TEST_F(RendererTest, OneLightLightsTheFloorAsTheFormulaSays) {
+  const float radius = 24, radiance = 50, albedo = 0.5f;
+  scene::FrameSnapshot snapshot = scene::one_light(radius, radiance, albedo);
+  // Straight at the floor's middle, a narrow view: every pixel sees nearly the same irradiance.
+  snapshot.camera.position = {60, 0, -100};
+  const vec3 target(0, 0, -128);
+  const vec3 d = glm::normalize(target - snapshot.camera.position);
+  snapshot.camera.angles = {degrees(std::asin(-d.z)), degrees(std::atan2(d.y, d.x)), 0};
+  snapshot.camera.fov_x = 2;
+  snapshot.prev_camera = snapshot.camera;
+  const RenderSettings s = settings_for(Intersector::kBvh, 256, 1);
+  auto renderer = make_renderer(s, 48, 48);
+  renderer->render(snapshot, nullptr, s);
+  const Estimate e = image_estimate(renderer->read_linear());
+  const double distance = 128, expected = albedo * radiance * radius * radius / (distance * distance);
+  // 2%: the mesh of 80 triangles stands for the sphere only on average over its orientations.
+  EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 0.02 * expected);
+}
+
+TEST_F(RendererTest, HolesLetTheWallShine) {
+  for (const Intersector intersector : intersectors()) {
+    RenderSettings s = settings_for(intersector, 1, 0);
+    s.jitter = 1;
+    auto renderer = make_renderer(s, 128, 128);
+    renderer->render(scene::alpha_panel(), nullptr, s);
+    std::size_t bright = 0, dark = 0;
+    for (const vec4& p : renderer->read_linear()) (p.x > 0 ? bright : dark) += 1;
+    EXPECT_GT(bright, 1000u) << renderer->intersector_name();
+    EXPECT_GT(dark, 1000u) << renderer->intersector_name();
+  }
+}
+
+TEST_F(RendererTest, TexelsHaveTheirPaletteColours) {
+  const RenderSettings s = settings_for(Intersector::kBvh, 1, 1);
+  auto renderer = make_renderer(s, 160, 160);
+  renderer->render(scene::textured_quad(), nullptr, s);
+  const auto image = renderer->read_linear();
+  const auto gbuffer = renderer->read_gbuffer();
+  const auto linear = [](int c) {
+    const double x = c / 255.0;
+    return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+  };
+  const formats::Palette palette = scene::code_palette();
+  std::vector<bool> seen(256, false);
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    if (gbuffer[i].position_t.w == 0) continue;
+    // Sky of radiance 1 all around: radiance is the albedo. It must be one of the palette's colours.
+    const vec4& albedo = gbuffer[i].albedo_roughness;
+    EXPECT_NEAR(image[i].x, albedo.x, 1e-4);
+    bool found = false;
+    for (std::size_t k = 0; k < 256 && !found; ++k) {
+      found = std::abs(albedo.x - linear(palette.rgb[k][0])) < 1e-4 &&
+              std::abs(albedo.y - linear(palette.rgb[k][1])) < 1e-4 &&
+              std::abs(albedo.z - linear(palette.rgb[k][2])) < 1e-4;
+      if (found) seen[k] = true;
+    }
+    ASSERT_TRUE(found) << albedo.x << ' ' << albedo.y << ' ' << albedo.z;
+  }
+  EXPECT_GE(std::count(seen.begin(), seen.end(), true), 250);
+}
+
+// --- motion ---
+
+vec3 project(const CameraFrame& camera, const vec3& p, double width, double height) {
+  const vec3 d = p - camera.position;
+  const double depth = glm::dot(d, camera.forward);
+  const double x = glm::dot(d, camera.right) / glm::dot(camera.right, camera.right) / depth;
+  const double y = -glm::dot(d, camera.up) / glm::dot(camera.up, camera.up) / depth;
+  return {static_cast<float>((x * 0.5 + 0.5) * width), static_cast<float>((y * 0.5 + 0.5) * height),
+          static_cast<float>(depth)};
+}
+
+vec3 posed_vertex(const scene::Mesh& mesh, std::uint32_t vertex, const scene::PoseBlend& pose) {
+  if (!mesh.posed()) return mesh.positions[vertex];
+  return glm::mix(scene::vertex_position(mesh, vertex, pose.a), scene::vertex_position(mesh, vertex, pose.b), pose.t);
+}
+
+// Where a surface point of an instance was a frame ago: found from the triangle that holds it now.
+bool position_before(const scene::Mesh& mesh, const scene::Instance& instance, const vec3& world, vec3& before) {
+  float best = 0.05f;
+  for (const scene::MeshTriangle& t : mesh.triangles) {
+    vec3 now[3], then[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      now[k] = transform_point(instance.transform, posed_vertex(mesh, t.vertices[k], instance.pose));
+      then[k] = transform_point(instance.prev_transform, posed_vertex(mesh, t.vertices[k], instance.prev_pose));
+    }
+    const vec3 n = glm::cross(now[1] - now[0], now[2] - now[0]);
+    const float area2 = glm::dot(n, n);
+    if (area2 < 1e-12f) continue;
+    const float distance = std::abs(glm::dot(world - now[0], n)) / std::sqrt(area2);
+    const float b1 = glm::dot(glm::cross(world - now[0], now[2] - now[0]), n) / area2;
+    const float b2 = glm::dot(glm::cross(now[1] - now[0], world - now[0]), n) / area2;
+    if (distance < best && b1 > -1e-3f && b2 > -1e-3f && b1 + b2 < 1.001f) {
+      best = distance;
+      before = then[0] + (then[1] - then[0]) * b1 + (then[2] - then[0]) * b2;
+    }
+  }
+  return best < 0.05f;
+}
+
+TEST_F(RendererTest, MotionCarriesPointsToWhereTheyWere) {
+  const auto assets = scene::moving_assets();
+  for (const Intersector intersector : intersectors()) {
+    const RenderSettings s = settings_for(intersector, 1, 0);
+    auto renderer = make_renderer(s, 320, 180);
+    const double dt = 1.0 / 60;
+    for (int frame = 1; frame <= 3; ++frame) {
+      const scene::FrameSnapshot snapshot = scene::moving(assets, frame * dt, (frame - 1) * dt);
+      renderer->render(snapshot, nullptr, s);
+      const auto gbuffer = renderer->read_gbuffer();
+      const CameraFrame camera = camera_frame(snapshot.prev_camera, 320, 180);
+      std::map<std::uint32_t, int> checked;
+      for (std::size_t i = 0; i < gbuffer.size(); ++i) {
+        const shared::GBufferTexel& g = gbuffer[i];
+        if (g.position_t.w == 0) continue;
+        const auto instance = std::find_if(snapshot.instances.begin(), snapshot.instances.end(),
+                                           [&](const scene::Instance& x) { return x.id == g.id; });
+        ASSERT_NE(instance, snapshot.instances.end());
+        vec3 before;
+        if (!position_before(assets->meshes[instance->mesh], *instance,
+                             vec3(g.position_t.x, g.position_t.y, g.position_t.z), before))
+          continue;
+        const vec3 expected = project(camera, before, 320, 180);
+        const float x = static_cast<float>(i % 320) + 0.5f + g.motion.x,
+                    y = static_cast<float>(i / 320) + 0.5f + g.motion.y;
+        ASSERT_NEAR(x, expected.x, 0.01f) << "id " << g.id;
+        ASSERT_NEAR(y, expected.y, 0.01f) << "id " << g.id;
+        ++checked[g.id];
+      }
+      EXPECT_GT(checked[scene::kMovingBox], 50);
+      EXPECT_GT(checked[scene::kMovingPosed], 50);
+      EXPECT_GT(checked[scene::kMovingViewModel], 50);
+    }
+  }
+}
+
+// --- repetition and agreement ---
+
+std::uint64_t image_hash(const Renderer& renderer) {
+  const auto image = renderer.read_linear();
+  return hash_span(std::span<const vec4>(image));
+}
+
+TEST_F(RendererTest, TheSameSeedGivesTheSameBitsAndAnotherSeedDoesNot) {
+  RenderSettings s = settings_for(Intersector::kBvh, 2, 2);
+  const scene::FrameSnapshot snapshot = scene::cornell_box(scene::CornellVariant::kGlossy);
+  std::vector<std::uint64_t> hashes;
+  for (int run = 0; run < 3; ++run) {
+    s.seed = run == 2 ? 7 : 0;
+    auto renderer = make_renderer(s, 64, 64);
+    renderer->render(snapshot, nullptr, s);
+    hashes.push_back(image_hash(*renderer));
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+  EXPECT_NE(hashes[0], hashes[2]);
+}
+
+TEST_F(RendererTest, AccumulatingNarrowsTheMeanAndAChangeStartsAnew) {
+  const RenderSettings s = settings_for(Intersector::kBvh, 1, 2);
+  scene::FrameSnapshot snapshot = scene::cornell_box();
+  auto renderer = make_renderer(s, 64, 64);
+  double early = 0;
+  for (int i = 0; i < 64; ++i) {
+    renderer->render(snapshot, nullptr, s);
+    if (i == 7) early = image_estimate(renderer->read_variance_of_mean()).mean;
+  }
+  EXPECT_EQ(renderer->accumulated_frames(), 64u);
+  const double late = image_estimate(renderer->read_variance_of_mean()).mean;
+  EXPECT_LT(late, early * 0.35) << "eight times the frames, an eighth of the variance, give or take";
+  snapshot.camera.position.x += 1;
+  renderer->render(snapshot, nullptr, s);
+  EXPECT_EQ(renderer->accumulated_frames(), 1u);
+}
+
+TEST_F(RendererTest, IntersectorsAgree) {
+  if (!device_->has_ray_query()) GTEST_SKIP() << device_->report().name << " has no ray query";
+  for (const int fast_build : {0, 1}) {
+    for (const auto& snapshot : {scene::cornell_box(scene::CornellVariant::kGlossy), scene::many_lights(100)}) {
+      std::vector<std::vector<shared::GBufferTexel>> hits;
+      std::vector<std::vector<vec4>> means, variances;
+      for (const Intersector intersector : {Intersector::kBvh, Intersector::kQuery}) {
+        RenderSettings s = settings_for(intersector, 4, 2);
+        s.jitter = 0;
+        s.fast_build = fast_build;
+        s.seed = intersector == Intersector::kQuery ? 1 : 0;  // independent, as the z-test wants
+        auto renderer = make_renderer(s, 128, 128);
+        for (int frame = 0; frame < 32; ++frame) renderer->render(snapshot, nullptr, s);
+        hits.push_back(renderer->read_gbuffer());
+        means.push_back(renderer->read_linear());
+        variances.push_back(renderer->read_variance_of_mean());
+      }
+      std::size_t different = 0;
+      for (std::size_t i = 0; i < hits[0].size(); ++i) {
+        const auto &a = hits[0][i], &b = hits[1][i];
+        different += a.id != b.id || std::abs(a.position_t.w - b.position_t.w) > 1e-3f * (1 + a.position_t.w);
+      }
+      EXPECT_LT(static_cast<double>(different), std::max(2.0, 1e-4 * static_cast<double>(hits[0].size())));
+      // z-test over blocks of 16x16 pixels, Bonferroni over 64 blocks at a false-alarm rate of 1e-4: |z| < 4.95.
+      for (std::size_t by = 0; by < 8; ++by) {
+        for (std::size_t bx = 0; bx < 8; ++bx) {
+          double difference = 0, variance = 0;
+          for (std::size_t y = by * 16; y < by * 16 + 16; ++y) {
+            for (std::size_t x = bx * 16; x < bx * 16 + 16; ++x) {
+              const std::size_t i = y * 128 + x;
+              difference += means[0][i].x - means[1][i].x;
+              variance += variances[0][i].x + variances[1][i].x;
+            }
+          }
+          EXPECT_LT(std::abs(difference), 4.95 * std::sqrt(variance) + 1e-3) << "block " << bx << ',' << by;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(RendererTest, EmptySnapshotsAreBlackAndEveryDebugViewDraws) {
+  RenderSettings s;
+  auto renderer = make_renderer(s, 33, 17);
+  renderer->render(scene::FrameSnapshot{}, nullptr, s);
+  for (const vec4& p : renderer->read_linear()) EXPECT_EQ(p.x, 0);
+  const scene::FrameSnapshot snapshot = scene::cornell_box();
+  std::vector<std::uint64_t> pictures;
+  for (int view = 0; view <= 11; ++view) {
+    s.debug_view = view;
+    renderer->render(snapshot, nullptr, s);
+    renderer->render(snapshot, nullptr, s);
+    const auto pixels = renderer->read_output();
+    pictures.push_back(hash_span(std::span<const std::uint32_t>(pixels)));
+  }
+  std::sort(pictures.begin(), pictures.end());
+  EXPECT_EQ(std::unique(pictures.begin(), pictures.end()), pictures.end()) << "no two views are the same";
+}
+
+TEST_F(RendererTest, DrawsQuadsInOrderOverThePicture) {
+  RenderSettings s;
+  auto renderer = make_renderer(s, 100, 50);
+  auto atlas = std::make_shared<scene::DrawAtlas>();
+  atlas->width = 2;
+  atlas->height = 1;
+  atlas->texels = {0xff0000ffu, 0x00000000u};  // red; clear
+  scene::DrawList list;
+  list.atlas = atlas;
+  list.quads.push_back({{10, 10}, {90, 40}, {0, 0}, {0, 0}, {0, 1, 0, 1}});  // green
+  list.quads.push_back({{20, 20}, {40, 30}, {0, 0}, {2, 1}, {1, 1, 1, 1}});  // left half red, right half clear
+  renderer->render(scene::FrameSnapshot{}, &list, s);
+  const auto pixels = renderer->read_output();
+  const auto at = [&](std::size_t x, std::size_t y) { return pixels[y * 100 + x] & 0xffffffu; };
+  EXPECT_EQ(at(5, 5), 0u);
+  EXPECT_EQ(at(15, 15), 0x00ff00u);
+  EXPECT_EQ(at(25, 25), 0x0000ffu);
+  EXPECT_EQ(at(35, 25), 0x00ff00u);
+  EXPECT_EQ(at(89, 39), 0x00ff00u);
+  EXPECT_EQ(at(90, 39), 0u);
+}
+
+}  // namespace
+}  // namespace fb::render

@@ -1,0 +1,57 @@
+// The device that drawing tests share: validation layers on, skipped (saying so) where there is no Vulkan device.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "gpu/device.h"
+#include "render/renderer.h"
+
+namespace fb::render {
+
+class DeviceTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    gpu::DeviceOptions options;
+    options.validation = true;
+    auto made = gpu::Device::create(options);
+    if (made)
+      device_ = std::move(*made);
+    else
+      why_not_ = made.error().message;
+  }
+  static void TearDownTestSuite() { device_.reset(); }
+  void SetUp() override {
+    if (!device_) {
+      GTEST_SKIP() << "no Vulkan device: " << why_not_;
+    }
+  }
+  void TearDown() override {
+    if (device_) {
+      EXPECT_EQ(device_->validation_messages(), 0u);
+    }
+  }
+
+  static std::unique_ptr<Renderer> make_renderer(const RenderSettings& settings, std::uint32_t width,
+                                                 std::uint32_t height) {
+    auto renderer = Renderer::create(*device_, settings);
+    if (!renderer) {
+      ADD_FAILURE() << renderer.error().message;
+      return nullptr;
+    }
+    (*renderer)->resize(width, height);
+    return std::move(*renderer);
+  }
+  // The intersectors that this device offers.
+  static std::vector<Intersector> intersectors() {
+    std::vector<Intersector> list{Intersector::kBvh};
+    if (device_->has_ray_query()) list.push_back(Intersector::kQuery);
+    return list;
+  }
+
+  inline static std::unique_ptr<gpu::Device> device_;
+  inline static std::string why_not_;
+};
+
+}  // namespace fb::render
