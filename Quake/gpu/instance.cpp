@@ -9,6 +9,14 @@
 #include "gpu/vulkan_error.h"
 #include "gpu/vulkan_struct.h"
 
+#if defined(__SANITIZE_ADDRESS__)
+#define FB_KEEP_DRIVERS_LOADED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define FB_KEEP_DRIVERS_LOADED
+#endif
+#endif
+
 namespace fb::gpu {
 namespace {
 
@@ -62,6 +70,60 @@ VkDebugUtilsMessengerCreateInfoEXT messenger_info(ValidationLog& log) {
   return info;
 }
 
+// What the instance is to be made of.
+struct InstanceRequest {
+  std::vector<const char*> layers, extensions;
+  bool debug_utils = false;
+  bool synchronization = false;
+};
+
+Result<InstanceRequest> make_request(const DeviceOptions& options) {
+  InstanceRequest request;
+  request.extensions = options.instance_extensions;
+  const auto offered = instance_extensions(nullptr);
+  for (const char* name : request.extensions)
+    if (!contains(offered, name)) return Error{fmt::format("the Vulkan loader offers no {}: {}", name, kNoDriver)};
+  request.debug_utils = contains(offered, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+  if (options.validation && !has_validation_layer()) {
+    log_warning("{} is not installed: Vulkan calls are not validated (Debian: vulkan-validationlayers)",
+                kValidationLayer);
+  } else if (options.validation) {
+    request.layers.push_back(kValidationLayer);
+    const auto of_layer = instance_extensions(kValidationLayer);
+    request.debug_utils |= contains(of_layer, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    request.synchronization =
+        options.synchronization_validation && contains(of_layer, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
+  }
+  if (request.synchronization) request.extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
+  if (request.debug_utils) request.extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+  return request;
+}
+
+VkResult make_instance(const InstanceRequest& request, const VkDebugUtilsMessengerCreateInfoEXT* messenger,
+                       VkInstance* instance) {
+  auto application = vk_struct<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
+  application.pApplicationName = "Fullbright";
+  application.pEngineName = "Fullbright";
+  application.apiVersion = VK_API_VERSION_1_2;
+  auto info = vk_struct<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
+  info.pApplicationInfo = &application;
+  info.enabledLayerCount = static_cast<std::uint32_t>(request.layers.size());
+  info.ppEnabledLayerNames = request.layers.data();
+  info.enabledExtensionCount = static_cast<std::uint32_t>(request.extensions.size());
+  info.ppEnabledExtensionNames = request.extensions.data();
+  info.pNext = messenger;
+
+  const VkValidationFeatureEnableEXT enables[] = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+  auto features = vk_struct<VkValidationFeaturesEXT>(VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT);
+  features.enabledValidationFeatureCount = 1;
+  features.pEnabledValidationFeatures = enables;
+  if (request.synchronization) {
+    features.pNext = info.pNext;
+    info.pNext = &features;
+  }
+  return vkCreateInstance(&info, nullptr, instance);
+}
+
 }  // namespace
 
 void ValidationLog::add(bool is_error, const std::string& text) {
@@ -77,62 +139,26 @@ Result<std::unique_ptr<Instance>> Instance::create(const DeviceOptions& options)
   std::uint32_t version = VK_API_VERSION_1_0;
   if (vkEnumerateInstanceVersion(&version) != VK_SUCCESS || version < VK_API_VERSION_1_2)
     return Error{"the Vulkan loader is older than 1.2: install a newer one (Debian: libvulkan1)"};
+  auto request = make_request(options);
+  if (!request) return request.error();
 
   std::unique_ptr<Instance> made(new Instance);
-  const auto offered = instance_extensions(nullptr);
-  std::vector<const char*> extensions = options.instance_extensions;
-  for (const char* name : extensions)
-    if (!contains(offered, name)) return Error{fmt::format("the Vulkan loader offers no {}: {}", name, kNoDriver)};
-  made->has_debug_utils_ = contains(offered, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
-
-  std::vector<const char*> layers;
-  bool synchronization = false;
-  if (options.validation) {
-    if (!has_validation_layer()) {
-      log_warning("{} is not installed: Vulkan calls are not validated (Debian: vulkan-validationlayers)",
-                  kValidationLayer);
-    } else {
-      layers.push_back(kValidationLayer);
-      const auto of_layer = instance_extensions(kValidationLayer);
-      made->has_debug_utils_ |= contains(of_layer, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
-      synchronization =
-          options.synchronization_validation && contains(of_layer, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
-      if (synchronization) extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
-    }
-  }
-  if (made->has_debug_utils_) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
-
-  auto application = vk_struct<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
-  application.pApplicationName = "Fullbright";
-  application.pEngineName = "Fullbright";
-  application.apiVersion = VK_API_VERSION_1_2;
-  auto info = vk_struct<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
-  info.pApplicationInfo = &application;
-  info.enabledLayerCount = static_cast<std::uint32_t>(layers.size());
-  info.ppEnabledLayerNames = layers.data();
-  info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
-  info.ppEnabledExtensionNames = extensions.data();
-
-  const VkValidationFeatureEnableEXT enables[] = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
-  auto features = vk_struct<VkValidationFeaturesEXT>(VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT);
-  features.enabledValidationFeatureCount = 1;
-  features.pEnabledValidationFeatures = enables;
+  made->has_debug_utils_ = request->debug_utils;
   // In the instance's chain the messenger also hears of the instance's own making and end.
   auto messenger = messenger_info(made->validation_);
-  const bool listens = !layers.empty() && made->has_debug_utils_;
-  if (listens) info.pNext = &messenger;
-  if (synchronization) {
-    features.pNext = info.pNext;
-    info.pNext = &features;
-  }
-
-  const VkResult result = vkCreateInstance(&info, nullptr, &made->handle_);
+  const bool listens = !request->layers.empty() && request->debug_utils;
+  const VkResult result = make_instance(*request, listens ? &messenger : nullptr, &made->handle_);
   if (result == VK_ERROR_INCOMPATIBLE_DRIVER) return Error{kNoDriver};
   if (result != VK_SUCCESS) return Error{"Vulkan could not be started: vkCreateInstance gave " + result_name(result)};
+#ifdef FB_KEEP_DRIVERS_LOADED
+  // A leak in a driver or layer that has been unloaded has no name by which it could be told from ours.
+  static VkInstance kept[2] = {};
+  VkInstance& keep = kept[request->layers.empty() ? 0 : 1];
+  if (!keep) FB_VK(make_instance(*request, nullptr, &keep));
+#endif
   if (listens) {
     const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
         vkGetInstanceProcAddr(made->handle_, "vkCreateDebugUtilsMessengerEXT"));
-    messenger.pNext = nullptr;
     if (create) FB_VK(create(made->handle_, &messenger, nullptr, &made->messenger_));
   }
   return made;
