@@ -262,11 +262,13 @@ TEST_P(EachVersion, ModelBoxNotFinite) {
 // --- what QuakeSpasm plays ---
 
 TEST_P(EachVersion, NodeChildThatDoesNotExist) {
-  room_.nodes[5].children[0] = ~7;
-  EXPECT_EQ(expect_mended("solid leaf 0").nodes[5].children[0], ~0);
+  for (const std::int32_t child : {~2, ~7, 6, 30000}) {
+    room_.nodes[5].children[0] = child;
+    EXPECT_EQ(expect_mended("solid leaf 0").nodes[5].children[0], ~0);
+  }
 }
 TEST_P(EachVersion, LightOutsideItsLump) {
-  room_.faces[0].light_offset = 1 << 20;
+  room_.faces[0].light_offset = static_cast<std::int32_t>(room_.lighting.size());
   room_.faces[1].light_offset = -7;
   const Bsp bsp = expect_mended("light outside the lighting lump; taken as none (and 1 more)");
   EXPECT_EQ(bsp.faces[0].light_offset, -1);
@@ -496,6 +498,16 @@ TEST_F(Vis, MapOfAnotherVersion) {
   const auto record = parse_vis(file(), "x.vis", "room.bsp", box_room(BspVersion::kBsp2));
   ASSERT_FALSE(record.ok());
   EXPECT_THAT(record.error().message, HasSubstr("BSP29"));
+}
+// The sizes inside a record are held against the record, not against the file.
+TEST_F(Vis, RecordTooSmallForItsParts) {
+  const Bytes valid = file();
+  constexpr std::size_t kRecord = 36 + 8 + 1 + 28 + 32;  // where the second record's size stands
+  for (const std::uint32_t missing : {1u, 56u, 58u, 62u}) {
+    testing::ByteWriter cut{valid};
+    cut.patch_u32(kRecord, 4 + 3 + 4 + 56 - missing);
+    testing::expect_refused(attempt(), cut.out, "x.vis");
+  }
 }
 TEST_F(Vis, RefusedWhenCut) {
   const Bytes valid = file();

@@ -47,7 +47,7 @@ std::optional<TreeFault> find_tree_fault(const std::vector<std::array<std::int32
       for (const std::int32_t child : children[step.node]) {
         if (child >= 0) tallest = std::max(tallest, height[static_cast<std::size_t>(child)]);
       }
-      if (tallest >= kMaxBspDepth) return TreeFault{step.node, "node tree is deeper than 4096"};
+      if (tallest >= kMaxBspDepth) return TreeFault{step.node, "node tree is deeper than any may be"};
       height[step.node] = tallest + 1;
       path.pop_back();
     }

@@ -80,6 +80,15 @@ TEST(Pcx, PalettedAndTrueColour) {
   }
 }
 
+// Runs of all lengths, also those that pass 63 and those that end a row.
+TEST(Pcx, LongRuns) {
+  IndexedImage indexed{200, 2, std::vector<std::uint8_t>(400, 5)};
+  for (std::size_t i = 40; i < 50; ++i) indexed.indices[i] = 250;
+  const auto image = parse_pcx(write_pcx(indexed, ramp()), "x.pcx");
+  ASSERT_TRUE(image.ok()) << image.error().message;
+  for (std::size_t i = 0; i < 400; ++i) ASSERT_EQ(image->rgba[4 * i], indexed.indices[i]) << i;
+}
+
 TEST(Tga, EveryKindAndOrientation) {
   const RgbaImage with_alpha = small_image(true), opaque = small_image(false);
   RgbaImage grey = opaque, grey_alpha = with_alpha, five_bits = opaque;

@@ -41,12 +41,14 @@ Result<Wad> Wad::parse(Bytes data, std::string_view name) {
     const std::uint8_t compression = reader.u8();
     reader.skip(2);
     const std::string lump_name = lower_case(reader.fixed_string(16));
-    if (compression != 0) return reader.error_at(at, "lump " + lump_name + " is compressed, which nothing can read");
+    // The field itself is no proof: QuakeSpasm ignores it, and so it may hold anything.
+    if (compression != 0 && stored_size != lump.size) {
+      return reader.error_at(at, "lump " + lump_name + " is compressed, which nothing can read");
+    }
     if (lump.offset > data.size() || lump.size > data.size() - lump.offset) {
       return reader.error_at(at, "lump " + lump_name + " (" + std::to_string(lump.size) + " bytes at " +
                                      std::to_string(lump.offset) + ") lies outside the file");
     }
-    if (stored_size != lump.size) return reader.error_at(at, "lump " + lump_name + " has two sizes");
     wad.lumps_.emplace(lump_name, lump);
   }
   wad.name_ = name;

@@ -86,9 +86,20 @@ TEST(Wad, LumpsOutsideAndContradictions) {
   refused(8, 0xfffffff0u, "runs past the end");
   refused(entry, 0xffffffffu, "lump disc");
   refused(entry + 8, 0xffffffffu, "lies outside the file");
-  refused(entry + 4, 1, "two sizes");
-  refused(entry + 12, 0x0142, "compressed");
+  refused(entry + 8, static_cast<std::uint32_t>(valid.size() - 12 + 1), "lies outside the file");
   refused(0, 0x33444157u, "WAD2");
+}
+
+// Tools leave rubbish in the fields that Quake never reads; only both together mean a compressed lump.
+TEST(Wad, CompressedLumps) {
+  testing::ByteWriter file{small_wad()};
+  const std::size_t entry = file.out.size() - 3 * 32;
+  file.patch_u32(entry + 4, 1);
+  EXPECT_TRUE(Wad::parse(file.out, "gfx.wad").ok());
+  file.patch_u32(entry + 12, 0x0142);
+  const auto refused = Wad::parse(file.out, "gfx.wad");
+  ASSERT_FALSE(refused.ok());
+  EXPECT_THAT(refused.error().message, HasSubstr("lump disc is compressed"));
 }
 
 }  // namespace
