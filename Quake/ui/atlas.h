@@ -1,0 +1,66 @@
+// Everything that 2D drawing shows, in one image: the console's characters, and pictures of the game as they are asked
+// for. Without game data it holds the fallback font alone, so that there is always something to say it with.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/bytes.h"
+#include "formats/image.h"
+#include "formats/wad.h"
+#include "scene/draw_list.h"
+
+namespace fb::ui {
+
+using FileLoader = std::function<std::optional<Bytes>(std::string_view path)>;
+
+// A rectangle of the atlas, texels.
+struct Picture {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+class Atlas {
+ public:
+  static constexpr int kWidth = 1024;
+  static constexpr int kMaxHeight = 4096;
+  static constexpr int kGlyphSize = 8;
+
+  // Reads gfx.wad and gfx/palette.lmp; what is missing or malformed is said once and done without. `files` is kept for
+  // picture(); none: the fallback font and no pictures.
+  explicit Atlas(FileLoader files = nullptr);
+
+  // Where a character's 8x8 glyph is; its code is Quake's: 128 and more are gold.
+  Picture glyph(unsigned char code) const;
+  // A picture by name: "gfx/conback.lmp" is a file (lmp, png, tga, pcx), "ibar" a lump of gfx.wad. Palette index 255 is
+  // transparent. nullptr where there is none, after one sentence in the log.
+  const Picture* picture(std::string_view name);
+  bool has_game_font() const { return game_font_; }
+
+  // As it is now: kept until something is added. Revisions of different atlases differ, too.
+  std::shared_ptr<const scene::DrawAtlas> image() const;
+
+ private:
+  std::optional<formats::RgbaImage> read_picture(const std::string& name, std::string& failure) const;
+  // nullopt: it is full.
+  std::optional<Picture> add(const formats::RgbaImage& image);
+  formats::RgbaImage colored(const formats::IndexedImage& image, int transparent) const;
+
+  FileLoader files_;
+  std::optional<formats::Wad> wad_;
+  std::optional<formats::Palette> palette_;
+  bool game_font_ = false;
+  std::map<std::string, std::optional<Picture>, std::less<>> pictures_;
+
+  Picture font_;
+  scene::DrawAtlas texels_;
+  int shelf_x_ = 0, shelf_y_ = 0, shelf_height_ = 0;
+  mutable std::shared_ptr<const scene::DrawAtlas> published_;
+};
+
+}  // namespace fb::ui
