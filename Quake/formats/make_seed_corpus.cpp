@@ -1,4 +1,4 @@
-// make_seed_corpus DIRECTORY: writes the seeds of this module's fuzz targets, all made in code, into
+// formats_make_seed_corpus DIRECTORY: writes the seeds of this module's fuzz targets, all made in code, into
 // DIRECTORY/<target>/.
 #include <cstdio>
 #include <filesystem>
@@ -105,7 +105,7 @@ bool write_seeds(const std::filesystem::path& root) {
 
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::fprintf(stderr, "usage: make_seed_corpus DIRECTORY\n");
+    std::fprintf(stderr, "usage: formats_make_seed_corpus DIRECTORY\n");
     return 2;
   }
   return fb::formats::testing::write_seeds(argv[1]) ? 0 : 1;
