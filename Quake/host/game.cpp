@@ -26,7 +26,7 @@ void register_host_cvars(con::Console& console) {
 }  // namespace
 
 Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
-    : options_(options), engine_(std::move(engine)) {}
+    : options_(options), engine_(std::move(engine)), screen_(engine_->console(), engine_->files().loader()) {}
 Game::~Game() {
   swapchain_.reset();  // before the device, the device before the window
   renderer_.reset();
@@ -70,6 +70,7 @@ Status Game::open_device() {
     auto made = platform::Window::create(window);
     if (!made) return Error{made.error().message + " (-headless needs none)"};
     window_ = std::move(*made);
+    window_->set_text_input(true);
     wanted.present = true;
     wanted.instance_extensions = window_->vulkan_extensions();
     size = window_->pixel_size();
@@ -137,9 +138,7 @@ void Game::handle_events() {
   for (const platform::InputEvent& event : window_->poll_events()) {
     using Kind = platform::InputEvent::Kind;
     if (event.kind == Kind::kQuit) quit_ = true;
-    if (event.kind == Kind::kKey && event.down && event.key == platform::kKeyEscape) quit_ = true;
-    if (event.kind == Kind::kKey && event.down && event.key == platform::kKeyF1 + 11)
-      engine_->console().append("screenshot\n");
+    screen_.handle(event);
     if (event.kind == Kind::kResize && event.width > 0 && event.height > 0) {
       if (auto status = open_swapchain(); !status) {
         log_error("{}", status.error().message);
@@ -181,7 +180,12 @@ bool Game::draw_frame() {
   if (!client.active() && !window_) return false;
   client.build_snapshot(snapshot_);
   snapshot_.frame = frame_;
-  renderer_->render(snapshot_, nullptr, render::read_render_settings(engine_->console()));
+  // Frames that are measured or recorded show the game alone.
+  const bool overlay = window_ != nullptr || engine_->console().cvar("scr_showfps").on();
+  const scene::DrawList* list =
+      overlay ? &screen_.draw(client.hud(), client.active(), renderer_->output_size(), platform::now_seconds())
+              : nullptr;
+  renderer_->render(snapshot_, list, render::read_render_settings(engine_->console()));
   if (swapchain_ && !swapchain_->present(renderer_->output_pixels())) {
     const uvec2 size = window_->pixel_size();
     if (size.x > 0 && size.y > 0) {

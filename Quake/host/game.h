@@ -12,6 +12,7 @@
 #include "host/engine.h"
 #include "host/options.h"
 #include "host/pass_report.h"
+#include "host/screen.h"
 #include "platform/window.h"
 #include "render/renderer.h"
 
@@ -37,6 +38,7 @@ class Game {
 
   GameOptions options_;
   std::unique_ptr<Engine> engine_;
+  Screen screen_;
   std::unique_ptr<platform::Window> window_;
   std::unique_ptr<gpu::Device> device_;
   std::unique_ptr<gpu::Swapchain> swapchain_;
