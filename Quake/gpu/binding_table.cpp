@@ -2,6 +2,7 @@
 // submission is under way.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "base/check.h"
@@ -61,6 +62,9 @@ struct BindingTable::Impl {
   std::array<Slot, kSceneBuffers> scene;
   std::array<Slot, kFrameBuffers> frame;
   Slot uniform;
+  std::array<Slot, kTexelBuffers> texels;
+  std::array<VkDeviceSize, kTexelBuffers> texel_bytes{};
+  std::array<VkBufferView, kTexelBuffers> views{};
   VkAccelerationStructureKHR tlas = VK_NULL_HANDLE;
   bool tlas_dirty = false, dirty = true;
   std::array<VkDescriptorSetLayout, 2> set_layouts{};
@@ -77,6 +81,8 @@ BindingTable::BindingTable(Device& device) : impl_(std::make_unique<Impl>(device
     scene.push_back(compute_binding(i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER));
   scene.push_back(compute_binding(kUniformBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER));
   if (has_tlas) scene.push_back(compute_binding(kTlasBinding, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR));
+  for (std::uint32_t i = 0; i < kTexelBuffers; ++i)
+    scene.push_back(compute_binding(kTexelBinding + i, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER));
   for (std::uint32_t i = 0; i < kFrameBuffers; ++i)
     frame.push_back(compute_binding(i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER));
   impl_->set_layouts = {make_set_layout(handle, scene), make_set_layout(handle, frame)};
@@ -91,10 +97,11 @@ BindingTable::BindingTable(Device& device) : impl_(std::make_unique<Impl>(device
 
   const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, kSceneBuffers + kFrameBuffers},
                                         {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
+                                        {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, kTexelBuffers},
                                         {VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, 1}};
   auto pool = vk_struct<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
   pool.maxSets = 2;
-  pool.poolSizeCount = has_tlas ? 3 : 2;
+  pool.poolSizeCount = has_tlas ? 4 : 3;
   pool.pPoolSizes = sizes;
   FB_VK(vkCreateDescriptorPool(handle, &pool, nullptr, &impl_->pool));
   auto allocate = vk_struct<VkDescriptorSetAllocateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO);
@@ -106,10 +113,12 @@ BindingTable::BindingTable(Device& device) : impl_(std::make_unique<Impl>(device
   for (Slot& slot : impl_->scene) slot.buffer = impl_->unset_storage.handle();
   for (Slot& slot : impl_->frame) slot.buffer = impl_->unset_storage.handle();
   impl_->uniform.buffer = impl_->unset_uniform.handle();
+  for (std::uint32_t i = 0; i < kTexelBuffers; ++i) set_texels(i, impl_->unset_storage);
 }
 
 BindingTable::~BindingTable() {
   const VkDevice handle = impl_->device.handle();
+  for (VkBufferView view : impl_->views) vkDestroyBufferView(handle, view, nullptr);
   vkDestroyDescriptorPool(handle, impl_->pool, nullptr);
   vkDestroyPipelineLayout(handle, impl_->layout, nullptr);
   for (VkDescriptorSetLayout layout : impl_->set_layouts) vkDestroyDescriptorSetLayout(handle, layout, nullptr);
@@ -129,6 +138,16 @@ void BindingTable::set_uniform(const Buffer& buffer) {
   const VkBuffer handle = buffer ? buffer.handle() : impl_->unset_uniform.handle();
   if (impl_->uniform.serial == buffer.serial() && impl_->uniform.buffer == handle) return;
   impl_->uniform = {handle, buffer.serial(), true};
+  impl_->dirty = true;
+}
+
+void BindingTable::set_texels(std::uint32_t index, const Buffer& buffer) {
+  FB_CHECK_LT(index, kTexelBuffers);
+  FB_CHECK(buffer);
+  Slot& slot = impl_->texels[index];
+  if (slot.serial == buffer.serial() && slot.buffer == buffer.handle()) return;
+  slot = {buffer.handle(), buffer.serial(), true};
+  impl_->texel_bytes[index] = std::min(buffer.size(), impl_->device.limits().max_texel_buffer_bytes);
   impl_->dirty = true;
 }
 
@@ -165,6 +184,23 @@ void BindingTable::flush() const {
   write(table.uniform, table.sets[0], kUniformBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
   auto structure = vk_struct<VkWriteDescriptorSetAccelerationStructureKHR>(
       VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR);
+  for (std::uint32_t i = 0; i < kTexelBuffers; ++i) {
+    if (!table.texels[i].dirty) continue;
+    table.texels[i].dirty = false;
+    vkDestroyBufferView(table.device.handle(), table.views[i], nullptr);
+    auto info = vk_struct<VkBufferViewCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO);
+    info.buffer = table.texels[i].buffer;
+    info.format = VK_FORMAT_R32G32B32A32_UINT;
+    info.range = table.texel_bytes[i];
+    FB_VK(vkCreateBufferView(table.device.handle(), &info, nullptr, &table.views[i]));
+    auto out = vk_struct<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
+    out.dstSet = table.sets[0];
+    out.dstBinding = kTexelBinding + i;
+    out.descriptorCount = 1;
+    out.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+    out.pTexelBufferView = &table.views[i];
+    writes.push_back(out);
+  }
   if (table.tlas_dirty) {
     table.tlas_dirty = false;
     structure.accelerationStructureCount = 1;

@@ -23,7 +23,7 @@ VkBufferUsageFlags usage_flags(BufferUse use, bool ray_query) {
       VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
   switch (use) {
     case BufferUse::kStorage:
-      return kCopy | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+      return kCopy | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
     case BufferUse::kUpload:
     case BufferUse::kGeometry:
       return kCopy | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | (ray_query ? kBuildInput : 0);

@@ -46,6 +46,7 @@ DeviceLimits read_limits(const PhysicalDevice& physical) {
   const VkPhysicalDeviceLimits& from = properties.properties.limits;
   DeviceLimits limits;
   limits.max_storage_buffer_range = from.maxStorageBufferRange;
+  limits.max_texel_buffer_bytes = VkDeviceSize{from.maxTexelBufferElements} * 16;
   limits.timestamp_period_ns = physical.timestamp_bits ? from.timestampPeriod : 0.0f;
   limits.max_workgroup_invocations = from.maxComputeWorkGroupInvocations;
   limits.min_acceleration_structure_scratch_alignment =
@@ -136,6 +137,7 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
 Device::Device(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Device::~Device() {
+  FB_CHECK_EQ(impl_->depth, std::size_t{0});  // not from within run()
   // They count down allocated_bytes through this device, so they go while it stands.
   impl_->upload_staging = {};
   impl_->readback_staging = {};

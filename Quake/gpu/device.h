@@ -37,7 +37,8 @@ Result<std::vector<DeviceReport>> list_devices(const DeviceOptions& options);
 
 struct DeviceLimits {
   VkDeviceSize max_storage_buffer_range = 0;
-  float timestamp_period_ns = 0;  // 0: no timestamps
+  VkDeviceSize max_texel_buffer_bytes = 0;  // at 16 bytes a texel
+  float timestamp_period_ns = 0;            // 0: no timestamps
   std::uint32_t max_workgroup_invocations = 0;
   VkDeviceSize min_acceleration_structure_scratch_alignment = 0;
 };

@@ -16,11 +16,15 @@ namespace fb::gpu {
 
 // Set 0: bindings 0..kSceneBuffers-1 are storage buffers, kUniformBinding a uniform buffer, kTlasBinding the top-level
 // acceleration structure (only where the device has ray query). Set 1: bindings 0..kFrameBuffers-1 are storage buffers.
-// Together they stay within 32 storage buffers a stage, which every desktop driver and lavapipe offer.
+// Bindings kTexelBinding.. are uniform texel buffers of four words a texel (usamplerBuffer): a second way to read
+// buffers, which some drivers do faster. Together they stay within 32 storage buffers a stage, which every desktop
+// driver and lavapipe offer.
 constexpr std::uint32_t kSceneBuffers = 16;
 constexpr std::uint32_t kFrameBuffers = 15;
 constexpr std::uint32_t kUniformBinding = 16;
 constexpr std::uint32_t kTlasBinding = 17;
+constexpr std::uint32_t kTexelBinding = 18;
+constexpr std::uint32_t kTexelBuffers = 2;
 constexpr std::uint32_t kPushConstantBytes = 128;
 
 // What the two sets hold. Unset buffers are bound to a small dummy. Setting the same again costs nothing.
@@ -33,6 +37,9 @@ class BindingTable {
   void set_scene(std::uint32_t binding, const Buffer& buffer);
   void set_frame(std::uint32_t binding, const Buffer& buffer);
   void set_uniform(const Buffer& buffer);
+  // Binding kTexelBinding + index; the buffer's use is kStorage. At most DeviceLimits::max_texel_buffer_bytes of it are
+  // seen.
+  void set_texels(std::uint32_t index, const Buffer& buffer);
   void set_tlas(VkAccelerationStructureKHR tlas);
   // Writes what changed; only between submissions. Commands::bind does so too.
   void flush() const;

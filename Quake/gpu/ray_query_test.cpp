@@ -63,7 +63,7 @@ class RayQueryTest : public DeviceTest, public testing::WithParamInterface<Build
   void build(TopLevel& top, std::span<const TopLevelInstance> instances) {
     device_->run([&](Commands& commands) { top.build(*device_, commands, instances, GetParam()); });
   }
-  std::vector<Hit> trace(const TopLevel& top, const std::vector<Ray>& rays) {
+  std::vector<Hit> trace(const TopLevel& top, const std::vector<Ray>& rays, std::uint32_t ray_flags = 0) {
     Buffer in(*device_, BufferUse::kStorage, rays.size() * sizeof(Ray), "rays");
     Buffer out(*device_, BufferUse::kStorage, rays.size() * sizeof(Hit), "hits");
     upload_now(*device_, in, std::span<const Ray>(rays));
@@ -73,7 +73,7 @@ class RayQueryTest : public DeviceTest, public testing::WithParamInterface<Build
     const auto count = static_cast<std::uint32_t>(rays.size());
     device_->run([&](Commands& commands) {
       commands.bind(*table_);
-      commands.push(count);
+      commands.push(std::array{count, ray_flags});
       commands.dispatch(pipeline_, (count + 63) / 64);
     });
     return read_now<Hit>(*device_, out, rays.size());
@@ -109,6 +109,19 @@ TEST_P(RayQueryTest, HitsATriangleWhereItIs) {
   EXPECT_FLOAT_EQ(hits[3].t, 3.0f);
   EXPECT_EQ(hits[3].triangle, 1u);
   EXPECT_EQ(hits[4].t, -1.0f);
+}
+
+TEST_P(RayQueryTest, FacesAreNotCulledThoughTheRayAsks) {
+  BottomLevel bottom;
+  build(bottom, triangles(0, 1));
+  TopLevel top;
+  build(top, std::vector<TopLevelInstance>{{.bottom_level = bottom.address()}});
+  constexpr std::uint32_t kCullBack = 0x10, kCullFront = 0x20;  // SPIR-V's ray flags
+  for (const std::uint32_t flags : {kCullBack, kCullFront}) {
+    const auto hits = trace(top, {{.origin = {1, 1, 0}}, {.origin = {1, 1, 9}, .direction = {0, 0, -1}}}, flags);
+    EXPECT_FLOAT_EQ(hits[0].t, 5.0f);
+    EXPECT_FLOAT_EQ(hits[1].t, 4.0f);
+  }
 }
 
 TEST_P(RayQueryTest, TransformsMasksAndIndicesAreTheInstances) {

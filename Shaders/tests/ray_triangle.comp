@@ -10,7 +10,7 @@ struct Hit {
   uint instance, triangle, front, candidates;
   vec4 t_bary;  // t, or -1 where nothing was hit
 };
-layout(push_constant) uniform Push { uint count; };
+layout(push_constant) uniform Push { uint count, ray_flags; };
 layout(set = 0, binding = 0, std430) readonly buffer Rays { Ray rays[]; };
 layout(set = 0, binding = 17) uniform accelerationStructureEXT scene;
 layout(set = 1, binding = 0, std430) writeonly buffer Hits { Hit hits[]; };
@@ -20,7 +20,7 @@ void main() {
   if (i >= count) return;
   Hit hit = Hit(0u, 0u, 0u, 0u, vec4(-1.0));
   rayQueryEXT query;
-  rayQueryInitializeEXT(query, scene, gl_RayFlagsNoneEXT, floatBitsToUint(rays[i].direction.w), rays[i].origin.xyz, 0.0,
+  rayQueryInitializeEXT(query, scene, ray_flags, floatBitsToUint(rays[i].direction.w), rays[i].origin.xyz, 0.0,
                         rays[i].direction.xyz, rays[i].origin.w);
   while (rayQueryProceedEXT(query)) {
     ++hit.candidates;
