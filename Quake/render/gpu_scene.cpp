@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <numeric>
 
@@ -68,7 +69,8 @@ struct GpuScene::Impl {
   void fill(const scene::FrameSnapshot& snapshot, const EmissionScales& emission);
   void stage();
   void bind();
-  void record(gpu::Commands& commands);
+  void record_tables(gpu::Commands& commands);
+  void record_rays(gpu::Commands& commands);
 
   gpu::Device& device;
   gpu::BindingTable& table;
@@ -239,6 +241,8 @@ void GpuScene::Impl::stage() {
 void GpuScene::Impl::bind() {
   table.set_scene(shared::kBindNodes, assets.nodes().buffer());
   table.set_scene(shared::kBindTriangles, assets.triangles().buffer());
+  table.set_texels(0, assets.nodes().buffer());
+  table.set_texels(1, assets.triangles().buffer());
   table.set_scene(shared::kBindAttributes, assets.attributes());
   table.set_scene(shared::kBindPoses, assets.poses());
   table.set_scene(shared::kBindNormals, assets.normals());
@@ -251,17 +255,29 @@ void GpuScene::Impl::bind() {
   table.set_scene(shared::kBindVertices, assets.vertices().buffer());
 }
 
-void GpuScene::Impl::record(gpu::Commands& commands) {
+void GpuScene::Impl::record_tables(gpu::Commands& commands) {
   for (const Transfer& t : transfers) commands.copy(staging, *t.target, t.bytes, t.from, t.to);
   commands.barrier();
   if (!job_table.empty()) {
     commands.dispatch(pose, static_cast<std::uint32_t>(job_table.size()));
     commands.barrier();
   }
-  if (options.ray_query) {
-    rays.record(commands, assets, copies);
-    commands.barrier();
-  }
+}
+
+void GpuScene::Impl::record_rays(gpu::Commands& commands) {
+  if (!options.ray_query) return;
+  rays.record(commands, assets, copies);
+  commands.barrier();
+}
+
+std::array<gpu::SpecializationConstant, 2> trace_constants(const gpu::Device& device) {
+  // lavapipe before Mesa 24 reads storage buffers lane by lane; "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)".
+  int mesa = 99;
+  const std::string& driver = device.report().driver;
+  if (const auto at = driver.find("Mesa "); device.is_software() && at != std::string::npos)
+    mesa = std::atoi(driver.c_str() + at + 5);
+  return {gpu::SpecializationConstant{10, mesa < 24 ? 1u : 0u},
+          gpu::SpecializationConstant{11, device.is_software() ? 1u : 0u}};
 }
 
 GpuScene::GpuScene(gpu::Device& device, gpu::BindingTable& table, const GpuSceneOptions& options)
@@ -282,11 +298,12 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
   s.bind();
   s.recorded = false;
   if (s.options.ray_query && s.rays.must_grow()) {
-    s.table.flush();
     s.device.run([&](gpu::Commands& commands) {
       commands.bind(s.table);
-      s.record(commands);
+      s.record_tables(commands);
     });
+    // The old top level goes here: nothing that is recorded may have it bound.
+    s.device.run([&](gpu::Commands& commands) { s.record_rays(commands); });
     s.table.set_tlas(s.rays.top_level());
   }
 
@@ -303,7 +320,8 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
 
 void GpuScene::record(gpu::Commands& commands) {
   const VkAccelerationStructureKHR before = impl_->rays.top_level();
-  impl_->record(commands);
+  impl_->record_tables(commands);
+  impl_->record_rays(commands);
   impl_->recorded = true;
   FB_CHECK(before == impl_->rays.top_level());
 }

@@ -22,6 +22,10 @@ struct GpuSceneOptions {
   gpu::BuildPreference build = gpu::BuildPreference::kFastTrace;
 };
 
+// Specialisation constants 10 and 11 of shaders that trace (Shaders/lib/trace_bvh.glsl): how trees are best read on
+// this device. The same pictures come of all.
+std::array<gpu::SpecializationConstant, 2> trace_constants(const gpu::Device& device);
+
 // What emission of each kind is multiplied by (r_emit_* cvars).
 using EmissionScales = std::array<float, static_cast<std::size_t>(scene::EmissionKind::kCount)>;
 

@@ -79,7 +79,8 @@ shared::GpuInstance make_gpu_instance(const MeshRecord& mesh, const scene::Insta
   shared::GpuInstance out{};
   const bool is_new = (instance.flags & scene::kInstanceNew) != 0;
   set_rows(out.to_world, instance.transform);
-  set_rows(out.to_object, inverse);
+  for (int i = 0; i < 3; ++i)
+    out.to_object[i] = vec4(inverse[0][i], inverse[1][i], inverse[2][i], instance.transform[3][i]);
   set_rows(out.prev_to_world, is_new ? instance.transform : instance.prev_transform);
   out.first_attribute = mesh.first_attribute;
   out.first_normal = mesh.first_normal;

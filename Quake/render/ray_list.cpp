@@ -9,7 +9,8 @@ namespace fb::render {
 
 RayList::RayList(gpu::Device& device, const GpuSceneOptions& options, bool candidates)
     : device_(device), table_(device), scene_(device, table_, options) {
-  const gpu::SpecializationConstant constants[]{{0, candidates ? 1u : 0u}};
+  const auto how = trace_constants(device);
+  const gpu::SpecializationConstant constants[]{{0, candidates ? 1u : 0u}, how[0], how[1]};
   std::span<const std::uint32_t> code = trace_rays_bvh_spv;
   if (options.ray_query) code = trace_rays_query_spv;
   pipeline_ = gpu::ComputePipeline(device, table_, code, "trace rays", constants);

@@ -42,8 +42,9 @@ const gpu::ComputePipeline& ShaderSet::get(std::string_view name, const Variant&
   if (auto found = pipelines_.find(key); found != pipelines_.end()) return found->second;
   for (const Shader& shader : kShaders) {
     if (shader.name != name) continue;
+    const auto tracing = trace_constants(device_);
     const std::array constants{gpu::SpecializationConstant{0, variant.candidates},
-                               gpu::SpecializationConstant{1, variant.specular}};
+                               gpu::SpecializationConstant{1, variant.specular}, tracing[0], tracing[1]};
     gpu::ComputePipeline pipeline(device_, table_, variant.ray_query ? shader.query : shader.plain, std::string(name),
                                   constants);
     return pipelines_.emplace(std::move(key), std::move(pipeline)).first->second;

@@ -39,7 +39,7 @@ FB_CONST uint kTriangleSmooth = 2u;     // has vertex normals
 
 struct GpuInstance {  // 272 bytes
   vec4 to_world[3];
-  vec4 to_object[3];
+  vec4 to_object[3];     // object = rows * (world - (the three w)): subtracted first, exact far from the origin
   vec4 prev_to_world[3];
   uint root_node;        // into nodes
   uint first_triangle;   // into triangles: the mesh's, or the posed instance's own copy
