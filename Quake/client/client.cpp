@@ -116,7 +116,7 @@ void Client::Impl::read_messages() {
     auto message = demo->next();
     Status status = ok_status();
     if (message.ok()) {
-      state.message_view_angles = {message->view_angles, state.message_view_angles[0]};
+      state.message_view_angles = {glm::clamp(message->view_angles, -1e6f, 1e6f), state.message_view_angles[0]};
       status = parse_server_message(session, message->data, demo->message_name());
     } else {
       status = message.error();

@@ -6,7 +6,7 @@
 
 #include "client/dlights.h"
 #include "client/particles.h"
-#include "client/test_demo.h"
+#include "client/test_session.h"
 
 namespace fb::cl {
 namespace {

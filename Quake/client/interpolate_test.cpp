@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/test_demo.h"
+#include "client/test_session.h"
 
 namespace fb::cl {
 namespace {

@@ -12,6 +12,8 @@
 namespace fb::cl {
 namespace {
 
+constexpr float kLastTime = 1e9f;  // seconds: 30 years of play
+
 // "maps/start.bsp" -> "start"
 std::string bare_map_name(const std::string& path) {
   const std::size_t slash = path.rfind('/');
@@ -98,6 +100,7 @@ struct Apply {
   std::string operator()(const net::svc::CdTrack&) const { return {}; }
   std::string operator()(const net::svc::SellScreen&) const { return {}; }
   std::string operator()(const net::svc::Time& m) const {
+    if (std::abs(m.time) > kLastTime) return fmt::format("the time is {} seconds", m.time);
     state.message_times = {m.time, state.message_times[0]};
     return {};
   }

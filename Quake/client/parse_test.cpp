@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/rng.h"
-#include "client/test_demo.h"
+#include "client/test_session.h"
 
 namespace fb::cl {
 namespace {
@@ -240,6 +240,7 @@ TEST(Parse, WhatCannotBeObeyedIsAnError) {
   };
   EXPECT_THAT(refused({svc::SignonNum{3}}), HasSubstr("signon stage 3 when at 3"));
   EXPECT_THAT(refused({svc::UpdateStat{32, 1}}), HasSubstr("stat 32"));
+  EXPECT_THAT(refused({svc::Time{1e30f}}), HasSubstr("the time is 1e+30 seconds"));
   EXPECT_THAT(refused({svc::LightStyle{64, "m"}}), HasSubstr("light style 64"));
   EXPECT_THAT(refused({svc::UpdateName{2, "x"}}), HasSubstr("player 2 of 2"));
   EXPECT_THAT(refused({svc::UpdateFrags{2, 1}}), HasSubstr("svc_updatefrags"));

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "client/interpolate.h"
-#include "client/test_demo.h"
+#include "client/test_session.h"
 
 namespace fb::cl {
 namespace {

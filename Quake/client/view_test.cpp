@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "client/test_demo.h"
+#include "client/test_session.h"
 
 namespace fb::cl {
 namespace {

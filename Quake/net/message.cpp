@@ -7,6 +7,9 @@
 namespace fb::net {
 namespace {
 
+// Floats are kept to the range of 32-bit coordinates, so that sums and differences of what was read stay finite.
+constexpr float kFarthest = 134217728.0f;
+
 // Nearest integer, halves away from zero, kept inside [low, high].
 int round_to(double value, double low, double high) {
   return static_cast<int>(std::lround(std::clamp(value, low, high)));
@@ -22,7 +25,7 @@ float MessageReader::f32() {
 }
 
 float MessageReader::coord() {
-  if (protocol.flags & kFloatCoord) return f32();
+  if (protocol.flags & kFloatCoord) return std::clamp(f32(), -kFarthest, kFarthest);
   if (protocol.flags & kInt32Coord) return static_cast<float>(i32()) / 16.0f;
   if (protocol.flags & kCoord24) {
     const int whole = i16();
@@ -32,13 +35,13 @@ float MessageReader::coord() {
 }
 
 float MessageReader::angle() {
-  if (protocol.flags & kFloatAngle) return f32();
+  if (protocol.flags & kFloatAngle) return std::clamp(f32(), -kFarthest, kFarthest);
   if (protocol.flags & kShortAngle) return static_cast<float>(i16() * (360.0 / 65536.0));
   return static_cast<float>(i8() * (360.0 / 256.0));
 }
 
 float MessageReader::angle16() {
-  if (protocol.flags & kFloatAngle) return f32();
+  if (protocol.flags & kFloatAngle) return std::clamp(f32(), -kFarthest, kFarthest);
   return static_cast<float>(i16() * (360.0 / 65536.0));
 }
 

@@ -113,6 +113,19 @@ TEST(Message, FloatsThatAreNotFiniteFail) {
   }
 }
 
+TEST(Message, FloatsStayInARangeThatAddsUp) {
+  const Protocol p{999, kFloatCoord | kFloatAngle};
+  MessageWriter w(p);
+  w.coord(3e38f);
+  w.coord(-3e38f);
+  w.angle(3e38f);
+  MessageReader r(w.bytes(), "test", p);
+  EXPECT_EQ(r.coord(), 134217728.0f);
+  EXPECT_EQ(r.coord(), -134217728.0f);
+  EXPECT_EQ(r.angle(), 134217728.0f);
+  EXPECT_FALSE(r.failed());
+}
+
 TEST(Message, AlphaBytes) {
   EXPECT_EQ(decode_alpha(kAlphaDefault), 1.0f);
   EXPECT_EQ(decode_alpha(kAlphaZero), 0.0f);
