@@ -23,7 +23,7 @@ packages_of() {
   case "$1" in
     build)
       echo g++ make cmake ninja-build pkg-config ccache glslang-tools libvulkan-dev mesa-vulkan-drivers libsdl2-dev \
-        libglm-dev libfmt-dev libpng-dev libopenexr-dev libxxhash-dev libgtest-dev libgmock-dev ;;
+        libglm-dev libfmt-dev libpng-dev libopenexr-dev libxxhash-dev libcli11-dev libgtest-dev libgmock-dev ;;
     test) packages_of build; echo vulkan-validationlayers xvfb xauth imagemagick python3 ;;
     bench) packages_of build; echo libbenchmark-dev libembree-dev python3 ;;
     fuzz) packages_of build; echo clang libclang-rt-dev llvm ;;
