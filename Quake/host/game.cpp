@@ -90,17 +90,28 @@ Status Game::open_device() {
 }
 
 Status Game::open_swapchain() {
-  swapchain_.reset();
   auto surface = window_->create_surface(device_->instance());
   if (!surface) return surface.error();
   const uvec2 size = window_->pixel_size();
   auto made = gpu::Swapchain::create(*device_, *surface, size.x, size.y, engine_->console().cvar("vid_vsync").on());
   if (!made) return made.error();
   swapchain_ = std::move(*made);
-  renderer_->resize(swapchain_->width(), swapchain_->height());
   renderer_->set_swap_red_blue(swapchain_->swaps_red_and_blue());
-  engine_->client().set_view_size(static_cast<int>(swapchain_->width()), static_cast<int>(swapchain_->height()));
+  fit_to_window();
   return ok_status();
+}
+
+void Game::fit_to_window() {
+  const uvec2 size = window_->pixel_size();
+  if (size.x == 0 || size.y == 0) return;  // minimised
+  if (auto status = swapchain_->resize(size.x, size.y); !status) {
+    log_error("{}", status.error().message);
+    quit_ = true;
+    exit_status_ = 1;
+    return;
+  }
+  renderer_->resize(swapchain_->width(), swapchain_->height());
+  engine_->client().set_view_size(static_cast<int>(swapchain_->width()), static_cast<int>(swapchain_->height()));
 }
 
 void Game::register_commands() {
@@ -139,13 +150,7 @@ void Game::handle_events() {
     using Kind = platform::InputEvent::Kind;
     if (event.kind == Kind::kQuit) quit_ = true;
     screen_.handle(event);
-    if (event.kind == Kind::kResize && event.width > 0 && event.height > 0) {
-      if (auto status = open_swapchain(); !status) {
-        log_error("{}", status.error().message);
-        quit_ = true;
-        exit_status_ = 1;
-      }
-    }
+    if (event.kind == Kind::kResize) fit_to_window();
   }
 }
 
@@ -186,12 +191,7 @@ bool Game::draw_frame() {
       overlay ? &screen_.draw(client.hud(), client.active(), renderer_->output_size(), platform::now_seconds())
               : nullptr;
   renderer_->render(snapshot_, list, render::read_render_settings(engine_->console()));
-  if (swapchain_ && !swapchain_->present(renderer_->output_pixels())) {
-    const uvec2 size = window_->pixel_size();
-    if (size.x > 0 && size.y > 0) {
-      if (auto status = open_swapchain(); !status) log_error("{}", status.error().message);
-    }
-  }
+  if (swapchain_ && !swapchain_->present(renderer_->output_pixels())) fit_to_window();
   capture();
   ++frame_;
   return true;

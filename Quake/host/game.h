@@ -29,6 +29,7 @@ class Game {
   Game(const GameOptions& options, std::unique_ptr<Engine> engine);
   Status open_device();
   Status open_swapchain();
+  void fit_to_window();
   void register_commands();
   void handle_events();
   double frame_seconds();

@@ -27,7 +27,7 @@
   X(float, emit_lava, "r_emit_lava", 8, 0, 10000, "brightness of lava")                                                \
   X(float, emit_slime, "r_emit_slime", 1, 0, 10000, "brightness of slime")                                             \
   X(float, emit_teleport, "r_emit_teleport", 4, 0, 10000, "brightness of teleporters")                                 \
-  X(float, emit_sky, "r_emit_sky", 2, 0, 10000, "brightness of the sky")                                               \
+  X(float, emit_sky, "r_emit_sky", 1, 0, 10000, "brightness of the sky")                                               \
   X(float, emit_sprite, "r_emit_sprite", 8, 0, 10000, "brightness of sprites")                                         \
   X(float, emit_particle, "r_emit_particle", 1, 0, 10000, "brightness of particles")                                   \
   X(float, emit_dlight, "r_emit_dlight", 1, 0, 10000, "brightness of moving lights: rockets, muzzle flashes")          \

@@ -1,0 +1,120 @@
+// The laboratory's jobs on scenes in code: files, references, repetition, and sentences for what cannot be done.
+#include "lab/jobs.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "lab/client_source.h"
+#include "lab/image_io.h"
+#include "render/test_device.h"
+
+namespace fb::lab {
+namespace {
+
+class JobsTest : public render::DeviceTest {
+ protected:
+  void SetUp() override {
+    DeviceTest::SetUp();
+    folder_ = std::filesystem::temp_directory_path() /
+              ("fullbright_jobs_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override {
+    std::filesystem::remove_all(folder_);
+    DeviceTest::TearDown();
+  }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  static std::unique_ptr<FrameSource> scene(const std::string& name) {
+    auto source = code_scene(name, 60);
+    EXPECT_TRUE(source.ok());
+    return std::move(*source);
+  }
+  std::filesystem::path folder_;
+};
+
+TEST_F(JobsTest, WritesTheChosenFramesAndNoOthers) {
+  auto renderer = make_renderer({}, 32, 18);
+  RenderJob job;
+  job.first = 2;
+  job.last = 4;
+  job.width = 32;
+  job.height = 18;
+  job.out = path("frames");
+  job.quiet = true;
+  const auto summary = render_frames(*scene("moving"), *renderer, {}, job);
+  ASSERT_TRUE(summary.ok());
+  EXPECT_EQ(summary->frames, 3u);
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(job.out))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (std::vector<std::string>{"frame_000002.png", "frame_000003.png", "frame_000004.png"}));
+}
+
+TEST_F(JobsTest, ReferenceOfTheFurnaceIsItsClosedFormWithItsUncertainty) {
+  auto renderer = make_renderer({}, 32, 18);
+  ReferenceJob job;
+  job.width = 32;
+  job.height = 18;
+  job.spp = 48;
+  job.out = path("furnace.exr");
+  job.quiet = true;
+  const auto summary = render_reference(*scene("furnace_objects"), *renderer, {}, job);
+  ASSERT_TRUE(summary.ok()) << summary.error().message;
+  EXPECT_NEAR(summary->mean_luminance, 1.75, 1e-3);  // emission 1, albedo 1/2, two bounces
+  EXPECT_EQ(summary->frames, 3u);
+  const auto image = read_exr(job.out);
+  ASSERT_TRUE(image.ok());
+  for (const char* name : {"R", "G", "B", "variance.R", "albedo.G", "normal.X", "Z"})
+    EXPECT_NE(image->channel(name), nullptr) << name;
+  for (const float v : *image->channel("variance.R")) EXPECT_GE(v, 0.0f);
+}
+
+TEST_F(JobsTest, AReferencesVarianceTellsTheSpreadBetweenSeeds) {
+  // Two references with different seeds: the squared difference of their means is the sum of their variances, on
+  // average.
+  std::vector<std::vector<float>> means, variances;
+  for (const int seed : {1, 2}) {
+    auto renderer = make_renderer({}, 48, 48);
+    render::RenderSettings settings;
+    settings.seed = seed;
+    settings.jitter = 0;
+    ReferenceJob job;
+    job.width = job.height = 48;
+    job.spp = 512;  // 32 passes of 16
+    job.out = path("box.exr");
+    job.quiet = true;
+    ASSERT_TRUE(render_reference(*scene("cbox"), *renderer, settings, job).ok());
+    const auto image = read_exr(job.out);
+    ASSERT_TRUE(image.ok());
+    means.push_back(*image->channel("R"));
+    variances.push_back(*image->channel("variance.R"));
+  }
+  double difference = 0, variance = 0;
+  for (std::size_t i = 0; i < means[0].size(); ++i) {
+    difference += (means[0][i] - means[1][i]) * (means[0][i] - means[1][i]);
+    variance += variances[0][i] + variances[1][i];
+  }
+  // 2304 pixels, each ratio with a chi-squared-like spread of about sqrt(2) and heavy tails: within 25%.
+  EXPECT_NEAR(difference / variance, 1.0, 0.25);
+}
+
+TEST_F(JobsTest, RefusesWhatCannotBe) {
+  EXPECT_NE(code_scene("nowhere", 60).error().message.find("cbox"), std::string::npos) << "names what there is";
+  auto renderer = make_renderer({}, 8, 8);
+  RenderJob job;
+  job.first = 5;
+  job.last = 2;
+  EXPECT_FALSE(render_frames(*scene("cbox"), *renderer, {}, job).ok());
+  ReferenceJob nowhere;
+  nowhere.width = nowhere.height = 8;
+  nowhere.spp = 1;
+  nowhere.quiet = true;
+  nowhere.out = path("no/such/folder/x.exr");
+  EXPECT_FALSE(render_reference(*scene("cbox"), *renderer, {}, nowhere).ok());
+}
+
+}  // namespace
+}  // namespace fb::lab
