@@ -33,22 +33,31 @@ float progress(double now, double start, double length) {
 // The degrees by which items turn: 100 a second.
 float item_yaw(double time) { return static_cast<float>(std::fmod(100.0 * time, 360.0)); }
 
+bool is_far(const vec3& from, const vec3& to) {
+  const vec3 way = glm::abs(to - from);
+  return way.x > kTeleport || way.y > kTeleport || way.z > kTeleport;
+}
+
 void move_between_messages(Entity& e, float fraction, bool lerp_move, std::uint64_t frame) {
+  const vec3 old_origin = e.origin;
   if (e.force_link) {
     e.origin = e.message_origins[0];
     e.angles = e.message_angles[0];
-    return;
+  } else {
+    float f = fraction;
+    if (is_far(e.message_origins[1], e.message_origins[0])) {
+      f = 1.0f;
+      e.lerp_flags |= kLerpResetMove;
+    }
+    if (lerp_move && (e.lerp_flags & kLerpMoveStep)) f = 1.0f;
+    e.origin = e.message_origins[1] + f * (e.message_origins[0] - e.message_origins[1]);
+    e.angles = between_angles(e.message_angles[1], e.message_angles[0], f);
   }
-  float f = fraction;
-  const vec3 delta = e.message_origins[0] - e.message_origins[1];
-  if (std::abs(delta.x) > kTeleport || std::abs(delta.y) > kTeleport || std::abs(delta.z) > kTeleport) {
-    f = 1.0f;
-    if (e.origin != e.message_origins[0]) e.cut_frame = frame;  // once, though the message stays the latest
+  // When a frame reads several messages, the jump may lie between earlier ones.
+  if (is_far(old_origin, e.origin)) {
     e.lerp_flags |= kLerpResetMove;
+    e.cut_frame = frame;
   }
-  if (lerp_move && (e.lerp_flags & kLerpMoveStep)) f = 1.0f;
-  e.origin = e.message_origins[1] + f * delta;
-  e.angles = between_angles(e.message_angles[1], e.message_angles[0], f);
 }
 
 void light_up(Session& session, int number, const vec3& at, float radius, double die, const vec3& color = vec3(1.0f)) {

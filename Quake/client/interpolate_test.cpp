@@ -83,6 +83,16 @@ TEST(Interpolate, FarJumpsAreTeleports) {
   EXPECT_NEAR(near.at(1.05).drawn_origin.x, 49.5f, 0.1f);
 }
 
+// Two messages in one frame: the jump is in the first.
+TEST(Interpolate, JumpsBetweenEarlierMessagesAreSeenToo) {
+  TwoMessages s({0, 0, 0}, {500, 0, 0});
+  s.tell({svc::Time{1.2f}, update(2, 3, {504, 0, 0})});
+  EXPECT_NEAR(s.at(1.15).drawn_origin.x, 502.0f, 0.1f);
+  EXPECT_EQ(s.entity(2).cut_frame, s.frame);
+  s.at(1.18);
+  EXPECT_LT(s.entity(2).cut_frame, s.frame);
+}
+
 TEST(Interpolate, StepsTakeATenthOfASecond) {
   TwoMessages s({0, 0, 0}, {16, 0, 0}, net::kUpdateStep);
   // The step is noticed at 1.02 and takes until 1.12.
