@@ -52,6 +52,15 @@ TEST(CommandBuffer, NestingEndsUnlessItIsForgotten) {
   }
 }
 
+TEST(CommandBuffer, WhatIsInsertedFromOutsideStartsAnew) {
+  CommandBuffer buffer;
+  buffer.append("a");
+  while (buffer.next() && buffer.insert("a", Origin::kAlias)) {}
+  EXPECT_FALSE(buffer.insert("x", Origin::kScript));
+  buffer.forget_depth();
+  EXPECT_TRUE(buffer.insert("x", Origin::kScript));
+}
+
 TEST(CommandBuffer, DropsAliasesAloneOrScriptsToo) {
   CommandBuffer buffer;
   buffer.append("appended\n");

@@ -14,7 +14,6 @@ namespace fb::ui {
 namespace {
 
 constexpr int kFontSide = 128;
-constexpr int kNoTransparency = -1;
 
 std::uint64_t next_revision() {
   static std::atomic<std::uint64_t> last{0};
