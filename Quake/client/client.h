@@ -91,7 +91,8 @@ struct TimeDemoResult {
 
 class Client {
  public:
-  // Registers cvars and commands on the console; all three must outlive the client. `files` opens demos by name.
+  // Registers cvars and commands on the console; all three must outlive the client, and the console executes none of
+  // these commands once the client is gone. `files` opens demos by name.
   Client(con::Console& console, scene::ModelLibrary& library, FileLoader files);
   ~Client();
   Client(const Client&) = delete;

@@ -179,7 +179,7 @@ vec4 blend_shifts(const ClientState& state, const Settings& s) {
 }
 
 float adapted_fov(float fov, bool adapt, int width, int height) {
-  const float narrow = std::clamp(fov, 10.0f, 170.0f);  // QuakeSpasm's limits of the cvar
+  const float narrow = std::max(10.0f, std::min(fov, 170.0f));  // QuakeSpasm's limits; 10 for what is no number
   if (!adapt || width <= 0 || height <= 0) return narrow;
   const float aspect = static_cast<float>(width) / static_cast<float>(height);
   return degrees(2.0f * std::atan(0.75f * aspect * std::tan(radians(narrow) * 0.5f)));

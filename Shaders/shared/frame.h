@@ -62,7 +62,9 @@ struct GBufferTexel {  // 80 bytes
 };
 
 struct ExposureState {
-  float exposure, log_luminance, pad0, pad1;
+  float exposure;      // factor on radiance
+  float log_exposure;  // log2 of the automatic part, as it follows the picture
+  float pad0, pad1;
 };
 
 struct GpuQuad {  // 48 bytes, output pixels and atlas texels
