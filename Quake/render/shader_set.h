@@ -14,7 +14,7 @@
 
 namespace fb::render {
 
-// What a tracing pipeline is specialised for (constants 0 and 1 of Shaders/lib).
+// What a tracing pipeline is specialised for (constants 0 and 1 of Shaders/lib; how trees are read is the device's).
 struct Variant {
   bool ray_query = false;
   bool candidates = false;  // alpha tests or translucency
