@@ -43,7 +43,7 @@ void add_stage_options(CLI::App& app, StageOptions& o) {
   app.add_option("--device", o.device, "part of a device's name, or its index");
   app.add_flag("--validation", o.validation, "Vulkan's validation layers");
   app.add_flag("--quiet", o.quiet, "no progress");
-  app.add_flag("--timing", o.timing, "print the GPU time of every pass");
+  app.add_flag("--timing", o.timing, "print the GPU time of every pass, median over the frames");
 }
 
 Result<std::optional<scene::Camera>> parse_camera(const std::string& text) {
@@ -181,10 +181,12 @@ int run_render(const StageOptions& o, const std::string& frames, const std::stri
   const auto summary = lab::render_frames(*stage.source, *stage.renderer, stage.settings, job);
   if (!summary) return fail(summary.error());
   if (o.timing) {
-    for (const gpu::PassTime& pass : summary->passes) {
-      fmt::print("{:12} {:9.3f} ms a frame\n", pass.name, pass.milliseconds / static_cast<double>(summary->frames));
+    double total = 0;
+    for (const auto& pass : summary->passes) {
+      total += pass.median();
+      fmt::print("{:12} {:9.3f} ms a frame, first {:.0f}\n", pass.name, pass.median(), pass.milliseconds.front());
     }
-    fmt::print("{:12} {:9.3f} ms a frame\n", "all", summary->gpu_milliseconds / static_cast<double>(summary->frames));
+    fmt::print("{:12} {:9.3f} ms a frame (sum of the passes' medians)\n", "all", total);
   }
   if (!o.out.empty() && !o.quiet) fmt::print("{} frames in {}\n", summary->frames, o.out);
   return finish(stage);

@@ -26,6 +26,16 @@ Result<bool> step(FrameSource& source, scene::FrameSnapshot& snapshot, std::uint
   return more;
 }
 
+void add_times(RenderSummary& summary, const std::vector<gpu::PassTime>& times, bool new_frame) {
+  for (const gpu::PassTime& pass : times) {
+    auto same =
+        std::find_if(summary.passes.begin(), summary.passes.end(), [&](const auto& p) { return p.name == pass.name; });
+    if (same == summary.passes.end()) same = summary.passes.insert(same, {pass.name, {}});
+    if (new_frame || same->milliseconds.empty()) same->milliseconds.push_back(0.0);
+    same->milliseconds.back() += pass.milliseconds;
+  }
+}
+
 // Averages `spp` samples of one snapshot.
 void render_samples(render::Renderer& renderer, render::RenderSettings& settings, const scene::FrameSnapshot& snapshot,
                     std::uint32_t spp, RenderSummary& summary, const std::function<void(std::uint32_t)>& progress) {
@@ -39,15 +49,7 @@ void render_samples(render::Renderer& renderer, render::RenderSettings& settings
   while (done < spp) {
     renderer.render(snapshot, nullptr, settings);
     done += per_pass;
-    summary.gpu_milliseconds += renderer.gpu_milliseconds();
-    for (const gpu::PassTime& pass : renderer.pass_times()) {
-      auto same = std::find_if(summary.passes.begin(), summary.passes.end(),
-                               [&](const gpu::PassTime& p) { return p.name == pass.name; });
-      if (same == summary.passes.end())
-        summary.passes.push_back(pass);
-      else
-        same->milliseconds += pass.milliseconds;
-    }
+    add_times(summary, renderer.pass_times(), done == per_pass);
     if (progress) progress(done);
   }
 }
@@ -80,6 +82,13 @@ Status write_frame(const render::Renderer& renderer, const RenderJob& job, std::
 float luminance(const vec4& c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
 
 }  // namespace
+
+double RenderSummary::Pass::median() const {
+  if (milliseconds.empty()) return 0.0;
+  std::vector<double> sorted = milliseconds;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+  return sorted[sorted.size() / 2];
+}
 
 Result<RenderSummary> render_frames(FrameSource& source, render::Renderer& renderer, render::RenderSettings settings,
                                     const RenderJob& job) {

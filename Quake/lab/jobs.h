@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "lab/frame_source.h"
@@ -23,8 +24,14 @@ struct RenderJob {
 };
 struct RenderSummary {
   std::uint64_t frames = 0;
-  double gpu_milliseconds = 0;
-  std::vector<gpu::PassTime> passes;  // summed over the frames
+  // GPU time of every pass, milliseconds: one entry a frame, its passes of samples added up. The first frame's hold
+  // what drivers compile when a shader first runs.
+  struct Pass {
+    std::string name;
+    std::vector<double> milliseconds;
+    double median() const;
+  };
+  std::vector<Pass> passes;
 };
 // Renders frames in order. A demo that ends before job.last is an error that says how many frames there were.
 Result<RenderSummary> render_frames(FrameSource& source, render::Renderer& renderer, render::RenderSettings settings,
