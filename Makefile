@@ -22,7 +22,7 @@ all: ## build/fullbright and build/fullbright-lab
 test: ## build everything and run every test
 	@$(DEPS) test
 	$(call configure_and_build,release,build)
-	ctest --test-dir build --output-on-failure
+	Misc/with_display.sh ctest --test-dir build --output-on-failure
 
 demo: all ## play a recorded demo headless through the path tracer; QUAKE_DIR=... says where the game data is
 	@Misc/demo.sh
@@ -39,13 +39,13 @@ fuzz: ## run each parser's fuzzer for FUZZ_SECONDS (60)
 asan: ## build with the address and undefined-behaviour sanitizers and run every test
 	@$(DEPS) test
 	$(call configure_and_build,asan-ubsan,build-asan)
-	@Misc/sanitized.sh ctest --test-dir build-asan --output-on-failure
+	@Misc/with_display.sh Misc/sanitized.sh ctest --test-dir build-asan --output-on-failure
 
 coverage: ## line coverage of the tests: build-coverage/coverage.html
 	@$(DEPS) coverage
 	$(call configure_and_build,coverage,build-coverage)
 	@find build-coverage -name '*.gcda' -delete
-	ctest --test-dir build-coverage --output-on-failure
+	Misc/with_display.sh ctest --test-dir build-coverage --output-on-failure
 	@merge=; if gcovr --help | grep -q merge-mode-functions; then merge=--merge-mode-functions=separate; fi; \
 	gcovr --root . --filter Quake/ --filter Shaders/ --exclude '.*_test\.cpp' --exclude '.*_bench\.cpp' $$merge \
 	  --print-summary --html-details build-coverage/coverage.html build-coverage
