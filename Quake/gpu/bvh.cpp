@@ -76,7 +76,7 @@ class Builder {
       bvh_.order.resize(count);
       for (std::uint32_t i = 0; i < count; ++i) bvh_.order[i] = items_[i].index;
     }
-    if (options_.by_level) sort_by_level();
+    list_levels();
     return std::move(bvh_);
   }
 
@@ -178,30 +178,20 @@ class Builder {
     return at;
   }
 
-  void sort_by_level() {
-    if (bvh_.root >= shared::kRefLeaf || bvh_.nodes.empty()) {
-      bvh_.level_first = {0};
-      if (!bvh_.nodes.empty()) bvh_.level_first.push_back(static_cast<std::uint32_t>(bvh_.nodes.size()));
-      return;
-    }
-    std::vector<BvhNode> sorted{bvh_.nodes[0]};
-    sorted.reserve(bvh_.nodes.size());
-    std::uint32_t first = 0;
-    while (first < sorted.size()) {
-      bvh_.level_first.push_back(first);
-      auto end = static_cast<std::uint32_t>(sorted.size());
-      for (std::uint32_t i = first; i < end; ++i) {
-        for (int child = 0; child < 2; ++child) {
-          std::uint32_t ref = child == 0 ? sorted[i].child0 : sorted[i].child1;
-          if (ref >= shared::kRefLeaf) continue;
-          (child == 0 ? sorted[i].child0 : sorted[i].child1) = static_cast<std::uint32_t>(sorted.size());
-          sorted.push_back(bvh_.nodes[ref]);
-        }
+  // Breadth first from the root.
+  void list_levels() {
+    if (bvh_.root < shared::kRefLeaf) bvh_.level_order.push_back(bvh_.root);
+    std::size_t first = 0;
+    while (first < bvh_.level_order.size()) {
+      bvh_.level_first.push_back(static_cast<std::uint32_t>(first));
+      const std::size_t end = bvh_.level_order.size();
+      for (; first < end; ++first) {
+        const BvhNode node = bvh_.nodes[bvh_.level_order[first]];
+        if (node.child0 < shared::kRefLeaf) bvh_.level_order.push_back(node.child0);
+        if (node.child1 < shared::kRefLeaf) bvh_.level_order.push_back(node.child1);
       }
-      first = end;
     }
-    bvh_.level_first.push_back(first);
-    bvh_.nodes = std::move(sorted);
+    bvh_.level_first.push_back(static_cast<std::uint32_t>(first));
   }
 
   BvhOptions options_;

@@ -16,16 +16,15 @@ struct BvhOptions {
   std::uint32_t max_leaf = 4;                       // primitives a leaf, at most shared::kMaxLeafTriangles
   std::uint32_t max_depth = shared::kMaxMeshDepth;  // inner nodes on a way from the root to a leaf
   float primitive_cost = 1.0f;                      // against a node's, which is 1
-  // Nodes level by level instead of parent before first child: what refitting on the device needs.
-  bool by_level = false;
 };
 
 // References are relative: nodes index `nodes`, leaves index `order`.
 struct Bvh {
   std::vector<shared::BvhNode> nodes;
-  std::vector<std::uint32_t> order;        // primitives as leaves hold them, near ones together
-  std::vector<std::uint32_t> level_first;  // by_level: each level's first node, then the number of nodes
-  std::uint32_t root = 0;                  // a reference: a leaf if everything fits one
+  std::vector<std::uint32_t> order;  // primitives as leaves hold them, near ones together
+  // For refitting: nodes by depth, and where each depth starts in that list; the last entry is the number of nodes.
+  std::vector<std::uint32_t> level_order, level_first;
+  std::uint32_t root = 0;  // a reference: a leaf if everything fits one
   std::uint32_t depth = 0;
   Bounds bounds;
 };

@@ -11,7 +11,7 @@
 #include "base/log.h"
 #include "pose.spv.h"
 #include "render/gpu_scene_assets.h"
-#include "render/gpu_scene_poses.h"
+#include "render/gpu_scene_copies.h"
 #include "render/gpu_scene_rays.h"
 #include "render/gpu_scene_tables.h"
 #include "render/gpu_scene_tree.h"
@@ -55,17 +55,19 @@ struct GpuScene::Impl {
         table(t),
         options(o),
         assets(d, o.ray_query),
+        copies(o.ray_query),
         rays(d, o.build),
         instances(d, gpu::BufferUse::kStorage, "instances"),
         materials(d, gpu::BufferUse::kStorage, "materials"),
-        jobs(d, gpu::BufferUse::kStorage, "pose jobs"),
+        jobs(d, gpu::BufferUse::kStorage, "copy jobs"),
         staging(d, gpu::BufferUse::kUpload, 1 << 16, "scene staging") {
-    const gpu::SpecializationConstant constants[]{{0, o.ray_query ? 0u : 1u}, {1, o.ray_query ? 1u : 0u}};
+    const gpu::SpecializationConstant constants[]{{0, o.ray_query ? 1u : 0u}};
     pose = gpu::ComputePipeline(d, t, pose_spv, "pose", constants);
   }
 
   void collect(const scene::FrameSnapshot& snapshot);
   void choose_world();
+  void make_room();
   void fill(const scene::FrameSnapshot& snapshot, const EmissionScales& emission);
   void stage();
   void bind();
@@ -76,21 +78,21 @@ struct GpuScene::Impl {
   gpu::BindingTable& table;
   GpuSceneOptions options;
   SceneAssets assets;
-  PosedCopies copies;
+  InstanceCopies copies;
   RayStructures rays;
   MaterialTable material_table;
   gpu::ComputePipeline pose;
 
   DeviceArray<shared::GpuInstance> instances;
   DeviceArray<shared::GpuMaterial> materials;
-  DeviceArray<shared::GpuPoseJob> jobs;
+  DeviceArray<shared::GpuCopyJob> jobs;
   gpu::Buffer staging;
 
   // This frame.
   std::vector<Drawn> drawn;
   bool has_world = false;  // drawn[0] stands in the world's own space
   std::vector<shared::GpuInstance> instance_table;
-  std::vector<shared::GpuPoseJob> job_table;
+  std::vector<shared::GpuCopyJob> job_table;
   std::vector<shared::BvhNode> tree;
   std::vector<Transfer> transfers;
   VkDeviceSize staged = 0;
@@ -100,11 +102,10 @@ struct GpuScene::Impl {
   SceneStatistics statistics;
 };
 
-// Which instances are drawn, along a curve through the world, and what they need.
+// Which instances are drawn, in the snapshot's order, which changes little from frame to frame, and what they need.
 void GpuScene::Impl::collect(const scene::FrameSnapshot& snapshot) {
   features = SceneFeatures{};
   drawn.clear();
-  copies.begin(assets);
   Bounds space;
   for (const scene::Instance& instance : snapshot.instances) {
     if (instance.mesh >= assets.meshes().size() || !is_finite(instance.transform)) continue;
@@ -125,14 +126,9 @@ void GpuScene::Impl::collect(const scene::FrameSnapshot& snapshot) {
     features.alpha_test |= d.needs.alpha_test;
     features.translucent |= d.needs.translucent || instance.alpha < 1.0f;
     features.specular |= d.needs.specular;
-    Bounds local = mesh.bounds;
-    if (mesh.posed) {
-      scene::PoseBlend blend = PosedCopies::canonical(mesh, instance.pose);
-      local = PosedCopies::bounds(mesh, blend);
-      d.copy = copies.get(assets, instance.mesh, blend, d.asks());
-    }
+    const Bounds local = InstanceCopies::bounds(mesh, InstanceCopies::canonical(mesh, instance.pose));
     d.bounds = transform_bounds(instance.transform, local);
-    // Rays are rounded when they are taken into the instance's space, and so is the box.
+    // Corners are rounded when they are taken into the world.
     vec3 pad = glm::max(glm::abs(d.bounds.min), glm::abs(d.bounds.max)) * 1e-6f;
     d.bounds.min -= pad;
     d.bounds.max += pad;
@@ -140,12 +136,18 @@ void GpuScene::Impl::collect(const scene::FrameSnapshot& snapshot) {
     drawn.push_back(d);
   }
   for (Drawn& d : drawn) d.order = morton_code((d.bounds.min + d.bounds.max) * 0.5f, space);
-  std::stable_sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) { return a.order < b.order; });
   choose_world();
+
+  copies.begin(assets);
+  for (std::uint32_t i = 0; i < drawn.size(); ++i) {
+    Drawn& d = drawn[i];
+    const bool is_copy = options.ray_query ? assets.meshes()[d.instance->mesh].posed : i > 0 || !has_world;
+    if (is_copy) d.copy = copies.add(assets, *d.instance, i, d.asks());
+  }
 }
 
-// The largest rigid instance that all rays see and that stands where its mesh does becomes instance 0: rays meet it
-// without entering it.
+// The largest rigid instance that all rays see and that stands where its mesh does becomes instance 0: its own
+// tree and triangles are traced as they are.
 void GpuScene::Impl::choose_world() {
   has_world = false;
   std::size_t best = 0;
@@ -153,7 +155,7 @@ void GpuScene::Impl::choose_world() {
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const scene::Instance& instance = *drawn[i].instance;
     const MeshRecord& mesh = assets.meshes()[instance.mesh];
-    bool fits = !mesh.posed && instance.transform == mat4x3(1.0f) &&
+    bool fits = !mesh.posed && !drawn[i].asks() && instance.transform == mat4x3(1.0f) &&
                 (instance.visibility & scene::kSeenByAll) == scene::kSeenByAll;
     if (fits && mesh.triangle_count > best_count) {
       has_world = true;
@@ -166,9 +168,24 @@ void GpuScene::Impl::choose_world() {
                 drawn.begin() + static_cast<std::ptrdiff_t>(best) + 1);
 }
 
+// Places the copies, and makes room for them and for the nodes above them.
+void GpuScene::Impl::make_room() {
+  const VkBuffer old[]{assets.nodes().buffer().handle(), assets.triangles().buffer().handle(),
+                       assets.vertices().buffer().handle()};
+  const std::uint64_t small_triangles = drawn.size() * shared::kMaxLeafTriangles;
+  assets.nodes().reserve(std::uint64_t{copies.end_node()} + (options.ray_query ? 0 : drawn.size() + kSubtrees));
+  assets.triangles().reserve(copies.host_triangle() + (options.ray_query ? 0 : small_triangles));
+  assets.vertices().reserve(options.ray_query ? copies.end_vertex() : 1);
+  const bool moved = old[0] != assets.nodes().buffer().handle() || old[1] != assets.triangles().buffer().handle() ||
+                     old[2] != assets.vertices().buffer().handle();
+  copies.finish(assets, moved || !recorded);
+  job_table = copies.jobs(assets);
+}
+
 // The tables' contents.
 void GpuScene::Impl::fill(const scene::FrameSnapshot& snapshot, const EmissionScales& emission) {
   const scene::Assets& source = *snapshot.assets;
+  make_room();
   instance_table.clear();
   std::vector<TreeLeaf> leaves;
   std::vector<RayInstance> ray_instances;
@@ -181,9 +198,11 @@ void GpuScene::Impl::fill(const scene::FrameSnapshot& snapshot, const EmissionSc
         make_gpu_instance(mesh, instance, d.inverse, material_table.base_for(source, mesh, instance),
                           emission_scale(emission, material.emission_kind));
     if (d.asks()) out.flags |= shared::kInstanceTranslucent;
-    const bool posed = d.copy != shared::kNoIndex;
-    out.root_node = posed ? copies.copies()[d.copy].root : mesh.root;
-    out.first_triangle = posed ? copies.copies()[d.copy].first_triangle : mesh.first_triangle;
+    out.first_triangle = out.world_triangle = mesh.first_triangle;
+    if (d.copy != shared::kNoIndex) {
+      out.first_triangle = copies.copies()[d.copy].object_triangle;
+      out.world_triangle = copies.copies()[d.copy].world_triangle;
+    }
     instance_table.push_back(out);
     if (options.ray_query) {
       ray_instances.push_back(
@@ -192,28 +211,21 @@ void GpuScene::Impl::fill(const scene::FrameSnapshot& snapshot, const EmissionSc
       if (mesh.subtrees.empty()) leaves.push_back({mesh.root, mesh.bounds});
       for (const SubtreeRef& part : mesh.subtrees) leaves.push_back({part.ref, part.bounds});
     } else {
-      leaves.push_back({instance_ref(i, instance.visibility), d.bounds});
+      leaves.push_back({copies.copies()[d.copy].root, d.bounds});
     }
   }
   if (options.ray_query) {
+    std::stable_sort(ray_instances.begin(), ray_instances.end(), [&](const RayInstance& a, const RayInstance& b) {
+      return drawn[a.index].order < drawn[b.index].order;
+    });
     rays.prepare(assets, std::move(ray_instances));
   } else {
     tree = build_instance_tree(leaves, copies.end_node());
   }
 }
 
-// Makes room on the device and lays this frame's tables into the staging buffer.
+// Lays this frame's tables into the staging buffer.
 void GpuScene::Impl::stage() {
-  const VkBuffer old[]{assets.nodes().buffer().handle(), assets.triangles().buffer().handle(),
-                       assets.vertices().buffer().handle()};
-  assets.nodes().reserve(std::uint64_t{copies.end_node()} + tree.size());
-  assets.triangles().reserve(copies.end_triangle());
-  assets.vertices().reserve(options.ray_query ? copies.end_vertex() : 1);
-  const bool moved = old[0] != assets.nodes().buffer().handle() || old[1] != assets.triangles().buffer().handle() ||
-                     old[2] != assets.vertices().buffer().handle();
-  copies.finish(moved || !recorded);
-  job_table = copies.jobs(assets);
-
   instances.reserve(instance_table.size());
   materials.reserve(material_table.entries().size());
   jobs.reserve(job_table.size());
@@ -221,7 +233,8 @@ void GpuScene::Impl::stage() {
   staged = 0;
   transfers.clear();
   const auto bytes_of = [](const auto& items) { return items.size() * sizeof(items[0]); };
-  staging.reserve(bytes_of(instance_table) + bytes_of(material_table.entries()) + bytes_of(job_table) + bytes_of(tree));
+  staging.reserve(bytes_of(instance_table) + bytes_of(material_table.entries()) + bytes_of(job_table) + bytes_of(tree) +
+                  bytes_of(copies.host_triangles()));
   const auto put = [&](const void* data, VkDeviceSize bytes, const gpu::Buffer& target, VkDeviceSize to) {
     if (bytes == 0) return;
     std::memcpy(static_cast<std::byte*>(staging.mapped()) + staged, data, bytes);
@@ -231,6 +244,8 @@ void GpuScene::Impl::stage() {
   put(instance_table.data(), bytes_of(instance_table), instances.buffer(), 0);
   put(material_table.entries().data(), bytes_of(material_table.entries()), materials.buffer(), 0);
   put(job_table.data(), bytes_of(job_table), jobs.buffer(), 0);
+  put(copies.host_triangles().data(), bytes_of(copies.host_triangles()), assets.triangles().buffer(),
+      std::uint64_t{copies.host_triangle()} * sizeof(shared::GpuTriangle));
   if (!options.ray_query) {
     constexpr VkDeviceSize kNode = sizeof(shared::BvhNode);
     put(tree.data(), kNode, assets.nodes().buffer(), 0);
@@ -247,11 +262,12 @@ void GpuScene::Impl::bind() {
   table.set_scene(shared::kBindPoses, assets.poses());
   table.set_scene(shared::kBindNormals, assets.normals());
   table.set_scene(shared::kBindInstances, instances.buffer());
+  table.set_scene(shared::kBindLevels, assets.levels());
   table.set_scene(shared::kBindMaterials, materials.buffer());
   table.set_scene(shared::kBindImages, assets.images());
   table.set_scene(shared::kBindTexels, assets.texels());
   table.set_scene(shared::kBindPalette, assets.palette());
-  table.set_scene(shared::kBindPoseJobs, jobs.buffer());
+  table.set_scene(shared::kBindCopyJobs, jobs.buffer());
   table.set_scene(shared::kBindVertices, assets.vertices().buffer());
 }
 
@@ -310,8 +326,8 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
   s.statistics.meshes = static_cast<std::uint32_t>(s.assets.meshes().size());
   s.statistics.triangles = s.assets.triangle_count();
   s.statistics.instances = static_cast<std::uint32_t>(s.drawn.size());
-  s.statistics.posed_instances = static_cast<std::uint32_t>(
-      std::count_if(s.drawn.begin(), s.drawn.end(), [](const Drawn& d) { return d.copy != shared::kNoIndex; }));
+  s.statistics.posed_instances = static_cast<std::uint32_t>(std::count_if(
+      s.drawn.begin(), s.drawn.end(), [&](const Drawn& d) { return s.assets.meshes()[d.instance->mesh].posed; }));
   s.statistics.device_bytes =
       s.assets.device_bytes() + s.instances.bytes() + s.materials.bytes() + s.jobs.bytes() + s.staging.size();
   s.statistics.host_milliseconds =

@@ -1,7 +1,8 @@
 // GpuScene: the scene on the device. Uploads what is new in the assets, fills this frame's tables from the snapshot,
-// builds a tree per mesh once (host, binned SAH), poses and refits posed instances on the device, builds the tree over
-// instances each frame; and the same as VK_KHR acceleration structures when ray queries are used. The layout that
-// shaders see is Shaders/shared/scene_gpu.h; the trees' is Shaders/shared/bvh.h.
+// builds a tree per mesh once (host, binned SAH). Each frame what is not the world is copied into the world's space,
+// posed and refitted on the device, and hung with the world into one tree; for ray queries, VK_KHR acceleration
+// structures hold the same. The layout that shaders see is Shaders/shared/scene_gpu.h; the tree's is
+// Shaders/shared/bvh.h.
 #pragma once
 
 #include <array>
@@ -56,7 +57,7 @@ class GpuScene {
 
   // Host part: uploads, tables, the tree over instances. Between submissions.
   void prepare(const scene::FrameSnapshot& snapshot, const EmissionScales& emission);
-  // Device part: poses, refits, acceleration structures. Ends with a barrier.
+  // Device part: copies, poses, refits, acceleration structures. Ends with a barrier.
   void record(gpu::Commands& commands);
 
   const SceneFeatures& features() const;

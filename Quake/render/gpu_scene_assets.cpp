@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/log.h"
 #include "gpu/bvh.h"
+#include "scene/snapshot.h"
 #include "shared/packing.h"
 
 namespace fb::render {
@@ -16,7 +17,6 @@ namespace {
 constexpr std::uint32_t kLeafTriangles = 4;
 constexpr float kTriangleCost = 1.0f;
 constexpr std::size_t kTexelChunk = 2u << 20;  // words that are uploaded at a time
-constexpr std::uint32_t kSubtrees = 48;        // parts that a large mesh's tree is taken into
 constexpr std::uint32_t kLargeMesh = 1000;     // triangles
 constexpr std::uint32_t kPosesForShape = 16;   // poses that a posed mesh's tree is built for
 constexpr double kFlatTriangle = 1e-6;         // area over squared longest edge below which nothing is hit
@@ -94,12 +94,12 @@ void append_to(std::vector<T>& all, const std::vector<T>& more) {
 
 struct SceneAssets::Batch {
   // Where the batch will stand in the device's arrays.
-  std::uint32_t first_node, first_triangle, first_attribute, first_pose, first_normal, first_vertex;
+  std::uint32_t first_node, first_triangle, first_attribute, first_pose, first_normal, first_level, first_vertex;
   std::vector<shared::BvhNode> nodes;
   std::vector<shared::GpuTriangle> triangles;
   std::vector<shared::GpuAttribute> attributes;
   std::vector<scene::PoseVertex> poses;
-  std::vector<std::uint32_t> normals;
+  std::vector<std::uint32_t> normals, levels;
   std::vector<vec3> vertices;
 };
 
@@ -112,6 +112,7 @@ SceneAssets::SceneAssets(gpu::Device& device, bool ray_query)
       attributes_(device, gpu::BufferUse::kStorage, "attributes"),
       poses_(device, gpu::BufferUse::kStorage, "poses"),
       normals_(device, gpu::BufferUse::kStorage, "normals"),
+      levels_(device, gpu::BufferUse::kStorage, "levels"),
       images_(device, gpu::BufferUse::kStorage, "images"),
       texels_(device, gpu::BufferUse::kStorage, "texels"),
       palette_(device, gpu::BufferUse::kStorage, "palette") {
@@ -128,6 +129,7 @@ void SceneAssets::clear() {
   attributes_.clear();
   poses_.clear();
   normals_.clear();
+  levels_.clear();
   images_.clear();
   texels_.clear();
   palette_.clear();
@@ -203,18 +205,14 @@ void SceneAssets::add_images(const scene::Assets& assets) {
 }
 
 void SceneAssets::add_meshes(const scene::Assets& assets) {
-  Batch batch{nodes_.kept(),
-              triangles_.kept(),
-              attributes_.kept(),
-              poses_.kept(),
-              normals_.kept(),
-              vertices_.kept(),
-              {},
-              {},
-              {},
-              {},
-              {},
-              {}};
+  Batch batch;
+  batch.first_node = nodes_.kept();
+  batch.first_triangle = triangles_.kept();
+  batch.first_attribute = attributes_.kept();
+  batch.first_pose = poses_.kept();
+  batch.first_normal = normals_.kept();
+  batch.first_level = levels_.kept();
+  batch.first_vertex = vertices_.kept();
   while (meshes_.size() < assets.meshes.size()) {
     meshes_.push_back(add_mesh(assets, assets.meshes[meshes_.size()], batch));
     largest_mesh_ = std::max(largest_mesh_, meshes_.back().triangle_count);
@@ -224,6 +222,7 @@ void SceneAssets::add_meshes(const scene::Assets& assets) {
   attributes_.append(std::span<const shared::GpuAttribute>(batch.attributes));
   poses_.append(std::span<const scene::PoseVertex>(batch.poses));
   normals_.append(std::span<const std::uint32_t>(batch.normals));
+  levels_.append(std::span<const std::uint32_t>(batch.levels));
   if (ray_query_) vertices_.append(std::span<const vec3>(batch.vertices));
 }
 
@@ -244,8 +243,7 @@ MeshRecord SceneAssets::add_mesh(const scene::Assets& assets, const scene::Mesh&
   if (used.empty()) return record;
   FB_CHECK(!mesh.posed() || mesh.poses.size() >= std::size_t{mesh.pose_count} * mesh.vertex_count);
 
-  gpu::Bvh bvh =
-      gpu::build_bvh(boxes, {.max_leaf = kLeafTriangles, .primitive_cost = kTriangleCost, .by_level = mesh.posed()});
+  gpu::Bvh bvh = gpu::build_bvh(boxes, {.max_leaf = kLeafTriangles, .primitive_cost = kTriangleCost});
   record.triangle_count = static_cast<std::uint32_t>(used.size());
   record.first_attribute = batch.first_attribute + static_cast<std::uint32_t>(batch.attributes.size());
   const bool smooth = mesh.posed() || mesh.normals.size() >= shape.size();
@@ -266,15 +264,15 @@ MeshRecord SceneAssets::add_mesh(const scene::Assets& assets, const scene::Mesh&
   std::sort(record.materials.begin(), record.materials.end());
   record.materials.erase(std::unique(record.materials.begin(), record.materials.end()), record.materials.end());
 
-  const std::uint32_t first_node = batch.first_node + static_cast<std::uint32_t>(batch.nodes.size());
+  record.first_node = batch.first_node + static_cast<std::uint32_t>(batch.nodes.size());
+  record.node_count = static_cast<std::uint32_t>(bvh.nodes.size());
+  record.first_triangle = mesh.posed() ? 0 : batch.first_triangle + static_cast<std::uint32_t>(batch.triangles.size());
+  record.root = rebased(bvh.root, record.first_node, record.first_triangle);
+  record.first_level_entry = batch.first_level + static_cast<std::uint32_t>(batch.levels.size());
   if (mesh.posed()) {
-    record.root = bvh.root;
-    record.first_node = first_node;
-    record.node_count = static_cast<std::uint32_t>(bvh.nodes.size());
     record.first_pose_vertex = batch.first_pose + static_cast<std::uint32_t>(batch.poses.size());
     record.vertex_count = mesh.vertex_count;
     record.pose_count = mesh.pose_count;
-    record.level_first = std::move(bvh.level_first);
     record.pose_scale = mesh.pose_scale;
     record.pose_origin = mesh.pose_origin;
     record.pose_bounds.resize(mesh.pose_count);
@@ -284,26 +282,23 @@ MeshRecord SceneAssets::add_mesh(const scene::Assets& assets, const scene::Mesh&
     }
     append_to(batch.poses, mesh.poses);
   } else {
-    record.first_triangle = batch.first_triangle + static_cast<std::uint32_t>(batch.triangles.size());
     record.first_vertex = batch.first_vertex + static_cast<std::uint32_t>(batch.vertices.size());
-    record.root = rebased(bvh.root, first_node, record.first_triangle);
     record.bounds = bvh.bounds;
     if (record.triangle_count >= kLargeMesh) {
       record.subtrees = take_apart(bvh);
-      for (SubtreeRef& part : record.subtrees) part.ref = rebased(part.ref, first_node, record.first_triangle);
-    }
-    for (shared::BvhNode& node : bvh.nodes) {
-      node.child0 = rebased(node.child0, first_node, record.first_triangle);
-      node.child1 = rebased(node.child1, first_node, record.first_triangle);
+      for (SubtreeRef& part : record.subtrees) part.ref = rebased(part.ref, record.first_node, record.first_triangle);
     }
     for (std::uint32_t i = 0; i < record.triangle_count; ++i) {
       const auto& v = mesh.triangles[used[bvh.order[i]]].vertices;
       vec3 v0 = shape[v[0]], e1 = shape[v[1]] - v0, e2 = shape[v[2]] - v0;
       bool flat = is_flat(e1, e2);
       if (flat) e1 = e2 = vec3(0.0f);
-      float flags =
-          shared::uintBitsToFloat(batch.attributes[batch.attributes.size() - record.triangle_count + i].flags);
-      batch.triangles.push_back({vec4(v0, flags), vec4(e1, 0), vec4(e2, 0)});
+      // Should this be the world: it is instance 0, and all see it.
+      const bool asks = (batch.attributes[batch.attributes.size() - record.triangle_count + i].flags &
+                         shared::kTriangleAlphaTest) != 0;
+      const std::uint32_t owner = (asks ? shared::kTriangleAsks : 0u) | scene::kSeenByAll
+                                                                            << shared::kTriangleVisibilityShift;
+      batch.triangles.push_back({vec4(v0, shared::uintBitsToFloat(owner)), vec4(e1, 0), vec4(e2, 0)});
       if (ray_query_) {
         for (std::uint32_t corner : v) batch.vertices.push_back(flat ? v0 : shape[corner]);
       }
@@ -313,13 +308,23 @@ MeshRecord SceneAssets::add_mesh(const scene::Assets& assets, const scene::Mesh&
       for (const vec3& n : mesh.normals) batch.normals.push_back(shared::pack_direction(n));
     }
   }
-  if (!ray_query_) append_to(batch.nodes, bvh.nodes);
+  if (ray_query_) return record;
+  if (!mesh.posed() && bvh.root >= shared::kRefLeaf) {
+    record.small.assign(batch.triangles.end() - record.triangle_count, batch.triangles.end());
+  }
+  for (shared::BvhNode& node : bvh.nodes) {
+    node.child0 = rebased(node.child0, record.first_node, record.first_triangle);
+    node.child1 = rebased(node.child1, record.first_node, record.first_triangle);
+  }
+  append_to(batch.nodes, bvh.nodes);
+  append_to(batch.levels, bvh.level_order);
+  record.level_first = std::move(bvh.level_first);
   return record;
 }
 
 std::uint64_t SceneAssets::device_bytes() const {
   return nodes_.bytes() + triangles_.bytes() + vertices_.bytes() + attributes_.bytes() + poses_.bytes() +
-         normals_.bytes() + images_.bytes() + texels_.bytes() + palette_.bytes();
+         normals_.bytes() + levels_.bytes() + images_.bytes() + texels_.bytes() + palette_.bytes();
 }
 
 }  // namespace fb::render

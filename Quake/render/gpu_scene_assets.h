@@ -14,7 +14,9 @@
 
 namespace fb::render {
 
-// A part of a mesh's tree: what the tree over instances takes the world's apart into.
+constexpr std::uint32_t kSubtrees = 256;  // parts that a large mesh's tree is taken into
+
+// A part of a mesh's tree: what the top of the frame's tree is built over.
 struct SubtreeRef {
   std::uint32_t ref = 0;  // into the device's nodes or triangles
   Bounds bounds;
@@ -25,15 +27,16 @@ struct MeshRecord {
   std::uint32_t first_attribute = 0;
   std::uint32_t first_normal = shared::kNoIndex;
   Bounds bounds;  // of all poses
-  // Rigid: the tree's root as the device refers to it, and its first triangle.
+  // Its tree: the root and what references count from (a posed mesh has no triangles of its own: 0).
   std::uint32_t root = 0;
   std::uint32_t first_triangle = 0;
-  std::vector<SubtreeRef> subtrees;  // of large rigid meshes: the whole tree in some dozens of parts
-  // Posed: the tree's template (references relative to the mesh) and what posing needs.
-  bool posed = false;
   std::uint32_t first_node = 0, node_count = 0;
-  std::uint32_t first_pose_vertex = 0, vertex_count = 0, pose_count = 0;
+  std::uint32_t first_level_entry = 0;
   std::vector<std::uint32_t> level_first;
+  std::vector<SubtreeRef> subtrees;        // of large rigid meshes: the whole tree in parts
+  std::vector<shared::GpuTriangle> small;  // of rigid meshes that fit one leaf: their triangles
+  bool posed = false;
+  std::uint32_t first_pose_vertex = 0, vertex_count = 0, pose_count = 0;
   std::vector<Bounds> pose_bounds;
   vec3 pose_scale{1.0f}, pose_origin{0.0f};
   std::vector<std::uint32_t> materials;  // distinct ones its triangles name, before the instance's base is added
@@ -58,6 +61,7 @@ class SceneAssets {
   DeviceArray<vec3>& vertices() { return vertices_; }  // ray queries only: three a triangle, in leaf order
   const gpu::Buffer& attributes() const { return attributes_.buffer(); }
   const gpu::Buffer& poses() const { return poses_.buffer(); }
+  const gpu::Buffer& levels() const { return levels_.buffer(); }
   const gpu::Buffer& normals() const { return normals_.buffer(); }
   const gpu::Buffer& images() const { return images_.buffer(); }
   const gpu::Buffer& texels() const { return texels_.buffer(); }
@@ -86,6 +90,7 @@ class SceneAssets {
   DeviceArray<shared::GpuAttribute> attributes_;
   DeviceArray<scene::PoseVertex> poses_;
   DeviceArray<std::uint32_t> normals_;
+  DeviceArray<std::uint32_t> levels_;
   DeviceArray<shared::GpuImage> images_;
   DeviceArray<std::uint32_t> texels_;
   DeviceArray<vec4> palette_;

@@ -30,7 +30,7 @@ void RayStructures::build_mesh(gpu::Commands& commands, SceneAssets& assets, Mes
   mesh.bottom_level_opaque = opaque;
 }
 
-void RayStructures::record(gpu::Commands& commands, SceneAssets& assets, const PosedCopies& copies) {
+void RayStructures::record(gpu::Commands& commands, SceneAssets& assets, const InstanceCopies& copies) {
   for (const RayInstance& instance : instances_) {
     MeshRecord& mesh = assets.meshes()[instance.mesh];
     if (mesh.posed) continue;
@@ -40,8 +40,8 @@ void RayStructures::record(gpu::Commands& commands, SceneAssets& assets, const P
   }
   if (copies_.size() < copies.copies().size()) copies_.resize(copies.copies().size());
   for (std::size_t i = 0; i < copies.copies().size(); ++i) {
-    const PosedCopy& copy = copies.copies()[i];
-    if (copy.same_place_as_before && copies_[i]) continue;
+    const InstanceCopy& copy = copies.copies()[i];
+    if (copy.as_before && copies_[i]) continue;
     const MeshRecord& mesh = assets.meshes()[copy.mesh];
     gpu::TriangleGeometry geometry;
     geometry.vertices = &assets.vertices().buffer();

@@ -7,7 +7,7 @@
 
 #include "gpu/acceleration_structure.h"
 #include "render/gpu_scene_assets.h"
-#include "render/gpu_scene_poses.h"
+#include "render/gpu_scene_copies.h"
 
 namespace fb::render {
 
@@ -29,7 +29,7 @@ class RayStructures {
   // submission of its own, before the descriptor sets are in use.
   bool must_grow() const { return instances_.size() > capacity_ || capacity_ == 0; }
   // After the posed copies' corners have been written.
-  void record(gpu::Commands& commands, SceneAssets& assets, const PosedCopies& copies);
+  void record(gpu::Commands& commands, SceneAssets& assets, const InstanceCopies& copies);
   VkAccelerationStructureKHR top_level() const { return top_.handle(); }
 
  private:

@@ -1,6 +1,6 @@
 #include "render/gpu_scene_tables.h"
 
-#include "render/gpu_scene_poses.h"
+#include "render/gpu_scene_copies.h"
 
 namespace fb::render {
 namespace {
@@ -86,8 +86,8 @@ shared::GpuInstance make_gpu_instance(const MeshRecord& mesh, const scene::Insta
   out.first_normal = mesh.first_normal;
   out.pose_a = out.pose_b = out.prev_pose_a = out.prev_pose_b = shared::kNoIndex;
   if (mesh.posed) {
-    scene::PoseBlend pose = PosedCopies::canonical(mesh, instance.pose);
-    scene::PoseBlend prev = is_new ? pose : PosedCopies::canonical(mesh, instance.prev_pose);
+    scene::PoseBlend pose = InstanceCopies::canonical(mesh, instance.pose);
+    scene::PoseBlend prev = is_new ? pose : InstanceCopies::canonical(mesh, instance.prev_pose);
     auto first_vertex = [&](std::uint32_t index) { return mesh.first_pose_vertex + index * mesh.vertex_count; };
     out.pose_a = first_vertex(pose.a);
     out.pose_b = first_vertex(pose.b);

@@ -506,47 +506,59 @@ TEST_F(GpuSceneTest, SkipsWhatCannotBeDrawn) {
   EXPECT_EQ(scene.statistics().instances, 1u);
 }
 
+// The frame's whole tree: every box holds what is below it, every triangle hangs in it once and says whose it is.
 TEST_F(GpuSceneTest, RefittedBoxesHoldTheirTriangles) {
   Case c;
   Rng rng(46);
-  std::uint32_t mesh = c.add_mesh(posed_soup(700, 4, 47));
-  c.add(mesh).pose = {0, 3, 0.3f};
-  c.add(mesh).pose = {2, 1, 0.7f};
+  c.add(c.add_mesh(soup(1500, 300, 40, 48)));
+  std::uint32_t posed = c.add_mesh(posed_soup(700, 4, 47)), rigid = c.add_mesh(soup(90, 40, 20, 49)),
+                tiny = c.add_mesh(soup(3, 10, 20, 50));
+  c.add(posed, random_transform(rng, 100)).pose = {0, 3, 0.3f};
+  c.add(rigid, random_transform(rng, 100));
+  c.add(tiny, random_transform(rng, 100));
+  c.add(posed, random_transform(rng, 100)).pose = {2, 1, 0.7f};
   RayList list(*device_, {}, false);
   list.load(c.snapshot, random_rays(1, 1, 1));
-  SceneBuffers buffers = list.scene().buffers();
-  auto nodes =
+  const SceneBuffers buffers = list.scene().buffers();
+  const auto nodes =
       gpu::read_now<shared::BvhNode>(*device_, *buffers.nodes, buffers.nodes->size() / sizeof(shared::BvhNode));
-  auto triangles = gpu::read_now<shared::GpuTriangle>(*device_, *buffers.triangles,
-                                                      buffers.triangles->size() / sizeof(shared::GpuTriangle));
-  auto instances = gpu::read_now<shared::GpuInstance>(*device_, *buffers.instances, 2);
-  for (const shared::GpuInstance& instance : instances) {
-    const Instance& source = c.snapshot.instances[instance.id];
-    std::vector<Bounds> stack_boxes{{vec3(-1e9f), vec3(1e9f)}};
-    std::vector<std::uint32_t> stack{instance.root_node};
-    std::size_t seen = 0, outside = 0;
-    while (!stack.empty()) {
-      std::uint32_t ref = stack.back();
-      Bounds box = stack_boxes.back();
-      stack.pop_back();
-      stack_boxes.pop_back();
-      if (ref < shared::kRefLeaf) {
-        const shared::BvhNode& node = nodes.at(ref);
-        stack.insert(stack.end(), {node.child0, node.child1});
-        stack_boxes.insert(stack_boxes.end(), {{node.min0, node.max0}, {node.min1, node.max1}});
-        continue;
-      }
-      std::uint32_t first = ref & shared::kRefFirstMask,
-                    count = (ref >> shared::kRefCountShift & shared::kRefCountMask) + 1;
-      for (std::uint32_t i = first; i < first + count; ++i, ++seen) {
-        for (const vec3& p : {vec3(triangles.at(i).v0), vec3(triangles[i].v0) + vec3(triangles[i].e1),
-                              vec3(triangles[i].v0) + vec3(triangles[i].e2)}) {
-          outside += glm::any(glm::lessThan(p, box.min)) || glm::any(glm::greaterThan(p, box.max));
-        }
-      }
+  const auto triangles = gpu::read_now<shared::GpuTriangle>(*device_, *buffers.triangles,
+                                                            buffers.triangles->size() / sizeof(shared::GpuTriangle));
+  const auto instances = gpu::read_now<shared::GpuInstance>(*device_, *buffers.instances, c.snapshot.instances.size());
+  struct Visit {
+    std::uint32_t ref;
+    Bounds box;
+  };
+  std::vector<Visit> stack{{0, {vec3(-1e9f), vec3(1e9f)}}};
+  std::vector<std::vector<int>> seen(instances.size());
+  for (std::size_t i = 0; i < instances.size(); ++i) seen[i].resize(instances[i].triangle_count);
+  std::size_t outside = 0;
+  const auto expect_inside = [&](const Bounds& box, const vec3& p) {
+    const vec3 rounding = glm::abs(p) * 2.4e-7f;  // of putting corners together, on the host as here
+    outside += glm::any(glm::lessThan(p, box.min - rounding)) || glm::any(glm::greaterThan(p, box.max + rounding));
+  };
+  while (!stack.empty()) {
+    const Visit at = stack.back();
+    stack.pop_back();
+    if (at.ref < shared::kRefLeaf) {
+      const shared::BvhNode& node = nodes.at(at.ref);
+      stack.push_back({node.child0, {node.min0, node.max0}});
+      stack.push_back({node.child1, {node.min1, node.max1}});
+      continue;
     }
-    EXPECT_EQ(seen, c.assets->meshes[source.mesh].triangles.size());
-    EXPECT_EQ(outside, 0u);
+    const std::uint32_t first = at.ref & shared::kRefFirstMask;
+    const std::uint32_t count = (at.ref >> shared::kRefCountShift & shared::kRefCountMask) + 1;
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const shared::GpuTriangle& t = triangles.at(i);
+      const std::uint32_t owner = shared::floatBitsToUint(t.v0.w) >> shared::kTriangleInstanceShift;
+      ++seen.at(owner).at(i - instances[owner].world_triangle);
+      for (const vec3& p : {vec3(t.v0), vec3(t.v0) + vec3(t.e1), vec3(t.v0) + vec3(t.e2)}) expect_inside(at.box, p);
+    }
+  }
+  EXPECT_EQ(outside, 0u);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    EXPECT_EQ(seen[i].size(), c.assets->meshes[c.snapshot.instances[instances[i].id].mesh].triangles.size());
+    for (int times : seen[i]) EXPECT_EQ(times, 1);
   }
 }
 

@@ -4,7 +4,7 @@
 #include "shared/bvh.h"
 #include "shared/scene_gpu.h"
 
-// The passes that pose and refit write what all others read.
+// The pass that makes copies writes what all others read.
 #ifndef SCENE_ACCESS
 #define SCENE_ACCESS readonly
 #endif
@@ -15,11 +15,12 @@ layout(set = 0, binding = 2, std430) readonly buffer AttributeBlock { GpuAttribu
 layout(set = 0, binding = 3, std430) readonly buffer PoseBlock { uvec2 poses[]; };
 layout(set = 0, binding = 4, std430) readonly buffer NormalBlock { uint normals[]; };
 layout(set = 0, binding = 5, std430) readonly buffer InstanceBlock { GpuInstance instances[]; };
+layout(set = 0, binding = 6, std430) readonly buffer LevelBlock { uint levels[]; };
 layout(set = 0, binding = 7, std430) readonly buffer MaterialBlock { GpuMaterial materials[]; };
 layout(set = 0, binding = 8, std430) readonly buffer ImageBlock { GpuImage images[]; };
 layout(set = 0, binding = 9, std430) readonly buffer TexelBlock { uint texels[]; };
 layout(set = 0, binding = 10, std430) readonly buffer PaletteBlock { vec4 palette[256]; };
-layout(set = 0, binding = 11, std430) readonly buffer PoseJobBlock { GpuPoseJob pose_jobs[]; };
+layout(set = 0, binding = 11, std430) readonly buffer CopyJobBlock { GpuCopyJob copy_jobs[]; };
 layout(set = 0, binding = 12, std430) SCENE_ACCESS buffer VertexBlock { float posed_vertices[]; };
 
 #if INTERSECTOR_QUERY

@@ -1,7 +1,5 @@
-// trace() through our own trees: a tree over instances and a tree a mesh, one loop, one stack. A ray enters an instance by
-// taking its space (the direction is not renormalised, so t keeps its meaning) and leaves it when the mark that it pushed
-// comes off the stack. Triangles met outside any instance are the world's, whose tree hangs in the instances' tree as it
-// is: it is instance 0.
+// trace() through our own tree: everything stands in the world's space (passes/pose.comp puts it there), so there is one
+// tree, one loop, and a triangle says itself whose it is.
 //
 // Written for 8-wide SIMD on a CPU (lavapipe): there a word fetched costs more than the arithmetic on it, and a branch more
 // than a select. traversal_bench measures it.
@@ -19,7 +17,6 @@ layout(set = 0, binding = 18) uniform usamplerBuffer node_texels;
 layout(set = 0, binding = 19) uniform usamplerBuffer triangle_texels;
 
 const uint kRefDone = 0xffffffffu;       // bottom of the stack
-const uint kRefLeave = 0xfffffffeu;      // back to the world's space
 const float kEdgeTolerance = 1e-5;       // of barycentric weights: closes cracks along shared edges
 const float kSlabTolerance = 1.0000004;  // 2 gamma(3), Ize 2013
 
@@ -45,16 +42,16 @@ vec3 safe_reciprocal(vec3 d) {
 
 Hit trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, inout uint rng) {
   Hit hit = Hit(t_max, vec2(0.0), kNoIndex, 0u);
-  vec3 o = origin, d = direction, inv = safe_reciprocal(direction);
-  uint instance = 0u, current = 0u, top = 1u;
+  vec3 inv = safe_reciprocal(direction);
+  uint current = 0u, top = 1u;
   set_stack(0u, kRefDone);
   while (current != kRefDone) {
     // Down to a leaf.
     while (current < kRefLeaf) {
       uvec4 q0 = node_quad(current * 4u), q1 = node_quad(current * 4u + 1u);
       uvec4 q2 = node_quad(current * 4u + 2u), q3 = node_quad(current * 4u + 3u);
-      vec3 a0 = (uintBitsToFloat(q0.xyz) - o) * inv, b0 = (uintBitsToFloat(q1.xyz) - o) * inv;
-      vec3 a1 = (uintBitsToFloat(q2.xyz) - o) * inv, b1 = (uintBitsToFloat(q3.xyz) - o) * inv;
+      vec3 a0 = (uintBitsToFloat(q0.xyz) - origin) * inv, b0 = (uintBitsToFloat(q1.xyz) - origin) * inv;
+      vec3 a1 = (uintBitsToFloat(q2.xyz) - origin) * inv, b1 = (uintBitsToFloat(q3.xyz) - origin) * inv;
       vec3 near0 = min(a0, b0), far0 = max(a0, b0), near1 = min(a1, b1), far1 = max(a1, b1);
       float in0 = max(max(near0.x, near0.y), max(near0.z, t_min));
       float in1 = max(max(near1.x, near1.y), max(near1.z, t_min));
@@ -68,49 +65,33 @@ Hit trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, inou
       current = any ? (first ? q0.w : q1.w) : popped;
       top = both ? top + 1u : any ? top : top - 1u;
     }
-    if (current < kRefLeaf + kRefInstance) {
+    if (current != kRefDone) {
       uint at = current & kRefFirstMask;
       uint end = at + ((current >> kRefCountShift) & kRefCountMask) + 1u;
       for (; at < end; ++at) {
         uvec4 q0 = triangle_quad(at * 3u);
         vec3 e1 = uintBitsToFloat(triangle_quad(at * 3u + 1u).xyz), e2 = uintBitsToFloat(triangle_quad(at * 3u + 2u).xyz);
         // Moeller and Trumbore 1997, both sides.
-        vec3 s = o - uintBitsToFloat(q0.xyz);
-        vec3 p = cross(d, e2), q = cross(s, e1);
+        vec3 s = origin - uintBitsToFloat(q0.xyz);
+        vec3 p = cross(direction, e2), q = cross(s, e1);
         float det = dot(e1, p);
         float scale = 1.0 / det;
-        float u = dot(s, p) * scale, v = dot(d, q) * scale, t = dot(e2, q) * scale;
-        bool counts = det != 0.0 && min(u, v) >= -kEdgeTolerance && u + v <= 1.0 + kEdgeTolerance && t > t_min && t < hit.t;
-        if (FEATURE_CANDIDATES && counts) {
-          bool ask = (q0.w & kTriangleAlphaTest) != 0u || (instances[instance].flags & kInstanceTranslucent) != 0u;
-          if (ask) counts = accept_candidate(Hit(t, vec2(u, v), instance, at - instances[instance].first_triangle), rng);
+        float u = dot(s, p) * scale, v = dot(direction, q) * scale, t = dot(e2, q) * scale;
+        bool counts = det != 0.0 && min(u, v) >= -kEdgeTolerance && u + v <= 1.0 + kEdgeTolerance && t > t_min && t < hit.t &&
+                      ((q0.w >> kTriangleVisibilityShift) & mask & kInstanceMaskBits) != 0u;
+        if (FEATURE_CANDIDATES && counts && (q0.w & kTriangleAsks) != 0u) {
+          uint instance = q0.w >> kTriangleInstanceShift;
+          counts = accept_candidate(Hit(t, vec2(u, v), instance, at - instances[instance].world_triangle), rng);
         }
         hit.t = counts ? t : hit.t;
         hit.bary = counts ? vec2(u, v) : hit.bary;
-        hit.instance = counts ? instance : hit.instance;
+        hit.instance = counts ? q0.w >> kTriangleInstanceShift : hit.instance;
         hit.triangle = counts ? at : hit.triangle;
       }
       current = get_stack(--top);
-    } else if (current != kRefDone) {
-      bool leave = current == kRefLeave;
-      bool enter = !leave && ((current >> kRefVisibilityShift) & mask) != 0u;
-      instance = enter ? current & kRefInstanceMask : 0u;
-      o = origin;
-      d = direction;
-      current = get_stack(--top);
-      if (enter) {
-        vec4 x = instances[instance].to_object[0], y = instances[instance].to_object[1], z = instances[instance].to_object[2];
-        vec3 from = origin - vec3(x.w, y.w, z.w);
-        o = vec3(dot(x.xyz, from), dot(y.xyz, from), dot(z.xyz, from));
-        d = vec3(dot(x.xyz, direction), dot(y.xyz, direction), dot(z.xyz, direction));
-        set_stack(++top, kRefLeave);
-        ++top;
-        current = instances[instance].root_node;
-      }
-      inv = safe_reciprocal(d);
     }
   }
-  if (hit.instance != kNoIndex) hit.triangle -= instances[hit.instance].first_triangle;
+  if (hit.instance != kNoIndex) hit.triangle -= instances[hit.instance].world_triangle;
   return hit;
 }
 #endif

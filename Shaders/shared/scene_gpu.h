@@ -6,22 +6,25 @@
 FB_NAMESPACE_BEGIN
 
 // Set 0: the scene.
-FB_CONST uint kBindNodes = 0u;       // BvhNode[]: every mesh's tree, every posed instance's refitted copy
-FB_CONST uint kBindTriangles = 1u;   // GpuTriangle[]: positions in leaf order, posed instances' copies too
+FB_CONST uint kBindNodes = 0u;       // BvhNode[]: see shared/bvh.h
+FB_CONST uint kBindTriangles = 1u;   // GpuTriangle[]: positions in leaf order, of meshes and of copies
 FB_CONST uint kBindAttributes = 2u;  // GpuAttribute[]: one a mesh triangle, in the same leaf order
 FB_CONST uint kBindPoses = 3u;       // uvec2[]: PoseVertex of all posed meshes
 FB_CONST uint kBindNormals = 4u;     // uint[]: octahedral 2x16 snorm vertex normals of smooth rigid meshes
 FB_CONST uint kBindInstances = 5u;   // GpuInstance[]
+FB_CONST uint kBindLevels = 6u;      // uint[]: nodes of each mesh's tree, by depth (for refitting)
 FB_CONST uint kBindMaterials = 7u;   // GpuMaterial[]: this frame's (animated textures are resolved)
 FB_CONST uint kBindImages = 8u;      // GpuImage[]
 FB_CONST uint kBindTexels = 9u;      // uint[]: all texels
 FB_CONST uint kBindPalette = 10u;    // vec4[256]: linear Rec.709 colour
-FB_CONST uint kBindPoseJobs = 11u;   // GpuPoseJob[]: this frame's posed copies
+FB_CONST uint kBindCopyJobs = 11u;   // GpuCopyJob[]: copies that this frame makes
 FB_CONST uint kBindVertices = 12u;   // float[]: corners of triangles in leaf order, for ray query builds
 
 FB_CONST uint kNoIndex = 0xffffffffu;
 
-struct GpuTriangle {  // 48 bytes: v0, v1 - v0, v2 - v0 in the mesh's space; w of each is free to the intersector
+// 48 bytes: v0, v1 - v0, v2 - v0; in the mesh's space, or, where our own trees are traced, in the world's. There v0.w says
+// as bits whose the triangle is: bit 0 whether hits must ask, bits 1..2 visibility, above these the instance.
+struct GpuTriangle {
   vec4 v0;
   vec4 e1;
   vec4 e2;
@@ -34,15 +37,18 @@ struct GpuAttribute {              // 48 bytes
   uint flags;                      // kTriangle*
   uint pad;
 };
+FB_CONST uint kTriangleAsks = 1u;
+FB_CONST uint kTriangleVisibilityShift = 1u;
+FB_CONST uint kTriangleInstanceShift = 3u;
 FB_CONST uint kTriangleAlphaTest = 1u;  // candidate hits must ask the texel
 FB_CONST uint kTriangleSmooth = 2u;     // has vertex normals
 
 struct GpuInstance {  // 272 bytes
   vec4 to_world[3];
-  vec4 to_object[3];     // object = rows * (world - (the three w)): subtracted first, exact far from the origin
+  vec4 to_object[3];     // linear part; w: the origin in the world
   vec4 prev_to_world[3];
-  uint root_node;        // into nodes
-  uint first_triangle;   // into triangles: the mesh's, or the posed instance's own copy
+  uint world_triangle;   // into triangles: the first of those that rays are traced against (ours, not ray query)
+  uint first_triangle;   // into triangles: the mesh's, or a posed instance's own, in the mesh's space
   uint first_attribute;  // into attributes
   uint first_normal;     // into normals, or kNoIndex
   uint pose_a, pose_b;   // first vertex of the pose in poses; kNoIndex: rigid
@@ -64,20 +70,26 @@ FB_CONST uint kInstanceIsViewModel = 8u;
 FB_CONST uint kInstanceIsNew = 16u;
 FB_CONST uint kInstanceTranslucent = 32u;  // alpha < 1: candidate hits must ask
 
-// A posed mesh's copy: triangles between two poses, and the refitted tree over them. One workgroup makes it.
-FB_CONST uint kPoseJobLevels = 44u;  // above shared/bvh.h's kMaxMeshDepth
-struct GpuPoseJob {                // 256 bytes
+// A copy of a mesh for one instance and this frame; a workgroup makes it. Posed triangles in the mesh's space, for shading;
+// the triangles in the world's space and the refitted tree over them, for tracing.
+FB_CONST uint kCopyLevels = 44u;   // above shared/bvh.h's kMaxMeshDepth
+struct GpuCopyJob {                // 320 bytes
+  vec4 to_world[3];
   vec4 scale, origin;              // of pose vertices
-  uint pose_a, pose_b;             // first vertices in poses
+  uint pose_a, pose_b;             // first vertices in poses; kNoIndex: rigid
   float pose_t;
   uint triangle_count;
   uint first_attribute;            // of the mesh
-  uint first_triangle;             // of the copy
-  uint first_vertex;               // of the copy: corners in posed_vertices
-  uint template_node, first_node;  // of the mesh's tree (references relative to the mesh) and of the copy's
+  uint object_triangle;            // rigid: read from there; posed: written there
+  uint world_triangle;             // written there (our own trees)
+  uint first_vertex;               // corners are written there (ray query)
+  uint owner;                      // v0.w of the copy's triangles, but for their own kTriangleAsks
+  uint mesh_node, mesh_triangle;   // what references in the mesh's tree count from
+  uint first_node;                 // of the copy's tree
+  uint first_level_entry;          // into levels
   uint level_count;
   uint pad0, pad1;
-  uint level_first[44];            // nodes of level l are level_first[l] .. level_first[l + 1] - 1, relative
+  uint level_first[44];            // levels l's nodes are entries level_first[l] .. level_first[l + 1] - 1
 };
 
 struct GpuMaterial {               // 80 bytes
