@@ -315,7 +315,8 @@ void register_all() {
   for (const char* name : {"many_lights", "start", "start+ogres", "lq_e1m7"}) {
     for (bool bounces : {false, true}) {
       for (bool ray_query : {false, true}) {
-        const std::string row = fmt::format("{}/{}/{}", name, bounces ? "bounce" : "primary", ray_query ? "query" : "bvh");
+        const std::string row =
+            fmt::format("{}/{}/{}", name, bounces ? "bounce" : "primary", ray_query ? "query" : "bvh");
         benchmark::RegisterBenchmark(row.c_str(),
                                      [=](benchmark::State& state) { traversal(state, name, bounces, ray_query); })
             ->UseManualTime()
