@@ -1,5 +1,6 @@
 #include "client/state.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fb::cl {

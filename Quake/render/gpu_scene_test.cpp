@@ -2,6 +2,7 @@
 // posed meshes between poses, masks, alpha tests, far coordinates, trees of no, one and two thousand instances.
 #include "render/gpu_scene.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,9 +1,11 @@
 // The whole renderer on scenes made in code: closed forms, motion, determinism, agreement of the two intersectors.
 #include "render/renderer.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "base/hash.h"
@@ -286,10 +288,11 @@ TEST_F(RendererTest, IntersectorsAgree) {
 
 TEST_F(RendererTest, EmptySnapshotsAreBlackAndEveryDebugViewDraws) {
   RenderSettings s;
-  auto renderer = make_renderer(s, 33, 17);
+  auto renderer = make_renderer(s, 65, 37);
   renderer->render(scene::FrameSnapshot{}, nullptr, s);
   for (const vec4& p : renderer->read_linear()) EXPECT_EQ(p.x, 0);
-  const scene::FrameSnapshot snapshot = scene::cornell_box();
+  // Smooth and flat surfaces, several materials, motion: all that views show.
+  const scene::FrameSnapshot snapshot = scene::moving(scene::moving_assets(), 0.1, 0.0);
   std::vector<std::uint64_t> pictures;
   for (int view = 0; view <= 11; ++view) {
     s.debug_view = view;

@@ -1,5 +1,6 @@
 #include "scene/shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>

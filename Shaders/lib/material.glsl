@@ -1,8 +1,8 @@
 // What a surface point is made of: texture coordinates (liquids swing), colour, emission, holes.
 #ifndef FB_LIB_MATERIAL
 #define FB_LIB_MATERIAL
+#include "lib/frame_bindings.glsl"
 #include "lib/texture.glsl"
-#include "lib/sky.glsl"
 #include "shared/bsdf.h"
 #include "shared/rng.h"
 
@@ -36,60 +36,42 @@ struct Shade {
   vec3 emission;
 };
 
-// One texel's part of the shade.
-Shade shade_texel(GpuMaterial m, uint instance_flags, Texel texel, vec3 luma) {
-  Shade s;
-  s.albedo = texel.color * m.base_color.rgb;
-  s.emission = vec3(0.0);
-  if (m.emission_kind == kEmissionFullbright) {
-    bool glows = texel.glows && (m.flags & kMaterialNoFullbright) == 0u;
-    s.emission = (m.luma != kNoIndex ? luma : glows ? texel.color : vec3(0.0)) * m.emission.rgb;
-  } else if ((m.emission_kind >= kEmissionLava && m.emission_kind <= kEmissionTeleport) || m.emission_kind == kEmissionSprite) {
-    s.emission = texel.color * m.emission.rgb;
+// Colour and own radiance of a point; a sky's radiance is added by who knows the direction. `smooth_texels`: bilinear, else
+// nearest. All texels come through one fetch in a loop, since a driver's compiler takes long over every copy of it.
+Shade shade_point(GpuMaterial m, uint instance_index, vec2 uv, bool smooth_texels) {
+  if ((instances[instance_index].flags & kInstanceHasColor) != 0u) {
+    return Shade(instances[instance_index].color.rgb, instances[instance_index].emission.rgb);
   }
-  return s;
-}
+  bool constant = m.emission_kind == kEmissionConstant;
+  if (m.emission_kind == kEmissionSky) return Shade(vec3(0.0), vec3(0.0));
+  if (m.base == kNoIndex) return Shade(m.base_color.rgb, constant ? m.emission.rgb : vec3(0.0));
 
-// Colour and radiance towards -direction of a point. `smooth_texels`: bilinear, else nearest.
-Shade shade_point(GpuMaterial m, uint instance_index, vec2 uv, vec3 direction, bool smooth_texels) {
-  uint flags = instances[instance_index].flags;
-  Shade s;
-  if ((flags & kInstanceHasColor) != 0u) {
-    s.albedo = instances[instance_index].color.rgb;
-    s.emission = instances[instance_index].emission.rgb;
-    return s;
-  }
-  if (m.emission_kind == kEmissionSky) {
-    s.albedo = vec3(0.0);
-    s.emission = sky_radiance(direction) * m.emission.rgb;
-    return s;
-  }
-  if (m.base == kNoIndex) {
-    s.albedo = m.base_color.rgb;
-    s.emission = m.emission_kind == kEmissionConstant ? m.emission.rgb : vec3(0.0);
-    return s;
-  }
   bool clamped = (m.flags & kMaterialClampTexture) != 0u;
   if ((m.flags & kMaterialWarp) != 0u) uv = warped_uv(uv, m.base);
-  if (!smooth_texels) {
-    vec3 luma = m.luma != kNoIndex ? nearest_texel(m.luma, uv, clamped).color : vec3(0.0);
-    s = shade_texel(m, flags, nearest_texel(m.base, uv, clamped), luma);
-  } else {
-    vec2 size = vec2(image_size(m.base));
-    vec2 at = uv * size - 0.5, base = floor(at), f = at - base;
-    s.albedo = vec3(0.0);
-    s.emission = vec3(0.0);
-    for (uint i = 0u; i < 4u; ++i) {
-      vec2 corner = vec2(i & 1u, i >> 1u);
-      vec2 corner_uv = (base + corner + 0.5) / size;
-      float weight = (corner.x > 0.0 ? f.x : 1.0 - f.x) * (corner.y > 0.0 ? f.y : 1.0 - f.y);
-      vec3 luma = m.luma != kNoIndex ? nearest_texel(m.luma, corner_uv, clamped).color : vec3(0.0);
-      Shade one = shade_texel(m, flags, nearest_texel(m.base, corner_uv, clamped), luma);
-      s.albedo += weight * one.albedo;
-      s.emission += weight * one.emission;
+  bool has_luma = m.luma != kNoIndex && m.emission_kind == kEmissionFullbright;
+  bool all_glows = (m.emission_kind >= kEmissionLava && m.emission_kind <= kEmissionTeleport) || m.emission_kind == kEmissionSprite;
+  bool some_glow = m.emission_kind == kEmissionFullbright && !has_luma && (m.flags & kMaterialNoFullbright) == 0u;
+  vec2 size = vec2(image_size(m.base));
+  vec2 corner = floor(uv * size - 0.5), f = uv * size - 0.5 - corner;
+  uint taps = smooth_texels ? 4u : 1u;
+  uint fetches = has_luma ? 2u * taps : taps;
+  Shade s = Shade(vec3(0.0), vec3(0.0));
+  for (uint i = 0u; i < fetches; ++i) {
+    uint tap = i & (taps - 1u);
+    vec2 offset = vec2(tap & 1u, tap >> 1u);
+    vec2 weights = mix(1.0 - f, f, offset);
+    float weight = smooth_texels ? weights.x * weights.y : 1.0;
+    vec2 at = smooth_texels ? (corner + offset + 0.5) / size : uv;
+    Texel texel = nearest_texel(i < taps ? m.base : m.luma, at, clamped);
+    if (i >= taps) {
+      s.emission += weight * texel.color;
+    } else {
+      s.albedo += weight * texel.color;
+      if (all_glows || (some_glow && texel.glows)) s.emission += weight * texel.color;
     }
   }
-  if (m.emission_kind == kEmissionConstant) s.emission = m.emission.rgb;
+  s.albedo *= m.base_color.rgb;
+  s.emission = constant ? m.emission.rgb : s.emission * m.emission.rgb;
   return s;
 }
 #endif

@@ -16,16 +16,12 @@ vec3 trace_path(PathVertex v, inout uint rng) {
     if (weight == vec3(0.0)) break;
     throughput *= weight;
     Hit hit = trace(offset_origin(v.position, v.normal), direction, 0.0, kRayEnd, kMaskIndirect, rng);
-    if (hit.instance == kNoIndex) {
-      if (frame.sky_beyond != 0u) sum += throughput * sky_radiance(direction);
-      break;
-    }
-    if (bounce + 1u == frame.bounces) {
-      sum += throughput * load_shade(hit, direction, false).emission;
-      break;
-    }
-    Surface s = load_surface(hit, direction, false);
+    bool missed = hit.instance == kNoIndex;
+    if (missed && frame.sky_beyond == 0u) break;
+    bool last = bounce + 1u == frame.bounces;
+    Surface s = load_surface(hit, direction, false, last);
     sum += throughput * s.emission;
+    if (missed || last) break;
     v = make_path_vertex(s, -direction);
   }
   return sum;

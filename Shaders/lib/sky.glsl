@@ -7,23 +7,16 @@
 
 const uint kSkyConstant = 1u;
 const uint kSkyLayers = 2u;
-const uint kSkyBox = 3u;
 
-// Quake's projection: a flattened dome, 128 texels a repeat; layers scroll at 8 and 16 texels a second.
-vec3 sky_layers(vec3 d) {
+// Quake's projection of its layers: a flattened dome, 128 texels a repeat, scrolling.
+vec2 layer_uv(vec3 d, float texels_per_second) {
   vec3 flat_d = vec3(d.xy, d.z * 3.0);
   vec2 at = d.xy * (6.0 * 63.0 / max(length(flat_d), 1e-6));
-  vec2 uv_solid = (at + frame.time * 8.0) / 128.0, uv_alpha = (at + frame.time * 16.0) / 128.0;
-  vec3 color = nearest_texel(frame.sky_solid, uv_solid, false).color;
-  if (frame.sky_alpha != kNoIndex) {
-    Texel front = nearest_texel(frame.sky_alpha, uv_alpha, false);
-    color = mix(color, front.color, front.alpha);
-  }
-  return color;
+  return (at + frame.time * texels_per_second) / 128.0;
 }
 
-// Faces in the order rt bk lf ft up dn, seen from inside; Quake looks along +x at yaw 0, where "rt" is.
-vec3 sky_box(vec3 d) {
+// Face and place in it of a box seen from inside: rt bk lf ft up dn; "rt" is towards +x, where Quake looks at yaw 0.
+uint box_face(vec3 d, out vec2 uv) {
   vec3 a = abs(d);
   uint face;
   vec2 s;
@@ -37,15 +30,33 @@ vec3 sky_box(vec3 d) {
     face = d.z > 0.0 ? frame.sky_box4 : frame.sky_box5;
     s = vec2(-d.y, d.z > 0.0 ? d.x : -d.x) / a.z;
   }
-  if (face == kNoIndex) return vec3(0.0);
-  return nearest_texel(face, s * 0.5 + 0.5, true).color;
+  uv = s * 0.5 + 0.5;
+  return face;
+}
+
+// Texels of layers or of a box. One fetch in a loop: a driver's compiler takes long over every copy of it.
+vec3 sky_texture(vec3 direction) {
+  bool layers = frame.sky_mode == kSkyLayers;
+  uint count = layers && frame.sky_alpha != kNoIndex ? 2u : 1u;
+  vec3 color = vec3(0.0);
+  for (uint i = 0u; i < count; ++i) {
+    vec2 uv;
+    uint image = box_face(direction, uv);
+    if (layers) {
+      image = i == 0u ? frame.sky_solid : frame.sky_alpha;
+      uv = layer_uv(direction, i == 0u ? 8.0 : 16.0);
+    }
+    if (image == kNoIndex) break;
+    Texel texel = nearest_texel(image, uv, !layers);
+    color = mix(color, texel.color, i == 0u ? 1.0 : texel.alpha);
+  }
+  return color;
 }
 
 vec3 sky_radiance(vec3 direction) {
   vec3 color = vec3(0.0);
   if (frame.sky_mode == kSkyConstant) color = frame.sky_color.rgb;
-  else if (frame.sky_mode == kSkyLayers) color = sky_layers(direction) * frame.sky_color.rgb;
-  else if (frame.sky_mode == kSkyBox) color = sky_box(direction) * frame.sky_color.rgb;
+  else if (frame.sky_mode >= kSkyLayers) color = sky_texture(direction) * frame.sky_color.rgb;
   for (uint i = 0u; i < frame.sun_count; ++i) {
     if (dot(direction, frame.sun_direction[i].xyz) >= frame.sun_direction[i].w) color += frame.sun_radiance[i].rgb;
   }

@@ -2,6 +2,7 @@
 #ifndef FB_LIB_SURFACE
 #define FB_LIB_SURFACE
 #include "lib/candidate.glsl"
+#include "lib/sky.glsl"
 #include "shared/packing.h"
 
 // False: no surface of the scene has a coat (plain Lambert throughout).
@@ -16,15 +17,21 @@ struct Surface {
   uint material;
 };
 
-vec3 apply_rows_point(vec4 rows[3], vec3 p) {
-  return vec3(dot(rows[0].xyz, p) + rows[0].w, dot(rows[1].xyz, p) + rows[1].w, dot(rows[2].xyz, p) + rows[2].w);
+vec3 rows_times_point(vec4 x, vec4 y, vec4 z, vec3 p) {
+  return vec3(dot(x.xyz, p) + x.w, dot(y.xyz, p) + y.w, dot(z.xyz, p) + z.w);
 }
-vec3 apply_rows_vector(vec4 rows[3], vec3 v) {
-  return vec3(dot(rows[0].xyz, v), dot(rows[1].xyz, v), dot(rows[2].xyz, v));
+vec3 to_world_point(uint i, vec3 p) {
+  return rows_times_point(instances[i].to_world[0], instances[i].to_world[1], instances[i].to_world[2], p);
+}
+vec3 to_previous_world_point(uint i, vec3 p) {
+  return rows_times_point(instances[i].prev_to_world[0], instances[i].prev_to_world[1], instances[i].prev_to_world[2], p);
+}
+vec3 to_world_vector(uint i, vec3 v) {
+  return vec3(dot(instances[i].to_world[0].xyz, v), dot(instances[i].to_world[1].xyz, v), dot(instances[i].to_world[2].xyz, v));
 }
 // Normals go by the inverse transposed.
-vec3 apply_rows_normal(vec4 inverse_rows[3], vec3 n) {
-  return normalize(inverse_rows[0].xyz * n.x + inverse_rows[1].xyz * n.y + inverse_rows[2].xyz * n.z);
+vec3 to_world_normal(uint i, vec3 n) {
+  return normalize(instances[i].to_object[0].xyz * n.x + instances[i].to_object[1].xyz * n.y + instances[i].to_object[2].xyz * n.z);
 }
 
 // Start of a ray that leaves a surface: off it by a little more than positions are rounded by.
@@ -38,25 +45,29 @@ vec3 pose_vertex(uint at, vec3 scale, vec3 origin) {
   return vec3(float(bytes & 0xffu), float((bytes >> 8u) & 0xffu), float((bytes >> 16u) & 0xffu)) * scale + origin;
 }
 
+vec3 previous_vertex(uint i, uint vertex) {
+  vec3 scale = instances[i].pose_scale.xyz, origin = instances[i].pose_origin.xyz;
+  vec3 from = pose_vertex(instances[i].prev_pose_a + vertex, scale, origin);
+  vec3 to = pose_vertex(instances[i].prev_pose_b + vertex, scale, origin);
+  return mix(from, to, instances[i].prev_pose_t);
+}
+
 // Where a point of the surface was in the previous frame, in the world.
 vec3 previous_position(Hit hit) {
-  GpuInstance instance = instances[hit.instance];
-  vec3 p;
-  if (instance.pose_a == kNoIndex) {
-    GpuTriangle t = triangles[instance.first_triangle + hit.triangle];
-    p = t.v0.xyz + t.e1.xyz * hit.bary.x + t.e2.xyz * hit.bary.y;
+  uint i = hit.instance;
+  vec3 v0, e1, e2;
+  if (instances[i].pose_a == kNoIndex) {
+    uint at = instances[i].first_triangle + hit.triangle;
+    v0 = triangles[at].v0.xyz;
+    e1 = triangles[at].e1.xyz;
+    e2 = triangles[at].e2.xyz;
   } else {
-    GpuAttribute a = attributes[instance.first_attribute + hit.triangle];
-    uint vertices[3] = uint[3](a.vertex0, a.vertex1, a.vertex2);
-    vec3 v[3];
-    for (uint i = 0u; i < 3u; ++i) {
-      vec3 from = pose_vertex(instance.prev_pose_a + vertices[i], instance.pose_scale.xyz, instance.pose_origin.xyz);
-      vec3 to = pose_vertex(instance.prev_pose_b + vertices[i], instance.pose_scale.xyz, instance.pose_origin.xyz);
-      v[i] = mix(from, to, instance.prev_pose_t);
-    }
-    p = v[0] + (v[1] - v[0]) * hit.bary.x + (v[2] - v[0]) * hit.bary.y;
+    GpuAttribute a = attributes[instances[i].first_attribute + hit.triangle];
+    v0 = previous_vertex(i, a.vertex0);
+    e1 = previous_vertex(i, a.vertex1) - v0;
+    e2 = previous_vertex(i, a.vertex2) - v0;
   }
-  return apply_rows_point(instance.prev_to_world, p);
+  return to_previous_world_point(i, v0 + e1 * hit.bary.x + e2 * hit.bary.y);
 }
 
 vec3 pose_normal(uint vertex, uint pose_a, uint pose_b, float t) {
@@ -79,61 +90,72 @@ vec3 smooth_normal(uint instance_index, GpuAttribute a, vec2 bary) {
          weights.z * unpack_direction(normals[first + a.vertex2]);
 }
 
-// Turns a normal map's texel about the surface; uv gives the tangent.
-vec3 mapped_normal(GpuMaterial m, GpuAttribute a, GpuTriangle t, uint instance_index, vec3 n, vec2 uv) {
+// Turns a normal map's texel, 0..1 each, about the surface; texture coordinates give the tangent.
+vec3 mapped_normal(vec3 texel, GpuAttribute a, GpuTriangle t, uint instance_index, vec3 n) {
   vec2 d1 = a.uv1 - a.uv0, d2 = a.uv2 - a.uv0;
   float determinant = d1.x * d2.y - d1.y * d2.x;
   if (abs(determinant) < 1e-12) return n;
-  vec3 tangent = apply_rows_vector(instances[instance_index].to_world, (t.e1.xyz * d2.y - t.e2.xyz * d1.y) / determinant);
-  vec3 down = apply_rows_vector(instances[instance_index].to_world, (t.e2.xyz * d1.x - t.e1.xyz * d2.x) / determinant);
+  vec3 tangent = to_world_vector(instance_index, (t.e1.xyz * d2.y - t.e2.xyz * d1.y) / determinant);
+  vec3 down = to_world_vector(instance_index, (t.e2.xyz * d1.x - t.e1.xyz * d2.x) / determinant);
   tangent = normalize(tangent - n * dot(n, tangent));
   vec3 bitangent = cross(n, tangent);
   if (dot(bitangent, down) > 0.0) bitangent = -bitangent;  // green points up the image, v runs down it
-  vec3 s = nearest_texel(m.normal, uv, (m.flags & kMaterialClampTexture) != 0u).color * 2.0 - 1.0;
+  vec3 s = texel * 2.0 - 1.0;
   return normalize(tangent * s.x + bitangent * s.y + n * max(s.z, 0.01));
 }
 
-// Colour and radiance alone: all that the end of a path needs.
-Shade load_shade(Hit hit, vec3 direction, bool smooth_texels) {
-  uint record = instances[hit.instance].first_attribute + hit.triangle;
-  GpuMaterial m = materials[instances[hit.instance].material_base + attributes[record].material];
-  return shade_point(m, hit.instance, hit_uv(record, hit.bary), direction, smooth_texels);
+// Normal map and gloss image, where there are any.
+void apply_detail(inout Surface s, inout float roughness, GpuMaterial m, GpuAttribute a, GpuTriangle t, uint instance_index, vec2 uv) {
+  uint first = m.normal != kNoIndex ? 0u : 1u, last = FEATURE_SPECULAR && m.gloss != kNoIndex ? 2u : 1u;
+  for (uint i = first; i < last; ++i) {
+    Texel texel = nearest_texel(i == 0u ? m.normal : m.gloss, uv, (m.flags & kMaterialClampTexture) != 0u);
+    if (i == 0u) s.shading_normal = mapped_normal(texel.color, a, t, instance_index, s.shading_normal);
+    else roughness = 1.0 - texel.color.x;
+  }
 }
 
-Surface load_surface(Hit hit, vec3 direction, bool smooth_texels) {
-  uint record = instances[hit.instance].first_attribute + hit.triangle;
-  GpuAttribute a = attributes[record];
-  GpuTriangle t = triangles[instances[hit.instance].first_triangle + hit.triangle];
+// The surface that a ray meets; where it meets none (hit.instance is kNoIndex), emission is the sky's and nothing else
+// counts. `end_of_path`: emission is all that is wanted.
+Surface load_surface(Hit hit, vec3 direction, bool smooth_texels, bool end_of_path) {
   Surface s;
-  s.material = instances[hit.instance].material_base + a.material;
-  GpuMaterial m = materials[s.material];
-  vec2 uv = hit_uv(record, hit.bary);
-  Shade shade = shade_point(m, hit.instance, uv, direction, smooth_texels);
-  s.emission = shade.emission;
-  s.position = apply_rows_point(instances[hit.instance].to_world, t.v0.xyz + t.e1.xyz * hit.bary.x + t.e2.xyz * hit.bary.y);
-  s.normal = apply_rows_normal(instances[hit.instance].to_object, cross(t.e1.xyz, t.e2.xyz));
-  if (dot(s.normal, direction) > 0.0) s.normal = -s.normal;
-  s.shading_normal = s.normal;
-  if ((a.flags & kTriangleSmooth) != 0u) {
-    vec3 n = smooth_normal(hit.instance, a, hit.bary);
-    if (dot(n, n) > 0.0) {
-      n = apply_rows_normal(instances[hit.instance].to_object, n);
-      if (dot(n, s.normal) < 0.0) n = -n;
-      s.shading_normal = n;
+  s.emission = vec3(0.0);
+  vec3 sky_factor = vec3(1.0);
+  bool sky = hit.instance == kNoIndex;
+  if (!sky) {
+    uint record = instances[hit.instance].first_attribute + hit.triangle;
+    GpuAttribute a = attributes[record];
+    s.material = instances[hit.instance].material_base + a.material;
+    GpuMaterial m = materials[s.material];
+    vec2 uv = hit_uv(record, hit.bary);
+    Shade shade = shade_point(m, hit.instance, uv, smooth_texels);
+    s.emission = shade.emission;
+    sky = m.emission_kind == kEmissionSky && (instances[hit.instance].flags & kInstanceHasColor) == 0u;
+    sky_factor = m.emission.rgb;
+    if (!end_of_path) {
+      GpuTriangle t = triangles[instances[hit.instance].first_triangle + hit.triangle];
+      s.position = to_world_point(hit.instance, t.v0.xyz + t.e1.xyz * hit.bary.x + t.e2.xyz * hit.bary.y);
+      s.normal = to_world_normal(hit.instance, cross(t.e1.xyz, t.e2.xyz));
+      if (dot(s.normal, direction) > 0.0) s.normal = -s.normal;
+      s.shading_normal = s.normal;
+      if ((a.flags & kTriangleSmooth) != 0u) {
+        vec3 n = smooth_normal(hit.instance, a, hit.bary);
+        if (dot(n, n) > 0.0) {
+          n = to_world_normal(hit.instance, n);
+          s.shading_normal = dot(n, s.normal) < 0.0 ? -n : n;
+        }
+      }
+      float roughness = m.roughness;
+      apply_detail(s, roughness, m, a, t, hit.instance, uv);
+      // A shading normal that faces away from the ray is bent back until it does not.
+      float facing = dot(s.shading_normal, direction);
+      if (facing > -0.02) s.shading_normal = normalize(s.shading_normal - direction * (facing + 0.02));
+      s.bsdf.albedo = shade.albedo;
+      s.bsdf.alpha = max(roughness * roughness, kMinAlpha);
+      s.bsdf.specular = FEATURE_SPECULAR ? m.specular : 0.0;
+      s.bsdf.metalness = FEATURE_SPECULAR ? m.metalness : 0.0;
     }
   }
-  if (m.normal != kNoIndex) s.shading_normal = mapped_normal(m, a, t, hit.instance, s.shading_normal, uv);
-  // A shading normal that faces away from the ray is bent back until it does not.
-  float facing = dot(s.shading_normal, direction);
-  if (facing > -0.02) s.shading_normal = normalize(s.shading_normal - direction * (facing + 0.02));
-  s.bsdf.albedo = shade.albedo;
-  float roughness = m.roughness;
-  if (FEATURE_SPECULAR && m.gloss != kNoIndex) {
-    roughness = 1.0 - nearest_texel(m.gloss, uv, (m.flags & kMaterialClampTexture) != 0u).color.x;
-  }
-  s.bsdf.alpha = max(roughness * roughness, kMinAlpha);
-  s.bsdf.specular = FEATURE_SPECULAR ? m.specular : 0.0;
-  s.bsdf.metalness = FEATURE_SPECULAR ? m.metalness : 0.0;
+  if (sky) s.emission = sky_radiance(direction) * sky_factor;
   return s;
 }
 #endif

@@ -7,6 +7,18 @@
 #include "lib/pixel.glsl"
 #include "lib/path_vertex.glsl"
 
+void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float depth) {
+  vec3 before = previous_pixel(previous_position(hit));
+  texel.position_t = vec4(s.position, hit.t);
+  texel.albedo_roughness = vec4(s.bsdf.albedo, sqrt(s.bsdf.alpha));
+  texel.emission_specular.w = s.bsdf.specular;
+  texel.normal = pack_direction(s.normal);
+  texel.shading_normal = pack_direction(s.shading_normal);
+  texel.id = instances[hit.instance].id;
+  texel.material_metalness = s.material | (uint(s.bsdf.metalness * 255.0 + 0.5) << 24u);
+  texel.motion = vec4(before.xy - point, depth, before.z);
+}
+
 void main() {
   uvec2 pixel = invocation_pixel();
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
@@ -18,22 +30,12 @@ void main() {
   vec3 direction = normalize(ray);
   Hit hit = trace(frame.camera_position.xyz, direction, 0.0, kRayEnd, kMaskCamera, rng);
 
-  GBufferTexel texel;
-  if (hit.instance == kNoIndex) {
-    vec3 sky = frame.sky_beyond != 0u ? sky_radiance(direction) : vec3(0.0);
-    texel = GBufferTexel(vec4(0.0), vec4(0.0, 0.0, 0.0, 1.0), vec4(sky, 0.0), 0u, 0u, 0u, 0u, vec4(0.0));
-  } else {
-    Surface s = load_surface(hit, direction, frame.texture_filter != 0u);
-    vec3 before = previous_pixel(previous_position(hit));
-    float depth = hit.t / length(ray);
-    texel.position_t = vec4(s.position, hit.t);
-    texel.albedo_roughness = vec4(s.bsdf.albedo, sqrt(s.bsdf.alpha));
-    texel.emission_specular = vec4(s.emission, s.bsdf.specular);
-    texel.normal = pack_direction(s.normal);
-    texel.shading_normal = pack_direction(s.shading_normal);
-    texel.id = instances[hit.instance].id;
-    texel.material_metalness = s.material | (uint(s.bsdf.metalness * 255.0 + 0.5) << 24u);
-    texel.motion = vec4(before.xy - point, depth, before.z);
+  bool missed = hit.instance == kNoIndex;
+  GBufferTexel texel = GBufferTexel(vec4(0.0), vec4(0.0, 0.0, 0.0, 1.0), vec4(0.0), 0u, 0u, 0u, 0u, vec4(0.0));
+  if (!missed || frame.sky_beyond != 0u) {
+    Surface s = load_surface(hit, direction, frame.texture_filter != 0u, missed);
+    texel.emission_specular = vec4(s.emission, 0.0);
+    if (!missed) fill_texel(texel, s, hit, point, hit.t / length(ray));
   }
   gbuffer[at] = texel;
 }

@@ -15,8 +15,8 @@ FB_CONST float kMinAlpha = 0.002f;  // GGX alpha below this is numerically a mir
 
 struct Bsdf {
   vec3 albedo;
-  float alpha;      // GGX roughness^2, at least kMinAlpha
-  float specular;   // F0 of the dielectric part
+  float alpha;     // GGX roughness^2, at least kMinAlpha
+  float specular;  // F0 of the dielectric part
   float metalness;
 };
 

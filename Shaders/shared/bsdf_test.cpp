@@ -126,8 +126,9 @@ TEST_P(BsdfSampling, WeightIsTheIntegralAndLosesNoEnergyBeyondOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, BsdfSampling,
-                         testing::Values(BsdfCase{1, 0, 0, 30}, BsdfCase{0.5f, 0.04f, 0, 20}, BsdfCase{0.4f, 0.04f, 0, 75},
-                                         BsdfCase{0.6f, 0, 1, 45}, BsdfCase{0.9f, 0.5f, 0.5f, 60}));
+                         testing::Values(BsdfCase{1, 0, 0, 30}, BsdfCase{0.5f, 0.04f, 0, 20},
+                                         BsdfCase{0.4f, 0.04f, 0, 75}, BsdfCase{0.6f, 0, 1, 45},
+                                         BsdfCase{0.9f, 0.5f, 0.5f, 60}));
 
 TEST(Bsdf, IsReciprocal) {
   Rng rng(4);

@@ -1,7 +1,7 @@
-// The tree that rays are traced through, as the host builds it and the device refits and traverses it. A node holds both
-// children's boxes, so that one fetch decides about two subtrees. One buffer holds all nodes: node 0 is this frame's root,
-// then come the meshes' trees, the trees of this frame's copies (what is not the world stands in the world's space as a
-// copy), and the frame's nodes above all these.
+// The tree that rays are traced through, as the host builds it and the device refits and traverses it. A node holds
+// both children's boxes, so that one fetch decides about two subtrees. One buffer holds all nodes: node 0 is this
+// frame's root, then come the meshes' trees, the trees of this frame's copies (what is not the world stands in the
+// world's space as a copy), and the frame's nodes above all these.
 #ifndef FB_SHARED_BVH_H
 #define FB_SHARED_BVH_H
 #include "shared/common.h"
@@ -26,8 +26,8 @@ FB_CONST uint kRefCountMask = 7u;
 FB_CONST uint kRefFirstMask = 0x07ffffffu;
 FB_CONST uint kMaxLeafTriangles = 8u;
 
-// Depth: inner nodes on the longest way from a root to a leaf, in a mesh's tree and in what stands above the meshes. The
-// traversal's stack holds kTraversalStack references.
+// Depth: inner nodes on the longest way from a root to a leaf, in a mesh's tree and in what stands above the meshes.
+// The traversal's stack holds kTraversalStack references.
 FB_CONST uint kMaxMeshDepth = 40u;
 FB_CONST uint kMaxInstanceDepth = 20u;
 FB_CONST uint kTraversalStack = 64u;

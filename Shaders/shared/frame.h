@@ -5,60 +5,60 @@
 FB_NAMESPACE_BEGIN
 
 // Set 1: the frame.
-FB_CONST uint kBindGBuffer = 0u;      // GBufferTexel[pixels]
-FB_CONST uint kBindRadiance = 1u;     // vec4[pixels]: this frame's estimate (rgb, mean of its samples)
-FB_CONST uint kBindMean = 2u;         // vec4[pixels]: mean over the accumulated frames (rgb), w their number
-FB_CONST uint kBindM2 = 3u;           // vec4[pixels]: sum of squared deviations from that mean (Welford)
-FB_CONST uint kBindLdr = 4u;          // uint[pixels]: tone-mapped, sRGB, r lowest
-FB_CONST uint kBindSmooth = 5u;       // uint[pixels]: after anti-aliasing
-FB_CONST uint kBindOutput = 6u;       // uint[output pixels]: what is shown
-FB_CONST uint kBindExposure = 7u;     // ExposureState, then the histogram
-FB_CONST uint kBindQuads = 8u;        // GpuQuad[]
-FB_CONST uint kBindTiles = 9u;        // uint[]: a tile's first and last+1 index, then the lists of quads
-FB_CONST uint kBindAtlas = 10u;       // uint[]: texels of 2D drawing
-FB_CONST uint kBindCounters = 11u;    // uint[16]: see kCounter*
+FB_CONST uint kBindGBuffer = 0u;    // GBufferTexel[pixels]
+FB_CONST uint kBindRadiance = 1u;   // vec4[pixels]: this frame's estimate (rgb, mean of its samples)
+FB_CONST uint kBindMean = 2u;       // vec4[pixels]: mean over the accumulated frames (rgb), w their number
+FB_CONST uint kBindM2 = 3u;         // vec4[pixels]: sum of squared deviations from that mean (Welford)
+FB_CONST uint kBindLdr = 4u;        // uint[pixels]: tone-mapped, sRGB, r lowest
+FB_CONST uint kBindSmooth = 5u;     // uint[pixels]: after anti-aliasing
+FB_CONST uint kBindOutput = 6u;     // uint[output pixels]: what is shown
+FB_CONST uint kBindExposure = 7u;   // ExposureState, then the histogram
+FB_CONST uint kBindQuads = 8u;      // GpuQuad[]
+FB_CONST uint kBindTiles = 9u;      // uint[]: a tile's first and last+1 index, then the lists of quads
+FB_CONST uint kBindAtlas = 10u;     // uint[]: texels of 2D drawing
+FB_CONST uint kBindCounters = 11u;  // uint[16]: see kCounter*
 
-FB_CONST uint kCounterNan = 0u;         // samples that were NaN or infinite; they count as zero
+FB_CONST uint kCounterNan = 0u;  // samples that were NaN or infinite; they count as zero
 FB_CONST uint kCounterCount = 16u;
 FB_CONST uint kHistogramBins = 128u;
-FB_CONST uint kDrawTile = 32u;          // output pixels a side
+FB_CONST uint kDrawTile = 32u;  // output pixels a side
 
 FB_CONST uint kMaxSuns = 4u;
 
 // std140-compatible: vec4s, and rows of four words.
 struct FrameConstants {
-  vec4 camera_position;                 // w: tan of half a pixel's angle (footprints)
+  vec4 camera_position;  // w: tan of half a pixel's angle (footprints)
   vec4 camera_forward;
-  vec4 camera_right;                    // times tan(fov_x / 2)
-  vec4 camera_up;                       // times tan(fov_y / 2)
+  vec4 camera_right;  // times tan(fov_x / 2)
+  vec4 camera_up;     // times tan(fov_y / 2)
   vec4 prev_camera_position;
   vec4 prev_camera_forward;
   vec4 prev_camera_right;
   vec4 prev_camera_up;
-  vec4 sky_color;                       // factor or radiance; w: time in seconds, modulo what keeps it exact
-  vec4 sun_direction[4];                // w: cosine of the angular radius
+  vec4 sky_color;         // factor or radiance; w: time in seconds, modulo what keeps it exact
+  vec4 sun_direction[4];  // w: cosine of the angular radius
   vec4 sun_radiance[4];
   vec4 screen_tint;
-  uint width, height;                   // rendered pixels
+  uint width, height;  // rendered pixels
   uint output_width, output_height;
   uint frame, seed, spp, bounces;
   uint sky_mode, sky_solid, sky_alpha, sun_count;
   uint sky_box0, sky_box1, sky_box2, sky_box3;
   uint sky_box4, sky_box5, sky_beyond, accumulated_frames;
-  float time, prev_time, jitter_x, jitter_y;      // jitter in pixels, 0: pixel centre
+  float time, prev_time, jitter_x, jitter_y;                   // jitter in pixels, 0: pixel centre
   float exposure, auto_exposure, adaptation, exposure_target;  // adaptation: weight of the new value, 1 at a cut
   uint tone_map, fxaa, debug_view, swap_red_blue;
   uint quad_tiles_x, draw_quads, atlas_width, texture_filter;
 };
 
 struct GBufferTexel {  // 80 bytes
-  vec4 position_t;             // world position; w: distance along the ray, 0 where nothing was hit
+  vec4 position_t;     // world position; w: distance along the ray, 0 where nothing was hit
   vec4 albedo_roughness;
-  vec4 emission_specular;      // rgb radiance towards the camera
+  vec4 emission_specular;       // rgb radiance towards the camera
   uint normal, shading_normal;  // octahedral; both face the camera
-  uint id;                     // scene::Instance::id
-  uint material_metalness;     // material in the low 24 bits, metalness * 255 above
-  vec4 motion;                 // xy: previous minus current position in pixels; z, w: view depth now and before
+  uint id;                      // scene::Instance::id
+  uint material_metalness;      // material in the low 24 bits, metalness * 255 above
+  vec4 motion;                  // xy: previous minus current position in pixels; z, w: view depth now and before
 };
 
 struct ExposureState {
@@ -67,9 +67,9 @@ struct ExposureState {
   float pad0, pad1;
 };
 
-struct GpuQuad {  // 48 bytes, output pixels and atlas texels
-  vec4 rectangle;   // min.xy, max.xy
-  vec4 uv;          // min.xy, max.xy; equal: a plain fill
+struct GpuQuad {   // 48 bytes, output pixels and atlas texels
+  vec4 rectangle;  // min.xy, max.xy
+  vec4 uv;         // min.xy, max.xy; equal: a plain fill
   vec4 color;
 };
 

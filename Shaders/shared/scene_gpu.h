@@ -22,8 +22,8 @@ FB_CONST uint kBindVertices = 12u;   // float[]: corners of triangles in leaf or
 
 FB_CONST uint kNoIndex = 0xffffffffu;
 
-// 48 bytes: v0, v1 - v0, v2 - v0; in the mesh's space, or, where our own trees are traced, in the world's. There v0.w says
-// as bits whose the triangle is: bit 0 whether hits must ask, bits 1..2 visibility, above these the instance.
+// 48 bytes: v0, v1 - v0, v2 - v0; in the mesh's space, or, where our own trees are traced, in the world's. There v0.w
+// says as bits whose the triangle is: bit 0 whether hits must ask, bits 1..2 visibility, above these the instance.
 struct GpuTriangle {
   vec4 v0;
   vec4 e1;
@@ -45,7 +45,7 @@ FB_CONST uint kTriangleSmooth = 2u;     // has vertex normals
 
 struct GpuInstance {  // 272 bytes
   vec4 to_world[3];
-  vec4 to_object[3];     // linear part; w: the origin in the world
+  vec4 to_object[3];  // linear part; w: the origin in the world
   vec4 prev_to_world[3];
   uint world_triangle;   // into triangles: the first of those that rays are traced against (ours, not ray query)
   uint first_triangle;   // into triangles: the mesh's, or a posed instance's own, in the mesh's space
@@ -70,26 +70,26 @@ FB_CONST uint kInstanceIsViewModel = 8u;
 FB_CONST uint kInstanceIsNew = 16u;
 FB_CONST uint kInstanceTranslucent = 32u;  // alpha < 1: candidate hits must ask
 
-// A copy of a mesh for one instance and this frame; a workgroup makes it. Posed triangles in the mesh's space, for shading;
-// the triangles in the world's space and the refitted tree over them, for tracing.
-FB_CONST uint kCopyLevels = 44u;   // above shared/bvh.h's kMaxMeshDepth
-struct GpuCopyJob {                // 320 bytes
+// A copy of a mesh for one instance and this frame; a workgroup makes it. Posed triangles in the mesh's space, for
+// shading; the triangles in the world's space and the refitted tree over them, for tracing.
+FB_CONST uint kCopyLevels = 44u;  // above shared/bvh.h's kMaxMeshDepth
+struct GpuCopyJob {               // 320 bytes
   vec4 to_world[3];
-  vec4 scale, origin;              // of pose vertices
-  uint pose_a, pose_b;             // first vertices in poses; kNoIndex: rigid
+  vec4 scale, origin;   // of pose vertices
+  uint pose_a, pose_b;  // first vertices in poses; kNoIndex: rigid
   float pose_t;
   uint triangle_count;
-  uint first_attribute;            // of the mesh
-  uint object_triangle;            // rigid: read from there; posed: written there
-  uint world_triangle;             // written there (our own trees)
-  uint first_vertex;               // corners are written there (ray query)
-  uint owner;                      // v0.w of the copy's triangles, but for their own kTriangleAsks
-  uint mesh_node, mesh_triangle;   // what references in the mesh's tree count from
-  uint first_node;                 // of the copy's tree
-  uint first_level_entry;          // into levels
+  uint first_attribute;           // of the mesh
+  uint object_triangle;           // rigid: read from there; posed: written there
+  uint world_triangle;            // written there (our own trees)
+  uint first_vertex;              // corners are written there (ray query)
+  uint owner;                     // v0.w of the copy's triangles, but for their own kTriangleAsks
+  uint mesh_node, mesh_triangle;  // what references in the mesh's tree count from
+  uint first_node;                // of the copy's tree
+  uint first_level_entry;         // into levels
   uint level_count;
   uint pad0, pad1;
-  uint level_first[44];            // levels l's nodes are entries level_first[l] .. level_first[l + 1] - 1
+  uint level_first[44];  // levels l's nodes are entries level_first[l] .. level_first[l + 1] - 1
 };
 
 struct GpuMaterial {               // 80 bytes
