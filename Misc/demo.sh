@@ -19,5 +19,5 @@ out=${OUT:-out/demo}
 mkdir -p "$out"
 rm -f "$out"/*.png
 build/fullbright -headless -basedir "$data" -size "${SIZE:-320x180}" -capture "$out" \
-  -capture_every "${CAPTURE_EVERY:-30}" +timedemo "${DEMO:-demo1}" +quit
+  -capture_every "${CAPTURE_EVERY:-30}" +timedemo "${DEMO:-demo3}" +quit
 echo "$(find "$out" -name '*.png' | wc -l) frames are in $(cd "$out" && pwd)"

@@ -27,8 +27,8 @@ Result<FsOptions> options_from_arguments(std::span<const std::string> arguments)
     if (given(fmt::format("-{}", pack).c_str())) add_once(options.games, pack);
   }
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const bool game = arguments[i] == "-game";
-    if (!game && arguments[i] != "-basedir") continue;
+    const bool game = arguments[i] == "-game", user = arguments[i] == "-userdir";
+    if (!game && !user && arguments[i] != "-basedir") continue;
     if (i + 1 == arguments.size()) return Error{fmt::format("{} needs a directory after it", arguments[i])};
     const std::string& value = arguments[++i];
     if (game) {
@@ -36,8 +36,11 @@ Result<FsOptions> options_from_arguments(std::span<const std::string> arguments)
         return Error{fmt::format("-game \"{}\": a gamedir is one directory's name below -basedir, not a path", value)};
       add_once(options.games, value);
     } else {
-      if (value.empty()) return Error{"-basedir needs a directory after it"};
-      options.base_dir = value;
+      if (value.empty()) return Error{fmt::format("{} needs a directory after it", arguments[i - 1])};
+      if (user)
+        options.user_dir = value;
+      else
+        options.base_dir = value;
     }
   }
   return options;

@@ -1,4 +1,4 @@
-// Where game data is, as the command line says it: -basedir DIR, -game DIR, -hipnotic, -rogue, -quoth.
+// Where game data is, as the command line says it: -basedir DIR, -userdir DIR, -game DIR, -hipnotic, -rogue, -quoth.
 #pragma once
 
 #include <filesystem>

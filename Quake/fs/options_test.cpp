@@ -21,6 +21,17 @@ std::string failure(const std::vector<std::string>& arguments) {
   return options ? "no failure" : options.error().message;
 }
 
+TEST(FsOptions, TheUserDirectoryMayBeNamed) {
+  const std::vector<std::string> arguments{"-basedir", "base", "-userdir", "mine"};
+  const auto options = options_from_arguments(arguments);
+  ASSERT_TRUE(options.ok());
+  EXPECT_EQ(options->base_dir, "base");
+  ASSERT_TRUE(options->user_dir.has_value());
+  EXPECT_EQ(*options->user_dir, "mine");
+  const std::vector<std::string> cut{"-userdir"};
+  EXPECT_NE(options_from_arguments(cut).error().message.find("-userdir"), std::string::npos);
+}
+
 TEST(FsOptions, NothingGiven) {
   const FsOptions options = parse({"fullbright", "+map", "start"});
   EXPECT_EQ(options.base_dir, ".");

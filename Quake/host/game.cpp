@@ -206,6 +206,15 @@ void Game::report_timing() {
   was_timing_ = timing;
 }
 
+// Measurements leave no trace, so only a played game is remembered.
+void Game::save_config() {
+  const auto path = engine_->files().write_path("config.cfg");
+  if (!path) return log_error("{}", path.error().message);
+  std::error_code ignored;
+  std::filesystem::create_directories(path->parent_path(), ignored);
+  if (const auto status = engine_->console().write_config(*path); !status) log_error("{}", status.error().message);
+}
+
 int Game::run() {
   con::Console& console = engine_->console();
   cl::Client& client = engine_->client();
@@ -229,6 +238,7 @@ int Game::run() {
     }
   }
   set_reproduction_hint(nullptr);
+  if (window_) save_config();
   return exit_status_;
 }
 

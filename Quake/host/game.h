@@ -36,6 +36,7 @@ class Game {
   bool draw_frame();
   void capture();
   void report_timing();
+  void save_config();
 
   GameOptions options_;
   std::unique_ptr<Engine> engine_;

@@ -27,7 +27,7 @@ void add_stage_options(CLI::App& app, StageOptions& o) {
   app.add_option("--basedir", o.basedir, "folder that holds id1");
   app.add_option("--game", o.games, "a mod's folder beside id1; several count");
   auto* what = app.add_option_group("what", "what to show");
-  what->add_option("--demo", o.demo, "a recorded demo");
+  what->add_option("--demo", o.demo, "a recorded demo: a file, or the game's by name");
   what->add_option("--map", o.map, "a map's world, from its first player start");
   what->add_option("--scene", o.scene,
                    "a scene made in code: " + fmt::format("{}", fmt::join(lab::code_scene_names(), ", ")));

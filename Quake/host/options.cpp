@@ -107,6 +107,7 @@ usage: fullbright [options] [+command arguments ...]
   -basedir DIR         folder that holds id1 (default: the current one)
   -game DIR            a mod's folder beside id1; several count, the last wins
   -hipnotic -rogue -quoth   the mission packs
+  -userdir DIR         the player's own files (default: ~/.fullbright)
   -headless            no window; needs a command, e.g. +timedemo demo1
   -size WxH            of the picture (default 1280x720, headless 640x360)
   -fullscreen -window  how the window opens

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
 namespace fb::lab {
 namespace {
 
@@ -53,7 +57,15 @@ std::unique_ptr<FrameSource> make(cl::Client& client, const ClientSourceOptions&
 
 Result<std::unique_ptr<FrameSource>> demo_source(cl::Client& client, std::string_view demo,
                                                  const ClientSourceOptions& options) {
-  if (auto status = client.start_demo(demo, cl::DemoMode::kPlay); !status) return status.error();
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(demo, ignored)) {
+    std::ifstream file(std::string(demo), std::ios::binary);
+    Bytes data((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    if (!file.good() && !file.eof()) return Error{fmt::format("{}: cannot be read", demo)};
+    if (auto status = client.start_demo(std::move(data), demo, cl::DemoMode::kPlay); !status) return status.error();
+  } else if (auto status = client.start_demo(demo, cl::DemoMode::kPlay); !status) {
+    return status.error();
+  }
   return make(client, options, true);
 }
 
