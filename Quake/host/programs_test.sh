@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# The two programs as their users run them: programs_test.sh BUILD_DIR. What needs game data is skipped, saying so, where
+# there is none (FULLBRIGHT_TEST_DATA, else ../shared/librequake beside the sources).
+set -uo pipefail
+build=$1
+data=${FULLBRIGHT_TEST_DATA:-../shared/librequake}
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+failures=0
+
+check() {  # check NAME CONDITION...
+  local name=$1
+  shift
+  if "$@"; then echo "ok: $name"; else
+    echo "FAILED: $name"
+    failures=$((failures + 1))
+  fi
+}
+fails_with() {  # fails_with TEXT COMMAND...: exits non-zero with one line on stderr that holds TEXT
+  local text=$1 out
+  shift
+  if out=$("$@" 2>&1 >/dev/null); then return 1; fi
+  [[ $out == *"$text"* && $(wc -l <<<"$out") -le 2 ]]
+}
+
+check "an unknown option is named" fails_with "-nonsense" "$build/fullbright" -nonsense
+check "headless without a command says what to give" fails_with "+timedemo" "$build/fullbright" -headless
+check "missing data says what to give" fails_with "-basedir" "$build/fullbright" -headless -basedir "$scratch" +timedemo demo1
+check "help" grep -q -- -capture_every <<<"$("$build/fullbright" --help)"
+check "the laboratory's help" grep -q reference <<<"$("$build/fullbright-lab" --help)"
+check "an unknown scene names those there are" fails_with cbox "$build/fullbright-lab" render --scene nowhere
+
+if ! "$build/fullbright" -listdevices >"$scratch/devices" 2>&1; then
+  echo "skipped: no Vulkan device: $(cat "$scratch/devices")"
+  exit $((failures > 0 ? 1 : 77))
+fi
+check "a device would be chosen" grep -q '^\* 0\|^\* [0-9]' "$scratch/devices"
+
+hashes() {  # hashes THREADS ARGUMENTS...
+  LP_NUM_THREADS=$1 "$build/fullbright-lab" render --quiet --hash "${@:2}" | grep '^frame'
+}
+same_with_any_threads() {
+  hashes 1 "$@" >"$scratch/one" && hashes 2 "$@" >"$scratch/two" && hashes 2 "$@" >"$scratch/again" &&
+    [[ -s $scratch/one ]] && cmp "$scratch/one" "$scratch/two" && cmp "$scratch/two" "$scratch/again"
+}
+check "pictures repeat with one thread and two" same_with_any_threads --scene moving --frames 0:5 --size 96x54
+check "another cvar, another picture" bash -c "! cmp -s '$scratch/one' <(LP_NUM_THREADS=1 '$build/fullbright-lab' render --quiet \
+  --hash --scene moving --frames 0:5 --size 96x54 --set r_bounces=1 | grep '^frame')"
+
+if [[ ! -d $data/id1 ]]; then
+  echo "skipped: the rest needs game data, and $data/id1 is absent"
+  exit $((failures > 0 ? 1 : 77))
+fi
+
+"$build/fullbright" -headless -userdir "$scratch/user" -basedir "$data" -size 32x18 -capture "$scratch/frames" -capture_every 400 \
+  +r_bounces 0 +timedemo demo3 +quit >"$scratch/timedemo" 2>&1
+check "timedemo's exit status" test $? -eq 0
+check "timedemo prints QuakeSpasm's count" grep -Eq '^1232 frames +[0-9.]+ seconds +[0-9.]+ fps$' "$scratch/timedemo"
+check "timedemo reports the passes' times" grep -q '^gpu ms a frame: .*gbuffer' "$scratch/timedemo"
+check "frames are written" test "$(find "$scratch/frames" -name 'frame_*.png' | wc -l)" -ge 4
+check "a demo repeats with one thread and two" same_with_any_threads --basedir "$data" --demo testdemos/fight.dem --frames 60:63 --size 96x54
+check "a frame beyond the demo's end is an error" fails_with "there is no frame" "$build/fullbright-lab" render --quiet --basedir "$data" \
+  --demo testdemos/fight.dem --frames 9000:9000 --size 8x8 --set r_bounces=0
+if ((failures)); then cat "$scratch/timedemo"; fi
+exit $((failures > 0 ? 1 : 0))
