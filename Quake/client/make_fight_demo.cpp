@@ -1,6 +1,6 @@
 // make_fight_demo FILE: writes a demo of a fight, from nothing but this source: monsters that run at the camera,
 // rockets with their trails, explosions, blood, the weapon in view. LibreQuake's own demos fly through maps where
-// nothing happens. It plays on LibreQuake's lq_e0m2; its models are Quake's by name.
+// nothing happens. It plays on LibreQuake's lqdm3; its models are Quake's by name.
 #include <fmt/format.h>
 
 #include <array>
@@ -18,34 +18,40 @@ namespace svc = net::svc;
 
 constexpr double kStep = 0.05;  // seconds between messages
 constexpr int kMessages = 80;
-constexpr vec3 kPlayer{-1950, 3690, 600};
-constexpr float kPlayerYaw = 176;
+constexpr vec3 kPlayer{-1936, 720, -40};
+constexpr float kPlayerYaw = 337;
 constexpr int kEffectMuzzleFlash = 2;
 
 enum Model : int { kWorld = 1, kPlayerModel, kRocketLauncher, kRocket, kOgre, kHellKnight, kWizard, kExplosionSprite };
 
+// A place as the player sees it: units ahead, to the right, and above his feet's level.
+struct Place {
+  float ahead, right, up;
+};
+vec3 position(const Place& place) {
+  const AxisVectors axes = angle_vectors({0, kPlayerYaw, 0});
+  return kPlayer + axes.forward * place.ahead + axes.right * place.right + axes.up * place.up;
+}
+
 struct Monster {
   int entity, model;
-  vec3 start;
-  float yaw, speed;         // degrees, units a second
+  Place start;
+  float speed;              // towards the player, units a second
   int first_frame, frames;  // of the run
 };
 constexpr std::array kMonsters{
-    Monster{10, kOgre, {-2230, 3640, 576}, 5, 40, 25, 8},
-    Monster{11, kOgre, {-2290, 3790, 576}, -15, 25, 25, 8},
-    Monster{12, kHellKnight, {-2150, 3730, 576}, 0, 45, 29, 8},
-    Monster{13, kHellKnight, {-2330, 3700, 576}, 0, 60, 29, 8},
-    Monster{14, kWizard, {-2190, 3800, 640}, -20, 20, 15, 14},
-    Monster{15, kWizard, {-2260, 3590, 660}, 15, 20, 15, 14},
+    Monster{10, kOgre, {250, -70, 0}, 20, 25, 8},      Monster{11, kOgre, {330, 75, 0}, 25, 25, 8},
+    Monster{12, kHellKnight, {180, 55, 0}, 15, 29, 8}, Monster{13, kHellKnight, {390, -10, 0}, 40, 29, 8},
+    Monster{14, kWizard, {290, -90, 70}, 20, 15, 14},  Monster{15, kWizard, {340, 110, 90}, 20, 15, 14},
 };
 
 struct Shot {
   int entity;
   double launched, hits;  // seconds
-  vec3 target;
+  Place target;
 };
-constexpr std::array kShots{Shot{30, 0.3, 0.8, {-2260, 3650, 600}}, Shot{31, 1.1, 1.7, {-2300, 3800, 610}},
-                            Shot{32, 1.9, 2.4, {-2180, 3735, 605}}, Shot{33, 2.7, 3.3, {-2320, 3705, 600}}};
+constexpr std::array kShots{Shot{30, 0.3, 0.8, {320, 0, 20}}, Shot{31, 1.1, 1.7, {300, 80, 30}},
+                            Shot{32, 1.9, 2.4, {270, -30, 20}}, Shot{33, 2.7, 3.3, {340, 10, 30}}};
 
 svc::EntityUpdate placed(int entity, int model, const vec3& origin, const vec3& angles, int frame = 0,
                          int effects = 0) {
@@ -62,7 +68,7 @@ svc::EntityUpdate placed(int entity, int model, const vec3& origin, const vec3& 
 }
 
 void add_shot(std::vector<net::ServerMessage>& messages, const Shot& shot, double now) {
-  const vec3 muzzle = kPlayer + vec3(-24, 0, 10), way = shot.target - muzzle;
+  const vec3 muzzle = position({24, 0, 10}), target = position(shot.target), way = target - muzzle;
   if (now >= shot.launched && now < shot.hits) {
     const auto part = static_cast<float>((now - shot.launched) / (shot.hits - shot.launched));
     const vec3 angles{0, degrees(std::atan2(way.y, way.x)), 0};
@@ -71,14 +77,14 @@ void add_shot(std::vector<net::ServerMessage>& messages, const Shot& shot, doubl
   if (now >= shot.hits && now < shot.hits + kStep) {
     svc::TempEntity explosion;
     explosion.type = net::TempEntityType::kExplosion;
-    explosion.origin = shot.target;
+    explosion.origin = target;
     messages.emplace_back(explosion);
-    messages.emplace_back(svc::Particle{shot.target, {4, 0, 8}, 40, 73});  // blood
+    messages.emplace_back(svc::Particle{target, {4, 0, 8}, 40, 73});  // blood
   }
   // The sprite's six images at ten a second.
   const int image = static_cast<int>(std::floor((now - shot.hits) * 10));
   if (now >= shot.hits && image < 6)
-    messages.emplace_back(placed(shot.entity, kExplosionSprite, shot.target, vec3(0.0f), image));
+    messages.emplace_back(placed(shot.entity, kExplosionSprite, target, vec3(0.0f), image));
 }
 
 std::vector<net::ServerMessage> moment(double now) {
@@ -98,10 +104,10 @@ std::vector<net::ServerMessage> moment(double now) {
   std::vector<net::ServerMessage> messages{svc::Time{static_cast<float>(1.0 + now)}, player};
   messages.emplace_back(placed(1, kPlayerModel, kPlayer, {0, kPlayerYaw, 0}, 0, effects));
   for (const Monster& m : kMonsters) {
-    const float yaw = radians(m.yaw), way = static_cast<float>(m.speed * now);
-    const vec3 origin = m.start + vec3(std::cos(yaw), std::sin(yaw), 0) * way;
-    messages.emplace_back(
-        placed(m.entity, m.model, origin, {0, m.yaw, 0}, m.first_frame + static_cast<int>(now * 10) % m.frames));
+    Place place = m.start;
+    place.ahead -= m.speed * static_cast<float>(now);
+    const int frame = m.first_frame + static_cast<int>(now * 10) % m.frames;
+    messages.emplace_back(placed(m.entity, m.model, position(place), {0, kPlayerYaw - 180, 0}, frame));
   }
   for (const Shot& shot : kShots) add_shot(messages, shot, now);
   return messages;
@@ -118,8 +124,8 @@ Bytes make_demo() {
   svc::ServerInfo info;
   info.max_clients = 1;
   info.level_name = "A fight";
-  info.models = {"maps/lq_e0m2.bsp", "progs/player.mdl",  "progs/v_rock2.mdl", "progs/missile.mdl",
-                 "progs/ogre.mdl",   "progs/hknight.mdl", "progs/wizard.mdl",  "progs/s_explod.spr"};
+  info.models = {"maps/lqdm3.bsp", "progs/player.mdl",  "progs/v_rock2.mdl", "progs/missile.mdl",
+                 "progs/ogre.mdl", "progs/hknight.mdl", "progs/wizard.mdl",  "progs/s_explod.spr"};
   info.sounds = {"misc/null.wav"};
   append(demo, {info, svc::SetView{1}, svc::SignonNum{1}});
   std::vector<net::ServerMessage> baselines;
