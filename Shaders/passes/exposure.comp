@@ -11,7 +11,7 @@ layout(local_size_x = 1) in;
 void main() {
   uint total = 0u;
   for (uint i = 0u; i < kHistogramBins; ++i) total += histogram[i];
-  const float kBrightest = 1.5;  // where the filmic curve reaches 0.9
+  const float kBrightest = 4.0;  // where the filmic curve comes within a few steps of white
   float bright = -100.0;
   float low = float(total) * 0.20, high = float(total) * 0.95, before = 0.0, weight = 0.0, sum = 0.0;
   for (uint i = 0u; i < kHistogramBins; ++i) {
