@@ -1,4 +1,5 @@
 // LibreQuake's demos, from file to snapshot. Skipped where the data is absent.
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <cmath>

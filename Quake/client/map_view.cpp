@@ -1,5 +1,6 @@
 #include "client/map_view.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 

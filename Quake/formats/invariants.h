@@ -2,6 +2,7 @@
 // broken, or an empty string. For tests and fuzzers; deliberately written without the parsers' own helpers.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>

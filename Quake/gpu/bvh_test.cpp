@@ -2,6 +2,7 @@
 // same tree every time, whatever comes in.
 #include "gpu/bvh.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <cmath>

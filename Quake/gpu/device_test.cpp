@@ -1,5 +1,6 @@
 #include "gpu/device.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 
 #include <bit>

@@ -1,5 +1,6 @@
 #include "host/game.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -1,7 +1,9 @@
 // fullbright-lab: render | reference | estimators.
+#include <algorithm>
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 
 #include "host/engine.h"

@@ -1,7 +1,9 @@
 #include "host/options.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
+#include <cctype>
 #include <charconv>
 
 namespace fb::host {

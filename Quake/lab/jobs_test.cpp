@@ -1,6 +1,7 @@
 // The laboratory's jobs on scenes in code: files, references, repetition, and sentences for what cannot be done.
 #include "lab/jobs.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,5 +1,6 @@
 #include "ui/console_view.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "ui/test_raster.h"

@@ -1,6 +1,7 @@
 // The samplers of shared/bsdf.h against their pdfs (chi-squared over cells of the sphere), and the BSDF's energy.
 #include "shared/bsdf.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <cmath>
