@@ -11,6 +11,7 @@
 #include "base/hash.h"
 #include "render/frame_constants.h"
 #include "render/test_device.h"
+#include "render/test_motion.h"
 #include "scene/scenes_in_code.h"
 #include "scene/shapes.h"
 
@@ -134,43 +135,6 @@ TEST_F(RendererTest, TexelsHaveTheirPaletteColours) {
 
 // --- motion ---
 
-vec3 project(const CameraFrame& camera, const vec3& p, double width, double height) {
-  const vec3 d = p - camera.position;
-  const double depth = glm::dot(d, camera.forward);
-  const double x = glm::dot(d, camera.right) / glm::dot(camera.right, camera.right) / depth;
-  const double y = -glm::dot(d, camera.up) / glm::dot(camera.up, camera.up) / depth;
-  return {static_cast<float>((x * 0.5 + 0.5) * width), static_cast<float>((y * 0.5 + 0.5) * height),
-          static_cast<float>(depth)};
-}
-
-vec3 posed_vertex(const scene::Mesh& mesh, std::uint32_t vertex, const scene::PoseBlend& pose) {
-  if (!mesh.posed()) return mesh.positions[vertex];
-  return glm::mix(scene::vertex_position(mesh, vertex, pose.a), scene::vertex_position(mesh, vertex, pose.b), pose.t);
-}
-
-// Where a surface point of an instance was a frame ago: found from the triangle that holds it now.
-bool position_before(const scene::Mesh& mesh, const scene::Instance& instance, const vec3& world, vec3& before) {
-  float best = 0.05f;
-  for (const scene::MeshTriangle& t : mesh.triangles) {
-    vec3 now[3], then[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      now[k] = transform_point(instance.transform, posed_vertex(mesh, t.vertices[k], instance.pose));
-      then[k] = transform_point(instance.prev_transform, posed_vertex(mesh, t.vertices[k], instance.prev_pose));
-    }
-    const vec3 n = glm::cross(now[1] - now[0], now[2] - now[0]);
-    const float area2 = glm::dot(n, n);
-    if (area2 < 1e-12f) continue;
-    const float distance = std::abs(glm::dot(world - now[0], n)) / std::sqrt(area2);
-    const float b1 = glm::dot(glm::cross(world - now[0], now[2] - now[0]), n) / area2;
-    const float b2 = glm::dot(glm::cross(now[1] - now[0], world - now[0]), n) / area2;
-    if (distance < best && b1 > -1e-3f && b2 > -1e-3f && b1 + b2 < 1.001f) {
-      best = distance;
-      before = then[0] + (then[1] - then[0]) * b1 + (then[2] - then[0]) * b2;
-    }
-  }
-  return best < 0.05f;
-}
-
 TEST_F(RendererTest, MotionCarriesPointsToWhereTheyWere) {
   const auto assets = scene::moving_assets();
   for (const Intersector intersector : intersectors()) {
@@ -180,26 +144,7 @@ TEST_F(RendererTest, MotionCarriesPointsToWhereTheyWere) {
     for (int frame = 1; frame <= 3; ++frame) {
       const scene::FrameSnapshot snapshot = scene::moving(assets, frame * dt, (frame - 1) * dt);
       renderer->render(snapshot, nullptr, s);
-      const auto gbuffer = renderer->read_gbuffer();
-      const CameraFrame camera = camera_frame(snapshot.prev_camera, 320, 180);
-      std::map<std::uint32_t, int> checked;
-      for (std::size_t i = 0; i < gbuffer.size(); ++i) {
-        const shared::GBufferTexel& g = gbuffer[i];
-        if (g.position_t.w == 0) continue;
-        const auto instance = std::find_if(snapshot.instances.begin(), snapshot.instances.end(),
-                                           [&](const scene::Instance& x) { return x.id == g.id; });
-        ASSERT_NE(instance, snapshot.instances.end());
-        vec3 before;
-        if (!position_before(assets->meshes[instance->mesh], *instance,
-                             vec3(g.position_t.x, g.position_t.y, g.position_t.z), before))
-          continue;
-        const vec3 expected = project(camera, before, 320, 180);
-        const float x = static_cast<float>(i % 320) + 0.5f + g.motion.x,
-                    y = static_cast<float>(i / 320) + 0.5f + g.motion.y;
-        ASSERT_NEAR(x, expected.x, 0.01f) << "id " << g.id;
-        ASSERT_NEAR(y, expected.y, 0.01f) << "id " << g.id;
-        ++checked[g.id];
-      }
+      auto checked = test::check_motion(snapshot, *renderer);
       EXPECT_GT(checked[scene::kMovingBox], 50);
       EXPECT_GT(checked[scene::kMovingPosed], 50);
       EXPECT_GT(checked[scene::kMovingViewModel], 50);
