@@ -19,8 +19,8 @@ namespace fb::gpu {
 // Bindings kTexelBinding.. are uniform texel buffers of four words a texel (usamplerBuffer): a second way to read
 // buffers, which some drivers do faster. Together they stay within 32 storage buffers a stage, which every desktop
 // driver and lavapipe offer.
-constexpr std::uint32_t kSceneBuffers = 16;
-constexpr std::uint32_t kFrameBuffers = 15;
+constexpr std::uint32_t kSceneBuffers = 14;
+constexpr std::uint32_t kFrameBuffers = 17;
 constexpr std::uint32_t kUniformBinding = 16;
 constexpr std::uint32_t kTlasBinding = 17;
 constexpr std::uint32_t kTexelBinding = 18;
