@@ -2,62 +2,81 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
 #include <functional>
 
 #include "lab/frame_source.h"
 #include "scene/scenes_in_code.h"
+#include "scene/scenes_in_motion.h"
+#include "scene/scenes_of_light.h"
 
 namespace fb::lab {
 namespace {
 
+// Frame `frame` of a film at so many frames a second.
+using Film = std::function<scene::FrameSnapshot(std::uint64_t frame, double frames_per_second)>;
+
 struct Entry {
   std::string_view name;
-  std::function<scene::FrameSnapshot()> make;
+  std::function<Film()> open;  // makes the assets that the film's frames share
 };
 
-const std::array<Entry, 9>& entries() {
-  static const std::array<Entry, 9> table{{
-      {"furnace", [] { return scene::furnace(0.5f, 1.0f); }},
-      {"furnace_objects", [] { return scene::furnace(0.5f, 1.0f, true); }},
-      {"cbox", [] { return scene::cornell_box(); }},
-      {"cbox_glossy", [] { return scene::cornell_box(scene::CornellVariant::kGlossy); }},
-      {"one_light", [] { return scene::one_light(8.0f, 300.0f, 0.5f); }},
-      {"many", [] { return scene::many_lights(400); }},
-      {"alpha_panel", [] { return scene::alpha_panel(); }},
-      {"textured_quad", [] { return scene::textured_quad(); }},
-      {"moving", nullptr},
-  }};
+Film still_film(scene::FrameSnapshot snapshot) {
+  return [snapshot = std::move(snapshot)](std::uint64_t frame, double) {
+    scene::FrameSnapshot now = snapshot;
+    now.frame = frame;
+    return now;
+  };
+}
+
+// A film that is a function of this frame's time and the former's; frame 0 stands still.
+template <typename MakeFrame>
+Film timed_film(std::shared_ptr<const scene::Assets> assets, MakeFrame make) {
+  return [assets = std::move(assets), make](std::uint64_t frame, double frames_per_second) {
+    const double step = 1.0 / frames_per_second;
+    scene::FrameSnapshot now =
+        make(assets, static_cast<double>(frame) * step, static_cast<double>(frame == 0 ? 0 : frame - 1) * step);
+    now.frame = frame;
+    return now;
+  };
+}
+
+template <typename MakeFrame>
+Film counted_film(std::shared_ptr<const scene::Assets> assets, MakeFrame make) {
+  return [assets = std::move(assets), make](std::uint64_t frame, double fps) { return make(assets, frame, fps); };
+}
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> table{
+      {"furnace", [] { return still_film(scene::furnace(0.5f, 1.0f)); }},
+      {"furnace_objects", [] { return still_film(scene::furnace(0.5f, 1.0f, true)); }},
+      {"cbox", [] { return still_film(scene::cornell_box()); }},
+      {"cbox_glossy", [] { return still_film(scene::cornell_box(scene::CornellVariant::kGlossy)); }},
+      {"one_light", [] { return still_film(scene::one_light(8.0f, 300.0f, 0.5f)); }},
+      {"many", [] { return still_film(scene::many_lights(400)); }},
+      {"candles", [] { return still_film(scene::candles(scene::candle_assets(), 0.0, 0.0)); }},
+      {"candles_flicker", [] { return timed_film(scene::candle_assets(), scene::candles); }},
+      {"strips", [] { return still_film(scene::strips()); }},
+      {"lava", [] { return still_film(scene::lava_cave()); }},
+      {"moving", [] { return timed_film(scene::moving_assets(), scene::moving); }},
+      {"rocket", [] { return counted_film(scene::rocket_assets(), scene::rocket); }},
+      {"lightsout", [] { return counted_film(scene::lights_out_assets(), scene::lights_out); }},
+      {"alpha_panel", [] { return still_film(scene::alpha_panel()); }},
+      {"textured_quad", [] { return still_film(scene::textured_quad()); }},
+  };
   return table;
 }
 
-class StillScene : public FrameSource {
+class CodeScene : public FrameSource {
  public:
-  explicit StillScene(scene::FrameSnapshot snapshot) : snapshot_(std::move(snapshot)) {}
+  CodeScene(Film film, double frames_per_second) : film_(std::move(film)), frames_per_second_(frames_per_second) {}
   Result<bool> next(scene::FrameSnapshot& snapshot) override {
-    snapshot = snapshot_;
-    snapshot.frame = frame_++;
+    snapshot = film_(frame_++, frames_per_second_);
     return true;
   }
 
  private:
-  scene::FrameSnapshot snapshot_;
-  std::uint64_t frame_ = 0;
-};
-
-class MovingScene : public FrameSource {
- public:
-  explicit MovingScene(double fps) : step_(1.0 / fps), assets_(scene::moving_assets()) {}
-  Result<bool> next(scene::FrameSnapshot& snapshot) override {
-    snapshot = scene::moving(assets_, static_cast<double>(frame_) * step_,
-                             frame_ == 0 ? 0.0 : static_cast<double>(frame_ - 1) * step_);
-    snapshot.frame = frame_++;
-    return true;
-  }
-
- private:
-  double step_;
-  std::shared_ptr<const scene::Assets> assets_;
+  Film film_;
+  double frames_per_second_;
   std::uint64_t frame_ = 0;
 };
 
@@ -72,8 +91,7 @@ std::vector<std::string> code_scene_names() {
 Result<std::unique_ptr<FrameSource>> code_scene(std::string_view name, double frames_per_second) {
   for (const Entry& entry : entries()) {
     if (entry.name != name) continue;
-    if (!entry.make) return std::unique_ptr<FrameSource>(std::make_unique<MovingScene>(frames_per_second));
-    return std::unique_ptr<FrameSource>(std::make_unique<StillScene>(entry.make()));
+    return std::unique_ptr<FrameSource>(std::make_unique<CodeScene>(entry.open(), frames_per_second));
   }
   return Error{
       fmt::format("--scene {}: there is no such scene; there are {}", name, fmt::join(code_scene_names(), ", "))};

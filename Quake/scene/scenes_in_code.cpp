@@ -6,76 +6,10 @@
 #include <utility>
 
 #include "base/rng.h"
+#include "scene/code_scene_parts.h"
 #include "scene/shapes.h"
 
 namespace fb::scene {
-namespace {
-
-std::shared_ptr<Assets> new_assets() {
-  auto assets = std::make_shared<Assets>();
-  assets->generation = next_generation();
-  assets->palette = code_palette();
-  return assets;
-}
-
-std::uint32_t add_material(Assets& assets, std::string name, const vec3& color, const vec3& emission = vec3(0.0f)) {
-  Material material;
-  material.name = std::move(name);
-  material.base_color = color;
-  material.emission = emission;
-  material.emission_kind = emission == vec3(0.0f) ? EmissionKind::kNone : EmissionKind::kConstant;
-  assets.materials.push_back(std::move(material));
-  return static_cast<std::uint32_t>(assets.materials.size() - 1);
-}
-
-std::uint32_t add_finished(Assets& assets, Mesh mesh, std::string name) {
-  mesh.name = std::move(name);
-  finish_mesh(mesh);
-  assets.meshes.push_back(std::move(mesh));
-  return static_cast<std::uint32_t>(assets.meshes.size() - 1);
-}
-
-Instance make_instance(std::uint32_t id, std::uint32_t mesh, const mat4x3& transform = mat4x3(1.0f)) {
-  Instance instance;
-  instance.id = id;
-  instance.mesh = mesh;
-  instance.transform = instance.prev_transform = transform;
-  return instance;
-}
-
-mat4x3 placed(const vec3& origin, const vec3& size) {
-  return mat4x3(vec3(size.x, 0, 0), vec3(0, size.y, 0), vec3(0, 0, size.z), origin);
-}
-
-Camera camera_at(const vec3& position, const vec3& angles, float fov) {
-  Camera camera;
-  camera.position = position;
-  camera.angles = angles;
-  camera.fov_x = fov;
-  return camera;
-}
-
-FrameSnapshot still(std::shared_ptr<const Assets> assets, const Camera& camera) {
-  FrameSnapshot snapshot;
-  snapshot.assets = std::move(assets);
-  snapshot.camera = snapshot.prev_camera = camera;
-  snapshot.lightstyles.fill(1.0f);
-  return snapshot;
-}
-
-std::uint32_t add_sphere_lights(Assets& assets) { return add_finished(assets, make_sphere(), "sphere"); }
-
-Instance sphere_light(std::uint32_t id, std::uint32_t mesh, std::uint32_t material, const vec3& position, float radius,
-                      const vec3& radiance) {
-  Instance light = make_instance(id, mesh, placed(position, vec3(radius)));
-  light.material_base = material;
-  light.flags = kInstanceColor;
-  light.color = vec3(0.0f);
-  light.emission = radiance;
-  return light;
-}
-
-}  // namespace
 
 formats::Palette code_palette() {
   formats::Palette palette;
@@ -86,7 +20,7 @@ formats::Palette code_palette() {
 }
 
 FrameSnapshot furnace(float albedo, float emission, bool objects) {
-  auto assets = new_assets();
+  auto assets = new_code_assets();
   const std::uint32_t walls = add_material(*assets, "furnace", vec3(albedo), vec3(emission));
   Mesh room;
   add_box(room, vec3(-128.0f), vec3(128.0f), walls, true);
@@ -96,7 +30,7 @@ FrameSnapshot furnace(float albedo, float emission, bool objects) {
     Mesh box;
     add_box(box, vec3(-1.0f), vec3(1.0f), walls);
     const std::uint32_t box_mesh = add_finished(*assets, std::move(box), "box");
-    const std::uint32_t sphere = add_finished(*assets, make_sphere(), "sphere");
+    const std::uint32_t sphere = add_sphere_mesh(*assets);
     const std::uint32_t tetrahedron = add_finished(*assets, make_tetrahedron(), "tetrahedron");
     snapshot.instances.push_back(
         make_instance(kIdEntity + 1, box_mesh, entity_transform({80, 30, -20}, {20, 30, 40}, 16)));
@@ -108,7 +42,7 @@ FrameSnapshot furnace(float albedo, float emission, bool objects) {
 }
 
 FrameSnapshot cornell_box(CornellVariant variant) {
-  auto assets = new_assets();
+  auto assets = new_code_assets();
   const std::uint32_t white = add_material(*assets, "white", vec3(0.73f));
   const std::uint32_t red = add_material(*assets, "red", vec3(0.63f, 0.065f, 0.05f));
   const std::uint32_t green = add_material(*assets, "green", vec3(0.14f, 0.45f, 0.091f));
@@ -153,21 +87,21 @@ FrameSnapshot cornell_box(CornellVariant variant) {
 }
 
 FrameSnapshot one_light(float radius, float radiance, float albedo) {
-  auto assets = new_assets();
+  auto assets = new_code_assets();
   const std::uint32_t walls = add_material(*assets, "walls", vec3(albedo));
   const std::uint32_t light = add_material(*assets, "light", vec3(0.0f), vec3(1.0f));
   Mesh room;
   add_box(room, vec3(-128.0f), vec3(128.0f), walls, true);
   const std::uint32_t room_mesh = add_finished(*assets, std::move(room), "room");
-  const std::uint32_t sphere = add_sphere_lights(*assets);
+  const std::uint32_t sphere = add_sphere_mesh(*assets);
   FrameSnapshot snapshot = still(assets, camera_at({-60, 0, 120}, {60, 0, 0}, 90.0f));
   snapshot.instances.push_back(make_instance(kIdWorld, room_mesh));
-  snapshot.instances.push_back(sphere_light(kIdEntityLight, sphere, light, vec3(0.0f), radius, vec3(radiance)));
+  snapshot.instances.push_back(glowing(kIdEntityLight, sphere, light, vec3(0.0f), vec3(radius), vec3(radiance)));
   return snapshot;
 }
 
 FrameSnapshot many_lights(std::uint32_t count, std::uint64_t seed) {
-  auto assets = new_assets();
+  auto assets = new_code_assets();
   const std::uint32_t walls = add_material(*assets, "walls", vec3(0.6f));
   const std::uint32_t light = add_material(*assets, "light", vec3(0.0f), vec3(1.0f));
   Mesh room;
@@ -179,14 +113,14 @@ FrameSnapshot many_lights(std::uint32_t count, std::uint64_t seed) {
       add_box(room, centre - vec3(16, 16, 0), centre + vec3(16, 16, 256), walls);
     }
   const std::uint32_t room_mesh = add_finished(*assets, std::move(room), "hall");
-  const std::uint32_t sphere = add_sphere_lights(*assets);
+  const std::uint32_t sphere = add_sphere_mesh(*assets);
   FrameSnapshot snapshot = still(assets, camera_at({-480, -400, 128}, {5, 40, 0}, 90.0f));
   snapshot.instances.push_back(make_instance(kIdWorld, room_mesh));
   Rng rng(seed);
   for (std::uint32_t i = 0; i < count; ++i) {
     const vec3 position(rng.uniform(-500, 500), rng.uniform(-500, 500), rng.uniform(10, 246));
     const vec3 color(rng.uniform(0.2f, 1.0f), rng.uniform(0.2f, 1.0f), rng.uniform(0.2f, 1.0f));
-    snapshot.instances.push_back(sphere_light(kIdEntityLight + i, sphere, light, position, 4.0f, color * 100.0f));
+    snapshot.instances.push_back(glowing(kIdEntityLight + i, sphere, light, position, vec3(4.0f), color * 100.0f));
   }
   return snapshot;
 }
@@ -236,7 +170,7 @@ mat4x3 moving_view_model(double time) {
 }  // namespace
 
 std::shared_ptr<const Assets> moving_assets() {
-  auto assets = new_assets();
+  auto assets = new_code_assets();
   Image chequer{"chequer", ImageEncoding::kPalette, 8, 8, {}};
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 8; ++x) chequer.texels.push_back((x + y) % 2 == 0 ? 0xdd : 0x55);
@@ -296,7 +230,7 @@ void add_picture(Mesh& mesh, std::uint32_t material) {
 }  // namespace
 
 FrameSnapshot alpha_panel() {
-  auto assets = new_assets();
+  auto assets = new_code_assets();
   Image holes{"{holes", ImageEncoding::kPalette, 8, 8, {}};
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 8; ++x) holes.texels.push_back((x + y) % 2 == 0 ? 255 : 0x11);
@@ -314,7 +248,7 @@ FrameSnapshot alpha_panel() {
 }
 
 FrameSnapshot textured_quad() {
-  auto assets = new_assets();
+  auto assets = new_code_assets();
   Image colors{"all colours", ImageEncoding::kPalette, 16, 16, {}};
   for (int i = 0; i < 256; ++i) colors.texels.push_back(static_cast<std::uint8_t>(i));
   assets->images.push_back(std::move(colors));

@@ -6,34 +6,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
-#include <map>
-#include <set>
-#include <utility>
 
 #include "scene/scenes_in_code.h"
+#include "scene/test_scenes.h"
 
 namespace fb::scene {
 namespace {
-
-// Every edge of a closed surface is run through once each way (corners at the same place are one).
-bool is_closed(const Mesh& mesh) {
-  const auto key = [&](std::uint32_t v) {
-    const vec3 p = vertex_position(mesh, v);
-    return std::array<float, 3>{p.x, p.y, p.z};
-  };
-  std::map<std::pair<std::array<float, 3>, std::array<float, 3>>, int> edges;
-  for (const MeshTriangle& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto a = key(t.vertices[k]), b = key(t.vertices[(k + 1) % 3]);
-      ++edges[{a, b}];
-      --edges[{b, a}];
-    }
-  for (const auto& [edge, balance] : edges)
-    if (balance != 0) return false;
-  return !edges.empty();
-}
 
 TEST(Shapes, SphereHasTheAreaOfASphere) {
   const Mesh sphere = make_sphere();
@@ -64,24 +43,6 @@ TEST(Shapes, BoxesFaceOutwardOrInward) {
   EXPECT_NEAR(mesh_volume(room), -6.0, 1e-5);
   EXPECT_NEAR(mesh_area(box), 22.0, 1e-5);
   EXPECT_EQ(box.bounds.max, vec3(1, 2, 3));
-}
-
-void expect_sound(const FrameSnapshot& snapshot) {
-  ASSERT_TRUE(snapshot.assets);
-  const Assets& assets = *snapshot.assets;
-  std::set<std::uint32_t> ids;
-  for (const Instance& instance : snapshot.instances) {
-    EXPECT_TRUE(ids.insert(instance.id).second) << "id " << instance.id << " twice";
-    ASSERT_LT(instance.mesh, assets.meshes.size());
-    const Mesh& mesh = assets.meshes[instance.mesh];
-    EXPECT_FALSE(mesh.bounds.empty());
-    for (const MeshTriangle& t : mesh.triangles) {
-      EXPECT_LT(t.material + instance.material_base, assets.materials.size());
-      for (std::uint32_t v : t.vertices) EXPECT_LT(v, mesh.vertex_count);
-    }
-  }
-  for (const Material& material : assets.materials)
-    for (const TextureSet& set : material.frames) EXPECT_LT(set.base, assets.images.size());
 }
 
 TEST(ScenesInCode, AreSound) {
