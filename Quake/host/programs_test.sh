@@ -47,6 +47,16 @@ check "pictures repeat with one thread and two" same_with_any_threads --scene mo
 check "another cvar, another picture" bash -c "! cmp -s '$scratch/one' <(LP_NUM_THREADS=1 '$build/fullbright-lab' render --quiet \
   --hash --scene moving --frames 0:5 --size 96x54 --set r_bounces=1 | grep '^frame')"
 
+lab=$build/fullbright-lab
+"$lab" reference --quiet --scene cbox --size 48x27 --spp 32 --out "$scratch/r.exr" >"$scratch/log" 2>&1
+for run in 1 2; do
+  "$lab" render --quiet --scene cbox --size 48x27 --set r_seed=$run --format exr --out "$scratch/run$run" >>"$scratch/log" 2>&1
+done
+check "compare takes a reference's variance off and gives intervals" grep -q '^  mse_corrected .* \[.*\]  \[.*\]$' <<<"$(
+  "$lab" compare "$scratch/r.exr" "$scratch"/run?/frame_000000.exr)"
+check "compare's JSON" grep -q '"flip_hdr"' <<<"$("$lab" compare "$scratch/r.exr" "$scratch/run1/frame_000000.exr" --json -)"
+check "compare names the file that it cannot read" fails_with absent.exr "$lab" compare "$scratch/r.exr" "$scratch/absent.exr"
+
 if [[ ! -d $data/id1 ]]; then
   echo "skipped: the rest needs game data, and $data/id1 is absent"
   exit $((failures > 0 ? 1 : 77))

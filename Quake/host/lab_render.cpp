@@ -1,0 +1,100 @@
+// fullbright-lab render and reference: chosen frames, or one with many samples.
+#include <fmt/format.h>
+
+#include "host/lab_stage.h"
+#include "lab/jobs.h"
+
+namespace fb::host {
+namespace {
+
+struct RenderOptions {
+  StageOptions stage;
+  std::string frames = "0:0", format = "png";
+  bool hash = false;
+};
+struct ReferenceOptions {
+  StageOptions stage;
+  std::uint64_t frame = 0;
+};
+
+int run_render(const RenderOptions& options) {
+  const StageOptions& o = options.stage;
+  auto range = parse_frames(options.frames);
+  if (!range) return fail(range.error());
+  Stage stage;
+  if (auto status = open_stage(stage, o); !status) return fail(status.error());
+  lab::RenderJob job;
+  std::tie(job.first, job.last) = *range;
+  job.width = stage.size.x;
+  job.height = stage.size.y;
+  job.spp = o.spp;
+  job.out = o.out;
+  job.format = options.format == "exr" ? lab::ImageFormat::kExr : lab::ImageFormat::kPng;
+  job.hash = options.hash;
+  job.quiet = o.quiet;
+  const auto summary = lab::render_frames(*stage.source, *stage.renderer, stage.settings, job);
+  if (!summary) return fail(summary.error());
+  if (o.timing) {
+    double total = 0;
+    for (const auto& pass : summary->passes) {
+      total += pass.median();
+      fmt::print("{:12} {:9.3f} ms a frame, first {:.0f}\n", pass.name, pass.median(), pass.milliseconds.front());
+    }
+    fmt::print("{:12} {:9.3f} ms a frame (sum of the passes' medians)\n", "all", total);
+  }
+  if (!o.out.empty() && !o.quiet) fmt::print("{} frames in {}\n", summary->frames, o.out);
+  return finish(stage);
+}
+
+int run_reference(const ReferenceOptions& options) {
+  const StageOptions& o = options.stage;
+  Stage stage;
+  if (auto status = open_stage(stage, o); !status) return fail(status.error());
+  lab::ReferenceJob job;
+  job.frame = options.frame;
+  job.width = stage.size.x;
+  job.height = stage.size.y;
+  job.spp = o.spp;
+  job.out = o.out;
+  job.quiet = o.quiet;
+  const auto summary = lab::render_reference(*stage.source, *stage.renderer, stage.settings, job);
+  if (!summary) return fail(summary.error());
+  fmt::print("{}: mean luminance {:.6g}, pixels' standard error {:.3g} of it\n", o.out, summary->mean_luminance,
+             summary->relative_error);
+  return finish(stage);
+}
+
+}  // namespace
+
+LabCommand add_render_command(CLI::App& app) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* render = app.add_subcommand("render", "renders chosen frames at fixed time steps, in order");
+  add_stage_options(*render, options->stage);
+  render->add_option("--frames", options->frames, "FIRST:LAST, counted from 0")->capture_default_str();
+  render->add_option("--out", options->stage.out, "folder for the frames; none: nothing is written");
+  render->add_option("--format", options->format, "png or exr (linear)")
+      ->check(CLI::IsMember({"png", "exr"}))
+      ->capture_default_str();
+  render->add_flag("--hash", options->hash, "print one hash a frame of the linear image");
+  return {render, [options] { return run_render(*options); }};
+}
+
+LabCommand add_reference_command(CLI::App& app) {
+  auto options = std::make_shared<ReferenceOptions>();
+  CLI::App* reference =
+      app.add_subcommand("reference", "accumulates many samples of one frame, with their variance, to an EXR file");
+  add_stage_options(*reference, options->stage);
+  reference->add_option("--frame", options->frame, "counted from 0")->capture_default_str();
+  reference->add_option("--out", options->stage.out, "the .exr file")->required();
+  return {reference, [options] { return run_reference(*options); }};
+}
+
+LabCommand add_estimators_command(CLI::App& app) {
+  return {app.add_subcommand("estimators", "lists the estimators"), [] {
+            for (const auto& e : render::estimators())
+              fmt::print("{:8} {}{}\n", e.name, e.unbiased ? "" : "(biased) ", e.description);
+            return 0;
+          }};
+}
+
+}  // namespace fb::host

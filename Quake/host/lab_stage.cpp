@@ -1,0 +1,161 @@
+#include "host/lab_stage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "fs/file.h"
+#include "host/options.h"
+#include "lab/client_source.h"
+
+namespace fb::host {
+namespace {
+
+Result<std::optional<scene::Camera>> parse_camera(const std::string& text) {
+  if (text.empty()) return std::optional<scene::Camera>();
+  scene::Camera camera;
+  float* parts[] = {&camera.position.x, &camera.position.y, &camera.position.z,
+                    &camera.angles.x,   &camera.angles.y,   &camera.angles.z};
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::size_t end = i < 5 ? text.find(',', begin) : text.size();
+    const auto number = end == std::string::npos ? std::nullopt : con::parse_number(text.substr(begin, end - begin));
+    if (!number) return Error{fmt::format("--camera {}: six numbers x,y,z,pitch,yaw,roll are wanted", text)};
+    *parts[i] = *number;
+    begin = end + 1;
+  }
+  camera.fov_x = 0;  // the player's
+  return std::optional(camera);
+}
+
+Status set_cvars(con::Console& console, const StageOptions& o) {
+  for (const std::string& assignment : o.sets) {
+    if (auto status = set_cvar(console, assignment, "--set " + assignment); !status) return status;
+  }
+  return ok_status();
+}
+
+Status open_source(Stage& stage, const StageOptions& o) {
+  if (!o.scene.empty()) {
+    render::register_render_cvars(stage.own_console);
+    if (auto status = set_cvars(stage.own_console, o); !status) return status;
+    auto source = lab::code_scene(o.scene, o.fps);
+    if (!source) return source.error();
+    stage.source = std::move(*source);
+    stage.settings = render::read_render_settings(stage.own_console);
+    return ok_status();
+  }
+  std::vector<std::string> arguments;
+  if (!o.basedir.empty()) arguments.insert(arguments.end(), {"-basedir", o.basedir});
+  for (const std::string& game : o.games) arguments.insert(arguments.end(), {"-game", game});
+  auto engine = Engine::create(arguments);
+  if (!engine) return engine.error();
+  stage.engine = std::move(*engine);
+  if (auto status = set_cvars(stage.engine->console(), o); !status) return status;
+  auto camera = parse_camera(o.camera);
+  if (!camera) return camera.error();
+  lab::ClientSourceOptions options;
+  options.frames_per_second = o.fps;
+  options.camera = *camera;
+  options.width = static_cast<int>(stage.size.x);
+  options.height = static_cast<int>(stage.size.y);
+  auto source = o.demo.empty() ? lab::map_source(stage.engine->client(), o.map, options)
+                               : lab::demo_source(stage.engine->client(), o.demo, options);
+  if (!source) return source.error();
+  stage.source = std::move(*source);
+  stage.settings = render::read_render_settings(stage.engine->console());
+  return ok_status();
+}
+
+}  // namespace
+
+void add_stage_options(CLI::App& app, StageOptions& o) {
+  app.add_option("--basedir", o.basedir, "folder that holds id1");
+  app.add_option("--game", o.games, "a mod's folder beside id1; several count");
+  auto* what = app.add_option_group("what", "what to show");
+  what->add_option("--demo", o.demo, "a recorded demo: a file, or the game's by name");
+  what->add_option("--map", o.map, "a map's world, from its first player start");
+  what->add_option("--scene", o.scene,
+                   "a scene made in code: " + fmt::format("{}", fmt::join(lab::code_scene_names(), ", ")));
+  what->require_option(1);
+  app.add_option("--camera", o.camera, "x,y,z,pitch,yaw,roll instead of the player's eyes");
+  app.add_option("--fps", o.fps, "frames a second of the demo's time")
+      ->check(CLI::Range(0.1, 10000.0))
+      ->capture_default_str();
+  app.add_option("--estimator", o.estimator, "one of `fullbright-lab estimators`")->capture_default_str();
+  app.add_option("--spp", o.spp, "samples a pixel")->check(CLI::Range(1u, 1u << 24u))->capture_default_str();
+  app.add_option("--size", o.size, "WIDTHxHEIGHT")->capture_default_str();
+  app.add_option("--set", o.sets, "cvar=value; several count")->expected(1)->take_all()->allow_extra_args(false);
+  app.add_option("--device", o.device, "part of a device's name, or its index");
+  app.add_flag("--validation", o.validation, "Vulkan's validation layers");
+  app.add_flag("--quiet", o.quiet, "no progress");
+  app.add_flag("--timing", o.timing, "print the GPU time of every pass, median over the frames");
+}
+
+Status open_stage(Stage& stage, const StageOptions& o) {
+  auto size = parse_size(o.size);
+  if (!size) return Error{"--size: " + size.error().message};
+  stage.size = *size;
+  if (auto status = open_source(stage, o); !status) return status;
+  if (auto status = known_estimator(o.estimator, "--estimator"); !status) return status;
+  stage.settings.estimator = o.estimator;
+  gpu::DeviceOptions wanted;
+  wanted.preferred = o.device;
+  wanted.validation = o.validation;
+  auto device = gpu::Device::create(wanted);
+  if (!device) return device.error();
+  stage.device = std::move(*device);
+  auto renderer = render::Renderer::create(*stage.device, stage.settings);
+  if (!renderer) return renderer.error();
+  stage.renderer = std::move(*renderer);
+  return ok_status();
+}
+
+Status known_estimator(const std::string& name, const std::string& option) {
+  const auto& known = render::estimators();
+  if (std::any_of(known.begin(), known.end(), [&](const auto& e) { return e.name == name; })) return ok_status();
+  return Error{fmt::format("{} {}: there is no such estimator; `fullbright-lab estimators` lists them", option, name)};
+}
+
+Status set_cvar(con::Console& console, const std::string& assignment, const std::string& option) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos) return Error{fmt::format("{}: cvar=value is wanted", option)};
+  const std::string name = assignment.substr(0, equals), value = assignment.substr(equals + 1);
+  if (!console.find_cvar(name)) return Error{fmt::format("{}: there is no cvar {}", option, name)};
+  if (!console.set(name, value)) return Error{fmt::format("{}: the value was not taken", option)};
+  return ok_status();
+}
+
+Result<std::pair<std::uint64_t, std::uint64_t>> parse_frames(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const auto first = con::parse_number(text.substr(0, colon));
+  const auto last = colon == std::string::npos ? first : con::parse_number(text.substr(colon + 1));
+  if (!first || !last || *first < 0 || *last < *first || *last > 1e7f || *first != std::floor(*first) ||
+      *last != std::floor(*last)) {
+    return Error{fmt::format("--frames {}: FIRST:LAST is wanted, whole numbers from 0", text)};
+  }
+  return std::pair(static_cast<std::uint64_t>(*first), static_cast<std::uint64_t>(*last));
+}
+
+Status write_text(const std::string& path, const std::string& text) {
+  if (path != "-")
+    return fs::write_file_atomically(path, ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  fmt::print("{}", text);
+  return ok_status();
+}
+
+int fail(const Error& error) {
+  fmt::print(stderr, "fullbright-lab: {}\n", error.message);
+  return 1;
+}
+
+int finish(const Stage& stage) {
+  if (const std::uint32_t lost = stage.renderer->nan_count(); lost > 0) {
+    fmt::print(stderr, "fullbright-lab: {} samples were not finite and counted as zero\n", lost);
+  }
+  return stage.device->validation_messages() == 0 ? 0 : 1;
+}
+
+}  // namespace fb::host

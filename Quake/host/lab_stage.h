@@ -1,0 +1,66 @@
+// What the laboratory's commands have in common: options that say what is rendered and how, and the stage they set up.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "host/engine.h"
+#include "lab/frame_source.h"
+#include "render/renderer.h"
+
+namespace fb::host {
+
+// A subcommand of fullbright-lab, and what it does once its options are read; the exit status.
+struct LabCommand {
+  CLI::App* app = nullptr;
+  std::function<int()> run;
+};
+LabCommand add_render_command(CLI::App& app);
+LabCommand add_reference_command(CLI::App& app);
+LabCommand add_compare_command(CLI::App& app);
+LabCommand add_estimators_command(CLI::App& app);
+
+struct StageOptions {
+  std::string basedir, demo, map, scene, camera, size = "640x360", device, estimator = "pt", out;
+  std::vector<std::string> games, sets;
+  double fps = 60.0;
+  std::uint32_t spp = 1;
+  bool validation = false, quiet = false, timing = false;
+};
+void add_stage_options(CLI::App& app, StageOptions& options);
+
+// Device, settings and frames, ready to be rendered.
+struct Stage {
+  con::Console own_console;  // for scenes in code, which need no game data
+  std::unique_ptr<Engine> engine;
+  std::unique_ptr<lab::FrameSource> source;
+  std::unique_ptr<gpu::Device> device;
+  std::unique_ptr<render::Renderer> renderer;
+  render::RenderSettings settings;
+  uvec2 size{0, 0};
+
+  con::Console& console() { return engine ? engine->console() : own_console; }
+};
+Status open_stage(Stage& stage, const StageOptions& options);
+
+Status known_estimator(const std::string& name, const std::string& option);
+// "cvar=value"; `option` is named where it cannot be.
+Status set_cvar(con::Console& console, const std::string& assignment, const std::string& option);
+// "A:B" or "A".
+Result<std::pair<std::uint64_t, std::uint64_t>> parse_frames(const std::string& text);
+// To standard output for "-".
+Status write_text(const std::string& path, const std::string& text);
+
+// Prints the sentence; returns the exit status.
+int fail(const Error& error);
+// Says what was not finite; the exit status, which tells of validation messages.
+int finish(const Stage& stage);
+
+}  // namespace fb::host
