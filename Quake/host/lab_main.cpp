@@ -1,4 +1,4 @@
-// fullbright-lab: render | reference | compare | estimators.
+// fullbright-lab: render | reference | compare | ztest | estimators.
 #include <CLI/CLI.hpp>
 
 #include "host/lab_stage.h"
@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   const LabCommand commands[] = {add_render_command(app), add_reference_command(app), add_compare_command(app),
-                                 add_estimators_command(app)};
+                                 add_ztest_command(app), add_estimators_command(app)};
   CLI11_PARSE(app, argc, argv);
   for (const LabCommand& command : commands)
     if (*command.app) return command.run();

@@ -25,6 +25,7 @@ struct LabCommand {
 LabCommand add_render_command(CLI::App& app);
 LabCommand add_reference_command(CLI::App& app);
 LabCommand add_compare_command(CLI::App& app);
+LabCommand add_ztest_command(CLI::App& app);
 LabCommand add_estimators_command(CLI::App& app);
 
 struct StageOptions {

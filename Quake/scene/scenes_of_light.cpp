@@ -103,7 +103,7 @@ FrameSnapshot strips() {
   auto assets = new_code_assets();
   const std::uint32_t walls = add_material(*assets, "walls", vec3(0.7f));
   const std::uint32_t portal = add_material(*assets, "portal", vec3(0.45f, 0.6f, 0.8f));
-  const std::uint32_t strip = add_material(*assets, "strip", vec3(0.0f), vec3(75, 82, 90));
+  const std::uint32_t strip = add_material(*assets, "strip", vec3(0.0f), vec3(45, 49, 54));
   // Room, ledge, recess one behind the other along x. The ledge is `lip` narrower than the recess on every side, and
   // the strip, `width` wide, runs along the recess's edge on the ledge's back.
   const float ledge = kStripsRecess - 16, back = kStripsRecess + 64, half = 144, low = 32, high = 272, lip = 28,

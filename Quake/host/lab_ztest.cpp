@@ -1,0 +1,83 @@
+// fullbright-lab ztest: whether an estimator has the mean of another.
+#include <fmt/format.h>
+
+#include "host/lab_stage.h"
+#include "lab/ztest_job.h"
+
+namespace fb::host {
+namespace {
+
+struct ZTestCommand {
+  StageOptions stage;
+  lab::RunPlan plan;
+  std::string reference = "pt", map;
+  std::vector<std::string> reference_sets;
+  std::uint32_t reference_spp = 0;
+  double alpha = 1e-3;
+  bool blocks = false;
+};
+
+// Exit status: 0 no bias found, 3 bias found, 1 it could not be told.
+int run_ztest(const ZTestCommand& c) {
+  Stage stage;
+  if (auto status = open_stage(stage, c.stage); !status) return fail(status.error());
+  lab::RunPlan plan = c.plan;
+  plan.width = stage.size.x;
+  plan.height = stage.size.y;
+  auto film = lab::collect_film(*stage.source, plan.skip + plan.frames - 1);
+  if (!film) return fail(film.error());
+
+  lab::Sampling tested{stage.settings, plan}, reference{stage.settings, plan};
+  tested.settings.spp = static_cast<int>(c.stage.spp);
+  if (auto status = known_estimator(c.reference, "--reference"); !status) return fail(status.error());
+  for (const std::string& set : c.reference_sets) {
+    if (auto status = set_cvar(stage.console(), set, "--reference-set " + set); !status) return fail(status.error());
+  }
+  reference.settings = render::read_render_settings(stage.console());
+  reference.settings.estimator = c.reference;
+  reference.settings.spp = static_cast<int>(c.reference_spp > 0 ? c.reference_spp : 4 * c.stage.spp);
+
+  lab::ReferenceRuns expected(*stage.device, *film, reference);
+  const auto verdict = lab::judge(expected, tested, c.alpha);
+  if (!verdict) return fail(verdict.error());
+  if (c.blocks) fmt::print("{}", lab::ztest_map(verdict->test));
+  fmt::print("{}a bias of the energy of {:.3g}% would be found nine times in ten\n", verdict->text(),
+             100 * verdict->test.detectable(c.alpha));
+  return verdict->biased ? 3 : 0;
+}
+
+}  // namespace
+
+LabCommand add_ztest_command(CLI::App& app) {
+  auto c = std::make_shared<ZTestCommand>();
+  c->stage.size = "64x48";
+  CLI::App* ztest = app.add_subcommand(
+      "ztest",
+      "holds an estimator to the mean of pt, block by block of pixels, over independent runs; exit status 3: biased");
+  add_stage_options(*ztest, c->stage);
+  ztest
+      ->add_option("--runs", c->plan.runs, "runs of each side; twice as many where a bias shows and is looked at again")
+      ->check(CLI::Range(4u, 100000u))
+      ->capture_default_str();
+  ztest->add_option("--frames", c->plan.frames, "frames measured and averaged in a run")
+      ->check(CLI::Range(1u, 100000u))
+      ->capture_default_str();
+  ztest->add_option("--skip", c->plan.skip, "frames before them, to learn from")->capture_default_str();
+  ztest->add_flag("--fresh", c->plan.fresh, "every run begins with nothing learnt (always so where something moves)");
+  ztest->add_option("--block", c->plan.block, "side of a block, pixels")
+      ->check(CLI::Range(1u, 4096u))
+      ->capture_default_str();
+  ztest->add_option("--reference", c->reference, "the estimator that is right")->capture_default_str();
+  ztest->add_option("--reference-spp", c->reference_spp, "its samples a pixel and frame; 0: four times --spp");
+  ztest->add_option("--reference-set", c->reference_sets, "cvar=value of the reference alone; several count")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  ztest->add_option("--alpha", c->alpha, "false-alarm rate of one test")
+      ->check(CLI::Range(1e-9, 0.5))
+      ->capture_default_str();
+  ztest->add_flag("--map", c->blocks, "print z of every block");
+  return {ztest, [c] { return run_ztest(*c); }};
+}
+
+}  // namespace fb::host
