@@ -1,5 +1,7 @@
-// fullbright-lab: render | reference | compare | ztest | estimators.
+// fullbright-lab: render | reference | compare | ztest | bench | estimators.
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "host/lab_stage.h"
 #include "host/options.h"
@@ -10,8 +12,12 @@ int main(int argc, char** argv) {
                "fullbright-lab");
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
-  const LabCommand commands[] = {add_render_command(app), add_reference_command(app), add_compare_command(app),
-                                 add_ztest_command(app), add_estimators_command(app)};
+  const LabCommand commands[] = {add_render_command(app),
+                                 add_reference_command(app),
+                                 add_compare_command(app),
+                                 add_ztest_command(app),
+                                 add_bench_command(app, fmt::format("{}", fmt::join(argv, argv + argc, " "))),
+                                 add_estimators_command(app)};
   CLI11_PARSE(app, argc, argv);
   for (const LabCommand& command : commands)
     if (*command.app) return command.run();

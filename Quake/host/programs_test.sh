@@ -55,6 +55,15 @@ done
 check "compare takes a reference's variance off and gives intervals" grep -q '^  mse_corrected .* \[.*\]  \[.*\]$' <<<"$(
   "$lab" compare "$scratch/r.exr" "$scratch"/run?/frame_000000.exr)"
 check "compare's JSON" grep -q '"flip_hdr"' <<<"$("$lab" compare "$scratch/r.exr" "$scratch/run1/frame_000000.exr" --json -)"
+"$lab" bench --quiet --scene cbox --size 48x27 --frames 0:5 --warmup 2 --repeats 2 --reference-spp 64 --estimators pt \
+  --config four:r_spp=4 --json "$scratch/bench.json" --csv "$scratch/bench.csv" >"$scratch/bench" 2>>"$scratch/log"
+check "bench's exit status" test $? -eq 0
+check "bench tells the gain" grep -q '^    equal time of the estimator ' "$scratch/bench"
+check "bench's JSON has times" grep -q '"gpu_ms_median"' "$scratch/bench.json"
+check "bench's CSV has a line a frame" test "$(grep -c . "$scratch/bench.csv")" -eq 33
+check "bench to standard output is JSON alone" grep -q '^{$' <<<"$("$lab" bench --quiet --scene cbox --size 8x8 --frames 0:1 \
+  --reference-spp 32 --json - | head -1)"
+check "bench refuses a cvar that is not the renderer's" fails_with "no cvar" "$lab" bench --scene cbox --config a:b=1
 check "compare names the file that it cannot read" fails_with absent.exr "$lab" compare "$scratch/r.exr" "$scratch/absent.exr"
 
 if [[ ! -d $data/id1 ]]; then

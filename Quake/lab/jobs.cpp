@@ -36,24 +36,6 @@ void add_times(RenderSummary& summary, const std::vector<gpu::PassTime>& times, 
   }
 }
 
-// Averages `spp` samples of one snapshot.
-void render_samples(render::Renderer& renderer, render::RenderSettings& settings, const scene::FrameSnapshot& snapshot,
-                    std::uint32_t spp, RenderSummary& summary, const std::function<void(std::uint32_t)>& progress) {
-  renderer.restart_accumulation();
-  settings.accumulate = 1;
-  std::uint32_t done = 0;
-  // All passes have equal weight, so they must have equal samples: the largest divisor of spp that is small enough.
-  std::uint32_t per_pass = std::min(spp, kSamplesPerPass);
-  while (spp % per_pass != 0) --per_pass;
-  settings.spp = static_cast<int>(per_pass);
-  while (done < spp) {
-    renderer.render(snapshot, nullptr, settings);
-    done += per_pass;
-    add_times(summary, renderer.pass_times(), done == per_pass);
-    if (progress) progress(done);
-  }
-}
-
 std::vector<float> channel(const std::vector<vec4>& image, int component) {
   std::vector<float> values(image.size());
   std::transform(image.begin(), image.end(), values.begin(), [&](const vec4& p) { return p[component]; });
@@ -88,6 +70,23 @@ double RenderSummary::Pass::median() const {
   std::vector<double> sorted = milliseconds;
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
   return sorted[sorted.size() / 2];
+}
+
+void render_samples(render::Renderer& renderer, render::RenderSettings& settings, const scene::FrameSnapshot& snapshot,
+                    std::uint32_t spp, RenderSummary& summary, const std::function<void(std::uint32_t)>& progress) {
+  renderer.restart_accumulation();
+  settings.accumulate = 1;
+  std::uint32_t done = 0;
+  // All passes have equal weight, so they must have equal samples: the largest divisor of spp that is small enough.
+  std::uint32_t per_pass = std::min(spp, kSamplesPerPass);
+  while (spp % per_pass != 0) --per_pass;
+  settings.spp = static_cast<int>(per_pass);
+  while (done < spp) {
+    renderer.render(snapshot, nullptr, settings);
+    done += per_pass;
+    add_times(summary, renderer.pass_times(), done == per_pass);
+    if (progress) progress(done);
+  }
 }
 
 Result<RenderSummary> render_frames(FrameSource& source, render::Renderer& renderer, render::RenderSettings settings,
@@ -162,6 +161,9 @@ Result<ReferenceSummary> render_reference(FrameSource& source, render::Renderer&
   exr.add_channel("normal.Y", channel(normal, 1));
   exr.add_channel("normal.Z", channel(normal, 2));
   exr.add_channel("Z", std::move(depth));
+  // What a comparison must do alike: where in a pixel its rays go.
+  exr.set_text("fullbright.jitter", settings.jitter != 0 ? "1" : "0");
+  exr.set_text("fullbright.spp", fmt::format("{}", job.spp));
   if (auto status = write_exr(job.out, exr); !status) return status.error();
   return summary;
 }

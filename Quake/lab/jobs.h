@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,11 @@ struct RenderSummary {
   };
   std::vector<Pass> passes;
 };
+// Averages `spp` samples of one snapshot in the renderer's linear image, in passes of equally many, whose scatter gives
+// its variance. Adds the time they took to `summary` as a frame; tells `progress` how many samples are done.
+void render_samples(render::Renderer& renderer, render::RenderSettings& settings, const scene::FrameSnapshot& snapshot,
+                    std::uint32_t spp, RenderSummary& summary, const std::function<void(std::uint32_t)>& progress);
+
 // Renders frames in order. A demo that ends before job.last is an error that says how many frames there were.
 Result<RenderSummary> render_frames(FrameSource& source, render::Renderer& renderer, render::RenderSettings settings,
                                     const RenderJob& job);

@@ -14,6 +14,7 @@
 #include "tonemap.spv.h"
 
 #include "base/check.h"
+#include "base/hash.h"
 
 namespace fb::render {
 namespace {
@@ -36,6 +37,13 @@ const std::array kShaders{
 };
 
 }  // namespace
+
+std::uint64_t shader_hash(std::string_view estimator) {
+  std::uint64_t hash = 0;
+  for (const Shader& shader : kShaders)
+    if (shader.name == estimator || shader.name == "gbuffer") hash = hash_span(shader.plain, hash);
+  return hash;
+}
 
 const gpu::ComputePipeline& ShaderSet::get(std::string_view name, const Variant& variant) {
   auto key = std::make_tuple(std::string(name), variant);

@@ -22,6 +22,9 @@ struct Variant {
   auto operator<=>(const Variant&) const = default;
 };
 
+// Tells one version of an estimator's code from another: a hash of its shader and the G-buffer's.
+std::uint64_t shader_hash(std::string_view estimator);
+
 class ShaderSet {
  public:
   ShaderSet(gpu::Device& device, const gpu::BindingTable& table) : device_(device), table_(table) {}

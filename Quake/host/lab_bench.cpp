@@ -1,0 +1,220 @@
+// fullbright-lab bench: configurations side by side, speed against error.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "base/log.h"
+#include "host/lab_stage.h"
+#include "lab/bench_report.h"
+
+namespace fb::host {
+namespace {
+
+struct BenchOptions {
+  StageOptions stage;
+  std::string frames = "0:31", reference, reference_folder, json, csv;
+  std::vector<std::string> estimators, configurations;
+  std::uint32_t reference_spp = 4096, warmup = 0, runs = 1;
+  double epsilon = lab::MetricOptions().epsilon;
+  bool hold = false;
+};
+
+// Settings that may differ between configurations: the renderer's own.
+bool is_renderers(const std::string& cvar) {
+  static const std::set<std::string> names{
+#define FB_NAME(type, field, cvar, value, low, high, help) cvar,
+      FB_RENDER_SETTINGS(FB_NAME)
+#undef FB_NAME
+          "r_estimator",
+      "r_intersector"};
+  return names.contains(cvar);
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+// "NAME:cvar=value,cvar=value": the console's settings with these; the console is left as it was.
+Result<lab::Configuration> parse_configuration(con::Console& console, const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == 0 || colon == std::string::npos)
+    return Error{fmt::format("--config {}: NAME:cvar=value,... is wanted", text)};
+  lab::Configuration configuration{text.substr(0, colon), {}};
+  std::vector<std::pair<std::string, std::string>> before;
+  Status status = ok_status();
+  for (const std::string& assignment : split(text.substr(colon + 1), ',')) {
+    const std::string name = assignment.substr(0, assignment.find('='));
+    if (!console.find_cvar(name)) {
+      status = Error{fmt::format("--config {}: there is no cvar {}", text, name)};
+    } else if (!is_renderers(name)) {
+      status = Error{fmt::format("--config {}: {} is not the renderer's; give it by --set, for all alike", text, name)};
+    } else {
+      before.emplace_back(name, console.cvar(name).string());
+      status = set_cvar(console, assignment, "--config " + text);
+    }
+    if (!status) break;
+  }
+  configuration.settings = render::read_render_settings(console);
+  for (auto it = before.rbegin(); it != before.rend(); ++it) console.set(it->first, it->second);
+  if (!status) return status.error();
+  if (auto known = known_estimator(configuration.settings.estimator, "--config " + configuration.name + ":"); !known)
+    return known.error();
+  return configuration;
+}
+
+Result<std::vector<lab::Configuration>> configurations_of(con::Console& console, const BenchOptions& o) {
+  std::vector<lab::Configuration> list;
+  std::vector<std::string> texts;
+  for (const std::string& names : o.estimators)
+    for (const std::string& name : split(names, ',')) texts.push_back(name + ":r_estimator=" + name);
+  texts.insert(texts.end(), o.configurations.begin(), o.configurations.end());
+  if (texts.empty()) texts.push_back(o.stage.estimator + ":r_estimator=" + o.stage.estimator);
+  for (const std::string& text : texts) {
+    auto configuration = parse_configuration(console, text);
+    if (!configuration) return configuration.error();
+    for (const auto& other : list)
+      if (other.name == configuration->name)
+        return Error{fmt::format("{}: two configurations of that name", other.name)};
+    list.push_back(std::move(*configuration));
+  }
+  return list;
+}
+
+std::string view_title(const BenchOptions& o) {
+  const StageOptions& s = o.stage;
+  const std::string what = !s.scene.empty() ? "scene " + s.scene : !s.map.empty() ? "map " + s.map : "demo " + s.demo;
+  return fmt::format("{}, frames {}", what, o.frames);
+}
+
+// The reference and whether its rays covered their pixels (r_jitter).
+struct KnownReference {
+  lab::Reference reference;
+  std::optional<int> jitter;
+};
+Result<KnownReference> read_reference(const std::string& path) {
+  auto picture = lab::read_exr_picture(path);
+  if (!picture) return picture.error();
+  KnownReference known{std::move(picture->content), std::nullopt};
+  if (const auto text = picture->texts.find("fullbright.jitter"); text != picture->texts.end())
+    known.jitter = text->second == "1" ? 1 : 0;
+  return known;
+}
+
+// Jitter is the same in frames and reference: a reference's own, else r_jitter, where -1 (only while accumulating) is
+// none.
+int jitter_of(const render::RenderSettings& settings, const std::optional<KnownReference>& known) {
+  if (known && known->jitter) return *known->jitter;
+  return std::max(settings.jitter, 0);
+}
+
+Status write_reports(const BenchOptions& o, const lab::BenchResult& result, const std::string& command) {
+  lab::BenchTitle title{command, view_title(o), o.reference};
+  if (o.reference.empty()) title.reference = fmt::format("pt, {} samples a pixel", o.reference_spp);
+  if (o.json != "-" && o.csv != "-") fmt::print("{}", lab::bench_table(result, title));
+  if (!o.json.empty()) {
+    if (auto status = write_text(o.json, lab::bench_json(result, title)); !status) return status;
+  }
+  return o.csv.empty() ? ok_status() : write_text(o.csv, lab::bench_csv(result));
+}
+
+Result<lab::BenchResult> run_on_stage(Stage& stage, const BenchOptions& o, lab::BenchJob& job) {
+  const auto range = parse_frames(o.frames);
+  if (!range) return range.error();
+  std::optional<KnownReference> known;
+  if (!o.reference.empty()) {
+    auto read = read_reference(o.reference);
+    if (!read) return read.error();
+    known = std::move(*read);
+  }
+  const int jitter = jitter_of(stage.settings, known);
+  stage.settings.jitter = jitter;
+  for (lab::Configuration& c : job.configurations) c.settings.jitter = jitter;
+
+  const bool hold = o.hold || !o.stage.map.empty();
+  auto view = lab::collect_view(*stage.source, {range->first, range->second, o.warmup, hold, o.stage.fps});
+  if (!view) return view.error();
+  std::vector<lab::Reference> references;
+  if (known) {
+    if (!view->still) return Error{"--reference " + o.reference + ": the view moves; leave it out, or --hold a frame"};
+    references.push_back(std::move(known->reference));
+  } else {
+    const lab::ReferenceOptions options{o.reference_spp, stage.size.x, stage.size.y, o.reference_folder, o.stage.quiet};
+    auto made = lab::make_references(*view, *stage.device, stage.settings, options);
+    if (!made) return made.error();
+    references = std::move(*made);
+  }
+  stage.renderer.reset();  // each configuration has its own
+  return lab::run_bench(*stage.device, *view, references, job);
+}
+
+int run_bench(const BenchOptions& o, const std::string& command) {
+  if (o.json == "-" || o.csv == "-") set_log_level(LogLevel::kWarning);  // standard output is the report's alone
+  Stage stage;
+  if (auto status = open_stage(stage, o.stage); !status) return fail(status.error());
+  con::Console& console = stage.console();
+  console.set("r_spp", std::to_string(o.stage.spp));
+  console.set("r_estimator", o.stage.estimator);
+  stage.settings = render::read_render_settings(console);
+  auto configurations = configurations_of(console, o);
+  if (!configurations) return fail(configurations.error());
+  lab::BenchJob job;
+  job.configurations = std::move(*configurations);
+  job.width = stage.size.x;
+  job.height = stage.size.y;
+  job.runs = o.runs;
+  job.metrics.epsilon = o.epsilon;
+  job.quiet = o.stage.quiet;
+  const auto result = run_on_stage(stage, o, job);
+  if (!result) return fail(result.error());
+  if (auto status = write_reports(o, *result, command); !status) return fail(status.error());
+  return stage.device->validation_messages() == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+LabCommand add_bench_command(CLI::App& app, std::string command_line) {
+  auto o = std::make_shared<BenchOptions>();
+  o->stage.size = "320x180";
+  CLI::App* bench =
+      app.add_subcommand("bench",
+                         "speed against error: configurations side by side on one view, interleaved frame by frame, "
+                         "each frame by itself and "
+                         "their running average held to a reference of pt; gains are against the first configuration");
+  add_stage_options(*bench, o->stage);
+  bench->add_option("--estimators", o->estimators, "configurations by estimator: pt,mcpg");
+  bench
+      ->add_option("--config", o->configurations,
+                   "NAME:cvar=value,...: a configuration by the renderer's cvars (r_estimator too); several count")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  bench->add_option("--frames", o->frames, "FIRST:LAST, measured; a still view shows FIRST to all of them")
+      ->capture_default_str();
+  bench->add_option("--warmup", o->warmup, "frames before them that estimators learn from")->capture_default_str();
+  bench->add_option("--repeats", o->runs, "runs, each cold at first and with a seed of its own")
+      ->check(CLI::Range(1u, 10000u))
+      ->capture_default_str();
+  bench->add_flag("--hold", o->hold, "frame FIRST stands still, animation too (always so for --map)");
+  bench->add_option("--reference", o->reference, "an EXR of `reference`, for a still view; none: made on the spot");
+  bench->add_option("--reference-spp", o->reference_spp, "samples a pixel of a reference that is made")
+      ->check(CLI::Range(32u, 1u << 24u))
+      ->capture_default_str();
+  bench->add_option("--reference-dir", o->reference_folder,
+                    "folder that keeps references which were made, by what they show and how");
+  bench->add_option("--epsilon", o->epsilon, "added to r^2 in relMSE")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  bench->add_option("--json", o->json, "write JSON to this file; - is standard output, without the table");
+  bench->add_option("--csv", o->csv, "write CSV, a line a frame, to this file; - is standard output");
+  return {bench, [o, command_line = std::move(command_line)] { return run_bench(*o, command_line); }};
+}
+
+}  // namespace fb::host
