@@ -168,6 +168,7 @@ Result<BenchResult> run_bench(gpu::Device& device, const View& view, const std::
 
   BenchResult result;
   result.still = view.still;
+  result.first_frame = view.first_frame;
   result.width = job.width;
   result.height = job.height;
   result.device = device.report().name;

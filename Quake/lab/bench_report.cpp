@@ -45,6 +45,21 @@ void add_windows(std::string& out, const BenchResult& result) {
   }
 }
 
+// A view that moves: how each configuration follows.
+void add_frames(std::string& out, const BenchResult& result) {
+  out += "\nMSE of each frame, mean over runs:\n  frame";
+  std::vector<std::vector<FrameOverRuns>> lists;
+  for (const auto& c : result.configurations) {
+    out += fmt::format(" {:>22}", c.name);
+    lists.push_back(frames_over_runs(c.frames));
+  }
+  for (std::size_t i = 0; i < lists.front().size(); ++i) {
+    out += fmt::format("\n  {:5}", result.first_frame + lists.front()[i].index);
+    for (const auto& list : lists) out += fmt::format(" {:>11.4g} +- {:<7.2g}", list[i].mse, list[i].mse_error);
+  }
+  out += '\n';
+}
+
 void add_running(std::string& out, const BenchResult& result) {
   out += "\nerror of the running average after the last frame, time until then:\n";
   for (const auto& c : result.configurations) {
@@ -100,7 +115,25 @@ void write_window(JsonWriter& json, const ConfigurationResult& c, const WindowSt
   json.close();
 }
 
-void write_configuration(JsonWriter& json, const ConfigurationResult& c, bool still) {
+void write_frames(JsonWriter& json, const Frames& frames, std::uint64_t first_frame) {
+  std::vector<double> index, mse, mse_error, rel_mse, estimator_ms;
+  for (const FrameOverRuns& f : frames_over_runs(frames)) {
+    index.push_back(static_cast<double>(first_frame + f.index));
+    mse.push_back(f.mse);
+    mse_error.push_back(f.mse_error);
+    rel_mse.push_back(f.rel_mse);
+    estimator_ms.push_back(f.estimator_ms);
+  }
+  json.open_object("single_frames");
+  write_series(json, "frame", index);
+  write_series(json, "mse", mse);
+  write_series(json, "mse_standard_error", mse_error);
+  write_series(json, "relmse", rel_mse);
+  write_series(json, "estimator_gpu_ms", estimator_ms);
+  json.close();
+}
+
+void write_configuration(JsonWriter& json, const ConfigurationResult& c, bool still, std::uint64_t first_frame) {
   json.open_object().text("name", c.name).text("estimator", c.estimator).integer("spp", c.frames.spp);
   json.number("gpu_ms_median", c.all.median).number("gpu_ms_p10", c.all.p10).number("gpu_ms_p90", c.all.p90);
   json.number("estimator_gpu_ms_median", c.estimator_passes.median);
@@ -113,6 +146,7 @@ void write_configuration(JsonWriter& json, const ConfigurationResult& c, bool st
   json.close().integer("samples_not_finite", c.not_finite);
   if (still) json.number("variance", c.variance).number("bias_squared", c.bias_squared);
   for (const WindowStatistics& s : c.windows) write_window(json, c, s, still);
+  write_frames(json, c.frames, first_frame);
   json.close();
 }
 
@@ -139,7 +173,10 @@ std::string bench_table(const BenchResult& result, const BenchTitle& title) {
       out += fmt::format("  {}: {} samples were not finite and counted as zero\n", c.name, c.not_finite);
   }
   add_windows(out, result);
-  if (result.still) add_running(out, result);
+  if (result.still)
+    add_running(out, result);
+  else
+    add_frames(out, result);
   for (const auto& c : result.configurations) {
     const WindowStatistics& s = c.windows.back();
     if (s.reference_variance > 0.1 * s.mse.value) {
@@ -160,7 +197,7 @@ std::string bench_json(const BenchResult& result, const BenchTitle& title) {
   json.open_object("reference").text("from", title.reference).number("mean", result.reference_mean);
   json.boolean("variance_known", result.reference_variance_known).number("variance", result.reference_variance).close();
   json.open_array("configurations");
-  for (const auto& c : result.configurations) write_configuration(json, c, result.still);
+  for (const auto& c : result.configurations) write_configuration(json, c, result.still, result.first_frame);
   return json.close().close().str();
 }
 

@@ -64,8 +64,8 @@ Gains gains_against(const Columns& base, std::uint32_t base_spp, const Columns& 
   Gains gains;
   gains.samples = estimate(series, [&](Indices i) { return mse_ratio(i) * samples; });
   gains.time = estimate(series, [&](Indices i) { return mse_ratio(i) * time_ratio(i); });
-  gains.time_all =
-      estimate(series, [&](Indices i) { return mse_ratio(i) * median_at(base.gpu_ms, i) / median_at(own.gpu_ms, i); });
+  gains.time_all = estimate(
+      series, [&](Indices i) { return mse_ratio(i) * ratio(median_at(base.gpu_ms, i), median_at(own.gpu_ms, i)); });
   gains.time_paired = estimate(series, [&](Indices i) { return mse_ratio(i) * median_at(paired, i); });
   gains.typical_time =
       estimate(series, [&](Indices i) { return ratio(median_at(base.mse, i), median_at(own.mse, i)) * time_ratio(i); });
@@ -131,6 +131,22 @@ Curve running_curve(const Frames& frames, const Window& window) {
     curve.estimator_ms.push_back(estimator_ms);
   }
   return curve;
+}
+
+std::vector<FrameOverRuns> frames_over_runs(const Frames& frames) {
+  std::vector<FrameOverRuns> list;
+  for (std::uint32_t i = 0; i < frames.warmup + frames.measured; ++i) {
+    if (!frames.at(0, i).measured) continue;
+    std::vector<double> mse, rel_mse, estimator_ms;
+    for (std::uint32_t run = 0; run < frames.runs; ++run) {
+      const FrameRecord& f = frames.at(run, i);
+      mse.push_back(f.errors.mse_corrected());
+      rel_mse.push_back(f.errors.rel_mse_corrected());
+      estimator_ms.push_back(f.estimator_ms);
+    }
+    list.push_back({i, mean(mse), standard_error(mse), mean(rel_mse), median(estimator_ms)});
+  }
+  return list;
 }
 
 }  // namespace fb::lab

@@ -68,6 +68,15 @@ struct WindowStatistics {
 // `baseline` has the same shape; null: no gains. Pairs frames of the same run and index.
 WindowStatistics window_statistics(const Frames& frames, const Window& window, const Frames* baseline);
 
+// A frame over the runs, corrected: how errors follow what changes, and how an estimator learns. Every frame that has
+// errors, in order; `index` counts from the first of the warm-up.
+struct FrameOverRuns {
+  std::uint32_t index = 0;
+  double mse = 0, mse_error = 0, rel_mse = 0;  // means; standard error, 0 for one run
+  double estimator_ms = 0;                     // median
+};
+std::vector<FrameOverRuns> frames_over_runs(const Frames& frames);
+
 // Mean over runs, frame after frame from the window's first: error of the running average, cumulated time.
 struct Curve {
   std::vector<double> mse, rel_mse, gpu_ms, estimator_ms;

@@ -121,6 +121,18 @@ TEST(BenchStatistics, CurvesCumulateTimeFromTheirWindowOn) {
   EXPECT_DOUBLE_EQ(warm.estimator_ms[8], 9 * 10);
 }
 
+TEST(BenchStatistics, FramesOverRuns) {
+  Frames frames = constant(1, 1, 10);
+  frames.records[12 + 5] = record(3, 10, 10);  // frame 5 of the second run
+  frames.records[0].measured = false;
+  const auto list = frames_over_runs(frames);
+  ASSERT_EQ(list.size(), 11u);
+  EXPECT_EQ(list[0].index, 1u);
+  EXPECT_DOUBLE_EQ(list[4].mse, 2);
+  EXPECT_DOUBLE_EQ(list[4].mse_error, 1);
+  EXPECT_DOUBLE_EQ(list[3].mse_error, 0);
+}
+
 TEST(BenchStatistics, PassesThatAreAlikeWhateverTheEstimator) {
   for (const char* name :
        {"scene", "gbuffer", "accumulate", "histogram", "exposure", "tonemap", "antialias", "present"})

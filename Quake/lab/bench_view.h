@@ -22,6 +22,7 @@ struct ViewOptions {
 struct View {
   bool still = false;
   std::uint32_t warmup = 0, measured = 0;
+  std::uint64_t first_frame = 0;                // the source's number of the first snapshot of a view that moves
   std::vector<scene::FrameSnapshot> snapshots;  // one if still, else warmup + measured
   std::uint32_t frames() const { return warmup + measured; }
   // Frame `index` of run `run`. Frames count up over the runs; each run begins with a cut.

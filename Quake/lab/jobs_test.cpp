@@ -71,6 +71,8 @@ TEST_F(JobsTest, ReferenceOfTheFurnaceIsItsClosedFormWithItsUncertainty) {
   for (const char* name : {"R", "G", "B", "variance.R", "albedo.G", "normal.X", "Z"})
     EXPECT_NE(image->channel(name), nullptr) << name;
   for (const float v : *image->channel("variance.R")) EXPECT_GE(v, 0.0f);
+  EXPECT_EQ(image->texts().at("fullbright.jitter"), "1") << "r_jitter -1: while accumulating";
+  EXPECT_EQ(image->texts().at("fullbright.spp"), "48");
 }
 
 TEST_F(JobsTest, AReferencesVarianceTellsTheSpreadBetweenSeeds) {

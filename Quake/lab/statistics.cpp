@@ -92,6 +92,7 @@ Interval bootstrap_interval(const Series& series, const Statistic& statistic, do
         indices[filled++] = run * series.length + start + k;
     }
     values.push_back(statistic(indices));
+    if (std::isnan(values.back())) return {values.back(), values.back()};
   }
   const double tail = 0.5 * (1 - confidence);
   return {quantile(values, tail), quantile(values, 1 - tail)};

@@ -29,7 +29,8 @@ Interval t_interval(std::span<const double> values, double confidence = 0.95);
 
 // `runs` series of `length` values each; value f of run r has index r * length + f. Blocks of consecutive values are
 // drawn with replacement, because frames of an estimator that learns are not independent (moving blocks, Kuensch 1989),
-// and `statistic` gets runs * length indices. Returns the percentile interval; the same seed gives the same one.
+// and `statistic` gets runs * length indices. Returns the percentile interval; the same seed gives the same one. Where
+// the statistic has no value, neither has the interval: both ends are NaN.
 struct Series {
   std::size_t runs = 1, length = 0;
   std::size_t size() const { return runs * length; }

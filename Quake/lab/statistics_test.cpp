@@ -76,6 +76,9 @@ TEST(Statistics, BlocksKeepWhatBelongsTogether) {
   EXPECT_GT(interval.high, 0.67);
   const Interval again = bootstrap_interval({1, 64}, mean_at);
   EXPECT_EQ(interval.low, again.low);
+  int calls = 0;
+  const auto sometimes_none = [&](std::span<const std::size_t>) { return ++calls % 7 == 0 ? std::nan("") : 1.0; };
+  EXPECT_TRUE(std::isnan(bootstrap_interval({1, 64}, sometimes_none).low));
 }
 
 }  // namespace
