@@ -139,5 +139,19 @@ TEST_F(PowerTest, FindsTwoPercentMoreLight) {
   EXPECT_GT(test.energy.high, 0.02);
 }
 
+// With the same seeds on both sides every difference would be zero, and no bias would ever be found.
+TEST_F(PowerTest, TheSidesAreIndependent) {
+  auto source = code_scene("lava", 60);
+  ASSERT_TRUE(source.ok());
+  const auto film = collect_film(**source, 0);
+  ASSERT_TRUE(film.ok());
+  const Sampling sampling{{}, plan(8, 2)};
+  ReferenceRuns reference(*device_, *film, sampling);
+  const auto verdict = judge(reference, sampling, kAlpha);
+  ASSERT_TRUE(verdict.ok());
+  EXPECT_FALSE(verdict->biased);
+  EXPECT_GT(verdict->test.chi_squared, 0.5 * static_cast<double>(verdict->test.tested));
+}
+
 }  // namespace
 }  // namespace fb::lab
