@@ -148,6 +148,27 @@ TEST_F(BenchTest, ReferencesAreKeptByTheirContent) {
   std::filesystem::remove_all(folder);
 }
 
+TEST_F(BenchTest, TheKeyIsOfWhatIsSeen) {
+  const scene::FrameSnapshot plain = view_of("cbox", {0, 0, 0}).snapshots[0];
+  const std::uint64_t key = content_key(plain);
+  const auto changed = [&](const auto& change) {
+    scene::FrameSnapshot snapshot = plain;
+    scene::Assets assets = *plain.assets;
+    change(snapshot, assets);
+    snapshot.assets = std::make_shared<scene::Assets>(std::move(assets));
+    return content_key(snapshot) != key;
+  };
+  using scene::Assets, scene::FrameSnapshot;
+  EXPECT_FALSE(changed([](FrameSnapshot&, Assets&) {})) << "a copy looks the same";
+  EXPECT_FALSE(changed([](FrameSnapshot& s, Assets&) { s.frame += 5; }));
+  EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.instances[0].transform[3].x += 1; }));
+  EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.camera.angles.y += 1; }));
+  EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.lightstyles[3] += 1; }));
+  EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.sky.color.x += 1; }));
+  EXPECT_TRUE(changed([](FrameSnapshot&, Assets& a) { a.materials[0].base_color.y *= 0.5f; }));
+  EXPECT_TRUE(changed([](FrameSnapshot&, Assets& a) { a.meshes[0].positions[0].z += 1; }));
+}
+
 TEST_F(BenchTest, AHeldFrameStandsStill) {
   const View view = view_of("moving", {4, 9, 3, true});
   EXPECT_TRUE(view.still);
