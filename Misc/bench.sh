@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # `make bench`: every benchmark program of the release build, one after the other (two at once would measure each
-# other), each also as JSON in out/bench. BENCH_FILTER is a regular expression of names.
+# other), and speed against error of every estimator on scenes in code (`light_SCENE`); each also as JSON in out/bench.
+# BENCH_FILTER is a regular expression of names. References are kept in out/bench/references.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 out=out/bench
@@ -17,4 +18,12 @@ if [[ $found == no ]]; then
   echo "make bench: build/ holds no benchmark program; Google Benchmark was missing when it was configured" >&2
   exit 1
 fi
+lab=build/fullbright-lab
+estimators=$("$lab" estimators | cut -d' ' -f1 | paste -sd,)
+for scene in one_light cbox strips candles many lava; do
+  [[ light_$scene =~ ${BENCH_FILTER:-.} ]] || continue
+  echo "== light_$scene"
+  "$lab" bench --scene "$scene" --estimators "$estimators" --size 160x90 --frames 0:63 --warmup 100 --repeats 2 \
+    --reference-spp 8192 --reference-dir "$out/references" --json "$out/light_$scene.json"
+done
 echo "the same as JSON is in $out"
