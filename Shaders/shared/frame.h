@@ -20,9 +20,10 @@ FB_CONST uint kBindCounters = 11u;        // uint[16]: see kCounter*
 FB_CONST uint kBindGuideStates = 12u;     // uvec4[]: two words of four a state (shared/guide.h)
 FB_CONST uint kBindGuideProposals = 13u;  // uint[]: what a frame's paths want to store, where it is resolved after it
 FB_CONST uint kBindGuideCache = 14u;      // uint[]: the irradiance cache and its list of touched cells
-FB_CONST uint kBindHistory = 15u;         // uint[]: the denoiser's past frames
+FB_CONST uint kBindHistory = 15u;         // uvec4[]: the denoiser's past frames (shared/denoise.h)
 
-FB_CONST uint kCounterNan = 0u;  // samples that were NaN or infinite; they count as zero
+FB_CONST uint kCounterNan = 0u;      // samples that were NaN or infinite; they count as zero
+FB_CONST uint kCounterHistory = 8u;  // irradiances that were not finite and never entered the denoiser's history
 FB_CONST uint kCounterCount = 16u;
 FB_CONST uint kHistogramBins = 128u;
 FB_CONST uint kDrawTile = 32u;  // output pixels a side
@@ -53,6 +54,9 @@ struct FrameConstants {
   float exposure, auto_exposure, adaptation, exposure_target;  // adaptation: weight of the new value, 1 at a cut
   uint tone_map, fxaa, debug_view, swap_red_blue;
   uint quad_tiles_x, draw_quads, atlas_width, texture_filter;
+  uint denoise, history_parity, history_valid, still;  // still: the same snapshot again, so nothing has moved
+  float svgf_alpha, svgf_moments_alpha, sigma_depth, sigma_normal;
+  float sigma_luminance, firefly, mean_weight, taa;  // mean_weight: of the accumulated mean in the denoised picture
 };
 
 struct GBufferTexel {  // 80 bytes

@@ -1,0 +1,70 @@
+// Anti-aliasing over time of the finished picture (Karis 2014): the camera's rays move within their pixels from
+// frame to frame; the picture so far is carried along by motion, held to the range of colours about the pixel now, and
+// this frame joins it with a small weight.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/denoise.glsl"
+#include "shared/rng.h"
+
+vec3 unpack_rgb10(uint u) { return vec3(u & 1023u, (u >> 10u) & 1023u, u >> 20u) * (1.0 / 1023.0); }
+// Rounded at random, so that small steps towards a new colour are not lost.
+uint pack_rgb10(vec3 c, uint rng) {
+  vec3 r = vec3(rng & 1023u, (rng >> 10u) & 1023u, (rng >> 20u) & 1023u) * (1.0 / 1024.0);
+  uvec3 u = uvec3(min(clamp(c, 0.0, 1.0) * 1023.0 + r, 1023.0));
+  return u.x | (u.y << 10u) | (u.z << 20u);
+}
+vec3 ldr_at(ivec2 p) {
+  p = clamp(p, ivec2(0), ivec2(frame.width, frame.height) - 1);
+  return unpackUnorm4x8(ldr[uint(p.y) * frame.width + uint(p.x)]).rgb;
+}
+vec3 shown_before(ivec2 p) {
+  p = clamp(p, ivec2(0), ivec2(frame.width, frame.height) - 1);
+  uint from = section(kSectionShown) * 4u + (1u - frame.history_parity) * frame.width * frame.height;
+  return unpack_rgb10(history_words[from + uint(p.y) * frame.width + uint(p.x)]);
+}
+
+// Catmull-Rom over 4x4 texels: keeps edges sharp that are resampled every frame.
+vec4 cubic_weights(float f) {
+  float f2 = f * f, f3 = f2 * f;
+  return vec4(-0.5 * f3 + f2 - 0.5 * f, 1.5 * f3 - 2.5 * f2 + 1.0, -1.5 * f3 + 2.0 * f2 + 0.5 * f, 0.5 * f3 - 0.5 * f2);
+}
+vec3 resample(vec2 point) {
+  vec2 corner = floor(point), f = point - corner;
+  vec4 wx = cubic_weights(f.x), wy = cubic_weights(f.y);
+  vec3 sum = vec3(0.0);
+  float weights = 0.0;
+  for (int i = 0; i < 16; ++i) {
+    if (i == 0 || i == 3 || i == 12 || i == 15) continue;  // the corners' weights are next to nothing
+    float weight = wx[i & 3] * wy[i >> 2];
+    sum += weight * shown_before(ivec2(corner) + ivec2(i & 3, i >> 2) - 1);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+void main() {
+  uvec2 pixel = invocation_pixel();
+  if (pixel.x >= frame.width || pixel.y >= frame.height) return;
+  uint at = pixel.y * frame.width + pixel.x;
+  vec3 color = ldr_at(ivec2(pixel));
+  if (frame.debug_view == 0u && frame.history_valid != 0u) {
+    vec3 sum = color, squares = color * color;
+    for (int i = 0; i < 4; ++i) {
+      int side = 2 * (i & 1) - 1;
+      vec3 c = ldr_at(ivec2(pixel) + (i < 2 ? ivec2(side, 0) : ivec2(0, side)));
+      sum += c;
+      squares += c * c;
+    }
+    vec3 mean = sum / 5.0, spread = sqrt(max(squares / 5.0 - mean * mean, 0.0)) * 1.25 + 1.0 / 255.0;
+    vec2 motion = frame.still != 0u ? vec2(0.0) : uintBitsToFloat(gbuffer_quad(at, 4u).xy);
+    vec2 point = vec2(pixel) + motion;
+    bool inside = all(greaterThan(point, vec2(-0.5))) && point.x < float(frame.width) - 0.5 && point.y < float(frame.height) - 0.5;
+    vec3 before = clamp(resample(point), mean - spread, mean + spread);
+    // What has just come into sight has no picture before.
+    float frames = float((history_words[(section(kSectionHistory + frame.history_parity) + at) * 4u + 1u] >> 16u) & 0xffu);
+    if (inside) color = mix(before, color, frames > 0.0 ? max(0.1, 1.0 / frames) : 0.2);
+  }
+  history_words[section(kSectionShown) * 4u + frame.history_parity * frame.width * frame.height + at] =
+      pack_rgb10(color, hash_combine(at, frame.frame));
+  smoothed[at] = packUnorm4x8(vec4(color, 1.0));
+}
