@@ -5,7 +5,9 @@ namespace fb::render {
 
 const std::vector<EstimatorInfo>& estimators() {
   static const std::vector<EstimatorInfo> list{
-      {"pt", "BSDF sampling only; unbiased for paths of at most r_bounces reflections", true},
+      {"pt", "BSDF sampling only; unbiased for paths of at most r_bounces reflections", true, false},
+      {"mcpg", "Markov chain path guiding (Alber 2025); unbiased for paths of at most r_bounces reflections", true,
+       true},
   };
   return list;
 }

@@ -101,6 +101,9 @@ shared::GpuInstance make_gpu_instance(const MeshRecord& mesh, const scene::Insta
   if ((instance.flags & scene::kInstanceColor) != 0) out.flags |= shared::kInstanceHasColor;
   if ((instance.flags & scene::kInstanceViewModel) != 0) out.flags |= shared::kInstanceIsViewModel;
   if (is_new) out.flags |= shared::kInstanceIsNew;
+  const bool posed_anew =
+      mesh.posed && (out.pose_a != out.prev_pose_a || out.pose_b != out.prev_pose_b || out.pose_t != out.prev_pose_t);
+  if (posed_anew || (!is_new && instance.transform != instance.prev_transform)) out.flags |= shared::kInstanceMoves;
   out.id = instance.id;
   out.alpha = instance.alpha;
   out.time_offset = instance.time_offset;

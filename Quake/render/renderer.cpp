@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -9,6 +10,7 @@
 #include "base/log.h"
 #include "gpu/pipeline.h"
 #include "render/frame_constants.h"
+#include "render/guide.h"
 #include "render/overlay.h"
 #include "render/shader_set.h"
 #include "shared/rng.h"
@@ -19,26 +21,24 @@ namespace {
 using gpu::Buffer;
 using gpu::BufferUse;
 
-// Everything in a snapshot that may move.
-std::uint64_t scene_key(const scene::FrameSnapshot& s) {
+// Everything that a picture depends on and that may move. Equal keys: the frames may be averaged.
+std::uint64_t view_key(const scene::FrameSnapshot& s, const RenderSettings& settings) {
   static_assert(sizeof(scene::Instance) == 4 * 43, "hashed as bytes: no padding");
   std::uint64_t key = hash_span(std::span<const scene::Instance>(s.instances), s.assets->generation);
   const float camera[] = {s.camera.position.x, s.camera.position.y, s.camera.position.z,
                           s.camera.angles.x,   s.camera.angles.y,   s.camera.angles.z,
                           s.camera.fov_x,      s.camera.fov_y,      static_cast<float>(s.time)};
-  return hash_span(std::span<const float>(camera), key);
-}
-
-// Equal keys: the frames may be averaged.
-std::uint64_t view_key(std::uint64_t scene, const RenderSettings& settings) {
+  key = hash_span(std::span<const float>(camera), key);
   const float numbers[] = {
 #define FB_NUMBER(type, field, cvar, value, low, high, help) static_cast<float>(settings.field),
       FB_RENDER_SETTINGS(FB_NUMBER)
 #undef FB_NUMBER
   };
-  const std::uint64_t key = hash_span(std::span<const float>(numbers), scene);
+  key = hash_span(std::span<const float>(numbers), key);
   return hash_bytes(settings.estimator.data(), settings.estimator.size(), key);
 }
+
+constexpr std::uint32_t kMaxLobes = 32;  // of the guide's mixture: they are kept in registers or local memory
 
 // Points of a low-discrepancy sequence (Roberts 2018, R2) in [-1/2, 1/2)^2.
 vec2 jitter_at(std::uint32_t index) {
@@ -55,8 +55,8 @@ struct Renderer::Impl {
         table(d),
         scene(d, table, options),
         overlay(d, table),
+        guide(d, table),
         shaders(d, table),
-        denoiser(d, table),
         timer(d) {
     uniform = Buffer(d, BufferUse::kUniform, sizeof(shared::FrameConstants), "frame constants");
     exposure = Buffer(d, BufferUse::kStorage, sizeof(shared::ExposureState) + shared::kHistogramBins * 4, "exposure");
@@ -71,6 +71,7 @@ struct Renderer::Impl {
   }
 
   void resize_buffers(uvec2 render, uvec2 output);
+  void prepare_guide(const RenderSettings& settings, bool new_assets);
   void fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings);
   void record(gpu::Commands& commands);
 
@@ -79,21 +80,24 @@ struct Renderer::Impl {
   gpu::BindingTable table;
   GpuScene scene;
   Overlay overlay;
+  Guide guide;
   ShaderSet shaders;
-  Denoiser denoiser;
   gpu::PassTimer timer;
 
   Buffer uniform, gbuffer, radiance, mean, m2, ldr, smoothed, output, exposure, counters;
   uvec2 output_size{640, 360}, render_size{0, 0}, allocated_output{0, 0};
   bool swap_red_blue = false;
 
-  std::uint64_t key = 0, last_scene = 0;
+  std::uint64_t key = 0;
   std::uint64_t generation = 0;
   std::uint32_t accumulated = 0;  // frames in the mean after the last render
   bool restart = true;
   double last_time = 0;
   SceneFeatures features;
   std::string estimator;
+  const EstimatorInfo* info = nullptr;
+  std::uint32_t accesses = 1, bucket = 1;  // of the guide
+  bool resolve = false;
   shared::FrameConstants constants{};
   std::vector<gpu::PassTime> pass_times;
   bool said_unknown_estimator = false;
@@ -142,8 +146,19 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
   restart = true;
 }
 
+void Renderer::Impl::prepare_guide(const RenderSettings& settings, bool new_assets) {
+  resolve = info->learns && settings.deterministic != 0;
+  accesses = bucket = 1;
+  if (!info->learns) return guide.release();
+  bucket = std::bit_floor(static_cast<std::uint32_t>(settings.mc_bucket));
+  accesses = std::min(static_cast<std::uint32_t>(settings.mc_accesses), kMaxLobes / bucket);
+  guide.prepare(settings, static_cast<std::uint64_t>(render_size.x) * render_size.y *
+                              static_cast<std::uint64_t>(settings.spp) * static_cast<std::uint64_t>(settings.bounces));
+  if (new_assets) guide.reset();
+}
+
 void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings) {
-  const std::uint64_t scene = scene_key(snapshot), now = view_key(scene, settings);
+  const std::uint64_t now = view_key(snapshot, settings);
   const bool same_view = now == key && !restart && settings.accumulate != 0;
   const bool first_frame = key == 0;
   if (!same_view) accumulated = 0;
@@ -151,10 +166,9 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants = frame_constants(snapshot, settings, render_size, output_size);
   constants.accumulated_frames = accumulated;
   constants.frame = shared::hash_combine(static_cast<std::uint32_t>(snapshot.frame), accumulated);
-  const bool always = settings.jitter > 0 || (settings.jitter < 0 && Denoiser::antialiases(settings));
-  if (always || (settings.jitter < 0 && accumulated > 0)) {
+  if (settings.jitter > 0 || (settings.jitter < 0 && accumulated > 0)) {
     const vec2 jitter =
-        jitter_at(always && accumulated == 0 ? static_cast<std::uint32_t>(snapshot.frame) : accumulated);
+        jitter_at(settings.jitter > 0 && accumulated == 0 ? static_cast<std::uint32_t>(snapshot.frame) : accumulated);
     constants.jitter_x = jitter.x;
     constants.jitter_y = jitter.y;
   }
@@ -165,11 +179,10 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.draw_quads = !overlay.empty();
   constants.quad_tiles_x = overlay.tiles_x();
   constants.atlas_width = overlay.atlas_width();
-  denoiser.fill(constants, snapshot, settings, scene == last_scene);
+  if (info->learns) guide.fill_constants(constants, settings, 2 * constants.camera_position.w);
   std::memcpy(uniform.mapped(), &constants, sizeof(constants));
 
   key = now;
-  last_scene = scene;
   last_time = snapshot.time;
   restart = false;
 }
@@ -178,6 +191,10 @@ void Renderer::Impl::record(gpu::Commands& commands) {
   const auto tiles = [](std::uint32_t pixels, std::uint32_t side) { return (pixels + side - 1) / side; };
   const std::uint32_t x = tiles(render_size.x, 8), y = tiles(render_size.y, 8);
   const Variant variant{ray_query, features.alpha_test || features.translucent, features.specular};
+  Variant path_variant = variant;
+  path_variant.resolve = resolve;
+  path_variant.accesses = accesses;
+  path_variant.bucket = bucket;
 
   timer.reset(commands.handle());
   commands.set_timer(&timer);
@@ -193,13 +210,14 @@ void Renderer::Impl::record(gpu::Commands& commands) {
     commands.barrier();
   };
   dispatch("gbuffer", shaders.gbuffer(variant), x, y);
-  dispatch("paths", shaders.paths(estimator, variant), x, y);
+  if (info->learns) guide.record_begin(commands);
+  dispatch("paths", shaders.paths(estimator, path_variant), x, y);
+  if (info->learns) guide.record_end(commands, shaders);
   dispatch("accumulate", shaders.pass("accumulate"), x, y);
-  denoiser.record(commands, shaders);
   dispatch("histogram", shaders.pass("exposure_histogram"), tiles(render_size.x, 16), tiles(render_size.y, 16));
   dispatch("exposure", shaders.pass("exposure"), 1, 1);
-  dispatch("tonemap", shaders.pass(constants.debug_view != 0 ? "debug_view" : "tonemap"), x, y);
-  dispatch("antialias", shaders.pass(constants.taa != 0 ? "temporal_antialias" : "antialias"), x, y);
+  dispatch("tonemap", shaders.pass("tonemap"), x, y);
+  dispatch("antialias", shaders.pass("antialias"), x, y);
   dispatch("present", shaders.pass("present"), tiles(output_size.x, 8), tiles(output_size.y, 8));
 }
 
@@ -220,13 +238,14 @@ void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawLis
     if (r.estimator.empty()) r.estimator = known.front().name;
     log_warning("r_estimator {}: there is no such estimator; {} stays", settings.estimator, r.estimator);
   }
+  r.info = &*std::find_if(known.begin(), known.end(), [&](const EstimatorInfo& e) { return e.name == r.estimator; });
 
   const auto scaled = [&](std::uint32_t size) {
     return std::max(1u, static_cast<std::uint32_t>(std::lround(static_cast<float>(size) * settings.scale)));
   };
   r.resize_buffers(uvec2(scaled(r.output_size.x), scaled(r.output_size.y)), r.output_size);
-  r.denoiser.resize(r.render_size, settings, r.gbuffer);
   r.scene.prepare(snapshot, emission_scales(settings));
+  r.prepare_guide(settings, snapshot.assets->generation != r.generation);
 
   // Features only grow while the assets stay: no compilation in mid-game when something comes and goes.
   const std::uint64_t generation = snapshot.assets->generation;
@@ -247,6 +266,7 @@ void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawLis
 }
 
 void Renderer::restart_accumulation() { impl_->restart = true; }
+void Renderer::reset_learning() { impl_->guide.reset(); }
 std::uint32_t Renderer::accumulated_frames() const { return impl_->accumulated; }
 const std::string& Renderer::intersector_name() const {
   static const std::string query = "query", bvh = "bvh";
@@ -261,9 +281,6 @@ std::vector<std::uint32_t> Renderer::read_output() const {
 std::vector<vec4> Renderer::read_linear() const {
   return gpu::read_now<vec4>(impl_->device, impl_->mean,
                              static_cast<std::size_t>(impl_->render_size.x) * impl_->render_size.y);
-}
-std::vector<vec4> Renderer::read_denoised() const {
-  return impl_->denoiser.on() ? impl_->denoiser.read() : read_linear();
 }
 std::vector<vec4> Renderer::read_variance_of_mean() const {
   auto variance = gpu::read_now<vec4>(impl_->device, impl_->m2,
@@ -281,10 +298,10 @@ std::uint32_t Renderer::nan_count() const {
   return gpu::read_now<std::uint32_t>(impl_->device, impl_->counters, shared::kCounterCount)[shared::kCounterNan];
 }
 
-std::uint32_t Renderer::history_nan_count() const {
-  return gpu::read_now<std::uint32_t>(impl_->device, impl_->counters, shared::kCounterCount)[shared::kCounterHistory];
+std::uint32_t Renderer::guide_nan_count() const {
+  return gpu::read_now<std::uint32_t>(impl_->device, impl_->counters, shared::kCounterCount)[shared::kCounterGuideNan];
 }
-const Denoiser& Renderer::denoiser() const { return impl_->denoiser; }
+std::uint64_t Renderer::guide_bytes() const { return impl_->guide.bytes(); }
 
 const std::vector<gpu::PassTime>& Renderer::pass_times() const { return impl_->pass_times; }
 double Renderer::gpu_milliseconds() const {

@@ -11,7 +11,6 @@
 #include "base/result.h"
 #include "gpu/commands.h"
 #include "gpu/device.h"
-#include "render/denoiser.h"
 #include "render/gpu_scene.h"
 #include "render/settings.h"
 #include "scene/draw_list.h"
@@ -23,6 +22,7 @@ namespace fb::render {
 struct EstimatorInfo {
   std::string name, description;
   bool unbiased;
+  bool learns;  // keeps what it learnt from frame to frame
 };
 const std::vector<EstimatorInfo>& estimators();
 
@@ -47,6 +47,9 @@ class Renderer {
   // Starts accumulation anew at the next frame.
   void restart_accumulation();
 
+  // Forgets what the estimator has learnt.
+  void reset_learning();
+
   // Frames averaged in the linear image.
   std::uint32_t accumulated_frames() const;
   const std::string& intersector_name() const;  // "query" or "bvh"
@@ -54,14 +57,14 @@ class Renderer {
   const gpu::Buffer& output_pixels() const;         // packed 8-bit pixels, output size
   std::vector<std::uint32_t> read_output() const;   // r lowest (unless swapped)
   std::vector<vec4> read_linear() const;            // mean radiance, linear Rec.709; w: frames averaged
-  std::vector<vec4> read_denoised() const;          // denoised radiance; the raw mean where the denoiser is off
   std::vector<vec4> read_variance_of_mean() const;  // per channel, from the accumulated frames (zero for one)
   std::vector<shared::GBufferTexel> read_gbuffer() const;
   // Samples that were not finite, since the renderer was made; they counted as zero.
   std::uint32_t nan_count() const;
-  // Irradiances that were not finite and were kept out of the denoiser's history.
-  std::uint32_t history_nan_count() const;
-  const Denoiser& denoiser() const;
+
+  // States of the guide that were not finite and were not stored.
+  std::uint32_t guide_nan_count() const;
+  std::uint64_t guide_bytes() const;  // device memory of what the estimator learns
 
   const std::vector<gpu::PassTime>& pass_times() const;  // of the last frame
   double gpu_milliseconds() const;                       // their sum

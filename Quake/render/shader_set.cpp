@@ -4,20 +4,17 @@
 
 #include "accumulate.spv.h"
 #include "antialias.spv.h"
-#include "debug_view.spv.h"
-#include "denoise_mean.spv.h"
-#include "denoise_temporal.spv.h"
-#include "denoise_wavelet.spv.h"
-#include "denoise_wavelet_first.spv.h"
-#include "denoise_wavelet_last.spv.h"
 #include "exposure.spv.h"
 #include "exposure_histogram.spv.h"
 #include "gbuffer_bvh.spv.h"
 #include "gbuffer_query.spv.h"
+#include "guide_cache.spv.h"
+#include "guide_states.spv.h"
+#include "mcpg_bvh.spv.h"
+#include "mcpg_query.spv.h"
 #include "present.spv.h"
 #include "pt_bvh.spv.h"
 #include "pt_query.spv.h"
-#include "temporal_antialias.spv.h"
 #include "tonemap.spv.h"
 
 #include "base/check.h"
@@ -35,14 +32,10 @@ struct Shader {
 const std::array kShaders{
     Shader{"gbuffer", gbuffer_bvh_spv, gbuffer_query_spv},
     Shader{"pt", pt_bvh_spv, pt_query_spv},
+    Shader{"mcpg", mcpg_bvh_spv, mcpg_query_spv},
+    Shader{"guide_states", guide_states_spv, {}},
+    Shader{"guide_cache", guide_cache_spv, {}},
     Shader{"accumulate", accumulate_spv, {}},
-    Shader{"debug_view", debug_view_spv, {}},
-    Shader{"denoise_mean", denoise_mean_spv, {}},
-    Shader{"denoise_temporal", denoise_temporal_spv, {}},
-    Shader{"denoise_wavelet_first", denoise_wavelet_first_spv, {}},
-    Shader{"denoise_wavelet", denoise_wavelet_spv, {}},
-    Shader{"denoise_wavelet_last", denoise_wavelet_last_spv, {}},
-    Shader{"temporal_antialias", temporal_antialias_spv, {}},
     Shader{"exposure_histogram", exposure_histogram_spv, {}},
     Shader{"exposure", exposure_spv, {}},
     Shader{"tonemap", tonemap_spv, {}},
@@ -66,7 +59,12 @@ const gpu::ComputePipeline& ShaderSet::get(std::string_view name, const Variant&
     if (shader.name != name) continue;
     const auto tracing = trace_constants(device_);
     const std::array constants{gpu::SpecializationConstant{0, variant.candidates},
-                               gpu::SpecializationConstant{1, variant.specular}, tracing[0], tracing[1]};
+                               gpu::SpecializationConstant{1, variant.specular},
+                               gpu::SpecializationConstant{2, variant.resolve},
+                               gpu::SpecializationConstant{3, variant.accesses},
+                               gpu::SpecializationConstant{4, variant.bucket},
+                               tracing[0],
+                               tracing[1]};
     gpu::ComputePipeline pipeline(device_, table_, variant.ray_query ? shader.query : shader.plain, std::string(name),
                                   constants);
     return pipelines_.emplace(std::move(key), std::move(pipeline)).first->second;

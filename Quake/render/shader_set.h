@@ -14,11 +14,14 @@
 
 namespace fb::render {
 
-// What a tracing pipeline is specialised for (constants 0 and 1 of Shaders/lib; how trees are read is the device's).
+// What a tracing pipeline is specialised for (constants 0 to 4 of Shaders/lib; how trees are read is the device's).
 struct Variant {
   bool ray_query = false;
   bool candidates = false;  // alpha tests or translucency
   bool specular = false;
+  // Of estimators that learn (constants 2 to 4).
+  bool resolve = false;
+  std::uint32_t accesses = 1, bucket = 1;
   auto operator<=>(const Variant&) const = default;
 };
 
@@ -31,7 +34,8 @@ class ShaderSet {
   const gpu::ComputePipeline& gbuffer(const Variant& variant);
   // `estimator` is a name of estimators().
   const gpu::ComputePipeline& paths(std::string_view estimator, const Variant& variant);
-  // Passes that trace nothing, by their shader's name ("accumulate", "tonemap").
+  // Passes that trace nothing: "accumulate", "exposure_histogram", "exposure", "tonemap", "antialias", "present",
+  // "guide_states", "guide_cache".
   const gpu::ComputePipeline& pass(std::string_view name);
 
  private:

@@ -17,4 +17,9 @@ layout(set = 1, binding = 8, std430) readonly buffer QuadBlock { GpuQuad quads[]
 layout(set = 1, binding = 9, std430) readonly buffer TileBlock { uint tiles[]; };
 layout(set = 1, binding = 10, std430) readonly buffer AtlasBlock { uint atlas[]; };
 layout(set = 1, binding = 11, std430) buffer CounterBlock { uint counters[]; };
+
+// The guide's (passes that do not learn leave them alone).
+layout(set = 1, binding = 12, std430) buffer GuideStateBlock { uvec4 guide_states[]; };
+layout(set = 1, binding = 13, std430) buffer GuideProposalBlock { uvec4 guide_proposals[]; };
+layout(set = 1, binding = 14, std430) buffer GuideCacheBlock { uint guide_cache[]; };
 #endif

@@ -1,25 +1,57 @@
 // The path loop that every estimator shares. An estimator is a policy: it defines
-//   vec3 sample_direction(PathVertex v, inout uint rng, out vec3 direction);
-// before including this file, which returns f cos / pdf (zero ends the path), and may train itself in
-//   void path_hit(PathVertex v, vec3 direction, vec3 emission);
-// All transport is here: emission met on the way, at most frame.bounces + 0 further vertices.
+//   vec3 sample_direction(PathVertex v, bool first, bool last, inout uint rng, out vec3 direction);
+// before including this file, which returns f cos / pdf (zero ends the path; first, last: vertices of the path). One that
+// learns defines ESTIMATOR_LEARNS and
+//   void look_at_next(Surface s, inout uint rng);  finds what is known of the next vertex
+//   vec3 reflected_there(Surface s);               light that it reflects, as far as it is known
+//   bool is_discovery();                           an emitter met now would be new
+//   void path_hit(PathVertex v, vec3 direction, vec3 weight, vec3 emission, vec3 reflected, vec3 hit_position,
+//                 vec3 velocity, bool trains, uint proposal, inout uint rng);
+// Only a share of the paths trains, to save time; an emitter that is new is never passed by.
+// All transport is here: emission met on the way, at most frame.bounces further vertices.
 #ifndef FB_LIB_PATH
 #define FB_LIB_PATH
 #include "lib/path_vertex.glsl"
 
-// Radiance that reaches the first vertex's viewer by reflection: paths of 1 to frame.bounces further vertices.
-vec3 trace_path(PathVertex v, inout uint rng) {
+#if ESTIMATOR_LEARNS
+const float kFarTarget = 32768.0;  // as far as a map reaches: where light from beyond is thought to be
+
+vec3 hit_velocity(Hit hit, vec3 position) {
+  if (hit.instance == kNoIndex || (instances[hit.instance].flags & kInstanceMoves) == 0u) return vec3(0.0);
+  return (position - previous_position(hit)) / max(frame.time - frame.prev_time, 1e-4);
+}
+#endif
+
+// Radiance that reaches the first vertex's viewer by reflection: paths of 1 to frame.bounces further vertices. `path`
+// numbers this frame's paths.
+vec3 trace_path(PathVertex v, uint path, bool trains, inout uint rng) {
   vec3 sum = vec3(0.0), throughput = vec3(1.0);
   for (uint bounce = 0u; bounce < frame.bounces; ++bounce) {
-    vec3 direction;
-    vec3 weight = sample_direction(v, rng, direction);
-    if (weight == vec3(0.0)) break;
-    throughput *= weight;
-    Hit hit = trace(offset_origin(v.position, v.normal), direction, 0.0, kRayEnd, kMaskIndirect, rng);
-    bool missed = hit.instance == kNoIndex;
-    if (missed && frame.sky_beyond == 0u) break;
     bool last = bounce + 1u == frame.bounces;
+    vec3 direction;
+    vec3 weight = sample_direction(v, bounce == 0u, last, rng, direction);
+    if (weight == vec3(0.0)) break;
+    vec3 origin = offset_origin(v.position, v.normal);
+    Hit hit = trace(origin, direction, 0.0, kRayEnd, kMaskIndirect, rng);
+    bool missed = hit.instance == kNoIndex;
+    bool dark = missed && frame.sky_beyond == 0u;
+#if ESTIMATOR_LEARNS
+    Surface s;
+    s.emission = vec3(0.0);
+    if (!dark) s = load_surface(hit, direction, false, last);
+    bool more = !missed && !last;
+    if (more) look_at_next(s, rng);
+    if (trains || (is_discovery() && s.emission != vec3(0.0))) {
+      vec3 position = origin + direction * min(hit.t, kFarTarget);
+      path_hit(v, direction, weight, s.emission, more ? reflected_there(s) : vec3(0.0), position, hit_velocity(hit, position),
+               trains, path * frame.bounces + bounce, rng);
+    }
+    if (dark) break;
+#else
+    if (dark) break;
     Surface s = load_surface(hit, direction, false, last);
+#endif
+    throughput *= weight;
     sum += throughput * s.emission;
     if (missed || last) break;
     v = make_path_vertex(s, -direction);

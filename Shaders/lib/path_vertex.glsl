@@ -9,6 +9,7 @@ const float kRayEnd = 1e6;  // beyond any map: coordinates end at 32768
 
 struct PathVertex {
   vec3 position;
+  vec3 previous;        // where the point was in the former frame; only known of what the camera sees
   vec3 normal;          // geometric, on the side of `view`
   vec3 shading_normal;
   vec3 view;            // towards the previous vertex
@@ -16,7 +17,7 @@ struct PathVertex {
 };
 
 PathVertex make_path_vertex(Surface s, vec3 view) {
-  return PathVertex(s.position, s.normal, s.shading_normal, view, s.bsdf);
+  return PathVertex(s.position, s.position, s.normal, s.shading_normal, view, s.bsdf);
 }
 
 // An orthonormal frame about n (Duff 2017); to_world(v) = frame * v.

@@ -3,6 +3,15 @@
 #include "lib/pixel.glsl"
 #include "lib/path.glsl"
 
+// Where what a texel shows was in the former frame; its position itself unless it moved perceptibly.
+vec3 previous_world(GBufferTexel g, vec2 point) {
+  if (g.motion.w <= 0.0) return g.position_t.xyz;
+  vec2 s = (point + g.motion.xy) / vec2(frame.width, frame.height) * 2.0 - 1.0;
+  vec3 ray = frame.prev_camera_forward.xyz + s.x * frame.prev_camera_right.xyz - s.y * frame.prev_camera_up.xyz;
+  vec3 before = frame.prev_camera_position.xyz + ray * g.motion.w;
+  return distance(before, g.position_t.xyz) > 0.25 + 1e-3 * g.position_t.w ? before : g.position_t.xyz;
+}
+
 void main() {
   uvec2 pixel = invocation_pixel();
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
@@ -15,16 +24,27 @@ void main() {
   }
   PathVertex v;
   v.position = g.position_t.xyz;
+  v.previous = v.position;
+#if ESTIMATOR_LEARNS
+  v.previous = previous_world(g, vec2(pixel) + 0.5 + vec2(frame.jitter_x, frame.jitter_y));
+#endif
   v.normal = unpack_direction(g.normal);
   v.shading_normal = unpack_direction(g.shading_normal);
   v.view = normalize(frame.camera_position.xyz - v.position);
   v.bsdf = Bsdf(g.albedo_roughness.rgb, max(g.albedo_roughness.w * g.albedo_roughness.w, kMinAlpha),
                 g.emission_specular.w, float(g.material_metalness >> 24u) / 255.0);
 
+#if ESTIMATOR_LEARNS
+  if (frame.debug_view >= kFirstGuideView) {
+    ldr[at] = packUnorm4x8(vec4(guide_debug_color(v, rng_seed(at, frame.frame, 0u, frame.seed)), 1.0));
+  }
+#endif
   vec3 sum = vec3(0.0);
   for (uint i = 0u; i < frame.spp; ++i) {
     uint rng = rng_seed(at, frame.frame, i, frame.seed);
-    vec3 estimate = trace_path(v, rng);
+    // Lanes that run together (4x2 pixels) train together.
+    bool trains = ESTIMATOR_LEARNS != 0 && hash_combine(((pixel.y >> 1u) * frame.width + (pixel.x >> 2u)) * frame.spp + i, frame.frame) % frame.train_every == 0u;
+    vec3 estimate = trace_path(v, at * frame.spp + i, trains, rng);
     if (any(isnan(estimate)) || any(isinf(estimate))) {
       atomicAdd(counters[kCounterNan], 1u);
       estimate = vec3(0.0);

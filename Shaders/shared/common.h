@@ -17,6 +17,7 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <glm/packing.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace fb::shared {
@@ -31,6 +32,8 @@ using glm::max;
 using glm::min;
 using glm::mix;
 using glm::normalize;
+using glm::packHalf2x16;
+using glm::unpackHalf2x16;
 using glm::uvec2;
 using glm::uvec3;
 using glm::uvec4;
@@ -40,7 +43,10 @@ using glm::vec4;
 using std::abs;
 using std::cos;
 using std::exp;
+using std::exp2;
+using std::floor;
 using std::log;
+using std::log2;
 using std::sin;
 using std::sqrt;
 inline uint floatBitsToUint(float f) {

@@ -5,8 +5,11 @@
 #if INTERSECTOR_QUERY
 #extension GL_EXT_ray_query : require
 #endif
+#define ESTIMATOR_LEARNS 0
 #include "lib/path_vertex.glsl"
 
-vec3 sample_direction(PathVertex v, inout uint rng, out vec3 direction) { return sample_vertex_bsdf(v, rng, direction); }
+vec3 sample_direction(PathVertex v, bool first, bool last, inout uint rng, out vec3 direction) {
+  return sample_vertex_bsdf(v, rng, direction);
+}
 
 #include "lib/paths_main.glsl"

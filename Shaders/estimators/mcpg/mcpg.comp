@@ -1,0 +1,12 @@
+// Estimator `mcpg`: Markov chain path guiding (Alber 2025). Unbiased for paths of at most frame.bounces reflections: what
+// it learnt only shapes the density that it samples from.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#if INTERSECTOR_QUERY
+#extension GL_EXT_ray_query : require
+#endif
+#define ESTIMATOR_LEARNS 1
+#include "lib/guide_debug.glsl"
+
+#include "lib/paths_main.glsl"

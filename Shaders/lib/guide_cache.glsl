@@ -1,0 +1,85 @@
+// The irradiance cache: what a white surface reflects, averaged over cells of an adaptive hash grid. For training (and,
+// in a biased estimator, for the end of paths); an unbiased estimator's picture never holds it.
+//
+// Readers see the former frame's means; this frame's samples are added up in fixed point beside them, with atomic
+// additions, whose order does not matter, and folded in by passes/guide_cache.comp. So there are no locks, and the same
+// samples give the same cache in any order.
+#ifndef FB_LIB_GUIDE_CACHE
+#define FB_LIB_GUIDE_CACHE
+#include "lib/frame_bindings.glsl"
+#include "shared/color.h"
+#include "shared/guide.h"
+#include "shared/scene_gpu.h"
+
+// Motions lie after the states, two in a word of four.
+void store_guide_motion(uint at, uvec2 motion) {
+  uint word = frame.guide_states + (at >> 1u);
+  if ((at & 1u) == 0u) guide_states[word].xy = motion;
+  else guide_states[word].zw = motion;
+}
+
+const uint kCacheTries = 4u;  // two places for a cell, then two for a coarser one
+const uint kCacheStale = 120u;  // frames after which another cell may take an entry
+
+uint guide_list_at() { return frame.guide_cells * kCacheWords; }
+// Two counters take turns: while one counts, the other is set to zero for the next frame.
+uint guide_list_count_at() { return frame.guide_cells * (kCacheWords + 1u) + (frame.guide_frame & 1u); }
+uint guide_next_count_at() { return frame.guide_cells * (kCacheWords + 1u) + ((frame.guide_frame + 1u) & 1u); }
+uint guide_winner_at() { return frame.guide_cells * (kCacheWords + 1u) + 4u; }
+
+// Of the proposals for one slot, the one of highest rank is taken: as good as random, and the same in any order.
+// Multiplication by an odd number and exclusive or with a constant permute the words.
+uint proposal_rank(uint proposal) { return ((proposal + 1u) * 2654435769u) ^ hash_u32(frame.guide_frame); }
+
+struct CacheCell {
+  uint entry;  // first word of the entry that holds the cell, or kNoIndex
+  uint claim;  // first word of the entry that it could have, or kNoIndex
+  uint check;  // for the claim
+};
+
+uint cache_age(uint entry) { return (frame.guide_frame - (guide_cache[entry + kCacheCount] >> 16u)) & 0xffffu; }
+
+// The cell about a point; where its entry holds another cell, a coarser one.
+CacheCell find_cache_cell(vec3 p, vec3 n, inout uint rng) {
+  CacheCell cell = CacheCell(kNoIndex, kNoIndex, 0u);
+  vec3 u = vec3(rng_uniform(rng), rng_uniform(rng), rng_uniform(rng));
+  uint level = grid_level(distance(p, frame.camera_position.xyz), frame.guide_pick.w, rng_uniform(rng));
+  for (uint i = 0u; i < kCacheTries && cell.entry == kNoIndex; ++i) {
+    uint at = min(level + (i >> 1u), kGridLevels - 1u);
+    GridKey key = grid_vertex(p, exp2(float(at)), kCacheTag + adaptive_tag(at, n), u);
+    uint entry = ((key.hash & (frame.guide_cells - 1u)) ^ (i & 1u)) * kCacheWords;
+    uint check = guide_cache[entry + kCacheCheck];
+    if (check == key.check) cell.entry = entry;
+    else if (cell.claim == kNoIndex && (check == 0u || cache_age(entry) > kCacheStale)) {
+      cell.claim = entry;
+      cell.check = key.check;
+    }
+  }
+  return cell;
+}
+
+vec3 cached_reflection(uint entry) {
+  return vec3(uintBitsToFloat(guide_cache[entry + kCacheMean]), uintBitsToFloat(guide_cache[entry + kCacheMean + 1u]),
+              uintBitsToFloat(guide_cache[entry + kCacheMean + 2u]));
+}
+
+// Second moments of estimates there for each of guide_shares(), over the square of the mean; zero: unknown.
+vec4 cached_moments(uint entry) {
+  return vec4(unpackHalf2x16(guide_cache[entry + kCacheMoment]), unpackHalf2x16(guide_cache[entry + kCacheMoment + 1u]));
+}
+
+void touch_cache(uint entry, uint amount) {
+  if (atomicAdd(guide_cache[entry + kCacheTouched], amount) != 0u) return;
+  uint at = atomicAdd(guide_cache[guide_list_count_at()], 1u);
+  guide_cache[guide_list_at() + at] = entry;
+}
+
+void claim_cache(CacheCell cell) {
+  if (cell.claim == kNoIndex) return;
+  atomicMax(guide_cache[cell.claim + kCacheClaim], cell.check);
+  touch_cache(cell.claim, 0x10000u);
+}
+
+// Rounded up or down at random, so that sums are right in the mean.
+uint to_fixed(float value, float steps, float largest, float u) { return uint(clamp(value, 0.0, largest) * steps + u); }
+#endif

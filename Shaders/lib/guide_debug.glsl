@@ -1,0 +1,52 @@
+// What the guide knows at the first vertex, as colours: r_debug 20 and on.
+#ifndef FB_LIB_GUIDE_DEBUG
+#define FB_LIB_GUIDE_DEBUG
+#include "lib/guide.glsl"
+
+vec3 heat(float x) { return clamp(vec3(1.5 - abs(4.0 * x - 3.0), 1.5 - abs(4.0 * x - 2.0), 1.5 - abs(4.0 * x - 1.0)), 0.0, 1.0); }
+vec3 cell_color(uint h) {
+  h = hash_u32(h);
+  return vec3(h & 255u, (h >> 8u) & 255u, (h >> 16u) & 255u) / 255.0;
+}
+
+// The state of most weight in the finest cell about a vertex, that cell, and whether other cells' states lie in its slots.
+GuideState strongest_state(PathVertex v, GuideCell cell, out bool collides) {
+  GuideState best = empty_guide_state();
+  collides = false;
+  for (uint j = 0u; j < GUIDE_BUCKET; ++j) {
+    GuideState s = load_guide_state(cell.first + j);
+    if (s.check == cell.check && s.weight > best.weight) best = s;
+    collides = collides || (s.check != 0u && s.check != cell.check);
+  }
+  return best;
+}
+
+vec3 guide_debug_color(PathVertex v, uint rng) {
+  uint level = grid_level(distance(v.position, frame.camera_position.xyz), frame.guide_grid.x, 0.0);
+  GridKey key = grid_vertex(v.position, exp2(float(level)), adaptive_tag(level, v.normal), vec3(0.5));
+  GuideCell cell = GuideCell((key.hash & (frame.guide_states / GUIDE_BUCKET - 1u)) * GUIDE_BUCKET, key.check);
+  bool collides;
+  GuideState s = strongest_state(v, cell, collides);
+  vec3 to_target = s.target - v.position;
+  bool known = s.weight > 0.0 && dot(to_target, to_target) > 1e-6;
+  GuideView view = view_state(s, known ? to_target : v.normal, v.normal);
+  CacheCell cached = find_cache_cell(v.position, v.normal, rng);
+  bool has_cache = cached.entry != kNoIndex;
+  switch (frame.debug_view) {
+    case 20u: return known ? view.direction * 0.5 + 0.5 : vec3(0.0);
+    case 21u: return known ? heat(1.0 - sqrt(view.spread)) : vec3(0.0);
+    case 22u: return known ? heat(clamp(log2(s.weight * view.scale) / 20.0 + 0.5, 0.0, 1.0)) : vec3(0.0);
+    case 23u: return known ? heat(float(s.count) / frame.guide_learn.z) : vec3(0.0);
+    case 24u: return mix(heat(float(level) / 8.0), cell_color(key.hash), 0.3);
+    case 25u: return collides ? vec3(1.0, 0.2, 0.1) : known ? vec3(0.1, 0.4, 0.1) : vec3(0.0);
+    case 26u: return known ? heat(1.0 - float(min(guide_age(s), 64u)) / 64.0) : vec3(0.0);
+    case 27u: return has_cache ? sqrt(clamp(cached_reflection(cached.entry) * exposure_state.exposure, 0.0, 1.0)) : vec3(0.5, 0.0, 0.5);
+    case 28u: {
+      vec3 direction;
+      sample_direction(v, true, frame.bounces <= 1u, rng, direction);
+      return guide.chosen != kNoIndex ? vec3(0.1, 0.8, 0.2) : guide.has_lobes ? vec3(0.2, 0.3, 0.9) : vec3(0.8, 0.2, 0.1);
+    }
+    default: return heat(learnt_share(cached));
+  }
+}
+#endif

@@ -1,9 +1,0 @@
-// The radiance that the picture is made from: denoised, or the accumulated mean.
-#ifndef FB_LIB_SHOWN
-#define FB_LIB_SHOWN
-#include "lib/denoise.glsl"
-
-vec3 shown_radiance(uint at) {
-  return frame.denoise != 0u ? uintBitsToFloat(history_quad(section(kSectionDenoised) + at).rgb) : mean_radiance[at].rgb;
-}
-#endif

@@ -1,0 +1,17 @@
+// Writes the states that this frame's paths proposed: of all proposals for a slot, the one of highest rank.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/guide_cache.glsl"
+
+layout(local_size_x = 64) in;
+
+void main() {
+  uint proposal = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 64u) + gl_GlobalInvocationID.x;
+  if (proposal >= frame.width * frame.height * frame.spp * frame.bounces) return;
+  uvec4 rest = guide_proposals[proposal * 2u + 1u];
+  uint at = rest.z, winner = guide_winner_at() + at;
+  if (guide_cache[winner] != proposal_rank(proposal)) return;
+  guide_states[at] = guide_proposals[proposal * 2u];
+  store_guide_motion(at, rest.xy);
+  guide_cache[winner] = 0u;
+}
