@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <map>
 
 #include "lab/ztest_job.h"
@@ -21,10 +24,13 @@ struct Row {
   std::vector<std::string> sets;
   RunPlan plan;
   int spp = 4;
-  bool biased = false;  // what must be found
+  bool biased = false;                 // what must be found
+  std::vector<std::string> both = {};  // set for pt, too
 };
 
 RunPlan plan(std::uint32_t runs, std::uint32_t frames, std::uint32_t skip = 0, bool fresh = false) {
+  const char* times = std::getenv("FULLBRIGHT_UNBIASED_TIMES");
+  if (times != nullptr) runs *= static_cast<std::uint32_t>(std::max(std::atoi(times), 1));
   RunPlan p;
   p.width = 48;
   p.height = 36;
@@ -36,23 +42,22 @@ RunPlan plan(std::uint32_t runs, std::uint32_t frames, std::uint32_t skip = 0, b
   return p;
 }
 
-void PrintTo(const Row& row, std::ostream* out) {
-  *out << row.scene << ' ' << row.estimator;
-  for (const std::string& set : row.sets) *out << ' ' << set;
+std::string describe(const Row& row) {
+  const char* state = !row.plan.fresh && row.plan.skip > 0 ? " warm" : "";
+  return fmt::format("{} {}{} {} {}", row.scene, row.estimator, row.plan.fresh ? " cold" : state,
+                     fmt::join(row.sets, " "), fmt::join(row.both, " "));
 }
+void PrintTo(const Row& row, std::ostream* out) { *out << describe(row); }
 
-render::RenderSettings settings_of(const Row& row) {
+render::RenderSettings settings_of(const std::vector<std::string>& sets) {
   con::Console console;
   render::register_render_cvars(console);
-  for (const std::string& set : row.sets) {
+  for (const std::string& set : sets) {
     const std::size_t equals = set.find('=');
     EXPECT_TRUE(console.find_cvar(set.substr(0, equals)) && console.set(set.substr(0, equals), set.substr(equals + 1)))
         << set;
   }
-  render::RenderSettings settings = render::read_render_settings(console);
-  settings.estimator = row.estimator;
-  settings.spp = row.spp;
-  return settings;
+  return render::read_render_settings(console);
 }
 
 class UnbiasedTest : public render::DeviceTest, public testing::WithParamInterface<Row> {
@@ -68,7 +73,8 @@ class UnbiasedTest : public render::DeviceTest, public testing::WithParamInterfa
   };
   static Expected* expected(const Row& row) {
     const RunPlan& p = row.plan;
-    auto& at = references_[fmt::format("{} {} {} {} {}", row.scene, p.runs, p.frames, p.skip, row.spp)];
+    auto& at = references_[fmt::format("{} {} {} {} {} {}", row.scene, p.runs, p.frames, p.skip, row.spp,
+                                       fmt::join(row.both, " "))];
     if (at.runs) return &at;
     auto source = code_scene(row.scene, 60);
     auto film = source ? collect_film(**source, p.skip + p.frames - 1) : Result<Film>(source.error());
@@ -77,25 +83,32 @@ class UnbiasedTest : public render::DeviceTest, public testing::WithParamInterfa
       return nullptr;
     }
     at.film = std::move(*film);
-    Sampling sampling{{}, p};
+    Sampling sampling{settings_of(row.both), p};
     sampling.settings.spp = 2 * row.spp;
     at.runs = std::make_unique<ReferenceRuns>(*device_, at.film, sampling);
     return &at;
   }
+  static void look_at(const Row& row) {
+    Expected* reference = expected(row);
+    ASSERT_NE(reference, nullptr);
+    std::vector<std::string> sets = row.both;
+    sets.insert(sets.end(), row.sets.begin(), row.sets.end());
+    Sampling tested{settings_of(sets), row.plan};
+    tested.settings.estimator = row.estimator;
+    tested.settings.spp = row.spp;
+    const auto verdict = judge(*reference->runs, tested, kAlpha);
+    ASSERT_TRUE(verdict.ok()) << verdict.error().message;
+    EXPECT_EQ(verdict->biased, row.biased) << verdict->text() << ztest_map(verdict->test);
+    EXPECT_EQ(verdict->lost, 0u) << "energy lost to NaN";
+    const ZTest& test = verdict->test;
+    fmt::print("{}: p {:.2g}, bias {:+.2f}% to {:+.2f}%, would find {:.2f}%{}\n", describe(row), test.p,
+               100 * test.energy.low, 100 * test.energy.high, 100 * test.detectable(kAlpha),
+               verdict->repeated ? " (looked twice)" : "");
+  }
   inline static std::map<std::string, Expected> references_;
 };
 
-TEST_P(UnbiasedTest, HasTheMeanOfPt) {
-  const Row& row = GetParam();
-  Expected* reference = expected(row);
-  ASSERT_NE(reference, nullptr);
-  const auto verdict = judge(*reference->runs, {settings_of(row), row.plan}, kAlpha);
-  ASSERT_TRUE(verdict.ok()) << verdict.error().message;
-  EXPECT_EQ(verdict->biased, row.biased) << verdict->text() << ztest_map(verdict->test);
-  EXPECT_EQ(verdict->lost, 0u) << "energy lost to NaN";
-  RecordProperty("p", fmt::format("{:.3g}", verdict->test.p));
-  RecordProperty("detectable_percent", fmt::format("{:.3g}", 100 * verdict->test.detectable(kAlpha)));
-}
+TEST_P(UnbiasedTest, HasTheMeanOfPt) { look_at(GetParam()); }
 
 std::string row_name(const testing::TestParamInfo<Row>& info) {
   std::string name = fmt::format("{}_{}_{}", info.index, info.param.scene, info.param.estimator);
@@ -114,6 +127,56 @@ const Row kHarness[] = {
     {"rocket", "pt", {}, plan(16, 4, 10), 4, false},
 };
 INSTANTIATE_TEST_SUITE_P(Harness, UnbiasedTest, testing::ValuesIn(kHarness), row_name);
+
+// Path guiding: warm and cold, light that stands and light that moves.
+RunPlan warm() { return plan(12, 4, 12); }
+RunPlan cold() { return plan(16, 3, 0, true); }
+
+const Row kGuided[] = {
+    {"cbox", "mcpg", {}, warm(), 2},           {"one_light", "mcpg", {}, warm(), 2},
+    {"one_light", "mcpg", {}, cold(), 2},      {"one_light", "mcpg", {"r_deterministic=1"}, warm(), 2},
+    {"many", "mcpg", {}, cold(), 2},           {"candles", "mcpg", {}, warm(), 4},
+    {"strips", "mcpg", {}, warm(), 8},         {"rocket", "mcpg", {}, plan(12, 6, 4), 4},
+    {"moving", "mcpg", {}, plan(12, 4, 8), 2},
+};
+INSTANTIATE_TEST_SUITE_P(Guided, UnbiasedTest, testing::ValuesIn(kGuided), row_name);
+
+// Every feature off, some settings at their ends, more scenes. Looked at where time is given:
+// FULLBRIGHT_UNBIASED_TIMES.
+using MoreUnbiasedTest = UnbiasedTest;
+TEST_P(MoreUnbiasedTest, HasTheMeanOfPt) {
+  if (std::getenv("FULLBRIGHT_UNBIASED_TIMES") == nullptr) GTEST_SKIP() << "FULLBRIGHT_UNBIASED_TIMES=1 runs it";
+  look_at(GetParam());
+}
+
+const Row kFeatures[] = {
+    {"cbox", "mcpg", {}, cold(), 2},
+    {"many", "mcpg", {}, warm(), 2},
+    {"candles", "mcpg", {}, cold(), 4},
+    {"strips", "mcpg", {}, cold(), 8},
+    {"lava", "mcpg", {}, warm(), 2},
+    {"cbox_glossy", "mcpg", {}, warm(), 2},
+    {"candles_flicker", "mcpg", {}, plan(12, 4, 6), 4},
+    {"lightsout", "mcpg", {}, plan(12, 8, 96), 4},
+    {"lightsout", "mcpg", {"r_mc_loss=0"}, plan(12, 8, 96), 4},
+    {"one_light", "mcpg", {}, warm(), 2, false, {"r_bounces=1"}},
+    {"cbox", "mcpg", {}, warm(), 2, false, {"r_bounces=4"}},
+    {"rocket", "mcpg", {"r_deterministic=1"}, plan(12, 6, 4), 4},
+    {"rocket", "mcpg", {"r_mc_predict=0"}, plan(12, 6, 4), 4},
+    {"rocket", "mcpg", {"r_mc_loss=0"}, plan(12, 6, 4), 4},
+    {"moving", "mcpg", {"r_mc_previous=0"}, plan(12, 4, 8), 2},
+    {"one_light", "mcpg", {"r_mc_cache=0"}, warm(), 2},
+    {"one_light", "mcpg", {"r_mc_learn_share=0"}, warm(), 2},
+    {"one_light", "mcpg", {"r_mc_learn_share=0", "r_mc_share=0.98"}, warm(), 2},
+    {"one_light", "mcpg", {"r_mc_score=0"}, warm(), 2},
+    {"one_light", "mcpg", {"r_mc_world=0"}, warm(), 2},
+    {"one_light", "mcpg", {"r_mc_accesses=5", "r_mc_bucket=1"}, warm(), 2},
+    {"candles", "mcpg", {"r_mc_train=1"}, warm(), 4},
+    {"many", "mcpg", {"r_mc_states=1024", "r_mc_cells=1024"}, warm(), 2},
+    {"many", "mcpg", {"r_mc_adaptive=1", "r_mc_coarser=0"}, warm(), 2},
+    {"many", "mcpg", {"r_mc_adaptive=0", "r_mc_static=16"}, warm(), 2},
+};
+INSTANTIATE_TEST_SUITE_P(Features, MoreUnbiasedTest, testing::ValuesIn(kFeatures), row_name);
 
 using PowerTest = render::DeviceTest;
 

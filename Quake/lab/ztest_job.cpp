@@ -21,7 +21,10 @@ bool shows_the_same(const scene::FrameSnapshot& a, const scene::FrameSnapshot& b
   return a.time == b.time && hash(a) == hash(b);
 }
 
-bool learns(const render::RenderSettings& settings) { return settings.estimator != "pt"; }
+bool learns(const std::string& estimator) {
+  const auto& known = render::estimators();
+  return std::any_of(known.begin(), known.end(), [&](const auto& e) { return e.name == estimator && e.learns; });
+}
 
 // Plays a film for an estimator, frame after frame.
 class Player {
@@ -36,8 +39,10 @@ class Player {
   Status restart(std::uint32_t run) {
     settings_.seed = sampling_.settings.seed + static_cast<int>(run);
     next_ = 0;
-    if (renderer_ && !learns(settings_)) return ok_status();
-    if (renderer_) lost_ += renderer_->nan_count();
+    if (renderer_) {
+      renderer_->reset_learning();
+      return ok_status();
+    }
     auto renderer = render::Renderer::create(device_, settings_);
     if (!renderer) return renderer.error();
     renderer_ = std::move(*renderer);
@@ -46,7 +51,7 @@ class Player {
   }
   void pass_over(std::uint32_t frames) {
     for (std::uint32_t i = 0; i < frames; ++i, ++next_)
-      if (learns(settings_)) renderer_->render(frame(), nullptr, settings_);
+      if (learns(settings_.estimator)) renderer_->render(frame(), nullptr, settings_);
   }
   Picture average(std::uint32_t frames) {
     const std::size_t pixels = std::size_t{sampling_.plan.width} * sampling_.plan.height;
@@ -58,7 +63,7 @@ class Player {
     }
     return picture;
   }
-  std::uint32_t lost() const { return lost_ + renderer_->nan_count(); }
+  std::uint32_t lost() const { return renderer_->nan_count(); }
 
  private:
   scene::FrameSnapshot frame() const {
@@ -73,7 +78,6 @@ class Player {
   render::RenderSettings settings_;
   std::unique_ptr<render::Renderer> renderer_;
   std::uint64_t next_ = 0;
-  std::uint32_t lost_ = 0;
 };
 
 // `side` is 0 for the reference and 1 for what is tested.
