@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""How fast a learning estimator follows light that moves and forgets light that is gone.
+
+Runs `fullbright-lab bench` on the scenes `rocket` and `lightsout` and prints tables of the error, frame by frame.
+
+    Misc/adaptation.py [--lab build/fullbright-lab] [--size 160x90] [--reference-spp 1024] [--repeats 8]
+                       [--keep DIR] [rocket|lightsout]
+
+rocket: MSE of single frames of pt over that of mcpg (gain at equal samples), with and without prediction
+(r_mc_predict): of the mean over the runs, and of the median run, which rare bright samples do not move. Settled is the
+gain where that frame stands still and 60 frames were there to learn from: what motion costs. Tracked means: from this
+frame on the median run's gain stays above 5.
+
+lightsout: relMSE of the frames from the one on in which the lamp is gone, over that of an mcpg that has never seen the
+lamp and is as many frames old, with and without the heuristic (r_mc_loss). Recovered means: from this frame on the
+mean of four frames' ratios stays below 1.1.
+"""
+
+import argparse
+import csv
+import pathlib
+import statistics
+import subprocess
+import tempfile
+
+TRACKED = 5
+LIGHTS_OUT = 100  # kLightsOutFrame of Quake/scene/scenes_in_motion.h
+
+
+def bench(options, scene, frames, warmup, configurations, name, *more):
+    """Runs the bench; gives {configuration: {frame: [record of each run]}}, frames counted from the first measured."""
+    out = options.keep / f"{name}.csv"
+    command = [options.lab, "bench", "--scene", scene, "--size", options.size, "--frames", frames]
+    command += ["--warmup", str(warmup), "--repeats", str(options.repeats), "--quiet"]
+    command += ["--reference-spp", str(options.reference_spp), "--reference-dir", str(options.keep / "references")]
+    command += ["--csv", str(out)]
+    command += more
+    for configuration in configurations:
+        command += ["--config", configuration]
+    print("$", " ".join(command), flush=True)
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    records = {}
+    with open(out, newline="") as file:
+        for row in csv.DictReader(file):
+            frame = int(row["frame"]) - warmup
+            if frame >= 0:
+                records.setdefault(row["configuration"], {}).setdefault(frame, []).append(row)
+    return records
+
+
+def mean(records, column):
+    return sum(float(r[column]) for r in records) / len(records)
+
+
+def stays(frames, good):
+    """The first frame from which on all are good; None if the last is not."""
+    first = None
+    for frame in reversed(frames):
+        if not good(frame):
+            break
+        first = frame
+    return first
+
+
+def typical(records, column):
+    return statistics.median(float(r[column]) for r in records)
+
+
+def rocket(options):
+    configurations = ["pt:r_estimator=pt"]
+    configurations += [f"{c}:r_estimator=mcpg,r_mc_predict={on}" for c, on in (("with", 1), ("without", 0))]
+    runs = bench(options, "rocket", "0:20", 0, configurations, "rocket")
+    settled = {}
+    for frame in (5, 12, 20):
+        held = bench(options, "rocket", f"{frame}:{frame + 7}", 60, configurations[:2], f"rocket_{frame}", "--hold")
+        pooled = {c: [r for f in held[c].values() for r in f] for c in held}
+        settled[frame] = [
+            of(pooled["pt"], "mse_corrected") / of(pooled["with"], "mse_corrected") for of in (mean, typical)
+        ]
+    frames = sorted(runs["pt"])
+    print("| frame | MSE of pt | gain, with prediction | without | typical, with | without | settled: gain, typical |")
+    print("| --- | --- | --- | --- | --- | --- | --- |")
+    typical_gain = {}
+    for f in frames:
+        gains = []
+        for of in (mean, typical):
+            base = of(runs["pt"][f], "mse_corrected")
+            gains += [base / of(runs[c][f], "mse_corrected") for c in ("with", "without")]
+        typical_gain[f] = dict(zip(("with", "without"), gains[2:]))
+        still = " {:.2f}, {:.2f}".format(*settled[f]) if f in settled else ""
+        base = mean(runs["pt"][f], "mse_corrected")
+        print(f"| {f} | {base:.4g} | " + " | ".join(f"{g:.2f}" for g in gains) + f" |{still} |")
+    for c in ("with", "without"):
+        overall = sum(mean(runs["pt"][f], "mse_corrected") for f in frames[1:]) / sum(
+            mean(runs[c][f], "mse_corrected") for f in frames[1:])
+        first = stays(frames[1:], lambda f: typical_gain[f][c] > TRACKED)
+        print(f"{c} prediction: gain over frames 1 to 20 {overall:.2f}; tracked from frame {first}")
+
+
+def lightsout(options):
+    frames = f"{LIGHTS_OUT}:{LIGHTS_OUT + options.frames - 1}"
+    configurations = ["loss:r_estimator=mcpg,r_mc_loss=1", "none:r_estimator=mcpg,r_mc_loss=0"]
+    warm = bench(options, "lightsout", frames, 60, configurations, "lightsout_warm")
+    cold = bench(options, "lightsout", frames, 0, configurations, "lightsout_cold")
+    numbers = sorted(cold["loss"])
+    base = {f: mean(cold["loss"][f], "relmse_corrected") for f in numbers}
+    ratio = {c: {f: mean(warm[c][f], "relmse_corrected") / base[f] for f in numbers} for c in warm}
+    print("| frames without the lamp | relMSE cold | with the heuristic, over cold | without, over cold |")
+    print("| --- | --- | --- | --- |")
+    for f in numbers:
+        print(f"| {f + 1} | {base[f]:.4g} | {ratio['loss'][f]:.2f} | {ratio['none'][f]:.2f} |")
+    for c, words in (("loss", "with the heuristic"), ("none", "without")):
+        window = {f: sum(ratio[c][g] for g in range(f, f + 4)) / 4 for f in numbers[:-3]}
+        first = stays(numbers[:-3], lambda f: window[f] <= 1.1)
+        print(f"{words}: recovered from frame {None if first is None else first + 1} without the lamp")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scenes", nargs="*", metavar="SCENE", help="rocket, lightsout; both if none is named")
+    parser.add_argument("--lab", default="build/fullbright-lab")
+    parser.add_argument("--size", default="160x90")
+    parser.add_argument("--reference-spp", type=int, default=1024)
+    parser.add_argument("--repeats", type=int, default=8)
+    parser.add_argument("--frames", type=int, default=32, help="of lightsout, from the one without the lamp on")
+    parser.add_argument("--keep", type=pathlib.Path, help="folder for references and CSV files")
+    options = parser.parse_args()
+    experiments = {"rocket": rocket, "lightsout": lightsout}
+    with tempfile.TemporaryDirectory() as folder:
+        if options.keep is None:
+            options.keep = pathlib.Path(folder)
+        options.keep.mkdir(parents=True, exist_ok=True)
+        for scene in options.scenes or experiments:
+            experiments[scene](options)
+
+
+if __name__ == "__main__":
+    main()
