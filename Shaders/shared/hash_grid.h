@@ -24,7 +24,8 @@ FB_FN uint cube_face(vec3 n) {
 FB_FN GridKey grid_key(int x, int y, int z, uint tag) {
   uint ux = uint(x), uy = uint(y), uz = uint(z);
   GridKey key;
-  key.hash = hash_u32((ux * 2654435761u) ^ (uy * 805459861u) ^ (uz * 3674653429u) ^ (tag * 2097192037u));
+  // Added: joined by exclusive or, cells mirrored at the origin would share a slot (-a ^ -b is a ^ b for odd a and b).
+  key.hash = hash_u32(ux * 2654435761u + uy * 805459861u + uz * 3674653429u + tag * 2097192037u);
   key.check = (hash_u32(ux * 1434869437u + uy * 2097592831u + uz * 1610612741u + tag * 402653189u) & 0xffffu) | 1u;
   return key;
 }
