@@ -143,11 +143,11 @@ void BindingTable::set_uniform(const Buffer& buffer) {
 
 void BindingTable::set_texels(std::uint32_t index, const Buffer& buffer) {
   FB_CHECK_LT(index, kTexelBuffers);
-  FB_CHECK(buffer);
+  const Buffer& seen = buffer ? buffer : impl_->unset_storage;
   Slot& slot = impl_->texels[index];
-  if (slot.serial == buffer.serial() && slot.buffer == buffer.handle()) return;
-  slot = {buffer.handle(), buffer.serial(), true};
-  impl_->texel_bytes[index] = std::min(buffer.size(), impl_->device.limits().max_texel_buffer_bytes);
+  if (slot.serial == seen.serial() && slot.buffer == seen.handle()) return;
+  slot = {seen.handle(), seen.serial(), true};
+  impl_->texel_bytes[index] = std::min(seen.size(), impl_->device.limits().max_texel_buffer_bytes);
   impl_->dirty = true;
 }
 

@@ -24,7 +24,7 @@ constexpr std::uint32_t kFrameBuffers = 17;
 constexpr std::uint32_t kUniformBinding = 16;
 constexpr std::uint32_t kTlasBinding = 17;
 constexpr std::uint32_t kTexelBinding = 18;
-constexpr std::uint32_t kTexelBuffers = 2;
+constexpr std::uint32_t kTexelBuffers = 4;
 constexpr std::uint32_t kPushConstantBytes = 128;
 
 // What the two sets hold. Unset buffers are bound to a small dummy. Setting the same again costs nothing.

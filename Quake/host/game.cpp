@@ -191,7 +191,9 @@ bool Game::draw_frame() {
   const scene::DrawList* list =
       overlay ? &screen_.draw(client.hud(), client.active(), renderer_->output_size(), platform::now_seconds())
               : nullptr;
-  renderer_->render(snapshot_, list, render::read_render_settings(engine_->console()));
+  render::RenderSettings settings = render::read_render_settings(engine_->console());
+  if (settings.denoise < 0) settings.denoise = 1;
+  renderer_->render(snapshot_, list, settings);
   if (swapchain_ && !swapchain_->present(renderer_->output_pixels())) fit_to_window();
   capture();
   ++frame_;

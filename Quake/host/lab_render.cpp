@@ -10,7 +10,7 @@ namespace {
 struct RenderOptions {
   StageOptions stage;
   std::string frames = "0:0", format = "png";
-  bool hash = false;
+  bool hash = false, denoised = false;
 };
 struct ReferenceOptions {
   StageOptions stage;
@@ -18,7 +18,8 @@ struct ReferenceOptions {
 };
 
 int run_render(const RenderOptions& options) {
-  const StageOptions& o = options.stage;
+  StageOptions o = options.stage;
+  if (options.denoised) o.sets.insert(o.sets.begin(), "r_denoise=1");
   auto range = parse_frames(options.frames);
   if (!range) return fail(range.error());
   Stage stage;
@@ -75,6 +76,7 @@ LabCommand add_render_command(CLI::App& app) {
   render->add_option("--format", options->format, "png or exr (linear)")
       ->check(CLI::IsMember({"png", "exr"}))
       ->capture_default_str();
+  render->add_flag("--denoised", options->denoised, "what the game shows: r_denoise 1, in PNG and EXR");
   render->add_flag("--hash", options->hash, "print one hash a frame of the linear image");
   return {render, [options] { return run_render(*options); }};
 }

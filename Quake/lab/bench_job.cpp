@@ -82,7 +82,7 @@ FrameRecord render_frame(Lane& lane, const View& view, std::uint32_t run, std::u
   record.measured = view.still || warm;
   add_times(lane, record, warm);
   if (!record.measured) return record;
-  const Picture picture = picture_of(lane.renderer->read_linear(), lane.renderer->render_size());
+  const Picture picture = picture_of(lane.renderer->read_denoised(), lane.renderer->render_size());
   const Reference& reference = references[view.still ? 0 : index - view.warmup];
   record.errors = measure(reference, picture, job.metrics);
   if (view.still) add_running_errors(lane, record, picture, reference, warm, job.metrics);

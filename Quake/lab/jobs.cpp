@@ -48,8 +48,7 @@ void add_rgb(ExrImage& exr, const std::vector<vec4>& image, const std::string& p
   exr.add_channel(prefix + "B", channel(image, 2));
 }
 
-Status write_frame(const render::Renderer& renderer, const RenderJob& job, std::uint64_t frame,
-                   const std::vector<vec4>& linear) {
+Status write_frame(const render::Renderer& renderer, const RenderJob& job, std::uint64_t frame) {
   const std::string extension = job.format == ImageFormat::kPng ? "png" : "exr";
   const std::string path = fmt::format("{}/frame_{:06}.{}", job.out, frame, extension);
   if (job.format == ImageFormat::kPng) {
@@ -57,7 +56,7 @@ Status write_frame(const render::Renderer& renderer, const RenderJob& job, std::
     return write_png(path, size.x, size.y, renderer.read_output());
   }
   ExrImage exr(renderer.render_size().x, renderer.render_size().y);
-  add_rgb(exr, linear, "");
+  add_rgb(exr, renderer.read_denoised(), "");
   return write_exr(path, exr);
 }
 
@@ -113,7 +112,7 @@ Result<RenderSummary> render_frames(FrameSource& source, render::Renderer& rende
       std::fflush(stdout);
     }
     if (writes) {
-      if (auto status = write_frame(renderer, job, frame, linear); !status) return status.error();
+      if (auto status = write_frame(renderer, job, frame); !status) return status.error();
     }
     progress.update(++summary.frames);
   }

@@ -21,20 +21,24 @@ namespace {
 using gpu::Buffer;
 using gpu::BufferUse;
 
-// Everything that a picture depends on and that may move. Equal keys: the frames may be averaged.
-std::uint64_t view_key(const scene::FrameSnapshot& s, const RenderSettings& settings) {
+// Everything in a snapshot that may move.
+std::uint64_t scene_key(const scene::FrameSnapshot& s) {
   static_assert(sizeof(scene::Instance) == 4 * 43, "hashed as bytes: no padding");
   std::uint64_t key = hash_span(std::span<const scene::Instance>(s.instances), s.assets->generation);
   const float camera[] = {s.camera.position.x, s.camera.position.y, s.camera.position.z,
                           s.camera.angles.x,   s.camera.angles.y,   s.camera.angles.z,
                           s.camera.fov_x,      s.camera.fov_y,      static_cast<float>(s.time)};
-  key = hash_span(std::span<const float>(camera), key);
+  return hash_span(std::span<const float>(camera), key);
+}
+
+// Equal keys: the frames may be averaged.
+std::uint64_t view_key(std::uint64_t scene, const RenderSettings& settings) {
   const float numbers[] = {
 #define FB_NUMBER(type, field, cvar, value, low, high, help) static_cast<float>(settings.field),
       FB_RENDER_SETTINGS(FB_NUMBER)
 #undef FB_NUMBER
   };
-  key = hash_span(std::span<const float>(numbers), key);
+  const std::uint64_t key = hash_span(std::span<const float>(numbers), scene);
   return hash_bytes(settings.estimator.data(), settings.estimator.size(), key);
 }
 
@@ -57,6 +61,7 @@ struct Renderer::Impl {
         overlay(d, table),
         guide(d, table),
         shaders(d, table),
+        denoiser(d, table),
         timer(d) {
     uniform = Buffer(d, BufferUse::kUniform, sizeof(shared::FrameConstants), "frame constants");
     exposure = Buffer(d, BufferUse::kStorage, sizeof(shared::ExposureState) + shared::kHistogramBins * 4, "exposure");
@@ -82,13 +87,14 @@ struct Renderer::Impl {
   Overlay overlay;
   Guide guide;
   ShaderSet shaders;
+  Denoiser denoiser;
   gpu::PassTimer timer;
 
   Buffer uniform, gbuffer, radiance, mean, m2, ldr, smoothed, output, exposure, counters;
   uvec2 output_size{640, 360}, render_size{0, 0}, allocated_output{0, 0};
   bool swap_red_blue = false;
 
-  std::uint64_t key = 0;
+  std::uint64_t key = 0, last_scene = 0;
   std::uint64_t generation = 0;
   std::uint32_t accumulated = 0;  // frames in the mean after the last render
   bool restart = true;
@@ -158,7 +164,7 @@ void Renderer::Impl::prepare_guide(const RenderSettings& settings, bool new_asse
 }
 
 void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings) {
-  const std::uint64_t now = view_key(snapshot, settings);
+  const std::uint64_t scene = scene_key(snapshot), now = view_key(scene, settings);
   const bool same_view = now == key && !restart && settings.accumulate != 0;
   const bool first_frame = key == 0;
   if (!same_view) accumulated = 0;
@@ -166,9 +172,10 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants = frame_constants(snapshot, settings, render_size, output_size);
   constants.accumulated_frames = accumulated;
   constants.frame = shared::hash_combine(static_cast<std::uint32_t>(snapshot.frame), accumulated);
-  if (settings.jitter > 0 || (settings.jitter < 0 && accumulated > 0)) {
+  const bool always = settings.jitter > 0 || (settings.jitter < 0 && Denoiser::antialiases(settings));
+  if (always || (settings.jitter < 0 && accumulated > 0)) {
     const vec2 jitter =
-        jitter_at(settings.jitter > 0 && accumulated == 0 ? static_cast<std::uint32_t>(snapshot.frame) : accumulated);
+        jitter_at(always && accumulated == 0 ? static_cast<std::uint32_t>(snapshot.frame) : accumulated);
     constants.jitter_x = jitter.x;
     constants.jitter_y = jitter.y;
   }
@@ -180,9 +187,11 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.quad_tiles_x = overlay.tiles_x();
   constants.atlas_width = overlay.atlas_width();
   if (info->learns) guide.fill_constants(constants, settings, 2 * constants.camera_position.w);
+  denoiser.fill(constants, snapshot, settings, scene == last_scene);
   std::memcpy(uniform.mapped(), &constants, sizeof(constants));
 
   key = now;
+  last_scene = scene;
   last_time = snapshot.time;
   restart = false;
 }
@@ -214,10 +223,11 @@ void Renderer::Impl::record(gpu::Commands& commands) {
   dispatch("paths", shaders.paths(estimator, path_variant), x, y);
   if (info->learns) guide.record_end(commands, shaders);
   dispatch("accumulate", shaders.pass("accumulate"), x, y);
+  denoiser.record(commands, shaders);
   dispatch("histogram", shaders.pass("exposure_histogram"), tiles(render_size.x, 16), tiles(render_size.y, 16));
   dispatch("exposure", shaders.pass("exposure"), 1, 1);
-  dispatch("tonemap", shaders.pass("tonemap"), x, y);
-  dispatch("antialias", shaders.pass("antialias"), x, y);
+  dispatch("tonemap", shaders.pass(constants.debug_view != 0 ? "debug_view" : "tonemap"), x, y);
+  dispatch("antialias", shaders.pass(constants.taa != 0 ? "temporal_antialias" : "antialias"), x, y);
   dispatch("present", shaders.pass("present"), tiles(output_size.x, 8), tiles(output_size.y, 8));
 }
 
@@ -244,6 +254,7 @@ void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawLis
     return std::max(1u, static_cast<std::uint32_t>(std::lround(static_cast<float>(size) * settings.scale)));
   };
   r.resize_buffers(uvec2(scaled(r.output_size.x), scaled(r.output_size.y)), r.output_size);
+  r.denoiser.resize(r.render_size, settings, r.gbuffer);
   r.scene.prepare(snapshot, emission_scales(settings));
   r.prepare_guide(settings, snapshot.assets->generation != r.generation);
 
@@ -282,6 +293,9 @@ std::vector<vec4> Renderer::read_linear() const {
   return gpu::read_now<vec4>(impl_->device, impl_->mean,
                              static_cast<std::size_t>(impl_->render_size.x) * impl_->render_size.y);
 }
+std::vector<vec4> Renderer::read_denoised() const {
+  return impl_->denoiser.on() ? impl_->denoiser.read() : read_linear();
+}
 std::vector<vec4> Renderer::read_variance_of_mean() const {
   auto variance = gpu::read_now<vec4>(impl_->device, impl_->m2,
                                       static_cast<std::size_t>(impl_->render_size.x) * impl_->render_size.y);
@@ -302,6 +316,10 @@ std::uint32_t Renderer::guide_nan_count() const {
   return gpu::read_now<std::uint32_t>(impl_->device, impl_->counters, shared::kCounterCount)[shared::kCounterGuideNan];
 }
 std::uint64_t Renderer::guide_bytes() const { return impl_->guide.bytes(); }
+std::uint32_t Renderer::history_nan_count() const {
+  return gpu::read_now<std::uint32_t>(impl_->device, impl_->counters, shared::kCounterCount)[shared::kCounterHistory];
+}
+const Denoiser& Renderer::denoiser() const { return impl_->denoiser; }
 
 const std::vector<gpu::PassTime>& Renderer::pass_times() const { return impl_->pass_times; }
 double Renderer::gpu_milliseconds() const {

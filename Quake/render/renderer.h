@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "gpu/commands.h"
 #include "gpu/device.h"
+#include "render/denoiser.h"
 #include "render/gpu_scene.h"
 #include "render/settings.h"
 #include "scene/draw_list.h"
@@ -57,10 +58,14 @@ class Renderer {
   const gpu::Buffer& output_pixels() const;         // packed 8-bit pixels, output size
   std::vector<std::uint32_t> read_output() const;   // r lowest (unless swapped)
   std::vector<vec4> read_linear() const;            // mean radiance, linear Rec.709; w: frames averaged
+  std::vector<vec4> read_denoised() const;          // denoised radiance; the raw mean where the denoiser is off
   std::vector<vec4> read_variance_of_mean() const;  // per channel, from the accumulated frames (zero for one)
   std::vector<shared::GBufferTexel> read_gbuffer() const;
   // Samples that were not finite, since the renderer was made; they counted as zero.
   std::uint32_t nan_count() const;
+  // Irradiances that were not finite and were kept out of the denoiser's history.
+  std::uint32_t history_nan_count() const;
+  const Denoiser& denoiser() const;
 
   // States of the guide that were not finite and were not stored.
   std::uint32_t guide_nan_count() const;

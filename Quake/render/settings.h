@@ -13,7 +13,7 @@
   X(int, bounces, "r_bounces", 2, 0, 64, "reflections a path may have; 0 shows what glows and nothing else")           \
   X(int, seed, "r_seed", 0, 0, 2147483647, "seed of the random numbers; the same seed gives the same picture")          \
   X(int, accumulate, "r_accumulate", 1, 0, 1, "average the frames of a view in which nothing changes")                 \
-  X(int, jitter, "r_jitter", -1, -1, 1, "move the camera's rays within their pixel: -1 while accumulating, 0 never, 1 always") \
+  X(int, jitter, "r_jitter", -1, -1, 1, "move the camera's rays within their pixel: -1 while accumulating and for r_taa, 0 never, 1 always") \
   X(float, scale, "r_scale", 1, 0.1f, 1, "rendered size over shown size")                                              \
   X(int, texture_filter, "r_texture_filter", 0, 0, 1, "texels seen by the camera: 0 nearest, 1 bilinear")              \
   X(int, auto_exposure, "r_autoexposure", 1, 0, 1, "follow the picture's brightness")                                  \
@@ -22,7 +22,17 @@
   X(float, exposure_time, "r_exposure_time", 0.7f, 0, 60, "seconds that automatic exposure takes to follow")           \
   X(int, tone_map, "r_tonemap", 1, 0, 1, "0 cuts at white, 1 a filmic curve")                                          \
   X(int, fxaa, "r_fxaa", 1, 0, 1, "smooth edges of the finished picture")                                              \
-  X(int, debug_view, "r_debug", 0, 0, 29, "show a buffer: 1 normals, 2 shading normals, 3 albedo, 4 emission, 5 depth, 6 motion, 7 ids, 8 materials, 9 roughness/specular/metalness, 10 this frame's radiance, 11 relative error; of path guiding 20 direction, 21 mean cosine, 22 weight, 23 samples, 24 level, 25 collisions, 26 age, 27 cache, 28 sampler used, 29 probability of guiding") \
+  X(int, denoise, "r_denoise", -1, -1, 1, "denoise the picture: -1 in the game, not in the laboratory; 0 never, 1 always") \
+  X(float, svgf_alpha, "r_svgf_alpha", 0.04f, 0.004f, 1, "denoiser: least weight of a frame in what its predecessors gathered") \
+  X(float, svgf_moments_alpha, "r_svgf_moments_alpha", 0.1f, 0.004f, 1, "denoiser: the same, for the luminance's moments") \
+  X(int, svgf_levels, "r_svgf_levels", 0, 0, 6, "denoiser: levels of the wavelet (at least 2), which average at most 5^levels pixels; 0: a sixtieth of the picture") \
+  X(float, sigma_depth, "r_svgf_sigma_depth", 0.5f, 0.01f, 100, "denoiser: distance from a pixel's plane that parts, over the distance along it") \
+  X(float, sigma_normal, "r_svgf_sigma_normal", 64, 0, 10000, "denoiser: how sharply different normals part")          \
+  X(float, sigma_luminance, "r_svgf_sigma_luminance", 4, 0.01f, 1000, "denoiser: difference of luminance that parts, in standard deviations") \
+  X(float, svgf_mean_frames, "r_svgf_mean_frames", 256, 1, 1000000, "denoiser: accumulated frames from which on the raw mean has half of the weight") \
+  X(float, firefly, "r_firefly", 0, 0, 1000, "denoiser: cuts samples that stand out by so many standard deviations from those before; 0 none") \
+  X(int, taa, "r_taa", 1, 0, 1, "denoiser: anti-aliasing over time instead of r_fxaa")                                  \
+  X(int, debug_view, "r_debug", 0, 0, 29, "show a buffer: 1 normals, 2 shading normals, 3 albedo, 4 emission, 5 depth, 6 motion, 7 ids, 8 materials, 9 roughness/specular/metalness, 10 this frame's radiance, 11 relative error; denoiser: 12 deviation, 13 history length, 14 disocclusion, 15 irradiance denoised, 16 as it came; of path guiding 20 direction, 21 mean cosine, 22 weight, 23 samples, 24 level, 25 collisions, 26 age, 27 cache, 28 sampler used, 29 probability of guiding") \
   X(float, emit_fullbright, "r_emit_fullbright", 6, 0, 10000, "brightness of fullbright texels and glow images")      \
   X(float, emit_lava, "r_emit_lava", 8, 0, 10000, "brightness of lava")                                                \
   X(float, emit_slime, "r_emit_slime", 1, 0, 10000, "brightness of slime")                                             \

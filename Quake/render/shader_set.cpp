@@ -4,6 +4,12 @@
 
 #include "accumulate.spv.h"
 #include "antialias.spv.h"
+#include "debug_view.spv.h"
+#include "denoise_mean.spv.h"
+#include "denoise_temporal.spv.h"
+#include "denoise_wavelet.spv.h"
+#include "denoise_wavelet_first.spv.h"
+#include "denoise_wavelet_last.spv.h"
 #include "exposure.spv.h"
 #include "exposure_histogram.spv.h"
 #include "gbuffer_bvh.spv.h"
@@ -15,6 +21,7 @@
 #include "present.spv.h"
 #include "pt_bvh.spv.h"
 #include "pt_query.spv.h"
+#include "temporal_antialias.spv.h"
 #include "tonemap.spv.h"
 
 #include "base/check.h"
@@ -36,6 +43,13 @@ const std::array kShaders{
     Shader{"guide_states", guide_states_spv, {}},
     Shader{"guide_cache", guide_cache_spv, {}},
     Shader{"accumulate", accumulate_spv, {}},
+    Shader{"debug_view", debug_view_spv, {}},
+    Shader{"denoise_mean", denoise_mean_spv, {}},
+    Shader{"denoise_temporal", denoise_temporal_spv, {}},
+    Shader{"denoise_wavelet_first", denoise_wavelet_first_spv, {}},
+    Shader{"denoise_wavelet", denoise_wavelet_spv, {}},
+    Shader{"denoise_wavelet_last", denoise_wavelet_last_spv, {}},
+    Shader{"temporal_antialias", temporal_antialias_spv, {}},
     Shader{"exposure_histogram", exposure_histogram_spv, {}},
     Shader{"exposure", exposure_spv, {}},
     Shader{"tonemap", tonemap_spv, {}},

@@ -34,8 +34,7 @@ class ShaderSet {
   const gpu::ComputePipeline& gbuffer(const Variant& variant);
   // `estimator` is a name of estimators().
   const gpu::ComputePipeline& paths(std::string_view estimator, const Variant& variant);
-  // Passes that trace nothing: "accumulate", "exposure_histogram", "exposure", "tonemap", "antialias", "present",
-  // "guide_states", "guide_cache".
+  // Passes that trace nothing, by their shader's name ("accumulate", "tonemap").
   const gpu::ComputePipeline& pass(std::string_view name);
 
  private:

@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pixel.glsl"
 #include "lib/exposure.glsl"
+#include "lib/shown.glsl"
 
 shared uint bins[kHistogramBins];
 
@@ -12,7 +13,7 @@ void main() {
   barrier();
   uvec2 pixel = invocation_pixel() * 2u;
   if (pixel.x < frame.width && pixel.y < frame.height) {
-    float y = luminance(mean_radiance[pixel.y * frame.width + pixel.x].rgb);
+    float y = luminance(shown_radiance(pixel.y * frame.width + pixel.x));
     if (y > 0.0) atomicAdd(bins[luminance_bin(y)], 1u);
   }
   barrier();

@@ -20,10 +20,11 @@ FB_CONST uint kBindCounters = 11u;        // uint[16]: see kCounter*
 FB_CONST uint kBindGuideStates = 12u;     // uvec4[]: two words of four a state (shared/guide.h)
 FB_CONST uint kBindGuideProposals = 13u;  // uint[]: what a frame's paths want to store, where it is resolved after it
 FB_CONST uint kBindGuideCache = 14u;      // uint[]: the irradiance cache and its list of touched cells
-FB_CONST uint kBindHistory = 15u;         // uint[]: the denoiser's past frames
+FB_CONST uint kBindHistory = 15u;         // uvec4[]: the denoiser's past frames (shared/denoise.h)
 
 FB_CONST uint kCounterNan = 0u;       // samples that were NaN or infinite; they count as zero
 FB_CONST uint kCounterGuideNan = 1u;  // states of the guide that were not finite; they were not stored
+FB_CONST uint kCounterHistory = 8u;   // irradiances that were not finite and never entered the denoiser's history
 FB_CONST uint kCounterCount = 16u;
 FB_CONST uint kHistogramBins = 128u;
 FB_CONST uint kDrawTile = 32u;  // output pixels a side
@@ -64,6 +65,9 @@ struct FrameConstants {
   vec4 guide_pick;   // exponent of weights in the mixture; largest and least probability of guiding; cache's angle
   uint guide_states, guide_cells, guide_flags, guide_frame;  // table sizes (powers of two); frames since the start
   uint train_every, pad0, pad1, pad2;                        // one in so many groups of paths trains
+  uint denoise, history_parity, history_valid, still;        // still: the same snapshot again, so nothing has moved
+  float svgf_alpha, svgf_moments_alpha, sigma_depth, sigma_normal;
+  float sigma_luminance, firefly, mean_weight, taa;  // mean_weight: of the accumulated mean in the denoised picture
 };
 
 struct GBufferTexel {  // 80 bytes

@@ -1,0 +1,118 @@
+#include "render/denoiser.h"
+
+#include <algorithm>
+
+#include <glm/packing.hpp>
+
+#include "shared/denoise.h"
+
+namespace fb::render {
+namespace {
+
+constexpr std::uint32_t kHistoryTexels = 2, kGBufferTexels = 3;  // indices of texel buffers
+
+// What a wavelet's shader is told.
+struct Level {
+  std::int32_t x, y;
+  std::uint32_t source, target;
+};
+
+// So many that the footprint, 5^levels pixels, is at most a sixtieth of the picture: the same look at every size.
+int levels_for(uvec2 size) {
+  int levels = 2;
+  for (std::uint64_t footprint = 125; levels < 6 && footprint * 60 <= std::uint64_t{size.x} * size.y; footprint *= 5)
+    ++levels;
+  return levels;
+}
+
+}  // namespace
+
+void Denoiser::resize(uvec2 render, const RenderSettings& settings, const gpu::Buffer& gbuffer) {
+  on_ = wanted(settings);
+  const uvec2 size = on_ ? render : uvec2(0);
+  table_.set_texels(kGBufferTexels, gbuffer);
+  if (size == size_) return;
+  size_ = size;
+  valid_ = false;
+  buffer_ = gpu::Buffer();  // the old one's memory goes first
+  if (on_) {
+    const VkDeviceSize pixels = static_cast<VkDeviceSize>(size.x) * size.y;
+    buffer_ = gpu::Buffer(device_, gpu::BufferUse::kStorage, pixels * shared::kHistorySections * sizeof(glm::uvec4),
+                          "history");
+  }
+  table_.set_texels(kHistoryTexels, buffer_);
+  table_.set_frame(shared::kBindHistory, buffer_);
+}
+
+void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
+                    bool still) {
+  if (!on_) return;
+  const bool again = still && snapshot.frame == last_frame_;
+  parity_ ^= 1u;
+  levels_ = settings.svgf_levels > 0 ? std::max(settings.svgf_levels, 2) : levels_for(size_);
+  c.denoise = 1;
+  c.history_parity = parity_;
+  c.history_valid = valid_ && (again || !snapshot.cut);
+  c.still = still;
+  c.svgf_alpha = settings.svgf_alpha;
+  c.svgf_moments_alpha = settings.svgf_moments_alpha;
+  c.sigma_depth = settings.sigma_depth;
+  c.sigma_normal = settings.sigma_normal;
+  c.sigma_luminance = settings.sigma_luminance;
+  c.firefly = settings.firefly;
+  c.taa = antialiases(settings);
+  const float n = static_cast<float>(c.accumulated_frames);
+  c.mean_weight = c.accumulated_frames > 0 ? n / (n + settings.svgf_mean_frames) : 0.0f;
+  blends_mean_ = c.mean_weight > 0;
+  valid_ = true;
+  last_frame_ = snapshot.frame;
+}
+
+void Denoiser::record(gpu::Commands& commands, ShaderSet& shaders) {
+  if (!on_) return;
+  const std::uint32_t x = (size_.x + 7) / 8, y = (size_.y + 7) / 8;
+  {
+    gpu::Commands::Scope scope(commands, "denoise_temporal");
+    commands.dispatch(shaders.pass("denoise_temporal"), x, y);
+    commands.barrier();
+  }
+  gpu::Commands::Scope scope(commands, "denoise_wavelets");
+  // Powers of 2 + i; every other frame mirrored, so that what a level leaves is not the same twice.
+  std::int32_t a = 1, b = 0;
+  for (int level = 0; level < levels_; ++level) {
+    const std::uint32_t source = shared::kSectionFilter + static_cast<std::uint32_t>(level & 1);
+    const std::uint32_t target = shared::kSectionFilter + static_cast<std::uint32_t>((level + 1) & 1);
+    commands.push(Level{a, parity_ != 0 ? b : -b, source, target});
+    const char* shader = level == 0             ? "denoise_wavelet_first"
+                         : level + 1 == levels_ ? "denoise_wavelet_last"
+                                                : "denoise_wavelet";
+    commands.dispatch(shaders.pass(shader), x, y);
+    commands.barrier();
+    const std::int32_t next = 2 * a - b;
+    b = a + 2 * b;
+    a = next;
+  }
+  if (!blends_mean_) return;
+  commands.dispatch(shaders.pass("denoise_mean"), x, y);
+  commands.barrier();
+}
+
+std::vector<vec4> Denoiser::read() const {
+  const std::size_t pixels = static_cast<std::size_t>(size_.x) * size_.y;
+  if (!on_) return {};
+  const auto texels =
+      gpu::read_now<uvec2>(device_, buffer_, pixels, shared::kSectionPicture * pixels * sizeof(glm::uvec4));
+  std::vector<vec4> image(pixels);
+  std::transform(texels.begin(), texels.end(), image.begin(),
+                 [](const uvec2& t) { return vec4(glm::unpackHalf2x16(t.x), glm::unpackHalf2x16(t.y).x, 1); });
+  return image;
+}
+
+std::vector<glm::uvec4> Denoiser::read_history() const {
+  const std::size_t pixels = static_cast<std::size_t>(size_.x) * size_.y;
+  if (!on_) return {};
+  return gpu::read_now<glm::uvec4>(device_, buffer_, pixels,
+                                   (shared::kSectionHistory + parity_) * pixels * sizeof(glm::uvec4));
+}
+
+}  // namespace fb::render

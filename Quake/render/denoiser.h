@@ -1,0 +1,53 @@
+// The denoiser's part of a frame: temporal accumulation, edge-avoiding wavelets (SVGF, Schied 2017) and temporal
+// anti-aliasing. Reads the frame's radiance and G-buffer, writes a denoised picture beside the raw mean, which it never
+// touches. Shaders/shared/denoise.h has the layout of its buffer.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/maths.h"
+#include "gpu/buffer.h"
+#include "gpu/commands.h"
+#include "gpu/pipeline.h"
+#include "render/settings.h"
+#include "render/shader_set.h"
+#include "scene/snapshot.h"
+#include "shared/frame.h"
+
+namespace fb::render {
+
+class Denoiser {
+ public:
+  Denoiser(gpu::Device& device, gpu::BindingTable& table) : device_(device), table_(table) {}
+
+  // Whether these settings ask for the denoiser; temporal anti-aliasing works on its pictures only.
+  static bool wanted(const RenderSettings& settings) { return settings.denoise > 0; }
+  static bool antialiases(const RenderSettings& settings) { return wanted(settings) && settings.taa != 0; }
+
+  // Makes room for the history, or frees it; what was there is lost when the size changes.
+  void resize(uvec2 render, const RenderSettings& settings, const gpu::Buffer& gbuffer);
+  // This frame's rows of the uniform block. `still`: the same snapshot was rendered just before.
+  void fill(shared::FrameConstants& constants, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
+            bool still);
+  // From radiance to the denoised picture; nothing if it is off.
+  void record(gpu::Commands& commands, ShaderSet& shaders);
+
+  bool on() const { return on_; }
+  // rgb: denoised radiance of the last frame.
+  std::vector<vec4> read() const;
+  // The history as it is packed (shared/denoise.h), kSectionHistory of the last frame.
+  std::vector<glm::uvec4> read_history() const;
+
+ private:
+  gpu::Device& device_;
+  gpu::BindingTable& table_;
+  gpu::Buffer buffer_;
+  uvec2 size_{0, 0};
+  bool on_ = false, valid_ = false, blends_mean_ = false;
+  int levels_ = 0;
+  std::uint32_t parity_ = 0;
+  std::uint64_t last_frame_ = 0;
+};
+
+}  // namespace fb::render

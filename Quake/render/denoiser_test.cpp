@@ -1,0 +1,373 @@
+// The denoiser on scenes made in code: energy, error, what it follows and what it lets go of.
+#include "render/denoiser.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+
+#include "base/hash.h"
+#include "render/test_device.h"
+#include "scene/scenes_in_code.h"
+#include "shared/denoise.h"
+
+namespace fb::render {
+namespace {
+
+using DenoiserTest = DeviceTest;
+
+RenderSettings denoising() {
+  RenderSettings s;
+  s.intersector = Intersector::kBvh;
+  s.denoise = 1;
+  s.svgf_levels = 5;
+  s.accumulate = 0;
+  return s;
+}
+
+// Nothing moves but the clock, so that the history works as in a game that runs.
+scene::FrameSnapshot at_time(scene::FrameSnapshot snapshot, int frame) {
+  snapshot.prev_time = (frame - 1) / 60.0;
+  snapshot.time = frame / 60.0;
+  snapshot.frame = static_cast<std::uint64_t>(frame);
+  return snapshot;
+}
+
+float luminance(const vec4& c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
+
+double mean_square_difference(const std::vector<vec4>& a, const std::vector<vec4>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const vec3 d = vec3(a[i]) - vec3(b[i]);
+    sum += static_cast<double>(glm::dot(d, d)) / 3;
+  }
+  return sum / static_cast<double>(a.size());
+}
+
+double mean_luminance(const std::vector<vec4>& image) {
+  double sum = 0;
+  for (const vec4& p : image) sum += luminance(p);
+  return sum / static_cast<double>(image.size());
+}
+
+std::vector<std::uint32_t> history_lengths(const Renderer& renderer) {
+  std::vector<std::uint32_t> frames;
+  for (const auto& texel : renderer.denoiser().read_history()) frames.push_back((texel.y >> 16u) & 0xffu);
+  return frames;
+}
+
+std::vector<vec4> reference_of(const std::function<std::unique_ptr<Renderer>(const RenderSettings&)>& make,
+                               const scene::FrameSnapshot& snapshot, int frames) {
+  RenderSettings s;
+  s.intersector = Intersector::kBvh;
+  s.spp = 16;
+  s.jitter = 0;
+  s.seed = 1000;
+  auto renderer = make(s);
+  for (int i = 0; i < frames; ++i) renderer->render(snapshot, nullptr, s);
+  return renderer->read_linear();
+}
+
+// --- energy ---
+
+TEST_F(DenoiserTest, AFurnaceKeepsItsValueAtEveryFrame) {
+  const float albedo = 0.6f, emission = 0.7f;
+  const double expected = emission * (1.0 + albedo + albedo * albedo);
+  for (const bool still : {false, true}) {
+    RenderSettings s = denoising();
+    s.accumulate = still ? 1 : 0;
+    auto renderer = make_renderer(s, 72, 40);
+    const scene::FrameSnapshot snapshot = scene::furnace(albedo, emission, true);
+    for (int frame = 0; frame < 8; ++frame) {
+      renderer->render(still ? snapshot : at_time(snapshot, frame), nullptr, s);
+      std::vector<double> values;
+      for (const vec4& p : renderer->read_denoised()) values.push_back(p.x);
+      // Every path has the same value; what is left is the history's precision: a step of pack_rgb9e5 is at most 1/256,
+      // and its random rounding is averaged by the levels. Lost rays are the raw picture's too (renderer_test).
+      for (const double v : values) EXPECT_NEAR(v, expected, expected / 200) << frame;
+      double mean = 0;
+      for (const double v : values) mean += v / static_cast<double>(values.size());
+      EXPECT_NEAR(mean, expected, expected * 1e-3) << frame;
+    }
+    EXPECT_EQ(renderer->nan_count(), 0u);
+    EXPECT_EQ(renderer->history_nan_count(), 0u);
+  }
+}
+
+TEST_F(DenoiserTest, TheRawMeanIsTheSameBitsWithAndWithout) {
+  std::vector<std::uint64_t> hashes;
+  for (const int denoise : {0, 1}) {
+    RenderSettings s = denoising();
+    s.denoise = denoise;
+    s.jitter = 0;
+    s.firefly = 3;
+    auto renderer = make_renderer(s, 64, 40);
+    const scene::FrameSnapshot snapshot = scene::cornell_box();
+    for (int frame = 0; frame < 3; ++frame) renderer->render(at_time(snapshot, frame), nullptr, s);
+    const auto image = renderer->read_linear();
+    hashes.push_back(hash_span(std::span<const vec4>(image)));
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+// --- error ---
+
+TEST_F(DenoiserTest, ErrorFallsAtOneSample) {
+  // 25 frames of 1 sample hold 1/25 of a sample's variance by themselves, less what the least weight of 0.04 keeps
+  // (2/49); the wavelet's footprint of up to 3125 pixels does the rest, limited by edges of the light.
+  RenderSettings s = denoising();
+  s.jitter = 0;
+  const scene::FrameSnapshot snapshot = scene::cornell_box();
+  const auto make = [&](const RenderSettings& settings) { return make_renderer(settings, 96, 96); };
+  const auto reference = reference_of(make, snapshot, 48);
+  auto renderer = make(s);
+  double first = 0, late = 0;
+  for (int frame = 0; frame < 30; ++frame) {
+    renderer->render(at_time(snapshot, frame), nullptr, s);
+    const double factor = mean_square_difference(renderer->read_linear(), reference) /
+                          mean_square_difference(renderer->read_denoised(), reference);
+    if (frame == 0) first = factor;
+    late = factor;
+  }
+  RecordProperty("first_frame", std::to_string(first));
+  RecordProperty("frame_30", std::to_string(late));
+  EXPECT_GT(first, 8);
+  EXPECT_GT(late, 49);
+}
+
+TEST_F(DenoiserTest, AStillViewConvergesToTheRawMean) {
+  RenderSettings s = denoising();
+  s.accumulate = 1;
+  s.jitter = 0;
+  s.svgf_mean_frames = 4;
+  const scene::FrameSnapshot snapshot = scene::cornell_box();
+  auto renderer = make_renderer(s, 48, 48);
+  for (int frame = 0; frame < 400; ++frame) renderer->render(snapshot, nullptr, s);
+  // The mean's weight is n / (n + 4): what is left of any difference is a hundredth of it.
+  const auto raw = renderer->read_linear(), denoised = renderer->read_denoised();
+  for (std::size_t i = 0; i < raw.size(); ++i) EXPECT_NEAR(denoised[i].x, raw[i].x, 0.01f * (raw[i].x + 0.2f)) << i;
+}
+
+// --- motion ---
+
+struct Surroundings {
+  bool all_same = true, any_same = false;
+};
+// Whether the previous frame's pixels about `point` showed the instance `id` within a few percent of `depth`.
+Surroundings surroundings(const std::vector<shared::GBufferTexel>& before, uvec2 size, vec2 point, std::uint32_t id,
+                          float depth, int radius) {
+  Surroundings s;
+  const int cx = static_cast<int>(std::floor(point.x)), cy = static_cast<int>(std::floor(point.y));
+  for (int y = cy - radius; y <= cy + radius; ++y) {
+    for (int x = cx - radius; x <= cx + radius; ++x) {
+      const bool inside = x >= 0 && y >= 0 && x < static_cast<int>(size.x) && y < static_cast<int>(size.y);
+      const auto* g = inside ? &before[static_cast<std::size_t>(y) * size.x + static_cast<std::size_t>(x)] : nullptr;
+      const bool same = inside && g->id == id && g->position_t.w > 0 && std::abs(g->motion.z - depth) < 0.02f * depth;
+      s.all_same &= same;
+      s.any_same |= inside && g->id == id;
+    }
+  }
+  return s;
+}
+
+TEST_F(DenoiserTest, HistoryFollowsWhatMovesAndIsDroppedWhereSomethingComesIntoSight) {
+  const RenderSettings s = denoising();
+  const uvec2 size(320, 180);
+  const auto assets = scene::moving_assets();
+  int followed = 0, lost = 0, box = 0, uncovered = 0, kept = 0;
+  // A box that turns by 3.5 degrees and moves by some pixels a frame; then by five times as much, which uncovers more.
+  for (const double step : {0.05, 0.25}) {
+    auto renderer = make_renderer(s, size.x, size.y);
+    std::vector<shared::GBufferTexel> before;
+    for (int frame = 1; frame <= 8; ++frame) {
+      scene::FrameSnapshot snapshot = scene::moving(assets, frame * step, (frame - 1) * step);
+      snapshot.frame = static_cast<std::uint64_t>(frame);
+      renderer->render(snapshot, nullptr, s);
+      const auto now = renderer->read_gbuffer();
+      const auto frames = history_lengths(*renderer);
+      for (std::size_t i = 0; frame > 1 && i < now.size(); ++i) {
+        const auto& g = now[i];
+        if (g.position_t.w == 0) continue;
+        const vec2 pixel(static_cast<float>(i % size.x), static_cast<float>(i / size.x));
+        const Surroundings around =
+            surroundings(before, size, pixel + 0.5f + vec2(g.motion.x, g.motion.y), g.id, g.motion.w, 2);
+        if (around.all_same && step < 0.1) {
+          ++(frames[i] > 1 ? followed : lost);
+          box += g.id == scene::kMovingBox;
+        } else if (!around.any_same) {
+          ++uncovered;
+          kept += frames[i] > 1;
+        }
+      }
+      before = now;
+    }
+  }
+  EXPECT_GT(box, 1000);
+  EXPECT_GT(uncovered, 300);
+  EXPECT_LT(lost, (followed + lost) / 200) << "of " << followed + lost;
+  // Ids meet in 8 bits: one pair in 256 would pass by chance.
+  EXPECT_LE(kept, uncovered / 50) << "of " << uncovered;
+}
+
+TEST_F(DenoiserTest, ACutAndANewSizeStartAnew) {
+  const RenderSettings s = denoising();
+  auto renderer = make_renderer(s, 64, 40);
+  scene::FrameSnapshot snapshot = scene::cornell_box();
+  const auto longest = [&] {
+    const auto frames = history_lengths(*renderer);
+    return *std::max_element(frames.begin(), frames.end());
+  };
+  int frame = 0;
+  for (; frame < 5; ++frame) renderer->render(at_time(snapshot, frame), nullptr, s);
+  EXPECT_EQ(longest(), 5u);
+  snapshot.cut = true;
+  renderer->render(at_time(snapshot, frame++), nullptr, s);
+  EXPECT_EQ(longest(), 1u);
+  snapshot.cut = false;
+  renderer->render(at_time(snapshot, frame++), nullptr, s);
+  EXPECT_EQ(longest(), 2u);
+  renderer->resize(50, 30);
+  renderer->render(at_time(snapshot, frame++), nullptr, s);
+  EXPECT_EQ(longest(), 1u);
+  RenderSettings off = s;
+  off.denoise = 0;
+  renderer->render(at_time(snapshot, frame++), nullptr, off);
+  EXPECT_EQ(renderer->read_denoised(), renderer->read_linear());
+  renderer->render(at_time(snapshot, frame++), nullptr, s);
+  EXPECT_EQ(longest(), 1u) << "what was gathered before it was off is too old";
+}
+
+// --- what has gone ---
+
+TEST_F(DenoiserTest, NothingIsLeftBehindByWhatHasGone) {
+  // A white box before the Cornell box's walls for 40 frames, then away.
+  RenderSettings s = denoising();
+  s.auto_exposure = 0;
+  scene::FrameSnapshot with = scene::cornell_box(), without = with;
+  without.instances.erase(std::find_if(without.instances.begin(), without.instances.end(),
+                                       [](const scene::Instance& i) { return i.id == scene::kIdEntity + 2; }));
+  auto renderer = make_renderer(s, 128, 128), fresh = make_renderer(s, 128, 128);
+  int frame = 0;
+  for (; frame < 40; ++frame) {
+    renderer->render(at_time(with, frame), nullptr, s);
+    fresh->render(at_time(without, frame), nullptr, s);
+  }
+  const auto where = renderer->read_gbuffer();
+  const auto box_picture = renderer->read_output();
+  for (const int last = frame + 4; frame < last; ++frame) {
+    renderer->render(at_time(without, frame), nullptr, s);
+    fresh->render(at_time(without, frame), nullptr, s);
+  }
+  // The finished pictures, anti-aliasing included, where the box was: how much of it is left.
+  const auto a = renderer->read_output(), b = fresh->read_output();
+  double left = 0, whole = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (where[i].id != scene::kIdEntity + 2) continue;
+    const auto green = [&](const std::vector<std::uint32_t>& image) {
+      return static_cast<double>((image[i] >> 8u) & 255u);
+    };
+    left += green(a) - green(b);
+    whole += green(box_picture) - green(b);
+    ++count;
+  }
+  ASSERT_GT(count, 500);
+  ASSERT_GT(std::abs(whole / count), 10);
+  RecordProperty("left", std::to_string(left / whole));
+  EXPECT_LT(std::abs(left / whole), 0.05);
+}
+
+TEST_F(DenoiserTest, LightThatChangesIsFollowed) {
+  const RenderSettings s = denoising();
+  scene::FrameSnapshot bright = scene::one_light(24, 60, 0.5f), dim = bright;
+  for (scene::Instance& i : dim.instances)
+    if (i.id == scene::kIdEntityLight) i.emission *= 0.1f;
+  for (const bool darker : {true, false}) {
+    auto renderer = make_renderer(s, 96, 64), fresh = make_renderer(s, 96, 64);
+    int frame = 0;
+    for (; frame < 40; ++frame) renderer->render(at_time(darker ? bright : dim, frame), nullptr, s);
+    const auto settled = [&] {
+      for (int i = 0; i < 40; ++i) fresh->render(at_time(darker ? dim : bright, i), nullptr, s);
+      return mean_luminance(fresh->read_denoised());
+    }();
+    const double start = mean_luminance(renderer->read_denoised());
+    int needed = 0;
+    while (needed < 100) {
+      ++needed;
+      renderer->render(at_time(darker ? dim : bright, frame++), nullptr, s);
+      if (std::abs(mean_luminance(renderer->read_denoised()) - settled) < 0.1 * std::abs(start - settled)) break;
+    }
+    RecordProperty(darker ? "frames_darker" : "frames_brighter", needed);
+    // With the least weight of 0.04 alone it would take ln 0.1 / ln 0.96 = 56 frames.
+    EXPECT_LE(needed, 20) << darker;
+  }
+}
+
+// --- bad numbers, repetition ---
+
+TEST_F(DenoiserTest, WhatIsNotFiniteNeverEntersTheHistory) {
+  const RenderSettings s = denoising();
+  scene::FrameSnapshot snapshot = scene::moving(scene::moving_assets(), 0.1, 0.0);
+  for (scene::Instance& i : snapshot.instances) {
+    if (i.id != scene::kMovingViewModel) continue;  // the camera alone sees it
+    i.flags |= scene::kInstanceColor;
+    i.color = vec3(0.5f);
+    i.emission = vec3(std::numeric_limits<float>::quiet_NaN());
+  }
+  auto renderer = make_renderer(s, 96, 64);
+  for (int frame = 0; frame < 3; ++frame) renderer->render(at_time(snapshot, frame), nullptr, s);
+  EXPECT_GT(renderer->history_nan_count(), 0u);
+  const auto gbuffer = renderer->read_gbuffer();
+  const auto denoised = renderer->read_denoised();
+  for (std::size_t i = 0; i < gbuffer.size(); ++i) {
+    if (gbuffer[i].id == scene::kMovingViewModel) continue;
+    ASSERT_TRUE(std::isfinite(denoised[i].x) && std::isfinite(denoised[i].y) && std::isfinite(denoised[i].z)) << i;
+  }
+  for (const auto& texel : renderer->denoiser().read_history()) {
+    for (const std::uint32_t half :
+         {texel.x & 0xffffu, texel.x >> 16u, texel.y & 0xffffu, texel.z & 0xffffu, texel.z >> 16u})
+      ASSERT_NE(half & 0x7c00u, 0x7c00u) << "an infinity or a NaN";
+  }
+}
+
+TEST_F(DenoiserTest, TheSameFramesGiveTheSameBits) {
+  std::set<std::uint64_t> hashes;
+  const auto assets = scene::moving_assets();
+  for (int run = 0; run < 2; ++run) {
+    const RenderSettings s = denoising();
+    auto renderer = make_renderer(s, 128, 72);
+    for (int frame = 1; frame <= 6; ++frame) {
+      scene::FrameSnapshot snapshot = scene::moving(assets, frame / 30.0, (frame - 1) / 30.0);
+      snapshot.frame = static_cast<std::uint64_t>(frame);
+      renderer->render(snapshot, nullptr, s);
+    }
+    const auto pixels = renderer->read_output();
+    const auto history = renderer->denoiser().read_history();
+    hashes.insert(hash_bytes(history.data(), history.size() * sizeof(history[0]),
+                             hash_span(std::span<const std::uint32_t>(pixels))));
+  }
+  EXPECT_EQ(hashes.size(), 1u);
+}
+
+TEST_F(DenoiserTest, ItsDebugViewsDiffer) {
+  RenderSettings s = denoising();
+  auto renderer = make_renderer(s, 96, 64);
+  std::set<std::uint64_t> pictures;
+  int frame = 1;
+  for (const int view : {0, 12, 13, 14, 15, 16}) {
+    s.debug_view = view;
+    for (int i = 0; i < 5; ++i, ++frame) {
+      const auto snapshot = scene::moving(scene::moving_assets(), frame / 30.0, (frame - 1) / 30.0);
+      renderer->render(at_time(snapshot, frame), nullptr, s);
+    }
+    const auto pixels = renderer->read_output();
+    pictures.insert(hash_span(std::span<const std::uint32_t>(pixels)));
+  }
+  EXPECT_EQ(pictures.size(), 6u);
+}
+
+}  // namespace
+}  // namespace fb::render

@@ -1,0 +1,52 @@
+// The history buffer and the G-buffer as the denoiser's passes read them: four words at once, through texel buffers where
+// those are faster (lavapipe before Mesa 24).
+#ifndef FB_LIB_DENOISE
+#define FB_LIB_DENOISE
+#include "lib/pixel.glsl"
+#include "shared/denoise.h"
+#include "shared/packing.h"
+#include "shared/rng.h"
+
+layout(constant_id = 10) const bool READ_TEXELS = false;
+
+layout(set = 1, binding = 15, std430) buffer HistoryBlock { uvec4 history[]; };
+layout(set = 1, binding = 15, std430) buffer HistoryWordBlock { uint history_words[]; };
+layout(set = 1, binding = 0, std430) readonly buffer GBufferQuadBlock { uvec4 gbuffer_quads[]; };
+layout(set = 0, binding = 20) uniform usamplerBuffer history_texels;
+layout(set = 0, binding = 21) uniform usamplerBuffer gbuffer_texels;
+
+uint section(uint index) { return index * frame.width * frame.height; }
+uvec4 history_quad(uint at) { return READ_TEXELS ? texelFetch(history_texels, int(at)) : history[at]; }
+uvec4 gbuffer_quad(uint at, uint quad) {
+  return READ_TEXELS ? texelFetch(gbuffer_texels, int(at * 5u + quad)) : gbuffer_quads[at * 5u + quad];
+}
+// A pixel's PictureTexel.
+uvec2 picture_texel(uint at) {
+  uvec4 two = history_quad(section(kSectionPicture) + (at >> 1u));
+  return (at & 1u) != 0u ? two.zw : two.xy;
+}
+vec3 picture_color(uvec2 texel) { return vec3(unpackHalf2x16(texel.x), unpackHalf2x16(texel.y).x); }
+// Word of an anti-aliased picture.
+uint shown_word(uint parity, uint at) { return section(kSectionPicture) * 4u + (2u + parity) * frame.width * frame.height + at; }
+
+float luminance_of(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
+
+// What is shown of the surface at a pixel: its emission, and the factor on irradiance; zero: it reflects nothing.
+struct Reflector {
+  vec3 emission, factor;
+};
+Reflector reflector(uvec4 albedo_roughness, uvec4 emission_specular, uint metalness, float cos_view) {
+  vec4 a = uintBitsToFloat(albedo_roughness), e = uintBitsToFloat(emission_specular);
+  return Reflector(e.rgb, demodulation_factor(a.rgb, a.w, e.w, float(metalness >> 24u) / 255.0, cos_view));
+}
+
+float cosine_to(vec3 ray, vec3 normal) { return abs(dot(normal, ray)) * inversesqrt(dot(ray, ray)); }
+
+// How 1 / depth changes from pixel to pixel on the plane with this normal, relative to its value here: 1 / depth is linear
+// over the image of a plane.
+vec2 plane_slope(vec3 normal, vec3 ray) {
+  float facing = dot(normal, ray);
+  float scale = 2.0 / (abs(facing) > 1e-4 ? facing : -1e-4);
+  return vec2(dot(normal, frame.camera_right.xyz) / float(frame.width), -dot(normal, frame.camera_up.xyz) / float(frame.height)) * scale;
+}
+#endif

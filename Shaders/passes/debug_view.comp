@@ -1,0 +1,61 @@
+// A buffer shown instead of the picture (r_debug). A pass of its own: lavapipe runs both sides of a branch.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/exposure.glsl"
+#include "lib/pixel.glsl"
+#include "lib/shown.glsl"
+#include "lib/tone.glsl"
+#include "shared/packing.h"
+#include "shared/rng.h"
+
+vec3 id_color(uint id) {
+  uint h = hash_u32(id + 1u);
+  return vec3(h & 255u, (h >> 8u) & 255u, (h >> 16u) & 255u) / 255.0;
+}
+
+// Views of the denoiser; black where it is off.
+vec3 denoiser_color(uint at, GBufferTexel g) {
+  if (frame.denoise == 0u) return vec3(0.0);
+  uvec4 past = history_quad(section(kSectionHistory + frame.history_parity) + at);
+  vec2 moments = unpackHalf2x16(past.z);
+  float frames = float((past.y >> 16u) & 0xffu);
+  Reflector r = reflector(gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), g.material_metalness,
+                          cosine_to(camera_direction(vec2(invocation_pixel()) + 0.5), unpack_direction(g.shading_normal)));
+  switch (frame.debug_view) {
+    case 12u: return vec3(sqrt(max(moments.y * moments.y - moments.x * moments.x, 0.0)) / max(4.0 * moments.x, 1e-6));
+    case 13u: return vec3(log2(1.0 + frames) / 8.0);
+    case 14u: return frames == 1.0 ? vec3(1.0, 0.0, 0.0) : frames < 4.0 ? vec3(1.0, 0.7, 0.0) : vec3(0.2 * luminance(g.albedo_roughness.rgb) + 0.1);
+    case 15u: return srgb_from_linear(filmic(demodulate(shown_radiance(at) - r.emission, r.factor) * 0.3 * exposure_state.exposure));
+    default: return srgb_from_linear(filmic(vec3(unpackHalf2x16(past.x), unpackHalf2x16(past.y & 0xffffu).x) * 0.3 * exposure_state.exposure));
+  }
+}
+
+vec3 debug_color(uint at) {
+  GBufferTexel g = gbuffer[at];
+  switch (frame.debug_view) {
+    case 1u: return unpack_direction(g.normal) * 0.5 + 0.5;
+    case 2u: return unpack_direction(g.shading_normal) * 0.5 + 0.5;
+    case 3u: return srgb_from_linear(g.albedo_roughness.rgb);
+    case 4u: return srgb_from_linear(filmic(g.emission_specular.rgb * exposure_state.exposure));
+    case 5u: return vec3(exp2(-g.motion.z / 512.0));
+    case 6u: return vec3(g.motion.xy / 16.0 + 0.5, 0.5);
+    case 7u: return id_color(g.id);
+    case 8u: return id_color(g.material_metalness & 0xffffffu);
+    case 9u: return vec3(g.albedo_roughness.w, g.emission_specular.w, float(g.material_metalness >> 24u) / 255.0);
+    case 10u: return srgb_from_linear(filmic(radiance[at].rgb * exposure_state.exposure));
+    case 12u: case 13u: case 14u: case 15u: case 16u: return denoiser_color(at, g);
+    default: {  // standard error of the mean, relative to the mean
+      float n = mean_radiance[at].w;
+      float variance = n > 1.0 ? luminance(m2_radiance[at].rgb) / ((n - 1.0) * n) : 0.0;
+      return vec3(sqrt(variance) / max(luminance(mean_radiance[at].rgb), 1e-6));
+    }
+  }
+}
+
+void main() {
+  uvec2 pixel = invocation_pixel();
+  if (pixel.x >= frame.width || pixel.y >= frame.height) return;
+  uint at = pixel.y * frame.width + pixel.x;
+  if (frame.debug_view >= kFirstGuideView) return;
+  ldr[at] = packUnorm4x8(vec4(debug_color(at), 1.0));
+}

@@ -1,0 +1,116 @@
+// First pass of the denoiser: this frame's irradiance joins what the same surface point had gathered in earlier frames (Schied
+// 2017, Section 4.1): motion says where it was; what stood there counts if it had this id, normal and depth. Moments of
+// the luminance give the variance of what was gathered.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/denoise.glsl"
+
+struct History {
+  vec3 irradiance;
+  float frames;  // 0: none
+  float mean, mean_square;  // of luminance
+};
+
+// Bilinear over the four texels about `point` (index space) that belong to the same surface; where there is none, the eight
+// around them: at an edge the moving rays meet now one side and now the other.
+History find_history(vec2 point, float inverse_depth, vec2 slope, vec3 normal, uint id) {
+  History h = History(vec3(0.0), 0.0, 0.0, 0.0);
+  vec2 corner = floor(point), f = point - corner;
+  uint from = section(kSectionHistory + 1u - frame.history_parity);
+  float tolerance = 0.02 + 0.25 * (abs(slope.x) + abs(slope.y)), sum = 0.0;
+  int taps = 4;
+  for (int i = 0; i < taps; ++i) {
+    int k = i - 4;
+    vec2 offset = i < 4 ? vec2(i & 1, i >> 1) : k < 4 ? vec2(k >> 1, 3 * (k & 1) - 1) : vec2(3 * (k & 1) - 1, (k - 4) >> 1);
+    vec2 tap = corner + offset;
+    bool inside = all(greaterThanEqual(tap, vec2(0.0))) && tap.x < float(frame.width) && tap.y < float(frame.height);
+    uvec4 texel = history_quad(from + (inside ? uint(tap.y) * frame.width + uint(tap.x) : 0u));
+    float expected = inverse_depth * max(1.0 + dot(slope, tap - point), 0.01);
+    vec3 turned = unpack_surface_normal(texel.w) - normal;
+    bool same = inside && (texel.y >> 24u) == id && ((texel.y >> 16u) & 0xffu) != 0u && dot(turned, turned) < 0.3 &&
+                abs(unpack_surface_inverse_depth(texel.w) - expected) < tolerance * expected;
+    vec2 weights = mix(1.0 - f, f, offset);
+    float weight = same ? (i < 4 ? weights.x * weights.y : 1.0) : 0.0;
+    vec2 moments = unpackHalf2x16(texel.z);
+    h.irradiance += weight * vec3(unpackHalf2x16(texel.x), unpackHalf2x16(texel.y & 0xffffu).x);
+    h.frames += weight * float((texel.y >> 16u) & 0xffu);
+    h.mean += weight * moments.x;
+    h.mean_square += weight * moments.y * moments.y;
+    sum += weight;
+    if (i == 3 && sum < 0.02) taps = 12;
+  }
+  if (frame.history_valid == 0u || sum == 0.0) return History(vec3(0.0), 0.0, 0.0, 0.0);
+  float scale = 1.0 / sum;
+  return History(h.irradiance * scale, h.frames * scale, h.mean * scale, h.mean_square * scale);
+}
+
+// A store costs as much as a fetch, word by word: what the wavelet's first level writes anyway is left to it, and what its
+// levels hand on unchanged is written to both of their sections now.
+void write_texels(uint at, uvec4 filter_texel, uint moments) {
+  history[section(kSectionFilter) + at] = filter_texel;
+  history_words[(section(kSectionFilter + 1u) + at) * 4u + 2u] = filter_texel.z;
+  uint own = (section(kSectionHistory + frame.history_parity) + at) * 4u;
+  history_words[own + 2u] = moments;
+  history_words[own + 3u] = filter_texel.z;
+}
+
+// Frames that count after the last level of the frame before has said how much of the history there it trusts.
+float kept_frames(float frames, vec2 point) {
+  uvec2 p = uvec2(clamp(point + 0.5, vec2(0.0), vec2(frame.width, frame.height) - 1.0));
+  float kept = float(picture_texel(p.y * frame.width + p.x).y >> 16u) / 255.0;
+  return frames < 4.0 || frame.still != 0u ? frames : max(frames * kept, 4.0);
+}
+
+// Not finite: counted, and as good as black.
+vec3 checked(vec3 x) {
+  if (any(isnan(x)) || any(isinf(x))) {
+    atomicAdd(counters[kCounterHistory], 1u);
+    return vec3(0.0);
+  }
+  return clamp(x, vec3(0.0), vec3(kMaxIrradiance));
+}
+
+void main() {
+  uvec2 pixel = invocation_pixel();
+  if (pixel.x >= frame.width || pixel.y >= frame.height) return;
+  uint at = pixel.y * frame.width + pixel.x;
+  uvec4 words = gbuffer_quad(at, 3u);
+  vec4 motion = uintBitsToFloat(gbuffer_quad(at, 4u));
+  vec3 normal = unpack_direction(words.y), ray = camera_direction(vec2(pixel) + 0.5);
+  Reflector r = reflector(gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), words.w, cosine_to(ray, normal));
+  vec3 x = checked(demodulate(radiance[at].rgb - r.emission, r.factor));
+  float y = luminance_of(x);
+
+  uint id = hash_u32(words.z) >> 24u;
+  float inverse_depth = 1.0 / max(motion.z, 1e-3), depth_before = frame.still != 0u ? motion.z : motion.w;
+  vec2 slope = plane_slope(normal, ray);
+  vec2 point = vec2(pixel) + (frame.still != 0u ? vec2(0.0) : motion.xy);
+  History h = find_history(point, 1.0 / max(depth_before, 1e-3), slope, normal, id);
+  h.frames = kept_frames(h.frames, point);
+  // A black texel says nothing of the light on it; it keeps what its surroundings found.
+  bool reflects = max(r.factor.x, max(r.factor.y, r.factor.z)) > 0.0;
+  bool known = motion.z > 0.0 && (reflects || h.frames > 0.0);
+
+  float frames = min(h.frames + (reflects ? 1.0 : 0.0), float(kMaxHistory));
+  float least = 1.0 / max(frames, 1.0);
+  float weight = frame.still != 0u ? least : max(least, frame.svgf_alpha);
+  float moments_weight = max(least, frame.svgf_moments_alpha);
+  float spread = weight;  // of the mean over that of a sample
+  if (!reflects) weight = moments_weight = 0.0;
+  if (frame.firefly > 0.0 && h.frames >= 4.0) {
+    float limit = h.mean + frame.firefly * sqrt(max(h.mean_square - h.mean * h.mean, 0.0)) + 0.1 * h.mean;
+    float cut = min(1.0, limit / max(y, 1e-12));
+    x *= cut;
+    y *= cut;
+  }
+  vec3 irradiance = mix(h.irradiance, x, weight);
+  float mean = mix(h.mean, y, moments_weight), mean_square = mix(h.mean_square, y * y, moments_weight);
+  // Too few frames to tell their spread: whatever the neighbours have on this surface is as good.
+  float deviation = frames < 4.0 ? kMaxIrradiance : min(sqrt(max(mean_square - mean * mean, 0.0) * spread), kMaxIrradiance);
+
+  float ahead = h.frames == 0.0 ? 0.0 : mean - luminance_of(irradiance);
+  float random = float(rng_seed(at, frame.frame, 0u, 0u) >> 8u) * (1.0 / 16777216.0);
+  uvec4 filter_texel = uvec4(pack_rgb9e5(irradiance, random), packHalf2x16(vec2(deviation, ahead)), pack_surface(inverse_depth, normal),
+                             uint(frames + 0.5) | (id << 8u));
+  write_texels(at, known ? filter_texel : uvec4(0u), known ? packHalf2x16(vec2(mean, sqrt(mean_square))) : 0u);
+}

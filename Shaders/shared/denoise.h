@@ -1,0 +1,84 @@
+// What the denoiser's passes share: where everything stands in the history buffer, how a texel of it is packed, and the
+// factor that separates a surface's reflectance from the light that falls on it. After Schied 2017 (SVGF).
+#ifndef FB_SHARED_DENOISE_H
+#define FB_SHARED_DENOISE_H
+#include "shared/bsdf.h"
+#include "shared/common.h"
+FB_NAMESPACE_BEGIN
+
+// The history buffer holds kHistorySections sections of four words a pixel.
+FB_CONST uint kSectionHistory =
+    0u;  // and 1: HistoryTexel, this frame's and the last one's by FrameConstants::history_parity
+FB_CONST uint kSectionFilter = 2u;   // and 3: FilterTexel, a wavelet's source and target in turns
+FB_CONST uint kSectionPicture = 4u;  // PictureTexel[pixels], then two of uint[pixels]: anti-aliased pictures by parity
+FB_CONST uint kHistorySections = 5u;
+
+// HistoryTexel: x: half2 irradiance r, g; y: half irradiance b, frames (8 bits), id (8 bits); z: half2 mean of
+// luminance and root of its mean square; w: pack_surface. FilterTexel: x: irradiance, pack_rgb9e5; y: half2 standard
+// deviation of its luminance, what recent frames' mean luminance is above its; z: pack_surface, 0: nothing to filter;
+// w: frames (8 bits), id (8 bits), only of the first level's source. PictureTexel: x: half2 denoised radiance r, g; y:
+// half b, above it how much of the history is to be kept, of 255.
+
+FB_CONST float kMaxIrradiance = 60000.0f;  // of a half, with room
+FB_CONST float kMaxHalf = 65504.0f;
+FB_CONST uint kMaxHistory = 255u;  // frames
+
+// --- demodulation ---
+// Radiance = emission + irradiance * factor. The factor is the albedo of the Lambert part plus the directional albedo
+// of the coat, roughly: Schlick's reflectance at the viewer's angle, less where the coat is rough, whose masking
+// swallows light. Any positive factor is exact as long as the same one multiplies again; a good one leaves little
+// texture in the irradiance.
+FB_CONST float kMinFactor = 1e-5f;  // below: the channel reflects nothing
+
+FB_FN vec3 factor_or_nothing(vec3 x) {
+  return vec3(x.x > kMinFactor ? x.x : 0.0f, x.y > kMinFactor ? x.y : 0.0f, x.z > kMinFactor ? x.z : 0.0f);
+}
+FB_FN vec3 demodulation_factor(vec3 albedo, float roughness, float specular, float metalness, float cos_view) {
+  vec3 f0 = mix(vec3(specular), albedo, metalness);
+  vec3 f = f0 + (vec3(1.0f) - f0) * (schlick_weight(cos_view) * (1.0f - 0.8f * roughness));
+  float alpha = roughness * roughness;
+  vec3 both = albedo * ((1.0f - metalness) * (1.0f - (f.x + f.y + f.z) / 3.0f)) + f * (1.0f - 0.8f * alpha * alpha);
+  return factor_or_nothing(specular <= 0.0f && metalness <= 0.0f ? albedo : both);
+}
+
+// Where a channel reflects nothing its irradiance is unknown; the others' mean stands in, so that neighbours which do
+// reflect it are not darkened. Remodulation multiplies it by the same nothing.
+FB_FN vec3 demodulate(vec3 reflected, vec3 factor) {
+  vec3 known = vec3(factor.x > 0.0f ? 1.0f : 0.0f, factor.y > 0.0f ? 1.0f : 0.0f, factor.z > 0.0f ? 1.0f : 0.0f);
+  vec3 x = reflected * known / max(factor, vec3(kMinFactor));
+  float count = known.x + known.y + known.z;
+  float mean = (x.x + x.y + x.z) / max(count, 1.0f);
+  return x + (vec3(1.0f) - known) * mean;
+}
+
+// --- packing ---
+// Three numbers from 0 to 65,000 of 9 bits under one exponent. `round` 0.5 rounds to nearest; a random number in [0, 1)
+// rounds without bias, so that small steps add up.
+FB_FN uint pack_rgb9e5(vec3 c, float round) {
+  float largest = max(c.x, max(c.y, c.z)) * 1.002f;  // room for rounding up
+  uint biased = clamp(floatBitsToUint(largest) >> 23u, 111u, 142u);
+  float scale = uintBitsToFloat((262u - biased) << 23u);  // 2^(8 - exponent)
+  uint r = uint(min(c.x * scale + round, 511.0f)), g = uint(min(c.y * scale + round, 511.0f));
+  return r | (g << 9u) | (uint(min(c.z * scale + round, 511.0f)) << 18u) | ((biased - 111u) << 27u);
+}
+FB_FN vec3 unpack_rgb9e5(uint u) {
+  float scale = uintBitsToFloat(((u >> 27u) + 103u) << 23u);
+  return vec3(float(u & 511u), float((u >> 9u) & 511u), float((u >> 18u) & 511u)) * scale;
+}
+
+// Where a surface is and how it stands: 15 bits of normal, not renormalised after unpacking (equal normals unpack
+// equal), and 16 of 1 / depth: five of exponent, from 2^-25 to 2^7, eleven of mantissa. Never 0.
+FB_FN uint pack_surface(float inverse_depth, vec3 n) {
+  uint bits = floatBitsToUint(clamp(inverse_depth, 3.0e-8f, 100.0f));
+  uint depth = ((bits + 0x800u) - 0x33000000u) >> 12u;
+  uint x = uint(clamp(n.x, -1.0f, 1.0f) * 15.0f + 15.5f), y = uint(clamp(n.y, -1.0f, 1.0f) * 15.0f + 15.5f);
+  uint z = uint(clamp(n.z, -1.0f, 1.0f) * 15.0f + 15.5f);
+  return (depth & 0xffffu) | (x << 16u) | (y << 21u) | (z << 26u);
+}
+FB_FN float unpack_surface_inverse_depth(uint u) { return uintBitsToFloat(((u & 0xffffu) << 12u) + 0x33000000u); }
+FB_FN vec3 unpack_surface_normal(uint u) {
+  return vec3(float((u >> 16u) & 31u), float((u >> 21u) & 31u), float((u >> 26u) & 31u)) * (1.0f / 15.0f) - vec3(1.0f);
+}
+
+FB_NAMESPACE_END
+#endif
