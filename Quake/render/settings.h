@@ -65,7 +65,7 @@
   X(int, mc_in_world, "r_mc_world", 1, 0, 1, "path guiding: states keep their light's own extent and strength (0: as seen by the point that learnt them, as in the paper)") \
   X(int, mc_cache, "r_mc_cache", 1, 0, 1, "path guiding: learn reflected light too, from the irradiance cache") \
   X(float, mc_cache_pixels, "r_mc_cache_pixels", 8, 0, 256, "path guiding: least width of the cache's cells, pixels") \
-  X(int, mc_train, "r_mc_train", 1, 1, 64, "path guiding: one in so many paths trains what is known already; new lights are never passed by") \
+  X(int, mc_train, "r_mc_train", 2, 1, 64, "path guiding: one in so many paths trains where much is known; new lights are never passed by") \
   X(int, mc_loss, "r_mc_loss", 1, 0, 1, "path guiding: discard states whose light is gone") \
   X(int, mc_predict, "r_mc_predict", 1, 0, 1, "path guiding: move targets on by the velocity of their light") \
   X(int, mc_previous, "r_mc_previous", 1, 0, 1, "path guiding: look states up where a moving surface was, too") \

@@ -23,13 +23,13 @@ struct GuideCell {
   uint check;
 };
 
-GuideCell guide_cell(vec3 p, vec3 n, bool adaptive, inout uint rng) {
-  vec3 u = vec3(rng_uniform(rng), rng_uniform(rng), rng_uniform(rng));
+GuideCell guide_cell(vec3 p, vec3 n, bool adaptive) {
+  vec3 u = vec3(rng_uniform(guide_rng), rng_uniform(guide_rng), rng_uniform(guide_rng));
   float width = frame.guide_grid.y;
   uint tag = kStaticTag;
   if (adaptive) {
-    uint level = grid_level(distance(p, frame.camera_position.xyz), frame.guide_grid.x, rng_uniform(rng));
-    level = min(level + grid_coarsening(frame.guide_grid.w, rng_uniform(rng)), kGridLevels - 1u);
+    uint level = grid_level(distance(p, frame.camera_position.xyz), frame.guide_grid.x, rng_uniform(guide_rng));
+    level = min(level + grid_coarsening(frame.guide_grid.w, rng_uniform(guide_rng)), kGridLevels - 1u);
     width = exp2(float(level));
     tag = adaptive_tag(level, n);
   }
@@ -75,6 +75,7 @@ struct GuideVertex {
   bool near;         // the direction is nearer to the lobe's mean than its mean cosine
   float mean_score;
   CacheCell cell;
+  uint cell_frames;  // that it has been trained in
   bool last;
 };
 GuideVertex guide;
@@ -93,7 +94,7 @@ float learnt_share(CacheCell cell) {
   w *= w;
   w *= w;
   float learnt = dot(w, guide_shares()) / dot(w, vec4(1.0));
-  float n = float(guide_cache[cell.entry + kCacheCount] & 0xffffu);
+  float n = float(guide.cell_frames);
   float share = mix(prior, learnt, n / (n + 4.0));
   // A guided sample that finds nothing costs more than it brings where there is next to nothing to guide to.
   return clamp(share < kLeastUseful ? 0.0 : share, frame.guide_pick.z, frame.guide_pick.y);
@@ -103,18 +104,19 @@ vec3 sample_direction(PathVertex v, bool first, bool last, inout uint rng, out v
   VmfLobe lobes[kGuideLobes];
   vec2 weights[kGuideLobes];  // in the mixture; the state's score here
   GuideCell cells[GUIDE_ACCESSES];
-  guide.cell = first ? find_cache_cell(v.position, v.normal, rng) : next_cell;
+  guide.cell = first ? find_cache_cell(v.position, v.normal) : next_cell;
+  guide.cell_frames = guide.cell.entry != kNoIndex ? guide_cache[guide.cell.entry + kCacheCount] & 0xffffu : 0u;
   guide.last = last;
   guide.chosen = kNoIndex;
   float total = 0.0, all = 0.0;
   VmfLobe chosen = VmfLobe(v.normal, 0.0, 0.0);
   float chosen_part = 0.0;
   bool moved = (frame.guide_flags & kGuidePrevious) != 0u && v.previous != v.position;
-  float stratum = rng_uniform(rng);
+  float stratum = rng_uniform(guide_rng);
   [[unroll]] for (uint a = 0u; a < GUIDE_ACCESSES; ++a) {
     bool adaptive = float(a) + stratum < frame.guide_grid.z * float(GUIDE_ACCESSES);
     bool from_past = moved && a + 1u == GUIDE_ACCESSES;
-    cells[a] = guide_cell(from_past ? v.previous : v.position, v.normal, adaptive, rng);
+    cells[a] = guide_cell(from_past ? v.previous : v.position, v.normal, adaptive);
     [[unroll]] for (uint j = 0u; j < GUIDE_BUCKET; ++j) {
       uint i = a * GUIDE_BUCKET + j;
       uvec4 words = guide_states[cells[a].first + j];
@@ -260,13 +262,16 @@ void train_cell(PathVertex v, vec3 direction, vec3 incoming, float emitted, floa
   }
 }
 
-void look_at_next(Surface s, inout uint rng) { next_cell = find_cache_cell(s.position, s.normal, rng); }
+void look_at_next(Surface s, inout uint rng) { next_cell = find_cache_cell(s.position, s.normal); }
 
 // Light that leaves the next vertex by reflection, by the cache.
 vec3 reflected_there(Surface s) {
   bool known = next_cell.entry != kNoIndex && (frame.guide_flags & kGuideUseCache) != 0u;
   return known ? s.bsdf.albedo * cached_reflection(next_cell.entry) : vec3(0.0);
 }
+
+const uint kYoungFrames = 32u;
+bool is_new_here() { return guide.cell.entry == kNoIndex || guide.cell_frames < kYoungFrames; }
 
 bool is_discovery() { return guide.chosen == kNoIndex && !guide.matched; }
 
@@ -287,7 +292,7 @@ void path_hit(PathVertex v, vec3 direction, vec3 weight, vec3 emission, vec3 ref
     if (guide.chosen != kNoIndex) s = load_guide_state(guide.chosen);
     else s = empty_guide_state();
     value = score;
-    GuideCell cell = guide_cell(v.position, v.normal, rng_uniform(rng) < frame.guide_grid.z, rng);
+    GuideCell cell = guide_cell(v.position, v.normal, rng_uniform(guide_rng) < frame.guide_grid.z);
     guide.slot = cell.first;
     guide.slot_check = cell.check;
   } else if (guide.matched) {

@@ -31,6 +31,9 @@ uint guide_winner_at() { return frame.guide_cells * (kCacheWords + 1u) + 4u; }
 // Multiplication by an odd number and exclusive or with a constant permute the words.
 uint proposal_rank(uint proposal) { return ((proposal + 1u) * 2654435769u) ^ hash_u32(frame.guide_frame); }
 
+// Numbers that choose among cells: the same for lanes that run together (4x2 pixels), so that these share memory.
+uint guide_rng;
+
 struct CacheCell {
   uint entry;  // first word of the entry that holds the cell, or kNoIndex
   uint claim;  // first word of the entry that it could have, or kNoIndex
@@ -40,10 +43,10 @@ struct CacheCell {
 uint cache_age(uint entry) { return (frame.guide_frame - (guide_cache[entry + kCacheCount] >> 16u)) & 0xffffu; }
 
 // The cell about a point; where its entry holds another cell, a coarser one.
-CacheCell find_cache_cell(vec3 p, vec3 n, inout uint rng) {
+CacheCell find_cache_cell(vec3 p, vec3 n) {
   CacheCell cell = CacheCell(kNoIndex, kNoIndex, 0u);
-  vec3 u = vec3(rng_uniform(rng), rng_uniform(rng), rng_uniform(rng));
-  uint level = grid_level(distance(p, frame.camera_position.xyz), frame.guide_pick.w, rng_uniform(rng));
+  vec3 u = vec3(rng_uniform(guide_rng), rng_uniform(guide_rng), rng_uniform(guide_rng));
+  uint level = grid_level(distance(p, frame.camera_position.xyz), frame.guide_pick.w, rng_uniform(guide_rng));
   for (uint i = 0u; i < kCacheTries && cell.entry == kNoIndex; ++i) {
     uint at = min(level + (i >> 1u), kGridLevels - 1u);
     GridKey key = grid_vertex(p, exp2(float(at)), kCacheTag + adaptive_tag(at, n), u);

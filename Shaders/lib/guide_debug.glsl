@@ -30,7 +30,7 @@ vec3 guide_debug_color(PathVertex v, uint rng) {
   vec3 to_target = s.target - v.position;
   bool known = s.weight > 0.0 && dot(to_target, to_target) > 1e-6;
   GuideView view = view_state(s, known ? to_target : v.normal, v.normal);
-  CacheCell cached = find_cache_cell(v.position, v.normal, rng);
+  CacheCell cached = find_cache_cell(v.position, v.normal);
   bool has_cache = cached.entry != kNoIndex;
   switch (frame.debug_view) {
     case 20u: return known ? view.direction * 0.5 + 0.5 : vec3(0.0);
@@ -46,7 +46,9 @@ vec3 guide_debug_color(PathVertex v, uint rng) {
       sample_direction(v, true, frame.bounces <= 1u, rng, direction);
       return guide.chosen != kNoIndex ? vec3(0.1, 0.8, 0.2) : guide.has_lobes ? vec3(0.2, 0.3, 0.9) : vec3(0.8, 0.2, 0.1);
     }
-    default: return heat(learnt_share(cached));
+    default:
+      guide.cell_frames = has_cache ? guide_cache[cached.entry + kCacheCount] & 0xffffu : 0u;
+      return heat(learnt_share(cached));
   }
 }
 #endif

@@ -4,10 +4,11 @@
 // learns defines ESTIMATOR_LEARNS and
 //   void look_at_next(Surface s, inout uint rng);  finds what is known of the next vertex
 //   vec3 reflected_there(Surface s);               light that it reflects, as far as it is known
+//   bool is_new_here();                            little is known at the vertex yet
 //   bool is_discovery();                           an emitter met now would be new
 //   void path_hit(PathVertex v, vec3 direction, vec3 weight, vec3 emission, vec3 reflected, vec3 hit_position,
 //                 vec3 velocity, bool trains, uint proposal, inout uint rng);
-// Only a share of the paths trains, to save time; an emitter that is new is never passed by.
+// Only a share of the paths trains where much is known, to save time; an emitter that is new is never passed by.
 // All transport is here: emission met on the way, at most frame.bounces further vertices.
 #ifndef FB_LIB_PATH
 #define FB_LIB_PATH
@@ -41,10 +42,11 @@ vec3 trace_path(PathVertex v, uint path, bool trains, inout uint rng) {
     if (!dark) s = load_surface(hit, direction, false, last);
     bool more = !missed && !last;
     if (more) look_at_next(s, rng);
-    if (trains || (is_discovery() && s.emission != vec3(0.0))) {
+    bool learns = trains || is_new_here();
+    if (learns || (is_discovery() && s.emission != vec3(0.0))) {
       vec3 position = origin + direction * min(hit.t, kFarTarget);
       path_hit(v, direction, weight, s.emission, more ? reflected_there(s) : vec3(0.0), position, hit_velocity(hit, position),
-               trains, path * frame.bounces + bounce, rng);
+               learns, path * frame.bounces + bounce, rng);
     }
     if (dark) break;
 #else

@@ -36,14 +36,19 @@ void main() {
 
 #if ESTIMATOR_LEARNS
   if (frame.debug_view >= kFirstGuideView) {
+    guide_rng = rng_seed(at, frame.frame, 1u, frame.seed);
     ldr[at] = packUnorm4x8(vec4(guide_debug_color(v, rng_seed(at, frame.frame, 0u, frame.seed)), 1.0));
   }
 #endif
   vec3 sum = vec3(0.0);
   for (uint i = 0u; i < frame.spp; ++i) {
     uint rng = rng_seed(at, frame.frame, i, frame.seed);
-    // Lanes that run together (4x2 pixels) train together.
-    bool trains = ESTIMATOR_LEARNS != 0 && hash_combine(((pixel.y >> 1u) * frame.width + (pixel.x >> 2u)) * frame.spp + i, frame.frame) % frame.train_every == 0u;
+    bool trains = false;
+#if ESTIMATOR_LEARNS
+    // Lanes that run together (4x2 pixels) look into the same cells, and train together.
+    guide_rng = rng_seed((pixel.y >> 1u) * frame.width + (pixel.x >> 2u), frame.frame, i, frame.seed ^ 0x5bd1e995u);
+    trains = rng_next(guide_rng) % frame.train_every == 0u;
+#endif
     vec3 estimate = trace_path(v, at * frame.spp + i, trains, rng);
     if (any(isnan(estimate)) || any(isinf(estimate))) {
       atomicAdd(counters[kCounterNan], 1u);
