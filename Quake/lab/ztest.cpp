@@ -49,20 +49,38 @@ std::vector<double> block_means(const BlockRuns& a, const BlockRuns& b) {
   return means;
 }
 
+// Calls see(index of the neighbour) for the up to 3 x 3 blocks about a block, itself among them.
+template <typename See>
+void visit_neighbours(const ZTest& result, std::size_t block, const See& see) {
+  const std::size_t nx = result.blocks_x, ny = result.blocks_y, x = block % nx, y = block / nx;
+  for (std::size_t j = y > 0 ? y - 1 : 0; j <= std::min(y + 1, ny - 1); ++j)
+    for (std::size_t i = x > 0 ? x - 1 : 0; i <= std::min(x + 1, nx - 1); ++i) see(j * nx + i);
+}
+
+// Whether a block holds too little light. Its neighbourhood is asked: to choose blocks by their own error would choose
+// those in which rare samples happened to miss, and make their z large.
+bool too_dim(const ZTest& result, std::size_t block, const std::vector<Welch>& tests, const std::vector<double>& means,
+             double enough) {
+  std::vector<double> errors;
+  visit_neighbours(result, block, [&](std::size_t i) {
+    if (means[i] > 0) errors.push_back(tests[i].error / means[i]);
+  });
+  constexpr double kFarTooMuch = 3;  // a dim block among bright ones
+  return median(errors) > enough || tests[block].error > kFarTooMuch * enough * means[block];
+}
+
 // A tested block's weight is one over the mean of the 3 x 3 blocks about it.
 std::vector<double> relative_weights(const ZTest& result, const std::vector<double>& means) {
-  const int nx = static_cast<int>(result.blocks_x), ny = static_cast<int>(result.blocks_y);
-  const auto index = [nx](int x, int y) { return static_cast<std::size_t>(y * nx + x); };
   std::vector<double> weights(means.size(), 0.0);
-  for (int y = 0; y < ny; ++y)
-    for (int x = 0; x < nx; ++x) {
-      if (std::isnan(result.z[index(x, y)])) continue;
-      double sum = 0;
-      int count = 0;
-      for (int j = std::max(y - 1, 0); j <= std::min(y + 1, ny - 1); ++j)
-        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, nx - 1); ++i, ++count) sum += means[index(i, j)];
-      if (sum > 0) weights[index(x, y)] = count / sum;
-    }
+  for (std::size_t block = 0; block < means.size(); ++block) {
+    if (std::isnan(result.z[block])) continue;
+    double sum = 0, count = 0;
+    visit_neighbours(result, block, [&](std::size_t i) {
+      sum += means[i];
+      count += 1;
+    });
+    if (sum > 0) weights[block] = count / sum;
+  }
   return weights;
 }
 
@@ -191,12 +209,15 @@ ZTest z_test(const BlockRuns& reference, const BlockRuns& test, const ZTestOptio
   result.worst = reference.blocks();
   const std::vector<double> means = block_means(reference, test);
 
+  std::vector<Welch> tests;
+  for (std::size_t block = 0; block < reference.blocks(); ++block)
+    tests.push_back(welch_test(column(reference, block), column(test, block)));
   std::vector<double> pool(reference.blocks(), 0.0);
   double pool_mean = 0;
   for (std::size_t block = 0; block < reference.blocks(); ++block) {
-    const Welch w = welch_test(column(reference, block), column(test, block));
+    const Welch& w = tests[block];
     if (w.difference == 0 && w.error <= kRounding * std::abs(means[block])) continue;  // nothing to test
-    if (w.error > options.enough * means[block]) {
+    if (too_dim(result, block, tests, means, options.enough)) {
       pool[block] = reference.pixels(block);
       pool_mean += pool[block] * means[block];
       ++result.pooled;

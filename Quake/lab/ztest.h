@@ -12,10 +12,10 @@
 // pixels are uncorrelated all the same, and so are consecutive frames: their deviations are a martingale's steps.
 // Frames of one long run may therefore stand for independent runs as long as the scene stands still.
 //
-// Heavy tails: a run must hold enough light for its blocks to be nearly normal. Blocks whose difference has a standard
-// error above `enough` of their mean are pooled into one, which is tested in their stead if it is precise enough. What
-// remains is judged by repetition (ztest_job.h): a bias grows with the square root of the runs, a chance does not
-// come twice.
+// Heavy tails: a run must hold enough light for its blocks to be nearly normal. Where the difference has a standard
+// error above `enough` of the mean (the median of the 3 x 3 blocks about a block), blocks are pooled into one, which is
+// tested in their stead if it is precise enough. What remains is judged by repetition (ztest_job.h): a bias grows with
+// the square root of the runs, a chance does not come twice.
 #pragma once
 
 #include <cstdint>
