@@ -8,6 +8,7 @@
 #include "base/log.h"
 #include "render/shader_set.h"
 #include "shared/guide.h"
+#include "shared/rng.h"
 
 namespace fb::render {
 namespace {
@@ -71,8 +72,13 @@ void Guide::fill_constants(shared::FrameConstants& c, const RenderSettings& s, f
                   flag(s.mc_loss, shared::kGuideLoss) | flag(s.mc_previous, shared::kGuidePrevious) |
                   flag(s.mc_share_score, shared::kGuideShareScore) | flag(s.mc_cache, shared::kGuideUseCache) |
                   flag(s.mc_in_world, shared::kGuideInWorld);
-  c.train_every = static_cast<std::uint32_t>(s.mc_train);
+  // A cell's sums have room for 4096 samples of the largest radiance: those of 16 paths in each of 16x16 pixels.
+  c.train_every = static_cast<std::uint32_t>(std::max(s.mc_train, s.spp / 16));
+  if (forget_) frame_ = 0;
   c.guide_frame = ++frame_;
+  // Random numbers from which something was learnt must not come again while it is remembered: what they found would
+  // look more likely than it is. (The frame's own number comes again when a view's accumulation starts anew.)
+  c.frame = shared::hash_combine(c.frame, frame_);
 }
 
 void Guide::record_begin(gpu::Commands& commands) {

@@ -77,6 +77,7 @@ struct GuideVertex {
   CacheCell cell;
   uint cell_frames;  // that it has been trained in
   bool last;
+  bool below;        // the direction points into the surface
 };
 GuideVertex guide;
 CacheCell next_cell;  // about the vertex that was met last
@@ -206,7 +207,8 @@ vec3 sample_direction(PathVertex v, bool first, bool last, inout uint rng, out v
     f = v.bsdf.albedo * guide.bsdf_pdf;
   }
   guide.pdf = guide.share * guide.guided_pdf + (1.0 - guide.share) * guide.bsdf_pdf;
-  bool counts = guide.pdf > 0.0 && dot(direction, v.normal) > 0.0 && local.z > 0.0;
+  guide.below = !(dot(direction, v.normal) > 0.0);
+  bool counts = guide.pdf > 0.0 && !guide.below && local.z > 0.0;
   return counts ? f / guide.pdf : vec3(0.0);
 }
 
@@ -244,7 +246,7 @@ void train_cell(PathVertex v, vec3 direction, vec3 incoming, float emitted, floa
   }
   uint entry = cell.entry;
   float u = rng_uniform(rng);
-  touch_cache(entry, 1u);
+  list_touched(entry, atomicAdd(guide_cache[entry + kCacheTouched], 1u));
   vec3 sum = incoming * (max(dot(direction, v.normal), 0.0) / (kPiShared * guide.pdf));
   for (uint i = 0u; i < 3u; ++i) {
     uint x = to_fixed(sum[i], kCacheFixed, kCacheLargest, u);
@@ -262,6 +264,12 @@ void train_cell(PathVertex v, vec3 direction, vec3 incoming, float emitted, floa
   }
 }
 
+// A direction below the surface: a sample of zero, without which the cell's means would be those of the others.
+void path_wasted() {
+  uint entry = guide.cell.entry;
+  if (guide.below && entry != kNoIndex) list_touched(entry, atomicAdd(guide_cache[entry + kCacheTouched], 1u));
+}
+
 void look_at_next(Surface s, inout uint rng) { next_cell = find_cache_cell(s.position, s.normal); }
 
 // Light that leaves the next vertex by reflection, by the cache.
@@ -271,7 +279,10 @@ vec3 reflected_there(Surface s) {
 }
 
 const uint kYoungFrames = 32u;
-bool is_new_here() { return guide.cell.entry == kNoIndex || guide.cell_frames < kYoungFrames; }
+const uint kManyPaths = 16u;  // of a pixel: a share of them is enough, and a cell's sums have no room for all
+bool is_new_here() {
+  return frame.spp <= kManyPaths && (guide.cell.entry == kNoIndex || guide.cell_frames < kYoungFrames);
+}
 
 bool is_discovery() { return guide.chosen == kNoIndex && !guide.matched; }
 

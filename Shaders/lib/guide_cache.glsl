@@ -71,8 +71,9 @@ vec4 cached_moments(uint entry) {
   return vec4(unpackHalf2x16(guide_cache[entry + kCacheMoment]), unpackHalf2x16(guide_cache[entry + kCacheMoment + 1u]));
 }
 
-void touch_cache(uint entry, uint amount) {
-  if (atomicAdd(guide_cache[entry + kCacheTouched], amount) != 0u) return;
+// Lists an entry at its first touch; `before`: its word kCacheTouched.
+void list_touched(uint entry, uint before) {
+  if (before != 0u) return;
   uint at = atomicAdd(guide_cache[guide_list_count_at()], 1u);
   guide_cache[guide_list_at() + at] = entry;
 }
@@ -80,7 +81,7 @@ void touch_cache(uint entry, uint amount) {
 void claim_cache(CacheCell cell) {
   if (cell.claim == kNoIndex) return;
   atomicMax(guide_cache[cell.claim + kCacheClaim], cell.check);
-  touch_cache(cell.claim, 0x10000u);
+  list_touched(cell.claim, atomicOr(guide_cache[cell.claim + kCacheTouched], kCacheClaimed));
 }
 
 // Rounded up or down at random, so that sums are right in the mean.

@@ -6,6 +6,7 @@
 //   vec3 reflected_there(Surface s);               light that it reflects, as far as it is known
 //   bool is_new_here();                            little is known at the vertex yet
 //   bool is_discovery();                           an emitter met now would be new
+//   void path_wasted();                            the direction was of no use: weight zero
 //   void path_hit(PathVertex v, vec3 direction, vec3 weight, vec3 emission, vec3 reflected, vec3 hit_position,
 //                 vec3 velocity, bool trains, uint proposal, inout uint rng);
 // Only a share of the paths trains where much is known, to save time; an emitter that is new is never passed by.
@@ -31,7 +32,12 @@ vec3 trace_path(PathVertex v, uint path, bool trains, inout uint rng) {
     bool last = bounce + 1u == frame.bounces;
     vec3 direction;
     vec3 weight = sample_direction(v, bounce == 0u, last, rng, direction);
-    if (weight == vec3(0.0)) break;
+    if (weight == vec3(0.0)) {
+#if ESTIMATOR_LEARNS
+      if (trains || is_new_here()) path_wasted();
+#endif
+      break;
+    }
     vec3 origin = offset_origin(v.position, v.normal);
     Hit hit = trace(origin, direction, 0.0, kRayEnd, kMaskIndirect, rng);
     bool missed = hit.instance == kNoIndex;

@@ -36,7 +36,7 @@ void main() {
   uint stride = gl_NumWorkGroups.x * 64u;
   for (uint i = gl_GlobalInvocationID.x; i < touched; i += stride) {
     uint entry = guide_cache[guide_list_at() + i];
-    uint samples = guide_cache[entry + kCacheTouched] & 0xffffu;
+    uint samples = guide_cache[entry + kCacheTouched] & ~kCacheClaimed;
     if (samples > 0u) {
       fold_samples(entry, samples);
     } else {  // claimed, and its owner did not come

@@ -1,0 +1,255 @@
+// Path guiding in the whole renderer: the right mean whatever is set and however full the tables are, far from the
+// origin, through changes of size and settings; and its memory.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "base/hash.h"
+#include "render/test_device.h"
+#include "scene/scenes_in_code.h"
+
+namespace fb::render {
+namespace {
+
+using GuideTest = DeviceTest;
+
+RenderSettings guided(int spp, int bounces, const std::function<void(RenderSettings&)>& change = {}) {
+  RenderSettings s;
+  s.estimator = "mcpg";
+  s.spp = spp;
+  s.bounces = bounces;
+  if (change) change(s);
+  return s;
+}
+
+// Mean of the red channel and its standard error. Given what was learnt before, samples are independent and unbiased,
+// so pixels and frames are uncorrelated and their spread tells the error.
+struct Estimate {
+  double mean = 0, error = 0;
+};
+Estimate estimate(const Renderer& renderer) {
+  double sum = 0, sum2 = 0;
+  const auto image = renderer.read_linear();
+  for (const vec4& p : image) {
+    sum += p.x;
+    sum2 += static_cast<double>(p.x) * p.x;
+  }
+  const double n = static_cast<double>(image.size()), mean = sum / n;
+  return {mean, std::sqrt(std::max(0.0, sum2 / n - mean * mean) / n)};
+}
+
+std::uint64_t image_hash(const Renderer& renderer) {
+  const auto image = renderer.read_linear();
+  return hash_span(std::span<const vec4>(image));
+}
+
+void render_frames(Renderer& renderer, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
+                   int frames) {
+  for (int i = 0; i < frames; ++i) renderer.render(snapshot, nullptr, settings);
+}
+
+constexpr float kAlbedo = 0.6f, kEmission = 0.7f;
+scene::FrameSnapshot furnace() { return scene::furnace(kAlbedo, kEmission, true); }
+
+// 4.5 standard errors, and rounding (lost rays are in the errors).
+void expect_furnace(const Renderer& renderer, int bounces, double albedo, const std::string& what) {
+  double expected = 0;
+  for (int k = 0; k <= bounces; ++k) expected += std::pow(albedo, k);
+  expected *= static_cast<double>(kEmission);
+  const Estimate e = estimate(renderer);
+  EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 4e-6 * expected) << what;
+  EXPECT_LT(e.error, 0.01 * expected) << what << ": the test can see little";
+  EXPECT_EQ(renderer.nan_count(), 0u) << what;
+  EXPECT_EQ(renderer.guide_nan_count(), 0u) << what;
+}
+
+// The same scene elsewhere.
+scene::FrameSnapshot moved(scene::FrameSnapshot snapshot, const vec3& by) {
+  for (scene::Instance& instance : snapshot.instances) {
+    instance.transform[3] += by;
+    instance.prev_transform[3] += by;
+  }
+  snapshot.camera.position += by;
+  snapshot.prev_camera.position += by;
+  return snapshot;
+}
+
+const std::pair<const char*, std::function<void(RenderSettings&)>> kFeatures[] = {
+    {"defaults", {}},
+    {"deterministic", [](RenderSettings& s) { s.deterministic = 1; }},
+    {"static grid", [](RenderSettings& s) { s.mc_adaptive = 0; }},
+    {"adaptive grid", [](RenderSettings& s) { s.mc_adaptive = 1, s.mc_coarser = 0; }},
+    {"share not learnt", [](RenderSettings& s) { s.mc_learn_share = 0; }},
+    {"scores as in the paper", [](RenderSettings& s) { s.mc_share_score = 0, s.mc_in_world = 0; }},
+    {"no cache", [](RenderSettings& s) { s.mc_cache = 0; }},
+    {"exponent 0", [](RenderSettings& s) { s.mc_power = 0; }},
+    {"exponent 4", [](RenderSettings& s) { s.mc_power = 4; }},
+    {"one in 64 trains", [](RenderSettings& s) { s.mc_train = 64; }},
+    {"extreme numbers", [](RenderSettings& s) { s.mc_alpha = 1e-4f, s.mc_radius = 0.01f, s.mc_static_width = 1; }},
+    {"and the other way",
+     [](RenderSettings& s) { s.mc_alpha = 1, s.mc_count = 1, s.mc_radius = 1024, s.mc_angle = 45; }},
+};
+
+TEST_F(GuideTest, FurnaceHasItsClosedFormWithEveryFeature) {
+  // One for all: a change of settings in mid-flight keeps what was learnt, and starts the frame's numbers anew.
+  auto renderer = make_renderer(guided(1, 2), 64, 48);
+  const scene::FrameSnapshot scene = furnace();
+  for (const auto& [name, change] : kFeatures) {
+    const RenderSettings s = guided(4, 2, change);
+    render_frames(*renderer, scene, s, 6);  // cold and warm frames alike
+    expect_furnace(*renderer, 2, static_cast<double>(kAlbedo), name);
+  }
+}
+
+TEST_F(GuideTest, FurnaceHasItsClosedFormThirtyThousandUnitsAway) {
+  for (const vec3& by : {vec3(30000, 30000, 30000), vec3(-30000, 29999.7f, -32500)}) {
+    auto renderer = make_renderer(guided(1, 2), 64, 48);
+    const scene::FrameSnapshot scene = moved(furnace(), by);
+    for (const auto& [name, change] : kFeatures) {
+      if (name != std::string("defaults") && name != std::string("extreme numbers")) continue;
+      const RenderSettings s = guided(4, 2, change);
+      render_frames(*renderer, scene, s, 6);
+      // Positions are rounded to 2^-9 there, so more rays start or end behind a surface.
+      const Estimate e = estimate(*renderer);
+      const double a = static_cast<double>(kAlbedo), expected = static_cast<double>(kEmission) * (1 + a + a * a);
+      EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 1e-3 * expected) << name;
+      EXPECT_EQ(renderer->nan_count() + renderer->guide_nan_count(), 0u) << name;
+    }
+  }
+}
+
+TEST_F(GuideTest, EveryNumberOfBouncesAndSamples) {
+  auto renderer = make_renderer(guided(1, 2), 64, 48);
+  for (const int deterministic : {0, 1}) {
+    for (const int bounces : {0, 1, 4}) {
+      for (int spp = 1; spp <= 4; ++spp) {
+        const RenderSettings s = guided(spp, bounces, [&](RenderSettings& r) { r.deterministic = deterministic; });
+        render_frames(*renderer, furnace(), s, 4);
+        expect_furnace(*renderer, bounces, static_cast<double>(kAlbedo), "bounces and samples");
+      }
+    }
+  }
+}
+
+TEST_F(GuideTest, ResizingKeepsTheMean) {
+  for (const int deterministic : {0, 1}) {
+    const RenderSettings s = guided(2, 2, [&](RenderSettings& r) { r.deterministic = deterministic; });
+    auto renderer = make_renderer(s, 64, 48);
+    for (const uvec2 size : {uvec2(64, 48), uvec2(33, 47), uvec2(1, 1), uvec2(97, 80)}) {
+      renderer->resize(size.x, size.y);
+      render_frames(*renderer, furnace(), s, 4);
+      if (size.x > 1) expect_furnace(*renderer, 2, static_cast<double>(kAlbedo), "after a resize");
+    }
+  }
+}
+
+// Each shape is a shader of its own, and wide mixtures take long to compile: with FULLBRIGHT_UNBIASED_TIMES there are
+// more.
+TEST_F(GuideTest, EveryShapeOfTheMixture) {
+  std::vector<std::pair<int, int>> shapes{{1, 1}, {16, 1}, {2, 16}};
+  if (std::getenv("FULLBRIGHT_UNBIASED_TIMES") != nullptr) shapes.insert(shapes.end(), {{1, 16}, {4, 8}, {3, 3}});
+  for (const auto& [accesses, bucket] : shapes) {
+    const RenderSettings s = guided(2, 2, [&, a = accesses, b = bucket](RenderSettings& r) {
+      r.mc_accesses = a;
+      r.mc_bucket = b;
+    });
+    auto renderer = make_renderer(s, 64, 48);
+    render_frames(*renderer, furnace(), s, 6);
+    expect_furnace(*renderer, 2, static_cast<double>(kAlbedo),
+                   std::to_string(accesses) + " cells of " + std::to_string(bucket));
+  }
+}
+
+// Hundreds of cells want each slot: states of all kinds of places are thrown out all the time, and the mean stays.
+TEST_F(GuideTest, FullTablesKeepTheMean) {
+  const auto full = [](RenderSettings& s) { s.mc_states = s.mc_cells = 1024; };
+  for (const auto& scene : {scene::cornell_box(), scene::many_lights(200)}) {
+    Estimate found[2];
+    for (const bool guide : {false, true}) {
+      RenderSettings s = guided(4, 2, full);
+      if (!guide) s.estimator = "pt";
+      s.seed = guide ? 1 : 0;
+      auto renderer = make_renderer(s, 64, 48);
+      render_frames(*renderer, scene, s, guide ? 48 : 96);
+      EXPECT_EQ(renderer->nan_count() + renderer->guide_nan_count(), 0u);
+      // The picture's own structure is no error: that of the mean is told by the frames.
+      double variance = 0;
+      const auto variances = renderer->read_variance_of_mean();
+      for (const vec4& v : variances) variance += v.x;
+      found[guide] = {estimate(*renderer).mean, std::sqrt(variance) / static_cast<double>(variances.size())};
+    }
+    const double error = std::hypot(found[0].error, found[1].error);
+    EXPECT_NEAR(found[1].mean, found[0].mean, 4.5 * error);
+    EXPECT_LT(error, 0.01 * found[0].mean) << "the test can see little";
+  }
+}
+
+TEST_F(GuideTest, ForgettingIsAsIfNothingHadBeenLearnt) {
+  const RenderSettings s = guided(2, 2, [](RenderSettings& r) { r.deterministic = 1; });
+  const scene::FrameSnapshot scene = scene::many_lights(50);
+  auto renderer = make_renderer(s, 64, 48);
+  renderer->render(scene, nullptr, s);
+  const std::uint64_t fresh = image_hash(*renderer);
+  render_frames(*renderer, scene, s, 5);
+  renderer->restart_accumulation();
+  renderer->render(scene, nullptr, s);
+  EXPECT_NE(image_hash(*renderer), fresh) << "what was learnt shows";
+  renderer->restart_accumulation();
+  renderer->reset_learning();
+  renderer->render(scene, nullptr, s);
+  EXPECT_EQ(image_hash(*renderer), fresh);
+  // Another scene is another world.
+  render_frames(*renderer, furnace(), s, 3);
+  renderer->render(scene, nullptr, s);
+  EXPECT_EQ(image_hash(*renderer), fresh);
+}
+
+TEST_F(GuideTest, ItsMemoryIsGivenBackWhenNothingLearns) {
+  RenderSettings pt = guided(2, 2);
+  pt.estimator = "pt";
+  auto renderer = make_renderer(pt, 64, 48);
+  const scene::FrameSnapshot scene = furnace();
+  renderer->render(scene, nullptr, pt);
+  const std::uint64_t before = renderer->device_bytes();
+  EXPECT_EQ(renderer->guide_bytes(), 0u);
+  for (int round = 0; round < 3; ++round) {
+    for (const int states : {1024, 100000}) {
+      const RenderSettings s =
+          guided(2, 2, [&](RenderSettings& r) { r.mc_states = states, r.deterministic = round == 1; });
+      render_frames(*renderer, scene, s, 2);
+      EXPECT_GE(renderer->guide_bytes(), static_cast<std::uint64_t>(states) * 24);
+      EXPECT_GE(renderer->device_bytes(), before + renderer->guide_bytes());
+    }
+    renderer->render(scene, nullptr, pt);
+    EXPECT_EQ(renderer->guide_bytes(), 0u);
+    EXPECT_EQ(renderer->device_bytes(), before);
+  }
+}
+
+// Sums and counts of a cell's samples stay within their words however many a frame brings: the view of the cache is as
+// bright with 4096 samples a pixel as with 4.
+TEST_F(GuideTest, CellsBearAnyNumberOfSamplesAFrame) {
+  std::map<int, double> brightness;
+  for (const int spp : {4, 4096}) {
+    const RenderSettings s = guided(spp, 1, [](RenderSettings& r) {
+      r.debug_view = 27;
+      r.auto_exposure = r.fxaa = r.tone_map = 0;
+      r.mc_cache_pixels = 64;
+    });
+    auto renderer = make_renderer(s, 16, 12);
+    render_frames(*renderer, scene::furnace(kAlbedo, kEmission), s, spp == 4 ? 24 : 3);
+    double sum = 0;
+    for (const std::uint32_t pixel : renderer->read_output())
+      sum += (pixel >> 8u) & 255u;  // a missing cell has no green
+    brightness[spp] = sum / (16 * 12);
+  }
+  EXPECT_GT(brightness[4], 100);
+  EXPECT_NEAR(brightness[4096], brightness[4], 0.05 * brightness[4]);
+}
+
+}  // namespace
+}  // namespace fb::render
