@@ -212,6 +212,113 @@ TEST_F(DenoiserTest, HistoryFollowsWhatMovesAndIsDroppedWhereSomethingComesIntoS
   EXPECT_LE(kept, uncovered / 50) << "of " << uncovered;
 }
 
+TEST_F(DenoiserTest, AnotherInstanceInTheSamePlaceHasNoHistory) {
+  const RenderSettings s = denoising();
+  auto renderer = make_renderer(s, 96, 96);
+  scene::FrameSnapshot snapshot = scene::cornell_box();
+  int frame = 0;
+  for (; frame < 4; ++frame) renderer->render(at_time(snapshot, frame), nullptr, s);
+  for (scene::Instance& i : snapshot.instances)
+    if (i.id == scene::kIdEntity + 2) i.id = scene::kIdEntity + 9;
+  renderer->render(at_time(snapshot, frame), nullptr, s);
+  const auto gbuffer = renderer->read_gbuffer();
+  const auto frames = history_lengths(*renderer);
+  int count = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (gbuffer[i].id != scene::kIdEntity + 9) continue;
+    EXPECT_EQ(frames[i], 1u) << i;
+    ++count;
+  }
+  EXPECT_GT(count, 200);
+}
+
+TEST_F(DenoiserTest, DepthAndNormalTellWhatAnIdDoesNot) {
+  // Everything is one instance by its id; then one of the boxes is gone.
+  const RenderSettings s = denoising();
+  const uvec2 size(96, 96);
+  auto renderer = make_renderer(s, size.x, size.y);
+  scene::FrameSnapshot with = scene::cornell_box();
+  const auto box = std::find_if(with.instances.begin(), with.instances.end(),
+                                [](const scene::Instance& i) { return i.id == scene::kIdEntity + 2; });
+  const auto index = box - with.instances.begin();
+  for (scene::Instance& i : with.instances) i.id = scene::kIdWorld;
+  int frame = 0;
+  for (; frame < 4; ++frame) renderer->render(at_time(with, frame), nullptr, s);
+  const auto before = renderer->read_gbuffer();
+  with.instances.erase(with.instances.begin() + index);
+  renderer->render(at_time(with, frame), nullptr, s);
+  const auto now = renderer->read_gbuffer();
+  const auto frames = history_lengths(*renderer);
+  int dropped = 0, kept = 0;
+  for (std::size_t i = 3 * size.x + 3; i + 3 * size.x + 3 < now.size(); ++i) {
+    if (now[i].position_t.w == 0) continue;
+    bool other = true;  // nothing like it was near
+    for (const int dy : {-3, 0, 3})
+      for (const int dx : {-3, 0, 3}) {
+        const auto j = static_cast<std::size_t>(static_cast<int>(i) + dy * static_cast<int>(size.x) + dx);
+        other &= before[j].position_t.w > 0 && std::abs(before[j].motion.z - now[i].motion.z) > 0.15f * now[i].motion.z;
+      }
+    if (other) ++(frames[i] == 1 ? dropped : kept);
+  }
+  EXPECT_GT(dropped, 50);
+  EXPECT_LE(kept, dropped / 50);
+}
+
+// Mean squared difference of a frame's luminance and the one before, where motion says each point was, over pixels
+// whose surroundings were in sight; relative to the mean's square.
+double flicker(const std::vector<vec4>& now, const std::vector<vec4>& before,
+               const std::vector<shared::GBufferTexel>& g, const std::vector<shared::GBufferTexel>& g_before,
+               uvec2 size) {
+  double squares = 0, mean = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (g[i].position_t.w == 0) continue;
+    const vec2 pixel(static_cast<float>(i % size.x), static_cast<float>(i / size.x));
+    const vec2 point = pixel + 0.5f + vec2(g[i].motion.x, g[i].motion.y);
+    if (!surroundings(g_before, size, point, g[i].id, g[i].motion.w, 1).all_same) continue;
+    const auto j = static_cast<std::size_t>(point.y) * size.x + static_cast<std::size_t>(point.x);
+    // Albedo apart, which a texel's edge changes and no filter should.
+    const auto irradiance = [](const vec4& c, const shared::GBufferTexel& t) {
+      return luminance(c - t.emission_specular) / std::max(luminance(t.albedo_roughness), 1e-3f);
+    };
+    const double d = irradiance(now[i], g[i]) - irradiance(before[j], g_before[j]);
+    squares += d * d;
+    mean += irradiance(now[i], g[i]);
+    ++count;
+  }
+  mean /= count;
+  return squares / count / (mean * mean);
+}
+
+TEST_F(DenoiserTest, PicturesAreSteadyInMotion) {
+  const RenderSettings s = denoising();
+  const uvec2 size(160, 90);
+  auto renderer = make_renderer(s, size.x, size.y);
+  const auto assets = scene::moving_assets();
+  std::vector<vec4> raw, denoised;
+  std::vector<shared::GBufferTexel> before;
+  double raw_flicker = 0, denoised_flicker = 0;
+  for (int frame = 1; frame <= 24; ++frame) {
+    scene::FrameSnapshot snapshot = scene::moving(assets, frame / 60.0, (frame - 1) / 60.0);
+    snapshot.frame = static_cast<std::uint64_t>(frame);
+    renderer->render(snapshot, nullptr, s);
+    const auto now = renderer->read_gbuffer();
+    const auto raw_now = renderer->read_linear(), denoised_now = renderer->read_denoised();
+    if (frame > 16) {
+      raw_flicker += flicker(raw_now, raw, now, before, size);
+      denoised_flicker += flicker(denoised_now, denoised, now, before, size);
+    }
+    raw = raw_now;
+    denoised = denoised_now;
+    before = now;
+  }
+  RecordProperty("raw_flicker", std::to_string(raw_flicker / 8));
+  RecordProperty("denoised_flicker", std::to_string(denoised_flicker / 8));
+  // A weight of 0.04 a frame changes a pixel by 0.04^2 of a sample's variance, and a sample's difference has twice
+  // that.
+  EXPECT_LT(denoised_flicker, raw_flicker * 0.04 * 0.04 / 2 + 8 * 0.01 * 0.01) << raw_flicker;
+}
+
 TEST_F(DenoiserTest, ACutAndANewSizeStartAnew) {
   const RenderSettings s = denoising();
   auto renderer = make_renderer(s, 64, 40);
