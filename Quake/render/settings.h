@@ -64,6 +64,7 @@
   X(int, mc_share_score, "r_mc_score", 1, 0, 1, "path guiding: a state's score is its lobe's share of the light (0: the whole estimate, as in the paper)") \
   X(int, mc_in_world, "r_mc_world", 1, 0, 1, "path guiding: states keep their light's own extent and strength (0: as seen by the point that learnt them, as in the paper)") \
   X(int, mc_cache, "r_mc_cache", 1, 0, 1, "path guiding: learn reflected light too, from the irradiance cache") \
+  X(float, mc_cache_alpha, "r_mc_cache_alpha", 0.15f, 0.001f, 1, "path guiding: least weight of a new frame in the irradiance cache; large follows changes, small is smooth") \
   X(float, mc_cache_pixels, "r_mc_cache_pixels", 8, 0, 256, "path guiding: least width of the cache's cells, pixels") \
   X(int, mc_train, "r_mc_train", 2, 1, 64, "path guiding: one in so many paths trains where much is known; new lights are never passed by") \
   X(int, mc_loss, "r_mc_loss", 1, 0, 1, "path guiding: discard states whose light is gone") \

@@ -5,12 +5,11 @@
 
 layout(local_size_x = 64) in;
 
-const float kBlendLeast = 0.06;  // weight of a new frame in an old mean: follows changing light within some 16 frames
-const float kMomentBlendLeast = 0.03;
+const float kMomentBlendLeast = 0.06;  // of a new frame in an old moment: some 16 frames
 
 void fold_samples(uint entry, uint samples) {
   uint count = min((guide_cache[entry + kCacheCount] & 0xffffu) + 1u, 65535u);
-  float blend = max(1.0 / float(count), kBlendLeast);
+  float blend = max(1.0 / float(count), frame.cache_blend);
   float scale = 1.0 / (kCacheFixed * float(samples));
   for (uint i = 0u; i < 3u; ++i) {
     float mean = uintBitsToFloat(guide_cache[entry + kCacheMean + i]);
