@@ -74,6 +74,7 @@ void Guide::fill_constants(shared::FrameConstants& c, const RenderSettings& s, f
                   flag(s.mc_in_world, shared::kGuideInWorld);
   // A cell's sums have room for 4096 samples of the largest radiance: those of 16 paths in each of 16x16 pixels.
   c.train_every = static_cast<std::uint32_t>(std::max(s.mc_train, s.spp / 16));
+  c.tail_every = static_cast<std::uint32_t>(std::max(s.mc_tail_train, s.spp / 16));
   c.cache_blend = s.mc_cache_alpha;
   if (forget_) frame_ = 0;
   c.guide_frame = ++frame_;

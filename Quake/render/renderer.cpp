@@ -44,6 +44,15 @@ std::uint64_t view_key(std::uint64_t scene, const RenderSettings& settings) {
 
 constexpr std::uint32_t kMaxLobes = 32;  // of the guide's mixture: they are kept in registers or local memory
 
+// What the settings mean to an estimator whose paths end in the cache: one reflection, and one more on paths that go on
+// (frame.bounces counts both); a tail that the cache did not fill would be none.
+RenderSettings settings_for(const EstimatorInfo& info, RenderSettings settings) {
+  if (!info.tail) return settings;
+  settings.bounces = settings.bounces > 0 ? 2 : 0;
+  settings.mc_cache = 1;
+  return settings;
+}
+
 // Points of a low-discrepancy sequence (Roberts 2018, R2) in [-1/2, 1/2)^2.
 vec2 jitter_at(std::uint32_t index) {
   const double x = 0.5 + 0.7548776662466927 * index, y = 0.5 + 0.5698402909980532 * index;
@@ -204,6 +213,7 @@ void Renderer::Impl::record(gpu::Commands& commands) {
   path_variant.resolve = resolve;
   path_variant.accesses = accesses;
   path_variant.bucket = bucket;
+  path_variant.tail = info->tail;
 
   timer.reset(commands.handle());
   commands.set_timer(&timer);
@@ -232,23 +242,24 @@ void Renderer::Impl::record(gpu::Commands& commands) {
 }
 
 void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw,
-                      const RenderSettings& settings) {
+                      const RenderSettings& asked) {
   Impl& r = *impl_;
   if (!snapshot.assets) {  // nothing loaded yet: an empty scene
     scene::FrameSnapshot empty = snapshot;
     empty.assets = std::make_shared<scene::Assets>();
     empty.instances.clear();
-    return render(empty, draw, settings);
+    return render(empty, draw, asked);
   }
   const auto& known = estimators();
-  if (std::any_of(known.begin(), known.end(), [&](const EstimatorInfo& e) { return e.name == settings.estimator; })) {
-    r.estimator = settings.estimator;
+  if (std::any_of(known.begin(), known.end(), [&](const EstimatorInfo& e) { return e.name == asked.estimator; })) {
+    r.estimator = asked.estimator;
     r.said_unknown_estimator = false;
   } else if (!std::exchange(r.said_unknown_estimator, true)) {
     if (r.estimator.empty()) r.estimator = known.front().name;
-    log_warning("r_estimator {}: there is no such estimator; {} stays", settings.estimator, r.estimator);
+    log_warning("r_estimator {}: there is no such estimator; {} stays", asked.estimator, r.estimator);
   }
   r.info = &*std::find_if(known.begin(), known.end(), [&](const EstimatorInfo& e) { return e.name == r.estimator; });
+  const RenderSettings settings = settings_for(*r.info, asked);
 
   const auto scaled = [&](std::uint32_t size) {
     return std::max(1u, static_cast<std::uint32_t>(std::lround(static_cast<float>(size) * settings.scale)));

@@ -23,7 +23,8 @@ namespace fb::render {
 struct EstimatorInfo {
   std::string name, description;
   bool unbiased;
-  bool learns;  // keeps what it learnt from frame to frame
+  bool learns;        // keeps what it learnt from frame to frame
+  bool tail = false;  // its paths end in the irradiance cache
 };
 const std::vector<EstimatorInfo>& estimators();
 

@@ -67,6 +67,7 @@
   X(float, mc_cache_alpha, "r_mc_cache_alpha", 0.15f, 0.001f, 1, "path guiding: least weight of a new frame in the irradiance cache; large follows changes, small is smooth") \
   X(float, mc_cache_pixels, "r_mc_cache_pixels", 8, 0, 256, "path guiding: least width of the cache's cells, pixels") \
   X(int, mc_train, "r_mc_train", 2, 1, 64, "path guiding: one in so many paths trains where much is known; new lights are never passed by") \
+  X(int, mc_tail_train, "r_mc_tail_train", 8, 1, 64, "path guiding: mcpg_tail lets one in so many paths go on for a bounce more, so that the cache learns what the camera does not see") \
   X(int, mc_loss, "r_mc_loss", 1, 0, 1, "path guiding: discard states whose light is gone") \
   X(int, mc_predict, "r_mc_predict", 1, 0, 1, "path guiding: move targets on by the velocity of their light") \
   X(int, mc_previous, "r_mc_previous", 1, 0, 1, "path guiding: look states up where a moving surface was, too") \

@@ -40,6 +40,7 @@ const std::array kShaders{
     Shader{"gbuffer", gbuffer_bvh_spv, gbuffer_query_spv},
     Shader{"pt", pt_bvh_spv, pt_query_spv},
     Shader{"mcpg", mcpg_bvh_spv, mcpg_query_spv},
+    Shader{"mcpg_tail", mcpg_bvh_spv, mcpg_query_spv},  // Variant::tail
     Shader{"guide_states", guide_states_spv, {}},
     Shader{"guide_cache", guide_cache_spv, {}},
     Shader{"accumulate", accumulate_spv, {}},
@@ -77,6 +78,7 @@ const gpu::ComputePipeline& ShaderSet::get(std::string_view name, const Variant&
                                gpu::SpecializationConstant{2, variant.resolve},
                                gpu::SpecializationConstant{3, variant.accesses},
                                gpu::SpecializationConstant{4, variant.bucket},
+                               gpu::SpecializationConstant{5, variant.tail},
                                tracing[0],
                                tracing[1]};
     gpu::ComputePipeline pipeline(device_, table_, variant.ray_query ? shader.query : shader.plain, std::string(name),

@@ -14,14 +14,15 @@
 
 namespace fb::render {
 
-// What a tracing pipeline is specialised for (constants 0 to 4 of Shaders/lib; how trees are read is the device's).
+// What a tracing pipeline is specialised for (constants 0 to 5 of Shaders/lib; how trees are read is the device's).
 struct Variant {
   bool ray_query = false;
   bool candidates = false;  // alpha tests or translucency
   bool specular = false;
-  // Of estimators that learn (constants 2 to 4).
+  // Of estimators that learn (constants 2 to 5).
   bool resolve = false;
   std::uint32_t accesses = 1, bucket = 1;
+  bool tail = false;
   auto operator<=>(const Variant&) const = default;
 };
 

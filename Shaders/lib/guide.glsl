@@ -15,6 +15,8 @@ layout(constant_id = 3) const uint GUIDE_ACCESSES = 2u;    // cells that are loo
 layout(constant_id = 4) const uint GUIDE_BUCKET = 4u;      // states in a cell
 const uint kGuideLobes = GUIDE_ACCESSES * GUIDE_BUCKET;
 
+layout(constant_id = 5) const bool PATH_TAIL = false;     // paths end in the cache
+
 const float kLeastUseful = 0.06;
 const float kMatch = 0.02;  // a direction belongs to a lobe whose pdf there is at least this share of its peak
 
@@ -272,10 +274,19 @@ void path_wasted() {
 
 void look_at_next(Surface s, inout uint rng) { next_cell = find_cache_cell(s.position, s.normal); }
 
-// Light that leaves the next vertex by reflection, by the cache.
+// Light that leaves the next vertex by reflection, by the cache. A path that ends there must not lack it (nor must the
+// cache, which learns from such paths): a place of which nothing is known is thought to be lit like the one that sees it.
 vec3 reflected_there(Surface s) {
-  bool known = next_cell.entry != kNoIndex && (frame.guide_flags & kGuideUseCache) != 0u;
-  return known ? s.bsdf.albedo * cached_reflection(next_cell.entry) : vec3(0.0);
+  uint entry = next_cell.entry;
+  if (PATH_TAIL && (entry == kNoIndex || cache_frames(entry) < kTailFrames)) entry = guide.cell.entry;
+  bool known = entry != kNoIndex && (frame.guide_flags & kGuideUseCache) != 0u;
+  return known ? s.bsdf.albedo * cached_reflection(entry) : vec3(0.0);
+}
+
+// Known well enough to stand for all light that the next vertex reflects: where it is not, the path goes on.
+bool ends_at_next() {
+  uint a = next_cell.entry, b = guide.cell.entry;
+  return (a != kNoIndex && cache_frames(a) >= kTailFrames) || (b != kNoIndex && cache_frames(b) >= kTailFrames);
 }
 
 const uint kYoungFrames = 32u;

@@ -20,6 +20,7 @@ void store_guide_motion(uint at, uvec2 motion) {
 
 const uint kCacheTries = 4u;  // two places for a cell, then two for a coarser one
 const uint kCacheStale = 120u;  // frames after which another cell may take an entry
+const uint kTailFrames = 4u;    // frames that must have trained a cell before a path may end in it
 
 uint guide_list_at() { return frame.guide_cells * kCacheWords; }
 // Two counters take turns: while one counts, the other is set to zero for the next frame.
@@ -40,6 +41,7 @@ struct CacheCell {
   uint check;  // for the claim
 };
 
+uint cache_frames(uint entry) { return guide_cache[entry + kCacheCount] & 0xffffu; }
 uint cache_age(uint entry) { return (frame.guide_frame - (guide_cache[entry + kCacheCount] >> 16u)) & 0xffffu; }
 
 // The cell about a point; where its entry holds another cell, a coarser one.

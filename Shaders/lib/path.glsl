@@ -9,8 +9,10 @@
 //   void path_wasted();                            the direction was of no use: weight zero
 //   void path_hit(PathVertex v, vec3 direction, vec3 weight, vec3 emission, vec3 reflected, vec3 hit_position,
 //                 vec3 velocity, bool trains, uint proposal, inout uint rng);
+//   bool ends_at_next();                           the path may take reflected_there() for all that is beyond
 // Only a share of the paths trains where much is known, to save time; an emitter that is new is never passed by.
-// All transport is here: emission met on the way, at most frame.bounces further vertices.
+// All transport is here: emission met on the way, at most frame.bounces further vertices. Where the estimator is biased and
+// says so (PATH_TAIL), what is known of the last vertex stands for everything beyond it.
 #ifndef FB_LIB_PATH
 #define FB_LIB_PATH
 #include "lib/path_vertex.glsl"
@@ -22,14 +24,17 @@ vec3 hit_velocity(Hit hit, vec3 position) {
   if (hit.instance == kNoIndex || (instances[hit.instance].flags & kInstanceMoves) == 0u) return vec3(0.0);
   return (position - previous_position(hit)) / max(frame.time - frame.prev_time, 1e-4);
 }
+#else
+const bool PATH_TAIL = false;
 #endif
 
 // Radiance that reaches the first vertex's viewer by reflection: paths of 1 to frame.bounces further vertices. `path`
-// numbers this frame's paths.
-vec3 trace_path(PathVertex v, uint path, bool trains, inout uint rng) {
+// numbers this frame's paths; `goes_on`: to its last vertex, known light or not.
+vec3 trace_path(PathVertex v, uint path, bool trains, bool goes_on, inout uint rng) {
   vec3 sum = vec3(0.0), throughput = vec3(1.0);
   for (uint bounce = 0u; bounce < frame.bounces; ++bounce) {
-    bool last = bounce + 1u == frame.bounces;
+    bool end = bounce + 1u == frame.bounces;
+    bool last = end && !PATH_TAIL;  // emission alone counts there
     vec3 direction;
     vec3 weight = sample_direction(v, bounce == 0u, last, rng, direction);
     if (weight == vec3(0.0)) {
@@ -47,12 +52,16 @@ vec3 trace_path(PathVertex v, uint path, bool trains, inout uint rng) {
     s.emission = vec3(0.0);
     if (!dark) s = load_surface(hit, direction, false, last);
     bool more = !missed && !last;
-    if (more) look_at_next(s, rng);
+    vec3 reflected = vec3(0.0);
+    if (more) {
+      look_at_next(s, rng);
+      reflected = reflected_there(s);
+    }
     bool learns = trains || is_new_here();
     if (learns || (is_discovery() && s.emission != vec3(0.0))) {
       vec3 position = origin + direction * min(hit.t, kFarTarget);
-      path_hit(v, direction, weight, s.emission, more ? reflected_there(s) : vec3(0.0), position, hit_velocity(hit, position),
-               learns, path * frame.bounces + bounce, rng);
+      path_hit(v, direction, weight, s.emission, reflected, position, hit_velocity(hit, position), learns,
+               path * frame.bounces + bounce, rng);
     }
     if (dark) break;
 #else
@@ -61,7 +70,13 @@ vec3 trace_path(PathVertex v, uint path, bool trains, inout uint rng) {
 #endif
     throughput *= weight;
     sum += throughput * s.emission;
-    if (missed || last) break;
+#if ESTIMATOR_LEARNS
+    if (PATH_TAIL && !missed && (end || (!goes_on && ends_at_next()))) {
+      sum += throughput * reflected;
+      break;
+    }
+#endif
+    if (missed || end) break;
     v = make_path_vertex(s, -direction);
   }
   return sum;

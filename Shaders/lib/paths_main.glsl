@@ -43,13 +43,14 @@ void main() {
   vec3 sum = vec3(0.0);
   for (uint i = 0u; i < frame.spp; ++i) {
     uint rng = rng_seed(at, frame.frame, i, frame.seed);
-    bool trains = false;
+    bool trains = false, goes_on = false;
 #if ESTIMATOR_LEARNS
-    // Lanes that run together (4x2 pixels) look into the same cells, and train together.
+    // Lanes that run together (4x2 pixels) look into the same cells, train together, and go on together.
     guide_rng = rng_seed((pixel.y >> 1u) * frame.width + (pixel.x >> 2u), frame.frame, i, frame.seed ^ 0x5bd1e995u);
-    trains = rng_next(guide_rng) % frame.train_every == 0u;
+    goes_on = PATH_TAIL && rng_next(guide_rng) % frame.tail_every == 0u;
+    trains = rng_next(guide_rng) % frame.train_every == 0u || goes_on;
 #endif
-    vec3 estimate = trace_path(v, at * frame.spp + i, trains, rng);
+    vec3 estimate = trace_path(v, at * frame.spp + i, trains, goes_on, rng);
     if (any(isnan(estimate)) || any(isinf(estimate))) {
       atomicAdd(counters[kCounterNan], 1u);
       estimate = vec3(0.0);
