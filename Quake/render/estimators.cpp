@@ -9,7 +9,8 @@ const std::vector<EstimatorInfo>& estimators() {
       {"mcpg", "Markov chain path guiding (Alber 2025); unbiased for paths of at most r_bounces reflections", true,
        true},
       {"mcpg_tail",
-       "mcpg with one reflection traced (r_bounces says no more than whether there is any) and the irradiance cache beyond "
+       "mcpg with one reflection traced (r_bounces says no more than whether there is any) and the irradiance cache "
+       "beyond "
        "it: a Lambertian tail of any number of reflections, averaged over cells, some frames late",
        false, true, true},
   };

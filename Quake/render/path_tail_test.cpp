@@ -1,5 +1,5 @@
-// Estimator mcpg_tail: paths that end in the irradiance cache, which knows any number of reflections. Biased, so that it is
-// held to closed forms and to pt within stated tolerances, not to a test of means.
+// Estimator mcpg_tail: paths that end in the irradiance cache, which knows any number of reflections. Biased, so that
+// it is held to closed forms and to pt within stated tolerances, not to a test of means.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,9 +38,9 @@ double mean_after(Renderer& renderer, const scene::FrameSnapshot& snapshot, cons
   return image_mean(renderer.read_linear());
 }
 
-// Any number of reflections in a closed room of albedo a and emission e: e / (1 - a). What the cache lacks of it shrinks by
-// a share of 0.06 (1 - a) at most each time that a cell is trained; cells out of sight are trained seldom, so that the
-// brighter room needs every path to go on.
+// Any number of reflections in a closed room of albedo a and emission e: e / (1 - a). What the cache lacks of it
+// shrinks by a share of 0.06 (1 - a) at most each time that a cell is trained; cells out of sight are trained seldom,
+// so that the brighter room needs every path to go on.
 TEST_F(PathTailTest, FurnaceGivesTheSumOfAllReflections) {
   for (const bool objects : {false, true}) {
     for (const float albedo : {0.3f, 0.7f}) {

@@ -214,6 +214,8 @@ void Renderer::Impl::record(gpu::Commands& commands) {
   path_variant.accesses = accesses;
   path_variant.bucket = bucket;
   path_variant.tail = info->tail;
+  path_variant.show_guide =
+      info->learns && constants.debug_view >= shared::kFirstGuideView && constants.debug_view < shared::kNanView;
 
   timer.reset(commands.handle());
   commands.set_timer(&timer);
@@ -241,8 +243,7 @@ void Renderer::Impl::record(gpu::Commands& commands) {
   dispatch("present", shaders.pass("present"), tiles(output_size.x, 8), tiles(output_size.y, 8));
 }
 
-void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw,
-                      const RenderSettings& asked) {
+void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw, const RenderSettings& asked) {
   Impl& r = *impl_;
   if (!snapshot.assets) {  // nothing loaded yet: an empty scene
     scene::FrameSnapshot empty = snapshot;

@@ -79,6 +79,7 @@ const gpu::ComputePipeline& ShaderSet::get(std::string_view name, const Variant&
                                gpu::SpecializationConstant{3, variant.accesses},
                                gpu::SpecializationConstant{4, variant.bucket},
                                gpu::SpecializationConstant{5, variant.tail},
+                               gpu::SpecializationConstant{6, variant.show_guide},
                                tracing[0],
                                tracing[1]};
     gpu::ComputePipeline pipeline(device_, table_, variant.ray_query ? shader.query : shader.plain, std::string(name),

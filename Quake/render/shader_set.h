@@ -14,15 +14,16 @@
 
 namespace fb::render {
 
-// What a tracing pipeline is specialised for (constants 0 to 5 of Shaders/lib; how trees are read is the device's).
+// What a tracing pipeline is specialised for (constants 0 to 6 of Shaders/lib; how trees are read is the device's).
 struct Variant {
   bool ray_query = false;
   bool candidates = false;  // alpha tests or translucency
   bool specular = false;
-  // Of estimators that learn (constants 2 to 5).
+  // Of estimators that learn (constants 2 to 6).
   bool resolve = false;
   std::uint32_t accesses = 1, bucket = 1;
   bool tail = false;
+  bool show_guide = false;  // r_debug 20 to 29
   auto operator<=>(const Variant&) const = default;
 };
 

@@ -1,7 +1,10 @@
-// What the guide knows at the first vertex, as colours: r_debug 20 and on.
+// What the guide knows at the first vertex, as colours: r_debug 20 to 29. Compiled only while it is looked at: lavapipe runs
+// both sides of a branch.
 #ifndef FB_LIB_GUIDE_DEBUG
 #define FB_LIB_GUIDE_DEBUG
 #include "lib/guide.glsl"
+
+layout(constant_id = 6) const bool SHOW_GUIDE = false;
 
 vec3 heat(float x) { return clamp(vec3(1.5 - abs(4.0 * x - 3.0), 1.5 - abs(4.0 * x - 2.0), 1.5 - abs(4.0 * x - 1.0)), 0.0, 1.0); }
 vec3 cell_color(uint h) {
@@ -34,13 +37,16 @@ vec3 guide_debug_color(PathVertex v, uint rng) {
   bool has_cache = cached.entry != kNoIndex;
   switch (frame.debug_view) {
     case 20u: return known ? view.direction * 0.5 + 0.5 : vec3(0.0);
-    case 21u: return known ? heat(1.0 - sqrt(view.spread)) : vec3(0.0);
-    case 22u: return known ? heat(clamp(log2(s.weight * view.scale) / 20.0 + 0.5, 0.0, 1.0)) : vec3(0.0);
+    case 21u: return known ? heat(clamp(-log2(max(view.spread, 1e-6)) / 16.0, 0.0, 1.0)) : vec3(0.0);
+    case 22u: return known ? heat(clamp(log2(s.weight * view.scale * exposure_state.exposure) / 16.0 + 0.7, 0.0, 1.0)) : vec3(0.0);
     case 23u: return known ? heat(float(s.count) / frame.guide_learn.z) : vec3(0.0);
     case 24u: return mix(heat(float(level) / 8.0), cell_color(key.hash), 0.3);
     case 25u: return collides ? vec3(1.0, 0.2, 0.1) : known ? vec3(0.1, 0.4, 0.1) : vec3(0.0);
     case 26u: return known ? heat(1.0 - float(min(guide_age(s), 64u)) / 64.0) : vec3(0.0);
-    case 27u: return has_cache ? sqrt(clamp(cached_reflection(cached.entry) * exposure_state.exposure, 0.0, 1.0)) : vec3(0.5, 0.0, 0.5);
+    case 27u: {
+      vec3 x = has_cache ? cached_reflection(cached.entry) * (0.5 * exposure_state.exposure) : vec3(0.0);
+      return has_cache ? sqrt(x / (1.0 + x)) : vec3(0.5, 0.0, 0.5);
+    }
     case 28u: {
       vec3 direction;
       sample_direction(v, true, frame.bounces <= 1u, rng, direction);

@@ -18,6 +18,9 @@ void main() {
   uint at = pixel.y * frame.width + pixel.x;
   GBufferTexel g = gbuffer[at];
   vec3 emission = g.emission_specular.rgb;
+#if ESTIMATOR_LEARNS
+  if (SHOW_GUIDE) ldr[at] = packUnorm4x8(vec4(0.0, 0.0, 0.0, 1.0));
+#endif
   if (g.position_t.w == 0.0 || g.albedo_roughness.rgb == vec3(0.0) && g.emission_specular.w == 0.0) {
     radiance[at] = vec4(emission, 0.0);
     return;
@@ -35,12 +38,13 @@ void main() {
                 g.emission_specular.w, float(g.material_metalness >> 24u) / 255.0);
 
 #if ESTIMATOR_LEARNS
-  if (frame.debug_view >= kFirstGuideView) {
+  if (SHOW_GUIDE) {
     guide_rng = rng_seed(at, frame.frame, 1u, frame.seed);
     ldr[at] = packUnorm4x8(vec4(guide_debug_color(v, rng_seed(at, frame.frame, 0u, frame.seed)), 1.0));
   }
 #endif
   vec3 sum = vec3(0.0);
+  float lost = 0.0;
   for (uint i = 0u; i < frame.spp; ++i) {
     uint rng = rng_seed(at, frame.frame, i, frame.seed);
     bool trains = false, goes_on = false;
@@ -53,9 +57,10 @@ void main() {
     vec3 estimate = trace_path(v, at * frame.spp + i, trains, goes_on, rng);
     if (any(isnan(estimate)) || any(isinf(estimate))) {
       atomicAdd(counters[kCounterNan], 1u);
+      lost += 1.0;
       estimate = vec3(0.0);
     }
     sum += estimate;
   }
-  radiance[at] = vec4(emission + sum / float(frame.spp), 0.0);
+  radiance[at] = vec4(emission + sum / float(frame.spp), lost);
 }

@@ -30,8 +30,16 @@ vec3 denoiser_color(uint at, GBufferTexel g) {
   }
 }
 
+// Pixels with samples that were not finite are red on this frame's picture in grey.
+vec3 lost_color(uint at) {
+  vec4 estimate = radiance[at];
+  return estimate.w > 0.0 ? vec3(1.0, 0.0, 0.0) : 0.5 * srgb_from_linear(filmic(vec3(luminance(estimate.rgb) * exposure_state.exposure)));
+}
+
 vec3 debug_color(uint at) {
   GBufferTexel g = gbuffer[at];
+  if (frame.debug_view == kNanView) return lost_color(at);
+  if (frame.debug_view >= kFirstGuideView) return vec3(0.0);  // the estimator learns nothing
   switch (frame.debug_view) {
     case 1u: return unpack_direction(g.normal) * 0.5 + 0.5;
     case 2u: return unpack_direction(g.shading_normal) * 0.5 + 0.5;
@@ -56,6 +64,6 @@ void main() {
   uvec2 pixel = invocation_pixel();
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
   uint at = pixel.y * frame.width + pixel.x;
-  if (frame.debug_view >= kFirstGuideView) return;
+  if (frame.debug_view >= kFirstGuideView && frame.debug_view != kNanView && frame.guide_states != 0u) return;
   ldr[at] = packUnorm4x8(vec4(debug_color(at), 1.0));
 }

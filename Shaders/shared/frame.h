@@ -5,11 +5,12 @@
 FB_NAMESPACE_BEGIN
 
 // Set 1: the frame.
-FB_CONST uint kBindGBuffer = 0u;          // GBufferTexel[pixels]
-FB_CONST uint kBindRadiance = 1u;         // vec4[pixels]: this frame's estimate (rgb, mean of its samples)
-FB_CONST uint kBindMean = 2u;             // vec4[pixels]: mean over the accumulated frames (rgb), w their number
-FB_CONST uint kBindM2 = 3u;               // vec4[pixels]: sum of squared deviations from that mean (Welford)
-FB_CONST uint kBindLdr = 4u;              // uint[pixels]: tone-mapped, sRGB, r lowest
+FB_CONST uint kBindGBuffer = 0u;  // GBufferTexel[pixels]
+FB_CONST uint kBindRadiance =
+    1u;                        // vec4[pixels]: this frame's estimate (mean of its samples); w: how many were not finite
+FB_CONST uint kBindMean = 2u;  // vec4[pixels]: mean over the accumulated frames (rgb), w their number
+FB_CONST uint kBindM2 = 3u;    // vec4[pixels]: sum of squared deviations from that mean (Welford)
+FB_CONST uint kBindLdr = 4u;   // uint[pixels]: tone-mapped, sRGB, r lowest
 FB_CONST uint kBindSmooth = 5u;           // uint[pixels]: after anti-aliasing
 FB_CONST uint kBindOutput = 6u;           // uint[output pixels]: what is shown
 FB_CONST uint kBindExposure = 7u;         // ExposureState, then the histogram
@@ -30,7 +31,8 @@ FB_CONST uint kHistogramBins = 128u;
 FB_CONST uint kDrawTile = 32u;  // output pixels a side
 
 FB_CONST uint kFirstGuideView =
-    20u;  // frame.debug_view from here on: estimators that learn write the picture themselves
+    20u;  // frame.debug_view from here to below kNanView: estimators that learn write the picture themselves
+FB_CONST uint kNanView = 30u;
 
 FB_CONST uint kMaxSuns = 4u;
 
