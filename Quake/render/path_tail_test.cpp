@@ -39,8 +39,8 @@ double mean_after(Renderer& renderer, const scene::FrameSnapshot& snapshot, cons
 }
 
 // Any number of reflections in a closed room of albedo a and emission e: e / (1 - a). What the cache lacks of it
-// shrinks by a share of 0.06 (1 - a) at most each time that a cell is trained; cells out of sight are trained seldom,
-// so that the brighter room needs every path to go on.
+// shrinks by a share of r_mc_cache_alpha (1 - a) at most each time that a cell is trained; cells out of sight are
+// trained seldom, so that the brighter room needs every path to go on.
 TEST_F(PathTailTest, FurnaceGivesTheSumOfAllReflections) {
   for (const bool objects : {false, true}) {
     for (const float albedo : {0.3f, 0.7f}) {

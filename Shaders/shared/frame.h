@@ -67,7 +67,7 @@ struct FrameConstants {
   vec4 guide_pick;   // exponent of weights in the mixture; largest and least probability of guiding; cache's angle
   uint guide_states, guide_cells, guide_flags, guide_frame;  // table sizes (powers of two); frames since the start
   uint train_every, tail_every;  // one in so many groups of paths trains; goes on where its tail is known
-  float cache_blend;  // least weight of a new frame in a mean of the irradiance cache
+  float cache_blend;             // least weight of a new frame in a mean of the irradiance cache
   uint guide_pad0;
   uint denoise, history_parity, history_valid, still;  // still: the same snapshot again, so nothing has moved
   float svgf_alpha, svgf_moments_alpha, sigma_depth, sigma_normal;
