@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -57,6 +58,21 @@ TEST_F(RendererTest, FurnaceGivesItsClosedForm) {
         EXPECT_LT(e.error, 1e-3 * expected);
         EXPECT_EQ(renderer->nan_count(), 0u);
       }
+    }
+  }
+}
+
+TEST_F(RendererTest, SamplesThatAreNotFiniteAreCountedAndShown) {
+  RenderSettings s = settings_for(Intersector::kBvh, 2, 1);
+  s.debug_view = 30;
+  s.fxaa = 0;
+  for (const bool lost : {false, true}) {
+    auto renderer = make_renderer(s, 16, 16);
+    renderer->render(scene::furnace(0.5f, lost ? std::numeric_limits<float>::infinity() : 1.0f), nullptr, s);
+    EXPECT_EQ(renderer->nan_count(), lost ? 16u * 16u * 2u : 0u);
+    for (const std::uint32_t pixel : renderer->read_output()) {
+      const std::uint32_t red = pixel & 255u, green = (pixel >> 8) & 255u;
+      ASSERT_EQ(lost, red == 255u && green == 0u) << red << ' ' << green;
     }
   }
 }
