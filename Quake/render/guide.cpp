@@ -14,6 +14,7 @@ namespace fb::render {
 namespace {
 
 constexpr std::uint64_t kStateBytes = 24, kProposalBytes = 32;
+constexpr float kMostShare = 0.98f;  // of guided samples: without any of the BSDF's, what no lobe covers would be lost
 constexpr std::uint32_t kFoldGroups = 64;    // of 64 invocations, which walk the list of touched cells
 constexpr std::uint32_t kGroupsWide = 4096;  // of the two-dimensional dispatch over proposals
 
@@ -62,8 +63,9 @@ void Guide::release() {
 void Guide::fill_constants(shared::FrameConstants& c, const RenderSettings& s, float pixel_tangent) {
   const float angle = std::tan(radians(s.mc_angle));
   c.guide_grid = vec4(std::max(angle, s.mc_pixels * pixel_tangent), s.mc_static_width, s.mc_adaptive, s.mc_coarser);
-  c.guide_learn = vec4(s.mc_share, s.mc_alpha, static_cast<float>(s.mc_count), s.mc_radius * s.mc_radius);
-  c.guide_pick = vec4(s.mc_power, std::max(s.mc_share_max, 0.0f), s.mc_share_min,
+  c.guide_learn =
+      vec4(std::min(s.mc_share, kMostShare), s.mc_alpha, static_cast<float>(s.mc_count), s.mc_radius * s.mc_radius);
+  c.guide_pick = vec4(s.mc_power, std::min(s.mc_share_max, kMostShare), std::min(s.mc_share_min, kMostShare),
                       std::max(2 * angle, s.mc_cache_pixels * pixel_tangent));
   c.guide_states = state_count_;
   c.guide_cells = cell_count_;
