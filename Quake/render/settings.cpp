@@ -33,7 +33,7 @@ void register_render_cvars(con::Console& console) {
                                std::is_same_v<type, int>, help));
   FB_RENDER_SETTINGS(FB_REGISTER)
 #undef FB_REGISTER
-  console.add_cvar("r_estimator", "pt", "how light is estimated; fullbright-lab estimators lists them",
+  console.add_cvar("r_estimator", "mcpg", "how light is estimated; fullbright-lab estimators lists them",
                    con::kCvarArchive);
   console.add_cvar(
       "r_intersector", "auto",
