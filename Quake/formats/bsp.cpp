@@ -368,7 +368,10 @@ std::int32_t BspParser::read_clip_child(std::size_t clip_node_count) {
   if (stored < clip_node_count) return static_cast<std::int32_t>(stored);
   const auto contents =
       static_cast<std::int32_t>(layout_.wide_indices ? stored : stored | 0xffff0000u);  // sign of the 16-bit value
-  if (contents >= 0) return contents;                                                   // refused by the caller
+  if (contents >= 0) {
+    mendings_.add(at, "clip node names a child that does not exist; taken as solid");
+    return kContentsSolid;
+  }
   if (contents < kContentsCurrentDown - 1) {
     mendings_.add(at, "clip node has unknown contents; taken as empty");
     return kContentsEmpty;
@@ -388,10 +391,6 @@ bool BspParser::read_clip_nodes() {
     if (node.plane >= bsp_.planes.size()) {
       return refuse(
           at, "clip node names plane " + std::to_string(node.plane) + " of " + std::to_string(bsp_.planes.size()));
-    }
-    const std::int32_t child = std::max(node.children[0], node.children[1]);
-    if (child >= 0 && static_cast<std::size_t>(child) >= count) {
-      return refuse(at, "clip node names child " + std::to_string(child) + " of " + std::to_string(count));
     }
   }
   // Compilers may merge equal clip nodes, so a child with several parents is fine here.

@@ -1,0 +1,90 @@
+// Quake's collision hulls: trees of planes whose leafs are contents. A hull has been grown by a box of its own, so that
+// moving that box through the map is moving a point through the hull. Hull 0 is the map's node tree (a point), 1 and 2
+// are its clip nodes for boxes of 32x32x56 and 64x64x88 units; a box that is no map has a hull of six planes.
+//
+// Numbers matter to the last bit: which side of a plane a point lies on decides what mods' monsters and players can do.
+// The order and width of each operation is Quake's as QuakeSpasm does it (hull_plane_distance).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/maths.h"
+#include "formats/bsp.h"
+
+namespace fb::world {
+
+// A node with its plane beside it: one cache line a step.
+struct HullNode {
+  vec3 normal{0.0f};
+  float distance = 0.0f;
+  std::int32_t type = 0;                    // below 3: the normal is that axis
+  std::array<std::int32_t, 2> children = {  // in front, behind: >= 0 a node, < 0 CONTENTS_*
+      formats::kContentsEmpty, formats::kContentsEmpty};
+};
+
+// A view of somebody's nodes (MapHulls, BoxHull), which must outlive it.
+struct Hull {
+  std::span<const HullNode> nodes;
+  std::int32_t first = formats::kContentsEmpty;  // root; < 0 where all is of one contents
+  vec3 clip_mins{0.0f}, clip_maxs{0.0f};         // of the box that the hull has been grown by
+};
+
+constexpr int kHullCount = 3;
+
+// The hulls of every model of a map. Copies what it needs of the map.
+class MapHulls {
+ public:
+  explicit MapHulls(const formats::Bsp& bsp);
+
+  std::uint32_t model_count() const { return static_cast<std::uint32_t>(heads_.size()); }
+  // `model` below model_count(), `which` 0..2.
+  Hull hull(std::uint32_t model, int which) const;
+
+ private:
+  std::vector<HullNode> nodes_, clip_nodes_;
+  std::vector<std::array<std::int32_t, kHullCount>> heads_;
+};
+
+// Which of a map's hulls stands for a moving box of this size: Quake looks at the width along x alone.
+int hull_for_size(const vec3& size);
+
+// A box from mins to maxs as a hull: solid inside.
+class BoxHull {
+ public:
+  BoxHull(const vec3& mins, const vec3& maxs);
+  Hull hull() const { return {nodes_, 0, vec3(0.0f), vec3(0.0f)}; }
+
+ private:
+  std::array<HullNode, 6> nodes_;
+};
+
+// How far a point is in front of a node's plane. Planes along an axis: one subtraction of floats. Others: products and
+// sums in double, the plane's distance taken off there as well, and rounded to float at the end.
+inline float hull_plane_distance(const HullNode& node, const vec3& p) {
+  if (node.type < 3) return p[node.type] - node.distance;
+  const double dot = static_cast<double>(node.normal.x) * p.x + static_cast<double>(node.normal.y) * p.y +
+                     static_cast<double>(node.normal.z) * p.z;
+  return static_cast<float>(dot - node.distance);
+}
+
+// CONTENTS_* at a point in the hull's space, from `node` on (SV_HullPointContents): a point on a plane is in front.
+inline std::int32_t hull_point_contents(const Hull& hull, std::int32_t node, const vec3& p) {
+  while (node >= 0) {
+    const HullNode& at = hull.nodes[static_cast<std::size_t>(node)];
+    node = at.children[hull_plane_distance(at, p) < 0.0f ? 1 : 0];
+  }
+  return node;
+}
+inline std::int32_t hull_point_contents(const Hull& hull, const vec3& p) {
+  return hull_point_contents(hull, hull.first, p);
+}
+
+// What the world holds at a point (SV_TruePointContents), and with currents taken as water, which is what QuakeC and
+// the physics are told (SV_PointContents).
+std::int32_t true_point_contents(const MapHulls& map, const vec3& p);
+std::int32_t sv_point_contents(const MapHulls& map, const vec3& p);
+
+}  // namespace fb::world

@@ -1,0 +1,163 @@
+#include "world/trace.h"
+
+#include <cmath>
+
+namespace fb::world {
+namespace {
+
+using formats::kContentsEmpty;
+using formats::kContentsSolid;
+
+// 1/32 of a unit; a double, as it makes the division below one of doubles.
+constexpr double kDistEpsilon = 0.03125;
+
+bool is_finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+vec3 between(const vec3& from, const vec3& to, float fraction) {
+  return {from.x + fraction * (to.x - from.x), from.y + fraction * (to.y - from.y),
+          from.z + fraction * (to.z - from.z)};
+}
+
+class HullCheck {
+ public:
+  HullCheck(const Hull& hull, Trace& trace) : hull_(hull), trace_(trace) {}
+
+  // The piece of the line from `from` at fraction from_f to `to` at to_f, below a node. False once something was hit.
+  // Recursion is as deep as the tree at most (formats::kMaxBspDepth): the far side of a plane goes round the loop.
+  bool walk(std::int32_t node, float from_f, float to_f, vec3 from, const vec3& to) {
+    while (node >= 0) {
+      const HullNode& at = hull_.nodes[static_cast<std::size_t>(node)];
+      const float d_from = hull_plane_distance(at, from), d_to = hull_plane_distance(at, to);
+      if (d_from >= 0.0f && d_to >= 0.0f) {
+        node = at.children[0];
+        continue;
+      }
+      if (d_from < 0.0f && d_to < 0.0f) {
+        node = at.children[1];
+        continue;
+      }
+      const Crossing crossing{at, from_f, to_f, from, to, d_from < 0.0f ? 1u : 0u};
+      if (++splits_ > kMaxTraceSplits) return stop(crossing, from_f, from);
+
+      const float fraction = near_side_fraction(d_from, d_to);
+      const float mid_f = from_f + (to_f - from_f) * fraction;
+      const vec3 mid = between(from, to, fraction);
+      if (!walk(at.children[crossing.near_side], from_f, mid_f, from, mid)) return false;
+      const std::int32_t far = at.children[1 - crossing.near_side];
+      if (hull_point_contents(hull_, far, mid) == kContentsSolid) return hit(crossing, fraction, mid_f, mid);
+      node = far;
+      from_f = mid_f;
+      from = mid;
+    }
+    note_contents(node);
+    return true;
+  }
+
+ private:
+  struct Crossing {
+    const HullNode& node;
+    float from_f, to_f;
+    const vec3& from;
+    const vec3& to;
+    std::size_t near_side;
+  };
+
+  // Where on the piece the plane is crossed, less kDistEpsilon on the near side.
+  static float near_side_fraction(float d_from, float d_to) {
+    const double way = d_from - d_to;  // a difference of floats, rounded to one
+    const double before = d_from < 0.0f ? d_from + kDistEpsilon : d_from - kDistEpsilon;
+    const auto fraction = static_cast<float>(before / way);
+    if (fraction < 0.0f) return 0.0f;
+    return fraction > 1.0f ? 1.0f : fraction;
+  }
+
+  void note_contents(std::int32_t contents) {
+    if (contents == kContentsSolid) {
+      trace_.start_solid = true;
+      return;
+    }
+    trace_.all_solid = false;
+    (contents == kContentsEmpty ? trace_.in_open : trace_.in_water) = true;
+  }
+
+  // What lies beyond the plane is solid.
+  bool hit(const Crossing& crossing, float fraction, float mid_f, vec3 mid) {
+    if (trace_.all_solid) return false;  // still in the solid it started in
+    while (hull_point_contents(hull_, mid) == kContentsSolid) {
+      fraction = static_cast<float>(fraction - 0.1);
+      if (!(fraction >= 0.0f)) break;  // drawn back to before the piece: stays where the last step left it
+      mid_f = crossing.from_f + (crossing.to_f - crossing.from_f) * fraction;
+      mid = between(crossing.from, crossing.to, fraction);
+    }
+    return stop(crossing, mid_f, mid);
+  }
+
+  bool stop(const Crossing& crossing, float at_f, const vec3& at) {
+    // Zero minus each component, so that no zero turns negative.
+    const HullNode& node = crossing.node;
+    trace_.plane = crossing.near_side == 0 ? TracePlane{node.normal, node.distance}
+                                           : TracePlane{vec3(0.0f) - node.normal, -node.distance};
+    trace_.fraction = at_f;
+    trace_.end_pos = at;
+    return false;
+  }
+
+  const Hull& hull_;
+  Trace& trace_;
+  int splits_ = 0;
+};
+
+Trace clip_move(const Hull& hull, const vec3& offset, const Move& move) {
+  Trace trace = trace_hull(hull, move.start - offset, move.end - offset);
+  // Taking the offset off and on again may round: a way that is free ends exactly where it was meant to.
+  trace.end_pos = trace.fraction == 1.0f ? move.end : trace.end_pos + offset;
+  return trace;
+}
+
+}  // namespace
+
+Trace trace_hull(const Hull& hull, const vec3& start, const vec3& end) {
+  Trace trace;
+  trace.all_solid = true;
+  trace.end_pos = end;
+  if (!is_finite(start) || !is_finite(end)) {
+    trace.start_solid = true;
+    trace.fraction = 0.0f;
+    trace.end_pos = start;
+    return trace;
+  }
+  HullCheck(hull, trace).walk(hull.first, 0.0f, 1.0f, start, end);
+  return trace;
+}
+
+Trace clip_move_to_model(const MapHulls& map, std::uint32_t model, const vec3& origin, const Move& move) {
+  const Hull hull = map.hull(model, hull_for_size(move.maxs - move.mins));
+  // Puts the corner of the box where the corner of the hull's own box is.
+  const vec3 offset = (hull.clip_mins - move.mins) + origin;
+  return clip_move(hull, offset, move);
+}
+
+Trace clip_move_to_box(const vec3& origin, const vec3& box_mins, const vec3& box_maxs, const Move& move) {
+  const BoxHull box(box_mins - move.maxs, box_maxs - move.mins);
+  return clip_move(box.hull(), origin, move);
+}
+
+Bounds move_bounds(const Move& move) {
+  Bounds bounds;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool forward = move.end[axis] > move.start[axis];
+    bounds.min[axis] = (forward ? move.start : move.end)[axis] + move.mins[axis] - 1.0f;
+    bounds.max[axis] = (forward ? move.end : move.start)[axis] + move.maxs[axis] + 1.0f;
+  }
+  return bounds;
+}
+
+bool merge_trace(Trace& so_far, const Trace& next) {
+  if (!next.all_solid && !next.start_solid && !(next.fraction < so_far.fraction)) return false;
+  const bool started_solid = so_far.start_solid;
+  so_far = next;
+  so_far.start_solid |= started_solid;
+  return true;
+}
+
+}  // namespace fb::world
