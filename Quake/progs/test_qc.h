@@ -1,0 +1,153 @@
+// QuakeC for tests: compiles a source with Debian's fteqcc, runs it, and collects what it put out. For tests.
+//
+//   class MyTest : public QcTest {};
+//   TEST_F(MyTest, Adds) {
+//     if (!start("void() main = { put(1 + 2); };")) GTEST_SKIP() << no_compiler();
+//     ASSERT_TRUE(run());
+//     EXPECT_EQ(output(), "3");
+//   }
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "base/log.h"
+#include "fs/file.h"
+#include "progs/vm.h"
+
+namespace fb::progs::testing {
+
+// Quake's own globals and fields, in QuakeC, from the engine's table of them.
+inline std::string system_source() {
+  const auto qc_type = [](Type type) {
+    return type == Type::kFunction ? std::string("void()") : std::string(type_name(type));
+  };
+  std::string text;
+  for (const auto& row : system_globals()) text += fmt::format("{} {};\n", qc_type(row.type), row.name);
+  text += "void end_sys_globals;\n";
+  for (const auto& row : system_fields()) text += fmt::format(".{} {};\n", qc_type(row.type), row.name);
+  text += "void end_sys_fields;\n";
+  return text;
+}
+
+// The test's own builtins: each adds to the output, with a space between.
+constexpr const char* kPutSource = R"(
+void(float x) put = #1000;
+void(string s) puts = #1001;
+void(vector v) putv = #1002;
+void(entity e) pute = #1003;
+)";
+
+struct Compiled {
+  bool has_compiler = true;
+  std::string output;  // the compiler's
+  Bytes progs;         // empty where it failed
+};
+
+inline Compiled compile(const std::string& source, const std::string& options = "-O0") {
+  namespace stdfs = std::filesystem;
+  static std::map<std::string, Compiled> done;  // several tests share a source
+  const std::string key = options + "\n" + source;
+  if (const auto found = done.find(key); found != done.end()) return found->second;
+  Compiled compiled;
+  if (std::system("command -v fteqcc >/dev/null 2>&1") != 0) {
+    compiled.has_compiler = false;
+    return compiled;
+  }
+  std::string folder = (stdfs::temp_directory_path() / "fullbright_qc_XXXXXX").string();
+  if (!mkdtemp(folder.data())) return compiled;
+  std::ofstream(folder + "/defs.qc") << system_source() << kPutSource;
+  std::ofstream(folder + "/test.qc") << source;
+  std::ofstream(folder + "/progs.src") << "progs.dat\ndefs.qc\ntest.qc\n";
+  const std::string command =
+      fmt::format("cd '{}' && fteqcc {} -Tstandard -srcfile progs.src >log.txt 2>&1", folder, options);
+  if (std::system(command.c_str()) == 0) {
+    if (auto bytes = fs::read_whole_file(folder + "/progs.dat")) compiled.progs = *bytes;
+  }
+  std::stringstream log;
+  log << std::ifstream(folder + "/log.txt").rdbuf();
+  compiled.output = log.str();
+  stdfs::remove_all(folder);
+  return done[key] = compiled;
+}
+
+inline std::string no_compiler() { return "fteqcc is not installed (Linux/install-deps.sh test)"; }
+
+class QcTest : public ::testing::Test {
+ protected:
+  void SetUp() override { set_log_level(LogLevel::kError); }
+  void TearDown() override { set_log_level(LogLevel::kInfo); }
+
+  // False where there is no compiler: skip the test. What does not compile or load is a failure of the test.
+  bool start(const std::string& source, const std::string& options = "-O0") {
+    const Compiled compiled = compile(source, options);
+    if (!compiled.has_compiler) return false;
+    EXPECT_FALSE(compiled.progs.empty()) << compiled.output;
+    auto program = load_program(compiled.progs, "progs.dat");
+    EXPECT_TRUE(program.ok()) << program.error().message;
+    if (!program.ok()) return true;
+    start(std::make_shared<Program>(std::move(program).value()));
+    return true;
+  }
+
+  void start(std::shared_ptr<const Program> program) {
+    BuiltinTable table = standard_builtins(services_);
+    add_put(table);
+    add_builtins(table);
+    auto vm = Vm::create(std::move(program), std::move(table), options_);
+    ASSERT_TRUE(vm.ok()) << vm.error().message;
+    vm_ = std::move(vm).value();
+    vm_->edicts().start_level(1);
+  }
+
+  virtual void add_builtins(BuiltinTable&) {}
+
+  Status run(const std::string& function = "main") {
+    if (!vm_) return Error{"nothing was started"};
+    output_.clear();
+    return vm_->execute(vm_->program().find_function(function));
+  }
+  // "" where QuakeC went well.
+  std::string error_of(const std::string& function = "main") {
+    const Status status = run(function);
+    return status.ok() ? "" : status.error().message;
+  }
+  const std::string& output() const { return output_; }
+  // Compiles, runs main() and returns what it put out, or the error.
+  std::string output_of(const std::string& body) {
+    if (!start(body)) return no_compiler();
+    const std::string error = error_of();
+    return error.empty() ? output_ : fmt::format("error: {}", error);
+  }
+  bool has_compiler() const { return compile("void() main = {};").has_compiler; }
+
+  std::unique_ptr<Vm> vm_;
+  Services services_;
+  VmOptions options_{.max_edicts = 64};
+
+ private:
+  void add(const std::string& text) {
+    if (!output_.empty()) output_ += ' ';
+    output_ += text;
+  }
+  void add_put(BuiltinTable& table) {
+    table.set(1000, "put", [this](Vm& vm) { add(fmt::format("{}", vm.parm_float(0))); });
+    table.set(1001, "puts", [this](Vm& vm) { add(fmt::format("[{}]", vm.parm_string(0))); });
+    table.set(1002, "putv", [this](Vm& vm) {
+      const vec3 v = vm.parm_vector(0);
+      add(fmt::format("({} {} {})", v.x, v.y, v.z));
+    });
+    table.set(1003, "pute", [this](Vm& vm) { add(fmt::format("e{}", index(vm.parm_entity(0)))); });
+  }
+  std::string output_;
+};
+
+}  // namespace fb::progs::testing

@@ -1,0 +1,209 @@
+#include "progs/vm.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/log.h"
+
+namespace fb::progs {
+
+Result<std::unique_ptr<Vm>> Vm::create(std::shared_ptr<const Program> program, BuiltinTable builtins,
+                                       const VmOptions& options) {
+  auto edicts = EdictStore::create(program->field_words, options.max_edicts);
+  if (!edicts) return Error{program->file + ": " + edicts.error().message};
+  return std::unique_ptr<Vm>(new Vm(std::move(program), std::move(builtins), options, std::move(edicts).value()));
+}
+
+Vm::Vm(std::shared_ptr<const Program> program, BuiltinTable builtins, const VmOptions& options, EdictStore edicts)
+    : program_(std::move(program)),
+      builtins_(std::move(builtins)),
+      options_(options),
+      strings_(program_->strings),
+      edicts_(std::move(edicts)),
+      globals_(program_->globals),
+      frames_(options.max_depth),
+      locals_(options.max_local_words),
+      profile_(program_->functions.size()) {
+  resolve_builtins();
+}
+
+Vm::~Vm() = default;
+
+void Vm::resolve_builtins() {
+  resolved_.resize(program_->functions.size());
+  for (std::size_t i = 1; i < resolved_.size(); ++i) {
+    const Function& function = program_->functions[i];
+    if (function.is_builtin()) {
+      const std::int64_t number = -static_cast<std::int64_t>(function.first_statement);
+      if (number <= BuiltinTable::kMaxNumber) resolved_[i] = builtins_.find(static_cast<std::uint32_t>(number));
+    } else if (function.first_statement == 0 && !function.name.empty()) {
+      // FTE's "= #0:name": no body (statement 0 belongs to no function), a builtin that is known by its name only.
+      if (const auto number = builtins_.number_of(function.name)) resolved_[i] = builtins_.find(number);
+    }
+  }
+}
+
+std::string_view Vm::function_name(FunctionId id) const {
+  return index(id) < program_->functions.size() ? program_->functions[index(id)].name : std::string_view();
+}
+
+Status Vm::execute(FunctionId function) {
+  if (nesting_ == 0) {
+    failed_ = false;
+    trace_ = false;
+  }
+  // A builtin that goes on although something failed gets the same answer again.
+  if (!failed_) {
+    if (function == FunctionId::kNull || index(function) >= program_->functions.size()) {
+      fail(fmt::format("the engine was to call function {}, which is none", index(function)));
+    } else if (nesting_ >= options_.max_nesting) {
+      fail(fmt::format("functions and builtins call each other {} deep", nesting_));
+    } else {
+      ++nesting_;
+      interpret(function);
+      --nesting_;
+    }
+  }
+  if (failed_) return Error{cause_};
+  return ok_status();
+}
+
+bool Vm::enter(FunctionId id) {
+  const Function& function = program_->functions[index(id)];
+  if (depth_ >= options_.max_depth) {
+    fail(fmt::format("functions call each other {} deep: stack overflow", depth_));
+    return false;
+  }
+  if (function.local_count > options_.max_local_words - locals_used_) {
+    fail(fmt::format("locals of the functions that wait take more than {} words", options_.max_local_words));
+    return false;
+  }
+  frames_[depth_++] = {statement_, function_};
+  Word* const locals = &globals_[function.first_local];
+  std::copy_n(locals, function.local_count, locals_.data() + locals_used_);
+  locals_used_ += function.local_count;
+
+  Word* to = locals;
+  for (std::uint32_t parm = 0; parm < function.parm_count; ++parm) {
+    const Word* const from = &globals_[kOfsParm0 + 3 * parm];
+    for (std::uint32_t word = 0; word < function.parm_sizes[parm]; ++word) *to++ = from[word];
+  }
+  function_ = id;
+  return true;
+}
+
+std::uint32_t Vm::leave() {
+  FB_CHECK(depth_ > 0);
+  const Function& function = program_->functions[index(function_)];
+  locals_used_ -= function.local_count;
+  std::copy_n(locals_.data() + locals_used_, function.local_count, &globals_[function.first_local]);
+  const Frame& frame = frames_[--depth_];
+  function_ = frame.function;
+  return statement_ = frame.statement;
+}
+
+void Vm::call_builtin(FunctionId id) {
+  const Builtin* builtin = resolved_[index(id)];
+  const Function& function = program_->functions[index(id)];
+  if (!builtin) {
+    fail(fmt::format("builtin #{} ({}) is not known here", -static_cast<std::int64_t>(function.first_statement),
+                     function.name));
+    return;
+  }
+  const int parm_count = parm_count_;
+  (*builtin)(*this);
+  parm_count_ = parm_count;
+}
+
+void Vm::fail(std::string_view cause) {
+  if (failed_) return;
+  failed_ = true;
+  backtrace_ = current_backtrace();
+  if (function_ == FunctionId::kNull) {
+    cause_ = fmt::format("{}: {}", program_->file, cause);
+  } else {
+    const Function& function = program_->functions[index(function_)];
+    cause_ =
+        fmt::format("{}: {} ({}), statement {}: {}", program_->file, function.name, function.file, statement_, cause);
+    log_line(LogLevel::kInfo, backtrace_);
+  }
+}
+
+std::string Vm::current_backtrace() const {
+  constexpr std::uint32_t kEnds = 16;  // of a deep one: the innermost and the outermost
+  std::string text;
+  std::uint32_t statement = statement_;
+  FunctionId id = function_;
+  for (std::uint32_t level = depth_;; --level) {
+    const std::uint32_t from_top = depth_ - level;
+    if (id != FunctionId::kNull && (from_top < kEnds || level < kEnds)) {
+      const Function& function = program_->functions[index(id)];
+      if (!text.empty()) text += '\n';
+      text += fmt::format("{:>12} : {}, statement {} ({})", function.file, function.name, statement,
+                          op_info(program_->statements[statement].op).name);
+    } else if (from_top == kEnds) {
+      text += "\n         ...";
+    }
+    if (level == 0) break;
+    statement = frames_[level - 1].statement;
+    id = frames_[level - 1].function;
+  }
+  return text;
+}
+
+void Vm::print_statement(std::uint32_t number) const {
+  const Statement& statement = program_->statements[number];
+  const OpInfo& info = op_info(statement.op);
+  std::string line = fmt::format("{:6} {:10}", number, info.name);
+  const auto add = [&](Operand kind, std::uint16_t operand) {
+    if (kind == Operand::kJump) line += fmt::format(" {:+}", jump_of(operand));
+    if (kind != Operand::kGlobal) return;
+    const Definition* definition = program_->global_at(operand);
+    line += definition ? fmt::format(" {}({})", operand, definition->name) : fmt::format(" {}", operand);
+  };
+  add(info.a, statement.a);
+  add(info.b, statement.b);
+  add(info.c, statement.c);
+  log_line(LogLevel::kInfo, line);
+}
+
+std::string_view Vm::parm_string(int i) {
+  const StringId id = parm_string_id(i);
+  if (const auto text = strings_.find(id)) return *text;
+  fail(fmt::format("parameter {} is string {}, which there is not", i + 1, static_cast<std::int32_t>(id)));
+  return "";
+}
+
+EdictId Vm::parm_entity(int i) {
+  const EdictId id{parm_words(i)[0]};
+  if (edicts_.valid(id)) return id;
+  fail(fmt::format("parameter {} is entity {}, of {}", i + 1, index(id), edicts_.count()));
+  return EdictId::kWorld;
+}
+
+std::uint32_t Vm::checked_field(Word value, std::uint32_t words) {
+  if (value <= program_->field_words - words) return value;
+  fail(fmt::format("field {}, of {} words", value, program_->field_words));
+  return kAbsent;
+}
+
+std::string Vm::parm_text_from(int first) {
+  std::string text;
+  for (int i = first; i < parm_count_; ++i) text += parm_string(i);
+  return text;
+}
+
+std::vector<ProfileRow> Vm::take_profile(std::size_t count) {
+  std::vector<ProfileRow> rows;
+  for (std::uint32_t i = 0; i < profile_.size(); ++i) {
+    if (profile_[i] > 0) rows.push_back({FunctionId{i}, profile_[i]});
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const ProfileRow& a, const ProfileRow& b) { return a.statements > b.statements; });
+  if (rows.size() > count) rows.resize(count);
+  for (const ProfileRow& row : rows) profile_[index(row.function)] = 0;
+  return rows;
+}
+
+}  // namespace fb::progs
