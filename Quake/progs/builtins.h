@@ -23,9 +23,6 @@
 namespace fb::con {
 class Console;
 }
-namespace fb::fs {
-class FileSystem;
-}
 
 namespace fb::progs {
 
@@ -64,10 +61,14 @@ class BuiltinTable {
 // without files none is found, without `rng` random() begins at the same number each time.
 struct Services {
   con::Console* console = nullptr;
-  const fs::FileSystem* files = nullptr;  // FRIK_FILE: game files below data/
-  Rng* rng = nullptr;                     // the engine's, seeded by -seed
-  // Without `print`, the log has it; `developer_print` (dprint) goes to the log while cvar developer is on.
-  std::function<void(std::string_view)> print, developer_print;
+  // FRIK_FILE: names as fs/path.h has them, all below data/ but for reading. Usually FileSystem::read and ::write.
+  std::function<std::optional<Bytes>(std::string_view name)> read_file;
+  std::function<Status(std::string_view name, ByteView data)> write_file;
+  Rng* rng = nullptr;  // the engine's, seeded by -seed
+  // Where text without an end of line goes: to the console (errors, eprint), to developers (dprint), to all players
+  // (bprint). Without the first the log has it; without the second, `print` has it while cvar developer is on; without
+  // the third, `print` has it.
+  std::function<void(std::string_view)> print, developer_print, broadcast;
 };
 
 // Numbers and names as Quake's defs.qc, dpextensions.qc and fteextensions.qc have them. All objects of `services` must
