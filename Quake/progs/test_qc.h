@@ -2,9 +2,7 @@
 //
 //   class MyTest : public QcTest {};
 //   TEST_F(MyTest, Adds) {
-//     if (!start("void() main = { put(1 + 2); };")) GTEST_SKIP() << no_compiler();
-//     ASSERT_TRUE(run());
-//     EXPECT_EQ(output(), "3");
+//     EXPECT_EQ(says("put(1 + 2);"), "3");
 //   }
 #pragma once
 
@@ -21,6 +19,7 @@
 
 #include "base/log.h"
 #include "fs/file.h"
+#include "progs/test_builtins.h"
 #include "progs/vm.h"
 
 namespace fb::progs::testing {
@@ -44,6 +43,7 @@ void(float x) put = #1000;
 void(string s) puts = #1001;
 void(vector v) putv = #1002;
 void(entity e) pute = #1003;
+void(string s) putnull = #1004;
 )";
 
 struct Compiled {
@@ -81,9 +81,13 @@ inline Compiled compile(const std::string& source, const std::string& options = 
 
 inline std::string no_compiler() { return "fteqcc is not installed (Linux/install-deps.sh test)"; }
 
+// Skips where there is no compiler.
 class QcTest : public ::testing::Test {
  protected:
-  void SetUp() override { set_log_level(LogLevel::kError); }
+  void SetUp() override {
+    set_log_level(LogLevel::kError);
+    if (!has_compiler()) GTEST_SKIP() << no_compiler();
+  }
   void TearDown() override { set_log_level(LogLevel::kInfo); }
 
   // False where there is no compiler: skip the test. What does not compile or load is a failure of the test.
@@ -127,6 +131,11 @@ class QcTest : public ::testing::Test {
     const std::string error = error_of();
     return error.empty() ? output_ : fmt::format("error: {}", error);
   }
+  // The same with the standard builtins declared: `statements` are main()'s.
+  std::string says(const std::string& statements, const std::string& before = "") {
+    return output_of(
+        std::string(kBuiltinSource).append(before).append("void() main = {").append(statements).append("};"));
+  }
   bool has_compiler() const { return compile("void() main = {};").has_compiler; }
 
   std::unique_ptr<Vm> vm_;
@@ -145,6 +154,7 @@ class QcTest : public ::testing::Test {
       const vec3 v = vm.parm_vector(0);
       add(fmt::format("({} {} {})", v.x, v.y, v.z));
     });
+    table.set(1004, "putnull", [this](Vm& vm) { add(vm.parm_string_id(0) == StringId::kNull ? "null" : "text"); });
     table.set(1003, "pute", [this](Vm& vm) { add(fmt::format("e{}", index(vm.parm_entity(0)))); });
   }
   std::string output_;

@@ -2,42 +2,186 @@
 
 #include <gmock/gmock.h>
 
+#include <vector>
+
 #include "progs/test_qc.h"
 
 namespace fb::progs {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
-class VmTest : public testing::QcTest {
- protected:
-  void SetUp() override {
-    QcTest::SetUp();
-    if (!has_compiler()) GTEST_SKIP() << testing::no_compiler();
-  }
-};
+class VmTest : public testing::QcTest {};
 
-TEST_F(VmTest, RunsAFunction) { EXPECT_EQ(output_of("void() main = { put(1 + 2); puts(\"a\"); };"), "3 [a]"); }
+TEST_F(VmTest, RunsAFunction) {
+  EXPECT_EQ(says("put(1 + 2); puts(\"a\"); putv('1 2 3'); pute(self);"), "3 [a] (1 2 3) e0");
+}
 
 TEST_F(VmTest, CallsAndRestoresLocals) {
   EXPECT_EQ(output_of(R"(
     float(float n) fib = { if (n < 2) return n; return fib(n - 1) + fib(n - 2); };
-    void() main = { put(fib(15)); };
+    float(float a, vector v, float b) mixed = { local float kept; kept = a + v_x + v_y + v_z + b;
+      if (a > 0) { mixed(a - 1, v, b); } return kept; };
+    void() main = { put(fib(15)); put(mixed(3, '10 20 30', 100)); };
   )"),
-            "610");
+            "610 163");
+}
+
+TEST_F(VmTest, OptimisedCodeRunsTheSame) {
+  const std::string source = R"(
+    .float count;
+    float(float n) sum = { local float i, s; for (i = 0; i < n; i++) { if (i == 3) continue; s = s + i; } return s; };
+    void() main = { self.count = sum(10); self.count = self.count * 2; put(self.count); if (!self.enemy) puts("none"); };
+  )";
+  for (const char* options : {"-O0", "-O1", "-O2"}) {
+    ASSERT_TRUE(start(source, options));
+    EXPECT_EQ(error_of(), "");
+    EXPECT_EQ(output(), "84 [none]") << options;
+  }
 }
 
 TEST_F(VmTest, StopsWhatNeverEnds) {
   options_.max_statements = 100000;
-  EXPECT_THAT(output_of("void() main = { while (1) { } };"), HasSubstr("more than 100000 statements"));
+  EXPECT_THAT(says("while (1) { }"), HasSubstr("main (test.qc), statement "));
+  EXPECT_THAT(says("while (1) { }"), HasSubstr("more than 100000 statements: a loop without end"));
 }
 
 TEST_F(VmTest, StopsRecursionWithoutEnd) {
   ASSERT_TRUE(start("void() deeper = { deeper(); }; void() main = { deeper(); };"));
   EXPECT_THAT(error_of(), HasSubstr("stack overflow"));
-  EXPECT_THAT(vm_->backtrace(), HasSubstr("test.qc : deeper, statement "));
-  EXPECT_THAT(vm_->backtrace(), HasSubstr("test.qc : main, statement "));
+  EXPECT_THAT(vm_->backtrace(), StartsWith("     test.qc : deeper, statement "));
+  EXPECT_THAT(vm_->backtrace(), HasSubstr("\n         ...\n"));
+  EXPECT_THAT(vm_->backtrace(), ::testing::ContainsRegex("\n     test.qc : main, statement [0-9]+ \\(CALL0\\)$"));
   EXPECT_FALSE(vm_->running());
+}
+
+TEST_F(VmTest, StopsLocalsWithoutEnd) {
+  options_.max_local_words = 1000;
+  ASSERT_TRUE(
+      start("void(float n) deeper = { local vector a, b, c, d; a = b = c = d; deeper(n); };"
+            "void() main = { deeper(1); };"));
+  EXPECT_THAT(error_of(), HasSubstr("take more than 1000 words"));
+}
+
+TEST_F(VmTest, TheBacktraceNamesEveryCaller) {
+  ASSERT_TRUE(
+      start("void() nothing; void() inner = { local void() f; f(); }; void() outer = { inner(); };"
+            "void() main = { outer(); };"));
+  const std::string error = error_of();
+  EXPECT_THAT(error,
+              ::testing::MatchesRegex("progs.dat: inner \\(test.qc\\), statement [0-9]+: call of a NULL function"));
+  EXPECT_THAT(vm_->backtrace(), ::testing::MatchesRegex("     test.qc : inner, statement [0-9]+ \\(CALL0\\)\n"
+                                                        "     test.qc : outer, statement [0-9]+ \\(CALL0\\)\n"
+                                                        "     test.qc : main, statement [0-9]+ \\(CALL0\\)"));
+}
+
+TEST_F(VmTest, GoesOnAfterAnError) {
+  ASSERT_TRUE(
+      start("float n; void(float x) bad = { local void() f; x = 5; f(); }; void() main = { n = n + 1; put(n);"
+            "if (n == 1) bad(1); };"));
+  EXPECT_NE(error_of(), "");
+  EXPECT_EQ(error_of(), "");
+  EXPECT_EQ(output(), "2");
+}
+
+TEST_F(VmTest, UnknownBuiltinsFailOnlyWhenCalled) {
+  const std::string before =
+      "void() later = #4000; void() far = #999999; void() main2 = { later(); };"
+      "void() main3 = { far(); };";
+  EXPECT_EQ(says("if (0) later(); puts(\"fine\");", before), "[fine]");
+  EXPECT_THAT(error_of("main2"), HasSubstr("builtin #4000 (later) is not known here"));
+  EXPECT_THAT(error_of("main3"), HasSubstr("builtin #999999 (far) is not known here"));
+}
+
+TEST_F(VmTest, BuiltinsWithoutNumberAreFoundByName) {
+  ASSERT_TRUE(start("float(string s) strlen = #0; void() main = { put(strlen(\"four\")); };"));
+  EXPECT_EQ(error_of(), "");
+  EXPECT_EQ(output(), "4");
+}
+
+TEST_F(VmTest, FunctionsThatAreNone) {
+  ASSERT_TRUE(start("void() main = {};"));
+  EXPECT_EQ(vm_->execute(FunctionId::kNull).error().message,
+            "progs.dat: the engine was to call function 0, which is none");
+  EXPECT_FALSE(vm_->execute(FunctionId{0xffffffff}).ok());
+  EXPECT_TRUE(run().ok());
+}
+
+TEST_F(VmTest, ABuiltinMayBeCalledByTheEngine) {
+  ASSERT_TRUE(start("void(entity e) remove = #15; void(string s) puts_too = #1001; void() main = {};"));
+  vm_->set_parm(0, vm_->strings().temporary("direct"));
+  EXPECT_EQ(error_of("puts_too"), "");
+  EXPECT_EQ(output(), "[direct]");
+}
+
+TEST_F(VmTest, TheEngineSetsParametersAndReadsResults) {
+  ASSERT_TRUE(
+      start("float(float a, vector v, string s, entity e) sum = { puts(s); pute(e); return a + v * v; };"
+            "string() name = { return \"named\"; };"));
+  vm_->set_parm(0, 1.0f);
+  vm_->set_parm(1, vec3(1, 2, 3));
+  vm_->set_parm(2, vm_->strings().temporary("text"));
+  vm_->set_parm(3, EdictId{1});
+  EXPECT_EQ(error_of("sum"), "");
+  EXPECT_EQ(output(), "[text] e1");
+  EXPECT_EQ(vm_->returned_float(), 15.0f);
+  EXPECT_EQ(error_of("name"), "");
+  EXPECT_EQ(vm_->returned_string(), "named");
+}
+
+// Builtins that call QuakeC again.
+class NestedTest : public testing::QcTest {
+ protected:
+  void add_builtins(BuiltinTable& table) override {
+    table.set(2000, "again", [this](Vm& vm) {
+      const FunctionId function = vm.parm_function(0);
+      statuses_.push_back(vm.execute(function).ok());
+      if (go_on_) statuses_.push_back(vm.execute(function).ok());
+      parm_count_ = vm.parm_count();
+    });
+  }
+  static constexpr const char* kAgain = "void(void() f) again = #2000;";
+  std::vector<bool> statuses_;
+  bool go_on_ = false;
+  int parm_count_ = -1;
+};
+
+TEST_F(NestedTest, QuakeCCallsQuakeCThroughABuiltin) {
+  EXPECT_EQ(
+      says("local float x; x = 3; again(inner); put(x);", std::string(kAgain) + "void() inner = { puts(\"in\"); };"),
+      "[in] 3");
+  EXPECT_EQ(parm_count_, 1);  // of its own call, whatever happened in between
+}
+
+TEST_F(NestedTest, ErrorsOfTheInnerEndTheOuter) {
+  go_on_ = true;
+  const std::string said = says(
+      "again(inner); puts(\"never\");",
+      std::string(kAgain) + "void() inner = { self = spawn(); remove(world); self = edict_num(99); breakpoint(); };");
+  EXPECT_THAT(said, HasSubstr("inner (test.qc)"));
+  EXPECT_THAT(said, HasSubstr("break statement"));
+  EXPECT_EQ(output(), "");
+  EXPECT_EQ(statuses_, std::vector<bool>({false, false}));
+  EXPECT_THAT(vm_->backtrace(), ::testing::MatchesRegex("     test.qc : inner, statement [0-9]+ \\(CALL0\\)\n"
+                                                        "     test.qc : main, statement [0-9]+ \\(CALL1\\)"));
+}
+
+TEST_F(NestedTest, NestingHasAnEnd) {
+  EXPECT_THAT(says("again(main);", kAgain), HasSubstr("call each other 128 deep"));
+}
+
+class TraceTest : public testing::QcTest {};
+
+TEST_F(TraceTest, PrintsStatementsFromTraceonToTraceoff) {
+  std::string log;
+  set_log_level(LogLevel::kInfo);
+  const int listener = add_log_listener([&](LogLevel, std::string_view line) { log.append(line).append("\n"); });
+  EXPECT_EQ(says("x = 1; traceon(); x = x + 41; traceoff(); x = x * 2; put(x);", "float x;"), "84");
+  remove_log_listener(listener);
+  EXPECT_THAT(log, HasSubstr("ADD_F"));
+  EXPECT_THAT(log, HasSubstr("(x)"));
+  EXPECT_THAT(log, ::testing::Not(HasSubstr("MUL_F")));
 }
 
 }  // namespace
