@@ -1,0 +1,56 @@
+#if defined(_WIN32)
+#include <ws2tcpip.h>
+#else
+#include <arpa/inet.h>
+#endif
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "net/network.h"
+
+namespace fb::net {
+
+std::string Address::to_string() const {
+  char text[INET6_ADDRSTRLEN] = "";
+  const bool v4 = family == Family::kIpv4;
+  inet_ntop(v4 ? AF_INET : AF_INET6, bytes.data(), text, sizeof text);
+  return v4 ? fmt::format("{}:{}", text, port) : fmt::format("[{}]:{}", text, port);
+}
+
+Address ipv4(std::uint8_t a, std::uint8_t b, std::uint8_t c, std::uint8_t d, std::uint16_t port) {
+  Address address;
+  address.bytes = {a, b, c, d};
+  address.port = port;
+  return address;
+}
+
+HostAndPort split_port(std::string_view text, std::uint16_t default_port) {
+  std::string_view host = text, port;
+  const std::size_t colon = text.rfind(':');
+  if (text.starts_with('[')) {
+    const std::size_t close = text.find(']');
+    host = text.substr(1, close == std::string_view::npos ? close : close - 1);
+    if (close != std::string_view::npos && text.substr(close).starts_with("]:")) port = text.substr(close + 2);
+  } else if (colon != std::string_view::npos && text.find(':') == colon) {  // more colons: IPv6 without a port
+    host = text.substr(0, colon);
+    port = text.substr(colon + 1);
+  }
+  std::uint16_t number = 0;
+  const auto [end, code] = std::from_chars(port.data(), port.data() + port.size(), number);
+  const bool good = code == std::errc() && end == port.data() + port.size() && number != 0;
+  return {std::string(host), good ? number : default_port};
+}
+
+std::optional<Address> parse_address(std::string_view text, std::uint16_t default_port) {
+  const auto [host, port] = split_port(text, default_port);
+  Address address;
+  address.port = port;
+  if (inet_pton(AF_INET, host.c_str(), address.bytes.data()) == 1) return address;
+  address.family = Family::kIpv6;
+  if (inet_pton(AF_INET6, host.c_str(), address.bytes.data()) == 1) return address;
+  return std::nullopt;
+}
+
+}  // namespace fb::net

@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include "net/network.h"
+
+namespace fb::net {
+namespace {
+
+TEST(Address, FromAndToText) {
+  const auto text = [](std::string_view from) {
+    const auto address = parse_address(from);
+    return address ? address->to_string() : "none";
+  };
+  EXPECT_EQ(text("192.0.2.1"), "192.0.2.1:26000");
+  EXPECT_EQ(text("192.0.2.1:26001"), "192.0.2.1:26001");
+  EXPECT_EQ(text("::1"), "[::1]:26000");
+  EXPECT_EQ(text("[::1]"), "[::1]:26000");
+  EXPECT_EQ(text("[2001:db8::2]:7"), "[2001:db8::2]:7");
+  EXPECT_EQ(text("192.0.2.1:"), "192.0.2.1:26000");
+  EXPECT_EQ(text("192.0.2.1:0"), "192.0.2.1:26000");
+  EXPECT_EQ(text("192.0.2.1:65536"), "192.0.2.1:26000");
+  EXPECT_EQ(text("192.0.2.1:12x"), "192.0.2.1:26000");
+  for (const char* bad : {"", "localhost", "256.1.1.1", "1.2.3", ":", "[", "[::1", "[]:1", "::g"})
+    EXPECT_EQ(text(bad), std::string_view(bad) == "[::1" ? "[::1]:26000" : "none") << bad;
+}
+
+TEST(Address, SplitsNames) {
+  EXPECT_EQ(split_port("quake.example:26005").host, "quake.example");
+  EXPECT_EQ(split_port("quake.example:26005").port, 26005);
+  EXPECT_EQ(split_port("quake.example", 5).port, 5);
+}
+
+TEST(Address, SameHost) {
+  const Address a = ipv4(192, 0, 2, 1, 1), b = ipv4(192, 0, 2, 1, 2), c = ipv4(192, 0, 2, 2, 1);
+  EXPECT_TRUE(a.same_host(b));
+  EXPECT_NE(a, b);
+  EXPECT_FALSE(a.same_host(c));
+  EXPECT_EQ(a.with_port(2), b);
+}
+
+// The machine's own sockets, among themselves.
+TEST(SystemNetwork, DatagramsComeAndGo) {
+  const auto network = system_network();
+  for (const Family family : {Family::kIpv4, Family::kIpv6}) {
+    auto a = network->open(family, 0), b = network->open(family, 0);
+    if (!a || !b) {
+      std::printf("no %s here: %s\n", family == Family::kIpv4 ? "IPv4" : "IPv6", (a ? b : a).error().message.c_str());
+      continue;
+    }
+    EXPECT_NE((*a)->port(), 0);
+    EXPECT_FALSE((*b)->receive_from().has_value()) << "does not block";
+    const Address there = *parse_address(family == Family::kIpv4 ? "127.0.0.1" : "::1", (*b)->port());
+    const Bytes sent(1432, 42);
+    (*a)->send_to(there, sent);
+    std::optional<Socket::Datagram> got;
+    for (int i = 0; i < 100000 && !got; ++i) got = (*b)->receive_from();
+    if (!got) GTEST_SKIP() << "nothing comes through the loopback interface";
+    EXPECT_EQ(Bytes(got->data.begin(), got->data.end()), sent);
+    EXPECT_EQ(got->from, there.with_port((*a)->port()));
+    (*b)->send_to(ipv4(127, 0, 0, 1, 1), Bytes(70000));  // too long, or of another family: lost
+    EXPECT_FALSE(network->open(family, (*b)->port()).ok()) << "taken";
+  }
+}
+
+TEST(SystemNetwork, Resolves) {
+  const auto network = system_network();
+  const auto numbers = network->resolve("127.0.0.1:5");
+  ASSERT_TRUE(numbers.ok());
+  EXPECT_EQ(numbers->to_string(), "127.0.0.1:5");
+  EXPECT_FALSE(network->resolve("").ok());
+  EXPECT_FALSE(network->resolve("no-such-host.invalid").ok());
+  if (const auto name = network->resolve("localhost:26007")) {
+    EXPECT_EQ(name->port, 26007);
+  }
+}
+
+}  // namespace
+}  // namespace fb::net

@@ -1,0 +1,92 @@
+// A connection over UDP, NetQuake's way: a reliable message goes in pieces of kFragment bytes, each numbered, each sent
+// again every second until the other side acknowledges its number, and only then the next. Unreliable messages have
+// numbers of their own; late ones are dropped. Only packets from the peer's address and port count.
+//
+// A client's request to connect may carry an invented address. So a server says nothing to a peer that has not yet
+// spoken from there to the port it was given, except a reliable message of one byte (svc_nop) every second, five times:
+// engines that do not speak first (Quake's own) acknowledge that one. See DatagramListener.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "net/connection.h"
+#include "net/network.h"
+#include "net/packet.h"
+
+namespace fb::net {
+
+struct DatagramStatistics {
+  std::uint64_t packets_sent = 0, packets_resent = 0, packets_received = 0;
+  std::uint64_t duplicates = 0, stale = 0, ignored = 0;  // received: again, too late, malformed or not the peer's
+  std::uint64_t unreliable_lost = 0;                     // gaps in the numbers of unreliable messages
+};
+
+class DatagramConnection final : public Connection {
+ public:
+  // What a listener knows of a connection that somebody else owns.
+  struct Peer {
+    Address address;
+    double last_heard = 0.0;
+    bool open = true;
+    std::string close_reason;
+  };
+
+  DatagramConnection(std::unique_ptr<Socket> socket, const Address& peer, double now, double timeout = kDefaultTimeout);
+  ~DatagramConnection() override;
+
+  bool can_send() const override { return is_open() && verified_ && in_flight_.empty(); }
+  Status send_reliable(ByteView message, double now) override;
+  Status send_unreliable(ByteView message, double now) override;
+  std::optional<ReceivedMessage> receive(double now) override;
+  bool is_open() const override { return peer_->open; }
+  std::string_view close_reason() const override { return peer_->close_reason; }
+  void close() override { close_because("closed"); }
+  std::string address() const override { return peer_->address.to_string(); }
+  bool is_local() const override { return false; }
+  std::size_t unreliable_limit() const override { return kDatagramMtu; }
+  double connect_time() const override { return connect_time_; }
+
+  const DatagramStatistics& statistics() const { return statistics_; }
+  void set_timeout(double seconds) { timeout_ = seconds; }
+  std::uint16_t local_port() const { return socket_->port(); }
+
+  // The listener's part. Doubts the peer until it has spoken; poll_peer asks for that and says whether it has.
+  void doubt_peer() { verified_ = false; }
+  bool poll_peer(double now);
+  std::shared_ptr<Peer> peer() const { return peer_; }
+
+ private:
+  void close_because(std::string_view reason);
+  Status check_message(ByteView message) const;
+  void send(const Packet& packet);
+  void send_fragment(double now, bool again);
+  void do_what_time_demands(double now);
+  std::optional<ReceivedMessage> read_packets(double now);
+  std::optional<ReceivedMessage> take(const Packet& packet, double now);
+  void take_ack(std::uint32_t sequence, double now);
+  std::optional<ReceivedMessage> take_fragment(const Packet& packet);
+
+  std::unique_ptr<Socket> socket_;
+  std::shared_ptr<Peer> peer_;
+  double connect_time_, timeout_;
+  bool verified_ = true;
+  int probes_ = 0;
+  double next_probe_;
+  std::optional<ReceivedMessage> early_;  // came while the listener waited
+
+  Bytes in_flight_;  // the reliable message that is being sent; empty: none
+  std::size_t in_flight_offset_ = 0;
+  double last_send_ = 0.0;
+  std::uint32_t send_sequence_ = 0;  // of the piece in flight, or the next one
+  std::uint32_t unreliable_send_sequence_ = 0;
+  Bytes arriving_;  // pieces so far
+  std::uint32_t receive_sequence_ = 0;
+  std::uint32_t unreliable_receive_sequence_ = 0;
+  DatagramStatistics statistics_;
+};
+
+}  // namespace fb::net

@@ -1,0 +1,173 @@
+// The system's UDP sockets. The one file that knows them.
+#include "net/network.h"
+
+#if defined(_WIN32)
+
+namespace fb::net {
+namespace {
+class NoNetwork final : public Network {
+  Result<std::unique_ptr<Socket>> open(Family, std::uint16_t) override {
+    return Error{"network: this build has no sockets for this system yet"};
+  }
+  Result<Address> resolve(std::string_view name, std::uint16_t default_port) override {
+    if (const auto address = parse_address(name, default_port)) return *address;
+    return Error{std::string(name) + ": this build cannot look up names on this system yet"};
+  }
+};
+}  // namespace
+std::unique_ptr<Network> system_network() { return std::make_unique<NoNetwork>(); }
+}  // namespace fb::net
+
+#else
+
+#include <fcntl.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace fb::net {
+namespace {
+
+struct SystemAddress {
+  sockaddr_storage storage{};
+  socklen_t size = sizeof(sockaddr_storage);
+  sockaddr* get() { return reinterpret_cast<sockaddr*>(&storage); }
+  const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&storage); }
+};
+
+SystemAddress to_system(const Address& address) {
+  SystemAddress system;
+  if (address.family == Family::kIpv4) {
+    sockaddr_in in{};
+    in.sin_family = AF_INET;
+    in.sin_port = htons(address.port);
+    std::memcpy(&in.sin_addr, address.bytes.data(), 4);
+    std::memcpy(&system.storage, &in, system.size = sizeof in);
+  } else {
+    sockaddr_in6 in{};
+    in.sin6_family = AF_INET6;
+    in.sin6_port = htons(address.port);
+    in.sin6_scope_id = address.scope;
+    std::memcpy(&in.sin6_addr, address.bytes.data(), 16);
+    std::memcpy(&system.storage, &in, system.size = sizeof in);
+  }
+  return system;
+}
+
+std::optional<Address> from_system(const sockaddr* system) {
+  Address address;
+  if (system->sa_family == AF_INET) {
+    sockaddr_in in;
+    std::memcpy(&in, system, sizeof in);
+    address.port = ntohs(in.sin_port);
+    std::memcpy(address.bytes.data(), &in.sin_addr, 4);
+    return address;
+  }
+  if (system->sa_family != AF_INET6) return std::nullopt;
+  sockaddr_in6 in;
+  std::memcpy(&in, system, sizeof in);
+  address.family = Family::kIpv6;
+  address.port = ntohs(in.sin6_port);
+  address.scope = in.sin6_scope_id;
+  std::memcpy(address.bytes.data(), &in.sin6_addr, 16);
+  return address;
+}
+
+class PosixSocket final : public Socket {
+ public:
+  PosixSocket(int handle, Family family) : handle_(handle), family_(family) {}
+  ~PosixSocket() override { ::close(handle_); }
+  PosixSocket(const PosixSocket&) = delete;
+  PosixSocket& operator=(const PosixSocket&) = delete;
+
+  void send_to(const Address& to, ByteView data) override {
+    if (to.family != family_) return;
+    const SystemAddress system = to_system(to);
+    (void)::sendto(handle_, data.data(), data.size(), 0, system.get(), system.size);
+  }
+  std::optional<Datagram> receive_from() override {
+    for (int interruptions = 0; interruptions < 16; ++interruptions) {
+      SystemAddress system;
+      const ssize_t size = ::recvfrom(handle_, buffer_.data(), buffer_.size(), 0, system.get(), &system.size);
+      if (size >= 0) {
+        const auto from = from_system(system.get());
+        if (!from) continue;
+        return Datagram{*from, ByteView(buffer_).first(static_cast<std::size_t>(size))};
+      }
+      // What another host said of an earlier packet says nothing of this one.
+      if (errno != EINTR && errno != ECONNREFUSED) break;
+    }
+    return std::nullopt;
+  }
+  std::uint16_t port() const override { return port_; }
+  Family family() const override { return family_; }
+  void set_port(std::uint16_t port) { port_ = port; }
+
+ private:
+  int handle_;
+  Family family_;
+  std::uint16_t port_ = 0;
+  Bytes buffer_ = Bytes(65536);
+};
+
+class PosixNetwork final : public Network {
+ public:
+  Result<std::unique_ptr<Socket>> open(Family family, std::uint16_t port) override {
+    const int handle = ::socket(family == Family::kIpv4 ? AF_INET : AF_INET6, SOCK_DGRAM, 0);
+    if (handle < 0) return failure("a UDP socket cannot be made");
+    auto socket = std::make_unique<PosixSocket>(handle, family);  // closes it if anything below fails
+    const int yes = 1;
+    ::setsockopt(handle, SOL_SOCKET, SO_BROADCAST, &yes, sizeof yes);
+    // The two families have a socket each, so that no address arrives in the other's clothes.
+    if (family == Family::kIpv6) ::setsockopt(handle, IPPROTO_IPV6, IPV6_V6ONLY, &yes, sizeof yes);
+    const int flags = ::fcntl(handle, F_GETFL);
+    if (flags < 0 || ::fcntl(handle, F_SETFL, flags | O_NONBLOCK) < 0 || ::fcntl(handle, F_SETFD, FD_CLOEXEC) < 0)
+      return failure("a UDP socket cannot be made not to block");
+    Address any;
+    any.family = family;
+    any.port = port;
+    SystemAddress system = to_system(any);
+    if (::bind(handle, system.get(), system.size) < 0)
+      return failure("UDP port " + std::to_string(port) + " cannot be had");
+    system.size = sizeof system.storage;
+    if (::getsockname(handle, system.get(), &system.size) < 0) return failure("a UDP socket does not know its port");
+    const auto bound = from_system(system.get());
+    if (!bound) return Error{"network: a UDP socket of an unknown family"};
+    socket->set_port(bound->port);
+    return std::unique_ptr<Socket>(std::move(socket));
+  }
+
+  Result<Address> resolve(std::string_view name, std::uint16_t default_port) override {
+    if (const auto address = parse_address(name, default_port)) return *address;
+    const auto [host, port] = split_port(name, default_port);
+    if (host.empty()) return Error{"network: no server is named"};
+    addrinfo wanted{};
+    wanted.ai_socktype = SOCK_DGRAM;
+    wanted.ai_flags = AI_ADDRCONFIG;
+    addrinfo* found = nullptr;
+    if (const int code = ::getaddrinfo(host.c_str(), nullptr, &wanted, &found); code != 0)
+      return Error{host + ": " + ::gai_strerror(code)};
+    std::optional<Address> address;
+    for (const addrinfo* at = found; at != nullptr && !address; at = at->ai_next) address = from_system(at->ai_addr);
+    ::freeaddrinfo(found);
+    if (!address) return Error{host + ": has no address that a game can use"};
+    return address->with_port(port);
+  }
+
+ private:
+  static Error failure(std::string_view what) {
+    return Error{"network: " + std::string(what) + " (" + std::strerror(errno) + ")"};
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Network> system_network() { return std::make_unique<PosixNetwork>(); }
+
+}  // namespace fb::net
+
+#endif

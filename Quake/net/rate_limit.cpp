@@ -1,0 +1,24 @@
+#include "net/rate_limit.h"
+
+#include <algorithm>
+
+#include "base/hash.h"
+
+namespace fb::net {
+
+bool RateLimit::Bucket::take(double now, double burst, double per_second) {
+  tokens = std::min(burst, tokens + std::max(0.0, now - time) * per_second);
+  time = std::max(time, now);
+  if (tokens < 1.0) return false;
+  tokens -= 1.0;
+  return true;
+}
+
+bool RateLimit::allow(const Address& source, double now) {
+  const std::size_t size = source.family == Family::kIpv4 ? 4 : 8;
+  const std::uint64_t hash = hash_bytes(source.bytes.data(), size, seed_);
+  // Who has had enough does not use up what is there for all.
+  return sources_[hash % sources_.size()].take(now, kBurst, kPerSecond) && all_.take(now, kBurstOfAll, kPerSecondOfAll);
+}
+
+}  // namespace fb::net
