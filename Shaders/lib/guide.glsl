@@ -103,49 +103,105 @@ float learnt_share(CacheCell cell) {
   return clamp(share < kLeastUseful ? 0.0 : share, frame.guide_pick.z, frame.guide_pick.y);
 }
 
-vec3 sample_direction(PathVertex v, bool first, bool last, inout uint rng, out vec3 direction) {
+// The mixture of lobes at a vertex.
+struct GuideMixture {
   VmfLobe lobes[kGuideLobes];
   vec2 weights[kGuideLobes];  // in the mixture; the state's score here
   GuideCell cells[GUIDE_ACCESSES];
-  guide.cell = first ? find_cache_cell(v.position, v.normal) : next_cell;
-  guide.cell_frames = guide.cell.entry != kNoIndex ? guide_cache[guide.cell.entry + kCacheCount] & 0xffffu : 0u;
-  guide.last = last;
-  guide.chosen = kNoIndex;
-  float total = 0.0, all = 0.0;
-  VmfLobe chosen = VmfLobe(v.normal, 0.0, 0.0);
-  float chosen_part = 0.0;
-  bool moved = (frame.guide_flags & kGuidePrevious) != 0u && v.previous != v.position;
+  float total, all;  // sums of the weights
+};
+
+// Takes states from the cells about the vertex, and chooses one lobe by weight.
+void load_mixture(PathVertex v, bool last, bool moved, inout uint rng, out GuideMixture mixture, out VmfLobe chosen,
+                  out float chosen_part) {
+  mixture.total = 0.0;
+  mixture.all = 0.0;
+  chosen = VmfLobe(v.normal, 0.0, 0.0);
+  chosen_part = 0.0;
   float stratum = rng_uniform(guide_rng);
   [[unroll]] for (uint a = 0u; a < GUIDE_ACCESSES; ++a) {
     bool adaptive = float(a) + stratum < frame.guide_grid.z * float(GUIDE_ACCESSES);
     bool from_past = moved && a + 1u == GUIDE_ACCESSES;
-    cells[a] = guide_cell(from_past ? v.previous : v.position, v.normal, adaptive);
+    GuideCell cell = guide_cell(from_past ? v.previous : v.position, v.normal, adaptive);
+    mixture.cells[a] = cell;
     [[unroll]] for (uint j = 0u; j < GUIDE_BUCKET; ++j) {
       uint i = a * GUIDE_BUCKET + j;
-      uvec4 words = guide_states[cells[a].first + j];
+      uvec4 words = guide_states[cell.first + j];
       GuideState s = unpack_guide_state(words);
-      if (guide_state_moves(words) && s.check == cells[a].check) s = add_guide_motion(s, load_guide_motion(cells[a].first + j));
+      if (guide_state_moves(words) && s.check == cell.check) s = add_guide_motion(s, load_guide_motion(cell.first + j));
       vec3 to_light = predicted_target(s) - v.position;
       float d2 = dot(to_light, to_light);
-      bool valid = s.check == cells[a].check && s.weight > 0.0 && d2 > 1e-6;
+      bool valid = s.check == cell.check && s.weight > 0.0 && d2 > 1e-6;
       GuideView view = view_state(s, valid ? to_light : v.normal, v.normal);
       float score = valid ? s.weight * view.scale : 0.0;
       float part = dot(view.direction, v.normal) > 0.0 ? (last ? score * s.emissive : score) : 0.0;
       if (frame.guide_pick.x != 1.0) part = part > 0.0 ? pow(part, frame.guide_pick.x) : 0.0;
-      lobes[i] = vmf_lobe(view.direction, vmf_kappa(view.spread));
-      weights[i] = vec2(part, score);
-      total += part;
-      all += weights[i].y;
-      if (rng_uniform(rng) * total < part) {
-        chosen = lobes[i];
+      mixture.lobes[i] = vmf_lobe(view.direction, vmf_kappa(view.spread));
+      mixture.weights[i] = vec2(part, score);
+      mixture.total += part;
+      mixture.all += score;
+      if (rng_uniform(rng) * mixture.total < part) {
+        chosen = mixture.lobes[i];
         chosen_part = part;
-        guide.chosen = cells[a].first + j;
+        guide.chosen = cell.first + j;
       }
     }
   }
-  guide.mean_score = all / float(kGuideLobes);
-  guide.has_lobes = total > 0.0;
-  guide.share = total > 0.0 ? learnt_share(guide.cell) : 0.0;
+}
+
+// The mixture's density in a direction, and which state the result will go to: of one of the cells, the one that explains
+// the direction best, or else the one that is worth least.
+void weigh_direction(GuideMixture mixture, vec3 direction, uint home) {
+  float best = 0.0, least = 3e38, best_part = 0.0;
+  uint best_slot = 0u, least_slot = 0u;
+  guide.guided_pdf = 0.0;
+  guide.near = false;
+  [[unroll]] for (uint i = 0u; i < kGuideLobes; ++i) {
+    VmfLobe lobe = mixture.lobes[i];
+    vec2 weight = mixture.weights[i];
+    float t = vmf_one_minus_cosine(lobe.mu, direction) * lobe.kappa;
+    float e = exp(-t), p = e * lobe.scale * weight.x;
+    guide.guided_pdf += p;
+    bool here = i / GUIDE_BUCKET == home;
+    float fit = e > kMatch ? max(p, e * 1e-30) : 0.0;
+    if (here && weight.y > 0.0 && fit > best) {
+      best = fit;
+      best_slot = i;
+      best_part = weight.x;
+      guide.near = t < 1.0;
+    }
+    // Light that no lobe stands for is found by the BSDF alone: its second moment is what a slot is worth.
+    float worth = weight.y * weight.y * lobe.scale;
+    if (here && worth < least) {
+      least = worth;
+      least_slot = i;
+    }
+  }
+  GuideCell cell = mixture.cells[0];
+  [[unroll]] for (uint a = 1u; a < GUIDE_ACCESSES; ++a) {
+    if (a == home) cell = mixture.cells[a];
+  }
+  guide.guided_pdf = mixture.total > 0.0 ? guide.guided_pdf / mixture.total : 0.0;
+  guide.matched = GUIDE_BUCKET > 1u && best > 0.0;
+  guide.slot = cell.first + (guide.matched ? best_slot : least_slot) % GUIDE_BUCKET;
+  guide.slot_check = cell.check;
+  guide.slot_part = mixture.total > 0.0 ? best_part / mixture.total : 0.0;
+  guide.slot_worth = least;
+}
+
+vec3 sample_direction(PathVertex v, bool first, bool last, inout uint rng, out vec3 direction) {
+  guide.cell = first ? find_cache_cell(v.position, v.normal) : next_cell;
+  guide.cell_frames = guide.cell.entry != kNoIndex ? guide_cache[guide.cell.entry + kCacheCount] & 0xffffu : 0u;
+  guide.last = last;
+  guide.chosen = kNoIndex;
+  GuideMixture mixture;
+  VmfLobe chosen;
+  float chosen_part;
+  bool moved = (frame.guide_flags & kGuidePrevious) != 0u && v.previous != v.position;
+  load_mixture(v, last, moved, rng, mixture, chosen, chosen_part);
+  guide.mean_score = mixture.all / float(kGuideLobes);
+  guide.has_lobes = mixture.total > 0.0;
+  guide.share = guide.has_lobes ? learnt_share(guide.cell) : 0.0;
 
   mat3 to_world = frame_about(v.shading_normal);
   vec3 view = v.view * to_world;
@@ -155,7 +211,7 @@ vec3 sample_direction(PathVertex v, bool first, bool last, inout uint rng, out v
   if (guided) {
     direction = vmf_sample(chosen.mu, chosen.kappa, u.xy);
     local = direction * to_world;
-    guide.chosen_part = chosen_part / total;
+    guide.chosen_part = chosen_part / mixture.total;
   } else {
     guide.chosen = kNoIndex;
     if (FEATURE_SPECULAR) bsdf_sample(v.bsdf, view, u, local);
@@ -163,42 +219,8 @@ vec3 sample_direction(PathVertex v, bool first, bool last, inout uint rng, out v
     direction = to_world * local;
   }
 
-  // The mixture's density, and which state the result will go to: of one of the cells, the one that explains the
-  // direction best, or else the one that is worth least.
   uint home = moved ? 0u : min(uint(rng_uniform(rng) * float(GUIDE_ACCESSES)), GUIDE_ACCESSES - 1u);
-  float best = 0.0, least = 3e38, best_part = 0.0;
-  uint best_slot = 0u, least_slot = 0u;
-  guide.guided_pdf = 0.0;
-  guide.near = false;
-  [[unroll]] for (uint i = 0u; i < kGuideLobes; ++i) {
-    float t = vmf_one_minus_cosine(lobes[i].mu, direction) * lobes[i].kappa;
-    float e = exp(-t), p = e * lobes[i].scale * weights[i].x;
-    guide.guided_pdf += p;
-    bool here = i / GUIDE_BUCKET == home;
-    float fit = e > kMatch ? max(p, e * 1e-30) : 0.0;
-    if (here && weights[i].y > 0.0 && fit > best) {
-      best = fit;
-      best_slot = i;
-      best_part = weights[i].x;
-      guide.near = t < 1.0;
-    }
-    // Light that no lobe stands for is found by the BSDF alone: its second moment is what a slot is worth.
-    float worth = weights[i].y * weights[i].y * lobes[i].scale;
-    if (here && worth < least) {
-      least = worth;
-      least_slot = i;
-    }
-  }
-  GuideCell home_cell = cells[0];
-  [[unroll]] for (uint a = 1u; a < GUIDE_ACCESSES; ++a) {
-    if (a == home) home_cell = cells[a];
-  }
-  guide.guided_pdf = total > 0.0 ? guide.guided_pdf / total : 0.0;
-  guide.matched = GUIDE_BUCKET > 1u && best > 0.0;
-  guide.slot = home_cell.first + (guide.matched ? best_slot : least_slot) % GUIDE_BUCKET;
-  guide.slot_check = home_cell.check;
-  guide.slot_part = total > 0.0 ? best_part / total : 0.0;
-  guide.slot_worth = least;
+  weigh_direction(mixture, direction, home);
 
   vec3 f;
   if (FEATURE_SPECULAR) {
