@@ -1,0 +1,92 @@
+#include "server/level.h"
+
+#include "base/log.h"
+
+namespace fb::sv {
+namespace {
+
+const con::Cvar& cvar(con::Console& console, std::string name, std::string value, std::string help,
+                      unsigned flags = con::kCvarPlain) {
+  if (const con::Cvar* known = console.find_cvar(name)) return *known;
+  return console.add_cvar(std::move(name), std::move(value), std::move(help), flags);
+}
+
+}  // namespace
+
+Cvars::Cvars(con::Console& console)
+    : gravity(cvar(console, "sv_gravity", "800", "how fast things fall, units per second squared")),
+      max_velocity(cvar(console, "sv_maxvelocity", "2000", "no speed along an axis is above this, units a second")),
+      friction(cvar(console, "sv_friction", "4", "how soon a player who does not walk stops")),
+      edge_friction(cvar(console, "edgefriction", "2", "the same, this much more, at the edge of a drop")),
+      stop_speed(cvar(console, "sv_stopspeed", "100", "friction is at least that of this speed, units a second")),
+      max_speed(cvar(console, "sv_maxspeed", "320", "how fast players run, units a second")),
+      accelerate(cvar(console, "sv_accelerate", "10", "how soon a player who walks is fast")),
+      no_step(cvar(console, "sv_nostep", "0", "1: players cannot climb stairs")),
+      aim(cvar(console, "sv_aim", "1", "cosine of the angle within which shots are bent to a target; 1: none are",
+               con::kCvarArchive)),
+      ideal_pitch_scale(cvar(console, "sv_idealpitchscale", "0.8", "how much the view follows slopes and stairs")),
+      skill(cvar(console, "skill", "1", "0 easy, 1 normal, 2 hard, 3 nightmare; counts from the next level")),
+      deathmatch(cvar(console, "deathmatch", "0", "players against each other; counts from the next level")),
+      coop(cvar(console, "coop", "0", "players with each other; counts from the next level")),
+      teamplay(cvar(console, "teamplay", "0", "what players of one team can do to each other: the mod's business")),
+      nomonsters(cvar(console, "nomonsters", "0", "1: levels have no monsters, where the mod asks")),
+      pausable(cvar(console, "pausable", "1", "players may pause the game")),
+      max_edicts(cvar(console, "max_edicts", "32000", "things that a level may have; counts from the next level")),
+      alt_noclip(cvar(console, "sv_altnoclip", "1", "noclip flies where one looks", con::kCvarArchive)),
+      freeze_nonclients(cvar(console, "sv_freezenonclients", "0", "1: everything but players stands still")) {}
+
+OptionalFields::OptionalFields(const progs::Program& program)
+    : gravity(program.field<float>("gravity")),
+      alpha(program.field<float>("alpha")),
+      scale(program.field<float>("scale")),
+      items2(program.field<float>("items2")) {}
+
+Level::Level(std::string map_name, std::shared_ptr<const formats::Bsp> map, std::unique_ptr<progs::Vm> machine,
+             con::Console& console, LevelEvents& events)
+    : map_name(std::move(map_name)),
+      bsp(std::move(map)),
+      hulls(*bsp),
+      areas(bsp->models.at(0).mins, bsp->models.at(0).maxs),
+      vm(std::move(machine)),
+      cvars(console),
+      optional(vm->program()),
+      events(events) {
+  vm->edicts().set_listener(this);
+}
+Level::~Level() { vm->edicts().set_listener(nullptr); }
+
+int Level::model_index(std::string_view name) const {
+  if (name.empty()) return 0;
+  for (std::size_t i = 1; i < models.size(); ++i)
+    if (models[i].name == name) return static_cast<int>(i);
+  return 0;
+}
+
+EdictExtra& Level::extra(EdictId id) {
+  if (index(id) >= extra_.size()) extra_.resize(std::max<std::size_t>(index(id) + 1, edicts().count()));
+  return extra_[index(id)];
+}
+
+bool Level::run(FunctionId function, EdictId self, EdictId other) { return run_at(function, self, other, time); }
+
+bool Level::run_at(FunctionId function, EdictId self, EdictId other, double at) {
+  if (failed()) return false;
+  if (function == FunctionId::kNull) return true;
+  vm->set(progs::globals::self, self);
+  vm->set(progs::globals::other, other);
+  vm->set(progs::globals::time, static_cast<float>(at));
+  if (Status status = vm->execute(function); !status) fail(status.error().message);
+  return !failed();
+}
+
+void Level::fail(std::string cause) {
+  if (!error_) error_ = Error{std::move(cause)};
+}
+
+void Level::edict_cleared(EdictId id) {
+  areas.unlink(static_cast<int>(index(id)));
+  extra(id) = EdictExtra{};
+}
+void Level::edict_freed(EdictId id) { areas.unlink(static_cast<int>(index(id))); }
+
+}  // namespace fb::sv
