@@ -1,0 +1,121 @@
+// The server: keeps the game from level to level, lets each level begin as Quake's SV_SpawnServer does, and takes it
+// through its frames. It knows no window and no client but over a connection.
+//
+//   sv::Server server(console, {.read_file = files.loader(), ...}, {.max_clients = 1});
+//   server.set_local_start([&] { ... connect over a loopback ... });
+//   server.clients().add_listener(loopback);
+//   console.execute("map start");                  // or server.map("start")
+//   each frame: server.frame(seconds_of_game, now);
+//
+// What a map, a mod or a save gets wrong ends at most the level, with one sentence in the log and in last_error(); the
+// console goes on. One thread uses a Server.
+//
+// Registers the console's map, changelevel, restart, save, load, edict, edicts, edictcount, profile, sv_run, sv_dump,
+// sv_protocol and what simulation and clients need. The console must outlive it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "base/rng.h"
+#include "console/console.h"
+#include "progs/builtins.h"
+#include "server/level.h"
+
+namespace fb::sv {
+
+class Clients;
+
+// What a server needs of the engine. All must outlive it.
+struct ServerServices {
+  // Game files by name, as FileSystem::read; a map's .ent counts if game_index_of is absent, or gives it a number that
+  // is not below the map's.
+  std::function<std::optional<Bytes>(std::string_view name)> read_file;
+  std::function<int(std::string_view name)> game_index_of;
+  // Saves and what QuakeC writes: FileSystem::write, whole or not at all.
+  std::function<Status(std::string_view name, ByteView data)> write_file;
+  Rng* rng = nullptr;  // QuakeC's random(), seeded by -seed; the server's own where there is none
+};
+
+struct ServerOptions {
+  int max_clients = 1;  // 1 to 16
+  bool dedicated = false;
+};
+
+// QuakeC's parm1 to parm16, which a player takes along from level to level.
+using SpawnParms = std::array<float, 16>;
+
+class Server {
+ public:
+  Server(con::Console& console, ServerServices services, const ServerOptions& options = {});
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  // As the console's commands of these names. What fails before the level that runs is given up leaves it running.
+  Status map(std::string_view name);          // a new game: serverflags and what players carry begin anew
+  Status changelevel(std::string_view name);  // players keep what SetChangeParms says
+  Status restart();                           // the level again, with what players came with
+  Status save(std::string_view name);         // NAME.sav; single player only
+  Status load(std::string_view name);
+  // Ends the game: everybody is dropped. Nothing happens where there is none.
+  void shutdown();
+
+  // One tick: new clients, what they say, physics unless paused, what they are told. `seconds` of game time, above 0;
+  // `now` as connections have it. Nothing happens without a game.
+  void frame(double seconds, double now);
+  // Frames one behind the other until this much of the game has gone by: sv_run. Of `step` seconds each.
+  Status run(double seconds, double step);
+
+  bool active() const { return level_ != nullptr; }
+  Level* level() { return level_.get(); }  // null without a game; another after each map
+  Clients& clients() { return *clients_; }
+  int max_clients() const { return options_.max_clients; }
+  // The number of players of the games to come. Fails while a game runs.
+  Status set_max_clients(int count);
+  // Called when `map` or `load` has begun a game, for a client in the same program to connect.
+  void set_local_start(std::function<void()> start) { local_start_ = std::move(start); }
+  // Why the last game ended or did not begin; nothing after a level has begun well.
+  const std::optional<Error>& last_error() const { return last_error_; }
+  // Every edict's fields, the globals and the time as text, which is the same for the same game.
+  std::string dump();
+
+  // For the parts of the server, and tests.
+  con::Console& console() { return console_; }
+  int skill() const { return skill_; }  // of the level that runs, 0 to 3
+  // QuakeC's changelevel: done before the next frame; the first one counts.
+  void request_changelevel(std::string name);
+
+ private:
+  struct LoadedMap;
+  struct Commands;
+  Result<LoadedMap> load_map(std::string_view name) const;
+  Status spawn_server(std::string_view name);
+  Status begin_level(LoadedMap map);
+  Status spawn_level();
+  void end_level(const Error& why);
+  void run_frame(double seconds, double now);
+
+  con::Console& console_;
+  ServerServices services_;
+  ServerOptions options_;
+  Rng own_rng_;
+  std::unique_ptr<Clients> clients_;
+  std::unique_ptr<Level> level_;
+  std::unique_ptr<Commands> commands_;
+  std::function<void()> local_start_;
+  std::optional<Error> last_error_;
+  std::string next_level_;     // of request_changelevel
+  float server_flags_ = 0.0f;  // QuakeC's serverflags, kept from level to level
+  int skill_ = 1;
+  double now_ = 0.0;
+};
+
+}  // namespace fb::sv
