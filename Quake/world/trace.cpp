@@ -11,7 +11,11 @@ using formats::kContentsSolid;
 // 1/32 of a unit; a double, as it makes the division below one of doubles.
 constexpr double kDistEpsilon = 0.03125;
 
-bool is_finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+// Far beyond any map; differences of such numbers are finite.
+bool is_reachable(const vec3& v) {
+  constexpr float kFarthest = 1e9f;
+  return std::fabs(v.x) <= kFarthest && std::fabs(v.y) <= kFarthest && std::fabs(v.z) <= kFarthest;
+}
 
 vec3 between(const vec3& from, const vec3& to, float fraction) {
   return {from.x + fraction * (to.x - from.x), from.y + fraction * (to.y - from.y),
@@ -67,7 +71,7 @@ class HullCheck {
     const double way = d_from - d_to;  // a difference of floats, rounded to one
     const double before = d_from < 0.0f ? d_from + kDistEpsilon : d_from - kDistEpsilon;
     const auto fraction = static_cast<float>(before / way);
-    if (fraction < 0.0f) return 0.0f;
+    if (!(fraction >= 0.0f)) return 0.0f;  // also where a plane that is no plane makes it no number
     return fraction > 1.0f ? 1.0f : fraction;
   }
 
@@ -120,7 +124,7 @@ Trace trace_hull(const Hull& hull, const vec3& start, const vec3& end) {
   Trace trace;
   trace.all_solid = true;
   trace.end_pos = end;
-  if (!is_finite(start) || !is_finite(end)) {
+  if (!is_reachable(start) || !is_reachable(end)) {
     trace.start_solid = true;
     trace.fraction = 0.0f;
     trace.end_pos = start;

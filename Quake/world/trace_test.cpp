@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "formats/test_files.h"
@@ -117,10 +118,25 @@ TEST(TraceHull, NotFiniteStays) {
     EXPECT_EQ(trace.end_pos, vec3(1, 2, 30));
     EXPECT_TRUE(trace_hull(pool().hull(), {0, bad, 0}, {1, 2, 30}).all_solid);
   }
-  // Differences of these are not finite: they must end somewhere all the same.
   const float huge = std::numeric_limits<float>::max();
-  (void)trace_hull(pool().hull(), vec3(huge), vec3(-huge));
-  (void)trace_hull(pool().hull(), vec3(-huge), vec3(huge));
+  EXPECT_TRUE(trace_hull(pool().hull(), vec3(huge), vec3(-huge)).all_solid) << "their difference is not finite";
+  EXPECT_FALSE(trace_hull(pool().hull(), {0, 0, 1e9f}, {0, 0, -1e9f}).all_solid);
+}
+
+// A map's normals may have any length.
+TEST(TraceHull, PlanesThatAreNoPlanes) {
+  const float huge = std::numeric_limits<float>::max();
+  for (const float length : {0.0f, 1e-30f, 1e30f, huge}) {
+    OwnedHull owned = pool();
+    for (HullNode& node : owned.nodes) {
+      node.type = 5;
+      node.normal = vec3(length, -length, length);
+      node.distance = length;
+    }
+    const Trace trace = trace_hull(owned.hull(), {1e8f, 0, 7}, {-1e8f, 5, -7});
+    EXPECT_TRUE(trace.fraction >= 0.0f && trace.fraction <= 1.0f) << length;
+    EXPECT_TRUE(std::isfinite(trace.end_pos.x)) << length;
+  }
 }
 
 // Where keeping 1/32 off a plane puts the end back into solid, it is drawn back by tenths of the piece: here out of the
