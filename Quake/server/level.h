@@ -89,6 +89,7 @@ class Level final : public progs::EdictListener {
   int max_clients = 1;
   bool loading = true;  // precaches are allowed
   bool paused = false;
+  bool loaded = false;  // from a save: who begins finds its edict as it was saved, then the pause ends
   EdictId last_checked_client = EdictId::kWorld;  // checkclient
   double last_check_time = 0.0;
 
