@@ -125,6 +125,7 @@ class QcTest : public ::testing::Test {
     return status.ok() ? "" : status.error().message;
   }
   const std::string& output() const { return output_; }
+  void clear_output() { output_.clear(); }
   // Compiles, runs main() and returns what it put out, or the error.
   std::string output_of(const std::string& body) {
     if (!start(body)) return no_compiler();

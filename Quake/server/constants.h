@@ -7,7 +7,7 @@ namespace fb::sv {
 
 // movetype
 constexpr int kMoveNone = 0, kMoveWalk = 3, kMoveStep = 4, kMoveFly = 5, kMoveToss = 6, kMovePush = 7, kMoveNoClip = 8,
-              kMoveFlyMissile = 9, kMoveBounce = 10;
+              kMoveFlyMissile = 9, kMoveBounce = 10, kMoveGib = 11;
 // solid
 constexpr int kSolidNot = 0, kSolidTrigger = 1, kSolidBBox = 2, kSolidSlideBox = 3, kSolidBsp = 4;
 // deadflag

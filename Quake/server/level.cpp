@@ -33,7 +33,9 @@ Cvars::Cvars(con::Console& console)
       pausable(cvar(console, "pausable", "1", "players may pause the game")),
       max_edicts(cvar(console, "max_edicts", "32000", "things that a level may have; counts from the next level")),
       alt_noclip(cvar(console, "sv_altnoclip", "1", "noclip flies where one looks", con::kCvarArchive)),
-      freeze_nonclients(cvar(console, "sv_freezenonclients", "0", "1: everything but players stands still")) {}
+      freeze_nonclients(cvar(console, "sv_freezenonclients", "0", "1: everything but players stands still")),
+      roll_angle(cvar(console, "cl_rollangle", "2.0", "roll when moving sideways, degrees")),
+      roll_speed(cvar(console, "cl_rollspeed", "200", "sideways speed of the full roll")) {}
 
 OptionalFields::OptionalFields(const progs::Program& program)
     : gravity(program.field<float>("gravity")),
@@ -42,7 +44,7 @@ OptionalFields::OptionalFields(const progs::Program& program)
       items2(program.field<float>("items2")) {}
 
 Level::Level(std::string map_name, std::shared_ptr<const formats::Bsp> map, std::unique_ptr<progs::Vm> machine,
-             con::Console& console, LevelEvents& events)
+             con::Console& console, LevelEvents& events, Rng& rng)
     : map_name(std::move(map_name)),
       bsp(std::move(map)),
       hulls(*bsp),
@@ -50,7 +52,8 @@ Level::Level(std::string map_name, std::shared_ptr<const formats::Bsp> map, std:
       vm(std::move(machine)),
       cvars(console),
       optional(vm->program()),
-      events(events) {
+      events(events),
+      rng(rng) {
   vm->edicts().set_listener(this);
 }
 Level::~Level() { vm->edicts().set_listener(nullptr); }

@@ -13,6 +13,7 @@
 
 #include "base/maths.h"
 #include "base/result.h"
+#include "base/rng.h"
 #include "console/console.h"
 #include "formats/bsp.h"
 #include "net/server_messages.h"
@@ -34,7 +35,7 @@ struct Cvars {
   explicit Cvars(con::Console& console);
   const con::Cvar &gravity, &max_velocity, &friction, &edge_friction, &stop_speed, &max_speed, &accelerate, &no_step,
       &aim, &ideal_pitch_scale, &skill, &deathmatch, &coop, &teamplay, &nomonsters, &pausable, &max_edicts, &alt_noclip,
-      &freeze_nonclients;
+      &freeze_nonclients, &roll_angle, &roll_speed;
 };
 
 // A precached model. Those of the map (its world and "*1" and on) have hulls.
@@ -72,7 +73,7 @@ class Level final : public progs::EdictListener {
  public:
   // `vm` has started its level (edicts of the world and the clients).
   Level(std::string map_name, std::shared_ptr<const formats::Bsp> bsp, std::unique_ptr<progs::Vm> vm,
-        con::Console& console, LevelEvents& events);
+        con::Console& console, LevelEvents& events, Rng& rng);
   ~Level() override;
 
   std::string map_name;  // "e1m1"
@@ -83,6 +84,7 @@ class Level final : public progs::EdictListener {
   Cvars cvars;
   OptionalFields optional;
   LevelEvents& events;
+  Rng& rng;  // the engine's, which QuakeC's random() draws from as well
 
   double time = 1.0;        // seconds, Quake's sv.time: levels begin at 1
   double frame_time = 0.1;  // of the frame that runs, Quake's host_frametime
