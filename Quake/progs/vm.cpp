@@ -69,40 +69,6 @@ Status Vm::execute(FunctionId function) {
   return ok_status();
 }
 
-bool Vm::enter(FunctionId id) {
-  const Function& function = program_->functions[index(id)];
-  if (depth_ >= options_.max_depth) {
-    fail(fmt::format("functions call each other {} deep: stack overflow", depth_));
-    return false;
-  }
-  if (function.local_count > options_.max_local_words - locals_used_) {
-    fail(fmt::format("locals of the functions that wait take more than {} words", options_.max_local_words));
-    return false;
-  }
-  frames_[depth_++] = {statement_, function_};
-  Word* const locals = &globals_[function.first_local];
-  std::copy_n(locals, function.local_count, locals_.data() + locals_used_);
-  locals_used_ += function.local_count;
-
-  Word* to = locals;
-  for (std::uint32_t parm = 0; parm < function.parm_count; ++parm) {
-    const Word* const from = &globals_[kOfsParm0 + 3 * parm];
-    for (std::uint32_t word = 0; word < function.parm_sizes[parm]; ++word) *to++ = from[word];
-  }
-  function_ = id;
-  return true;
-}
-
-std::uint32_t Vm::leave() {
-  FB_CHECK(depth_ > 0);
-  const Function& function = program_->functions[index(function_)];
-  locals_used_ -= function.local_count;
-  std::copy_n(locals_.data() + locals_used_, function.local_count, &globals_[function.first_local]);
-  const Frame& frame = frames_[--depth_];
-  function_ = frame.function;
-  return statement_ = frame.statement;
-}
-
 void Vm::call_builtin(FunctionId id) {
   const Builtin* builtin = resolved_[index(id)];
   const Function& function = program_->functions[index(id)];

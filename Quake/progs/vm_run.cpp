@@ -18,6 +18,49 @@ struct Vm::Run {
   std::uint32_t exit_depth;
 };
 
+namespace {
+
+// Functions have a handful of locals: a call of memcpy takes longer than the words one by one.
+inline void copy_words(const Word* from, std::uint32_t count, Word* to) {
+  for (std::uint32_t i = 0; i < count; ++i) to[i] = from[i];
+}
+
+}  // namespace
+
+inline bool Vm::enter(FunctionId id) {
+  const Function& function = program_->functions[index(id)];
+  if (depth_ >= options_.max_depth) {
+    fail(fmt::format("functions call each other {} deep: stack overflow", depth_));
+    return false;
+  }
+  if (function.local_count > options_.max_local_words - locals_used_) {
+    fail(fmt::format("locals of the functions that wait take more than {} words", options_.max_local_words));
+    return false;
+  }
+  frames_[depth_++] = {statement_, function_};
+  Word* const locals = &globals_[function.first_local];
+  copy_words(locals, function.local_count, locals_.data() + locals_used_);
+  locals_used_ += function.local_count;
+
+  Word* to = locals;
+  for (std::uint32_t parm = 0; parm < function.parm_count; ++parm) {
+    const Word* const from = &globals_[kOfsParm0 + 3 * parm];
+    for (std::uint32_t word = 0; word < function.parm_sizes[parm]; ++word) *to++ = from[word];
+  }
+  function_ = id;
+  return true;
+}
+
+inline std::uint32_t Vm::leave() {
+  FB_CHECK(depth_ > 0);
+  const Function& function = program_->functions[index(function_)];
+  locals_used_ -= function.local_count;
+  copy_words(locals_.data() + locals_used_, function.local_count, &globals_[function.first_local]);
+  const Frame& frame = frames_[--depth_];
+  function_ = frame.function;
+  return statement_ = frame.statement;
+}
+
 void Vm::interpret(FunctionId id) {
   const std::uint32_t statement = statement_;
   const int parm_count = parm_count_;
@@ -331,6 +374,8 @@ bool Vm::interpret_some(Run& run) {
       case Op::kEnd:
         stop("statements end without a return");
         return finish();
+      default:
+        __builtin_unreachable();  // the loader lets nothing else through
     }
   }
 

@@ -1,0 +1,75 @@
+// Compiles QuakeC with Debian's fteqcc. For tests and benchmarks.
+#pragma once
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "base/bytes.h"
+#include "fs/file.h"
+#include "progs/system_defs.h"
+
+namespace fb::progs::testing {
+
+// Quake's own globals and fields, in QuakeC, from the engine's table of them.
+inline std::string system_source() {
+  const auto qc_type = [](Type type) {
+    return type == Type::kFunction ? std::string("void()") : std::string(type_name(type));
+  };
+  std::string text;
+  for (const auto& row : system_globals()) text += fmt::format("{} {};\n", qc_type(row.type), row.name);
+  text += "void end_sys_globals;\n";
+  for (const auto& row : system_fields()) text += fmt::format(".{} {};\n", qc_type(row.type), row.name);
+  text += "void end_sys_fields;\n";
+  return text;
+}
+
+// The test's own builtins: each adds to the output, with a space between.
+constexpr const char* kPutSource = R"(
+void(float x) put = #1000;
+void(string s) puts = #1001;
+void(vector v) putv = #1002;
+void(entity e) pute = #1003;
+void(string s) putnull = #1004;
+)";
+
+struct Compiled {
+  bool has_compiler = true;
+  std::string output;  // the compiler's
+  Bytes progs;         // empty where it failed
+};
+
+inline Compiled compile(const std::string& source, const std::string& options = "-O0") {
+  namespace stdfs = std::filesystem;
+  static std::map<std::string, Compiled> done;  // several tests share a source
+  const std::string key = options + "\n" + source;
+  if (const auto found = done.find(key); found != done.end()) return found->second;
+  Compiled compiled;
+  if (std::system("command -v fteqcc >/dev/null 2>&1") != 0) {
+    compiled.has_compiler = false;
+    return compiled;
+  }
+  std::string folder = (stdfs::temp_directory_path() / "fullbright_qc_XXXXXX").string();
+  if (!mkdtemp(folder.data())) return compiled;
+  std::ofstream(folder + "/defs.qc") << system_source() << kPutSource;
+  std::ofstream(folder + "/test.qc") << source;
+  std::ofstream(folder + "/progs.src") << "progs.dat\ndefs.qc\ntest.qc\n";
+  const std::string command =
+      fmt::format("cd '{}' && fteqcc {} -Tstandard -srcfile progs.src >log.txt 2>&1", folder, options);
+  if (std::system(command.c_str()) == 0) {
+    if (auto bytes = fs::read_whole_file(folder + "/progs.dat")) compiled.progs = *bytes;
+  }
+  std::stringstream log;
+  log << std::ifstream(folder + "/log.txt").rdbuf();
+  compiled.output = log.str();
+  stdfs::remove_all(folder);
+  return done[key] = compiled;
+}
+
+}  // namespace fb::progs::testing
