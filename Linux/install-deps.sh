@@ -8,7 +8,8 @@ usage() {
   cat <<'TEXT'
 usage: Linux/install-deps.sh [--dry-run] [--quiet] [GROUP ...]
   build     what compiles the game, the laboratory and their tests, and a Vulkan driver to run them (the default)
-  test      build, and what the tests run with: validation layers, a virtual X server, a QuakeC compiler
+  test      build, and what the tests run with: validation layers, a virtual X server, a QuakeC compiler,
+            QuakeSpasm to compare with
   bench     build, and what the benchmarks compare against
   fuzz      build, and clang with libFuzzer
   coverage  test, and gcovr
@@ -24,7 +25,7 @@ packages_of() {
     build)
       echo g++ make cmake ninja-build pkg-config ccache glslang-tools libvulkan-dev mesa-vulkan-drivers libsdl2-dev \
         libglm-dev libfmt-dev libpng-dev libopenexr-dev libxxhash-dev libcli11-dev libgtest-dev libgmock-dev ;;
-    test) packages_of build; echo vulkan-validationlayers xvfb xauth imagemagick python3 fteqcc ;;
+    test) packages_of build; echo vulkan-validationlayers xvfb xauth imagemagick python3 fteqcc quakespasm ;;
     bench) packages_of build; echo libbenchmark-dev libembree-dev python3 fteqcc ;;
     fuzz) packages_of build; echo clang libclang-rt-dev llvm ;;
     coverage) packages_of test; echo gcovr ;;
