@@ -88,7 +88,9 @@ void Level::fail(std::string cause) {
 
 void Level::edict_cleared(EdictId id) {
   areas.unlink(static_cast<int>(index(id)));
-  extra(id) = EdictExtra{};
+  EdictExtra fresh;
+  fresh.baseline = extra(id).baseline;  // clients keep what they were told as they came, whoever has the number now
+  extra(id) = fresh;
 }
 void Level::edict_freed(EdictId id) { areas.unlink(static_cast<int>(index(id))); }
 

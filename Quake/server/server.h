@@ -27,17 +27,18 @@
 #include "base/rng.h"
 #include "console/console.h"
 #include "progs/builtins.h"
+#include "server/game_builtins.h"
 #include "server/level.h"
+#include "server/level_files.h"
+#include "server/save_game.h"
 
 namespace fb::sv {
 
-class Clients;
-
 // What a server needs of the engine. All must outlive it.
 struct ServerServices {
-  // Game files by name, as FileSystem::read; a map's .ent counts if game_index_of is absent, or gives it a number that
-  // is not below the map's.
-  std::function<std::optional<Bytes>(std::string_view name)> read_file;
+  // Game files by name, as FileSystem::read, and which game they are from, as FileSystem::game_index_of (may be
+  // absent).
+  FileReader read_file;
   std::function<int(std::string_view name)> game_index_of;
   // Saves and what QuakeC writes: FileSystem::write, whole or not at all.
   std::function<Status(std::string_view name, ByteView data)> write_file;
@@ -47,6 +48,7 @@ struct ServerServices {
 struct ServerOptions {
   int max_clients = 1;  // 1 to 16
   bool dedicated = false;
+  bool standard_quake = true;  // see ClientsOptions
 };
 
 // QuakeC's parm1 to parm16, which a player takes along from level to level.
@@ -74,6 +76,9 @@ class Server {
   // Frames one behind the other until this much of the game has gone by: sv_run. Of `step` seconds each.
   Status run(double seconds, double step);
 
+  // Single player's time stands while the console or a menu is open.
+  void hold(bool held) { held_ = held; }
+
   bool active() const { return level_ != nullptr; }
   Level* level() { return level_.get(); }  // null without a game; another after each map
   Clients& clients() { return *clients_; }
@@ -94,28 +99,37 @@ class Server {
   void request_changelevel(std::string name);
 
  private:
-  struct LoadedMap;
   struct Commands;
-  Result<LoadedMap> load_map(std::string_view name) const;
-  Status spawn_server(std::string_view name);
-  Status begin_level(LoadedMap map);
-  Status spawn_level();
-  void end_level(const Error& why);
-  void run_frame(double seconds, double now);
+  Status spawn_server(const LoadedMap& map);  // the level begins, up to its settling frames; clients know nothing yet
+  Result<std::unique_ptr<progs::Vm>> make_vm(const LoadedMap& map);
+  Status resume(const SaveGame& save, std::string_view name);
+  void choose_rules();
+  std::uint32_t edict_limit() const;
+  void set_level_globals(const LoadedMap& map);
+  Status begin(const LoadedMap& map);  // spawn_server, then clients are told
+  Status end_level(const Error& why);
+  void run_frame(double seconds);
+  void run_physics(double seconds);
+  bool stands_still() const;
+  LevelFiles level_files() const { return {services_.read_file, services_.game_index_of}; }
+  LevelModel model_box(std::string_view name);
 
   con::Console& console_;
   ServerServices services_;
   ServerOptions options_;
   Rng own_rng_;
   std::unique_ptr<Clients> clients_;
+  GameContext context_;
   std::unique_ptr<Level> level_;
-  std::unique_ptr<Commands> commands_;
+  std::map<std::string, LevelModel, std::less<>> model_boxes_;  // of files read once
   std::function<void()> local_start_;
   std::optional<Error> last_error_;
   std::string next_level_;     // of request_changelevel
   float server_flags_ = 0.0f;  // QuakeC's serverflags, kept from level to level
   int skill_ = 1;
+  bool held_ = false;
   double now_ = 0.0;
+  std::unique_ptr<Commands> commands_;  // goes first: its handlers call all of the above
 };
 
 }  // namespace fb::sv

@@ -1,0 +1,130 @@
+#include "server/save_game.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include "progs/text_tokens.h"
+
+namespace fb::sv {
+namespace {
+
+namespace fields = progs::fields;
+namespace globals = progs::globals;
+
+constexpr std::string_view kBlanks = " \t\r\n";
+
+// Takes the next word off the front; empty at the end.
+std::string_view take_word(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+  const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+std::optional<float> take_number(std::string_view& text) { return con::parse_number(take_word(text)); }
+
+Error cut_short(std::string_view name, std::string_view what) {
+  return Error{fmt::format("{}: the saved game has no {}, or one that makes no sense", name, what)};
+}
+
+// Our own names for edicts' looks that the mod has no field for.
+std::string extra_lines(const Level& level, const EdictExtra& extra) {
+  std::string lines;
+  if (!level.optional.alpha && extra.alpha != net::kAlphaDefault)
+    lines += fmt::format("\"alpha\" \"{:f}\"\n", net::decode_alpha(extra.alpha));
+  if (!level.optional.scale && extra.scale != net::kScaleDefault)
+    lines += fmt::format("\"scale\" \"{:f}\"\n", net::decode_scale(extra.scale));
+  return lines;
+}
+
+}  // namespace
+
+Result<SaveGame> parse_save(std::string_view text, std::string_view name) {
+  SaveGame save;
+  SaveHeader& header = save.header;
+  const auto version = take_number(text);
+  if (!version) return Error{fmt::format("{}: no saved game", name)};
+  if (*version != static_cast<float>(kSaveVersion))
+    return Error{fmt::format("{}: a saved game of version {}, not {}", name, *version, kSaveVersion)};
+  header.comment = take_word(text);
+  for (float& parm : header.spawn_parms) {
+    const auto value = take_number(text);
+    if (!value) return cut_short(name, "spawn parms");
+    parm = *value;
+  }
+  const auto skill = take_number(text);
+  if (!skill) return cut_short(name, "skill");
+  header.skill = std::clamp(progs::to_int(*skill + 0.1f), 0, 3);
+  header.map = take_word(text);
+  if (header.map.empty()) return cut_short(name, "map");
+  const std::string time(take_word(text));
+  char* end = nullptr;
+  header.time = std::strtod(time.c_str(), &end);
+  if (time.empty() || *end != '\0' || !std::isfinite(header.time) || header.time < 0.0) return cut_short(name, "time");
+  for (int i = 0; i < net::kMaxLightStyles; ++i) {
+    header.light_styles.emplace_back(take_word(text));
+    if (header.light_styles.back().empty()) return cut_short(name, "light styles");
+  }
+  save.entities = text;
+  return save;
+}
+
+std::string save_comment(std::string_view level_name, int kills, int monsters) {
+  std::string comment(level_name.substr(0, std::min<std::size_t>(level_name.find_first_of("\r\n"), 22)));
+  comment.resize(22, ' ');
+  comment += fmt::format("kills:{:3}/{:3}", kills, monsters);
+  comment.resize(kSaveCommentLength, ' ');
+  std::replace_if(
+      comment.begin(), comment.end(), [](char c) { return kBlanks.find(c) != std::string_view::npos || c == '\0'; },
+      '_');
+  return comment;
+}
+
+std::string write_save(Level& level, const std::array<float, 16>& spawn_parms, int skill) {
+  const progs::Vm& vm = *level.vm;
+  const std::string_view message = vm.text(level.world_edict().get(fields::message));
+  std::string text = fmt::format(
+      "{}\n{}\n", kSaveVersion,
+      save_comment(message.empty() ? std::string_view(level.map_name) : message,
+                   progs::to_int(vm.get(globals::killed_monsters)), progs::to_int(vm.get(globals::total_monsters))));
+  for (const float parm : spawn_parms) text += fmt::format("{:f}\n", parm);
+  text += fmt::format("{}\n{}\n{:f}\n", skill, level.map_name, level.time);
+  for (const std::string& style : level.light_styles) {
+    const bool is_word = !style.empty() && style.find_first_of(kBlanks) == std::string::npos;
+    text += (is_word ? style : "m") + "\n";
+  }
+  text += progs::write_globals(vm);
+  for (EdictId id{}; vm.edicts().valid(id); id = next(id))
+    text += progs::write_edict(*level.vm, id, extra_lines(level, level.extra(id)));
+  return text;
+}
+
+Status read_saved_entities(progs::Vm& vm, std::string_view text, std::string_view name, const EdictVisitor& looks) {
+  const auto named = [&](const Error& error) { return Error{fmt::format("{}: {}", name, error.message)}; };
+  bool is_globals = true;
+  EdictId id{};
+  while (const auto token = progs::take_token(text)) {
+    if (!token->is('{')) return Error{fmt::format("{}: found {} where a {{ should be", name, token->text)};
+    if (is_globals) {
+      if (Status status = progs::parse_globals(vm, text); !status) return named(status.error());
+      is_globals = false;
+      continue;
+    }
+    if (const auto made = vm.edicts().revive(id); !made) return named(made.error());
+    const auto read = progs::parse_edict(vm, id, text);
+    if (!read) return named(read.error());
+    // A player who has not begun has no fields, and is no free edict for that.
+    if (read->empty && index(id) > vm.edicts().reserved()) vm.edicts().mark_free(id);
+    if (looks) looks(id, *read);
+    id = next(id);
+  }
+  if (index(id) <= vm.edicts().reserved()) return Error{fmt::format("{}: the saved game has no player", name)};
+  for (; vm.edicts().valid(id); id = next(id)) vm.edicts().free(id, 0.0);
+  return ok_status();
+}
+
+}  // namespace fb::sv

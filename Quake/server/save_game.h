@@ -1,0 +1,50 @@
+// Saved games: QuakeSpasm's text, version 5, which Quake has had from the start. Lines: the version; a comment of 39
+// letters for menus, with _ for blanks; the player's 16 spawn parms; the skill; the map; the time; 64 light styles;
+// then the globals and each edict in braces, as in maps, a free edict as {}.
+//
+// Files come from anywhere: reading checks the whole of one before anything of the game that runs is given up.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "progs/entity_text.h"
+#include "server/level.h"
+
+namespace fb::sv {
+
+constexpr int kSaveVersion = 5;
+constexpr std::size_t kSaveCommentLength = 39;
+
+struct SaveHeader {
+  std::string comment;  // as in the file
+  std::array<float, 16> spawn_parms{};
+  int skill = 1;
+  std::string map;
+  double time = 0.0;
+  std::vector<std::string> light_styles;  // 64
+};
+struct SaveGame {
+  SaveHeader header;
+  std::string entities;  // the globals and edicts, as text
+};
+
+// `name` is what errors call the file.
+Result<SaveGame> parse_save(std::string_view text, std::string_view name);
+std::string write_save(Level& level, const std::array<float, 16>& spawn_parms, int skill);
+// "The Slipgate Complex__kills:__3/_22____".
+std::string save_comment(std::string_view level_name, int kills, int monsters);
+
+// Reads globals and edicts into a virtual machine whose level has begun: those of the save are in use or free as it
+// says, those beyond are freed. Fails where the text is malformed, names what the program has not, or has more edicts
+// than the machine.
+// `looks` is given each edict's keys that the program has no field for.
+using EdictVisitor = std::function<void(EdictId id, const progs::EdictText& text)>;
+Status read_saved_entities(progs::Vm& vm, std::string_view entities, std::string_view name,
+                           const EdictVisitor& looks = nullptr);
+
+}  // namespace fb::sv

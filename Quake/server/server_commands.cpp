@@ -1,0 +1,138 @@
+#include "server/server_commands.h"
+
+#include <fmt/format.h>
+
+#include "base/log.h"
+#include "progs/entity_text.h"
+
+namespace fb::sv {
+namespace {
+
+namespace fields = progs::fields;
+
+void report(const Status& status) {
+  if (!status) log_error("{}", status.error().message);
+}
+
+double run_step(const con::Console& console) {
+  const con::Cvar* fixed = console.find_cvar("host_framerate");
+  return fixed && fixed->value() > 0.0f ? static_cast<double>(fixed->value()) : 0.1;
+}
+
+void print_counts(Level& level) {
+  int active = 0, seen = 0, touching = 0, stepping = 0;
+  for (EdictId id{}; level.edicts().valid(id); id = next(id)) {
+    const Edict edict = level.edict(id);
+    if (edict.is_free()) continue;
+    ++active;
+    seen += edict.get(fields::model) != StringId::kNull ? 1 : 0;
+    touching += edict.get(fields::solid) != 0.0f ? 1 : 0;
+    stepping += edict.get(fields::movetype) == static_cast<float>(kMoveStep) ? 1 : 0;
+  }
+  log_info("num_edicts:{:3}\nactive    :{:3}\nview      :{:3}\ntouch     :{:3}\nstep      :{:3}",
+           level.edicts().count(), active, seen, touching, stepping);
+}
+
+void print_profile(Level& level) {
+  constexpr std::size_t kRows = 10;
+  for (const progs::ProfileRow& row : level.vm->take_profile(kRows))
+    log_info("{:7} {}", row.statements, level.vm->function_name(row.function));
+}
+
+}  // namespace
+
+Server::Commands::Commands(Server& server, const ServerOptions& options) : server_(server) {
+  add_game_commands();
+  add_save_commands();
+  add_edict_commands();
+  if (options.dedicated) add_player_commands();
+}
+
+Server::Commands::~Commands() {
+  for (const std::string& name : names_) server_.console_.remove_command(name);
+}
+
+void Server::Commands::add(std::string name, std::string help, con::Handler handler) {
+  names_.push_back(name);
+  server_.console_.add_command(std::move(name), std::move(help), std::move(handler));
+}
+
+void Server::Commands::add_game_commands() {
+  Server& server = server_;
+  add("map", "map <name>: begins a new game on this map", [&server](const con::Args& args) {
+    if (args.size() == 2) return report(server.map(args[1]));
+    if (server.active()) return log_info("the level is {}", server.level()->map_name);
+    log_info("map <name>: begins a new game on this map");
+  });
+  add("changelevel", "changelevel <map>: all players go to this map", [&server](const con::Args& args) {
+    if (args.size() < 2) return log_info("changelevel <map>: all players go to this map");
+    report(server.changelevel(args[1]));
+  });
+  add("restart", "begins the level again", [&server](const con::Args&) { report(server.restart()); });
+  add("maxplayers", "maxplayers <n>: how many may play in the games to come", [&server](const con::Args& args) {
+    if (args.size() != 2) return log_info("maxplayers is {}", server.max_clients());
+    if (const Status status = server.set_max_clients(args.integer(1)); !status) return report(status);
+    server.console().set("deathmatch", server.max_clients() == 1 ? "0" : "1");
+  });
+  add("sv_run", "sv_run <seconds>: takes the game on as fast as possible, by host_framerate or tenths of a second",
+      [&server](const con::Args& args) {
+        if (args.size() != 2) return log_info("sv_run <seconds>: takes the game on as fast as possible");
+        report(server.run(static_cast<double>(args.number(1)), run_step(server.console())));
+      });
+  add("sv_dump", "sv_dump [file]: the whole state of the level as text", [&server](const con::Args& args) {
+    if (!server.active()) return log_error("sv_dump: no game runs here");
+    const std::string text = server.dump();
+    if (args.size() < 2) return log_info("{}", text);
+    if (!server.services_.write_file) return log_error("{}: there is nowhere to write to", args[1]);
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+    report(server.services_.write_file(args[1], ByteView(bytes, text.size())));
+  });
+}
+
+void Server::Commands::add_save_commands() {
+  Server& server = server_;
+  add("save", "save <name>: saves the game", [&server](const con::Args& args) {
+    if (args.size() != 2) return log_info("save <name>: saves the game");
+    const Status status = server.save(args[1]);
+    if (!status) return report(status);
+    log_info("saved as {}", args[1]);
+  });
+  add("load", "load <name>: goes on with a saved game", [&server](const con::Args& args) {
+    if (args.size() != 2) return log_info("load <name>: goes on with a saved game");
+    report(server.load(args[1]));
+  });
+}
+
+void Server::Commands::add_edict_commands() {
+  // A command that needs a level.
+  const auto add_for_level = [this](std::string name, std::string help, auto handler) {
+    add(std::move(name), std::move(help), [&server = server_, handler](const con::Args& args) {
+      if (!server.active()) return log_info("{}: no game runs here", args[0]);
+      handler(*server.level(), args);
+    });
+  };
+  add_for_level("edict", "edict <number>: all that one thing's fields hold", [](Level& level, const con::Args& args) {
+    const EdictId id{static_cast<std::uint32_t>(args.integer(1))};
+    if (args.size() != 2 || !level.edicts().valid(id))
+      return log_info("edict <number>: there are those from 0 to {}", level.edicts().count() - 1);
+    log_info("{}", progs::print_edict(*level.vm, id));
+  });
+  add_for_level("edicts", "all that all things' fields hold", [](Level& level, const con::Args&) {
+    log_info("{} entities", level.edicts().count());
+    for (EdictId id{}; level.edicts().valid(id); id = next(id)) log_info("{}", progs::print_edict(*level.vm, id));
+  });
+  add_for_level("edictcount", "how many things there are", [](Level& level, const con::Args&) { print_counts(level); });
+  add_for_level("profile", "which of the mod's functions took the most since this was asked last",
+                [](Level& level, const con::Args&) { print_profile(level); });
+}
+
+// A dedicated server's own console speaks as a player's would.
+void Server::Commands::add_player_commands() {
+  for (const char* name : {"status", "kick", "ping", "say", "tell"}) {
+    add(name, "as players have it", [&server = server_](const con::Args& args) {
+      if (server.active()) server.clients_->console_command(args, server.now_);
+    });
+  }
+}
+
+}  // namespace fb::sv

@@ -1,0 +1,27 @@
+// The console's commands of a server. Not for users of the server.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "server/server.h"
+
+namespace fb::sv {
+
+struct Server::Commands {
+  Commands(Server& server, const ServerOptions& options);
+  ~Commands();  // takes them away again
+
+ private:
+  void add(std::string name, std::string help, con::Handler handler);
+  void add_game_commands();
+  void add_save_commands();
+  void add_edict_commands();
+  void add_player_commands();
+
+  Server& server_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace fb::sv

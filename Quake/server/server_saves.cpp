@@ -1,0 +1,98 @@
+// Saving and loading: what Server does with save_game.h's text.
+#include <fmt/format.h>
+
+#include "base/log.h"
+#include "fs/path.h"
+#include "server/link.h"
+#include "server/save_game.h"
+#include "server/server.h"
+#include "server/spawn.h"
+
+namespace fb::sv {
+namespace {
+
+namespace fields = progs::fields;
+
+// NAME.sav; fails for names that lead out of the game's directory.
+Result<std::string> save_file_name(std::string_view typed) {
+  const auto name = fs::normalise(typed);
+  if (!name || name->empty()) return Error{fmt::format("\"{}\" is no name for a saved game", typed)};
+  return fs::ends_with_ignoring_case(*name, ".sav") ? *name : *name + ".sav";
+}
+
+// Why this is no moment to save, or nothing.
+std::optional<Error> reason_not_to_save(Server& server) {
+  if (!server.active()) return Error{"no game runs here that could be saved"};
+  if (server.max_clients() != 1) return Error{"a game for several players cannot be saved"};
+  Level& level = *server.level();
+  const auto intermission = level.vm->program().global<float>("intermission_running");
+  if (level.vm->get(intermission) != 0.0f) return Error{"the game cannot be saved during the intermission"};
+  const ServerClient& player = server.clients()[0];
+  if (player.active() && player.spawned && level.edict(player.edict_id()).get(fields::health) <= 0.0f)
+    return Error{"a game with a dead player cannot be saved"};
+  return std::nullopt;
+}
+
+// Reads the whole save into a machine that nobody sees, so that nothing can go wrong with it afterwards.
+Status rehearse(const SaveGame& save, const LoadedMap& map, std::uint32_t max_edicts, std::string_view name) {
+  auto vm = progs::Vm::create(map.program, {}, {.max_edicts = max_edicts});
+  if (!vm) return vm.error();
+  (*vm)->edicts().start_level(1);
+  return read_saved_entities(**vm, save.entities, name);
+}
+
+}  // namespace
+
+Status Server::save(std::string_view typed) {
+  const auto name = save_file_name(typed);
+  if (!name) return name.error();
+  if (auto reason = reason_not_to_save(*this)) return *reason;
+  if (!services_.write_file) return Error{fmt::format("{}: there is nowhere to save to", *name)};
+  const std::string text = write_save(*level_, (*clients_)[0].spawn_parms, skill_);
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+  return services_.write_file(*name, ByteView(bytes, text.size()));
+}
+
+Status Server::load(std::string_view typed) {
+  const auto name = save_file_name(typed);
+  if (!name) return name.error();
+  if (options_.max_clients != 1) return Error{"a saved game is for one player: set maxplayers to 1"};
+  const auto bytes = services_.read_file(*name);
+  if (!bytes) return Error{fmt::format("{}: no such saved game", *name)};
+  const auto save = parse_save({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, *name);
+  if (!save) return save.error();
+  const auto map_name = map_name_of(save->header.map);
+  if (!map_name) return Error{fmt::format("{}: {}", *name, map_name.error().message)};
+  const auto map = load_map(level_files(), *map_name);
+  if (!map) return Error{fmt::format("{}: {}", *name, map.error().message)};
+  if (Status status = rehearse(*save, *map, edict_limit(), *name); !status) return status;
+
+  shutdown();
+  console_.set("skill", std::to_string(save->header.skill));
+  if (Status status = spawn_server(*map); !status) return end_level(status.error());
+  if (Status status = resume(*save, *name); !status) return end_level(status.error());
+  clients_->finish_level();
+  if (level_->failed()) return end_level(*level_->error());
+  last_error_.reset();
+  if (local_start_) local_start_();
+  return ok_status();
+}
+
+Status Server::resume(const SaveGame& save, std::string_view name) {
+  Level& level = *level_;
+  level.light_styles = save.header.light_styles;
+  const auto looks = [&](EdictId id, const progs::EdictText& text) { take_looks(level, id, text); };
+  if (Status status = read_saved_entities(*level.vm, save.entities, name, looks); !status) return status;
+  for (EdictId id{}; level.edicts().valid(id); id = next(id)) {
+    if (!level.edicts().is_free(id)) link_edict(level, id);
+  }
+  level.time = save.header.time;
+  level.vm->level_time = level.time;
+  level.last_check_time = 0.0;
+  (*clients_)[0].spawn_parms = save.header.spawn_parms;
+  level.paused = true;  // until the player is there
+  level.loaded = true;
+  return ok_status();
+}
+
+}  // namespace fb::sv
