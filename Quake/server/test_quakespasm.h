@@ -4,6 +4,8 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -11,7 +13,6 @@
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <string_view>
 
 #include "base/bytes.h"
 
@@ -40,27 +41,62 @@ inline std::string quakespasm_lacks() {
 // A port that other tests on this machine, at the same time, hardly have.
 inline int quakespasm_port() { return 27000 + getpid() % 20000; }
 
-// A dedicated server for four on `map`, as fast as it goes, until QuakeC says `quit` or a minute is over.
-inline std::string run_quakespasm(const Bytes& progs, std::string_view map) {
-  namespace stdfs = std::filesystem;
-  std::string folder = (stdfs::temp_directory_path() / "fullbright_quakespasm_XXXXXX").string();
-  if (mkdtemp(folder.data()) == nullptr) return {};
-  stdfs::create_directories(stdfs::path(folder) / "id1");
-  stdfs::create_directories(stdfs::path(folder) / "game");
-  for (const auto& entry : stdfs::directory_iterator(stdfs::absolute(game_data()) / "id1"))
-    stdfs::create_symlink(entry.path(), stdfs::path(folder) / "id1" / entry.path().filename());
-  std::ofstream(folder + "/game/progs.dat", std::ios::binary)
-      .write(reinterpret_cast<const char*>(progs.data()), static_cast<std::streamsize>(progs.size()));
-  const std::string command = fmt::format(
-      "cd '{}' && HOME='{}' timeout 60 '{}' -dedicated 4 -basedir . -game game -port {} +sys_ticrate 0.001 +developer "
-      "1 "
-      "+map {} >out.txt 2>&1 </dev/null",
-      folder, folder, quakespasm_program(), quakespasm_port(), map);
-  (void)!std::system(command.c_str());
-  std::stringstream out;
-  out << std::ifstream(folder + "/out.txt").rdbuf();
-  stdfs::remove_all(folder);
-  return out.str();
+// A dedicated server for four on `map`, as fast as it goes, until QuakeC says `quit`, a minute is over or this is gone.
+class QuakeSpasmServer {
+ public:
+  QuakeSpasmServer(const Bytes& progs, const std::string& map, int port = quakespasm_port()) : port_(port) {
+    namespace stdfs = std::filesystem;
+    std::string made = (stdfs::temp_directory_path() / "fullbright_quakespasm_XXXXXX").string();
+    if (mkdtemp(made.data()) == nullptr) return;
+    folder_ = made;
+    stdfs::create_directories(folder_ / "id1");
+    stdfs::create_directories(folder_ / "game");
+    for (const auto& entry : stdfs::directory_iterator(stdfs::absolute(game_data()) / "id1"))
+      stdfs::create_symlink(entry.path(), folder_ / "id1" / entry.path().filename());
+    std::ofstream(folder_ / "game" / "progs.dat", std::ios::binary)
+        .write(reinterpret_cast<const char*>(progs.data()), static_cast<std::streamsize>(progs.size()));
+    const std::string command = fmt::format(
+        "cd '{0}' && HOME='{0}' exec timeout 60 '{1}' -dedicated 4 -basedir . -game game -port {2} "
+        "+sys_ticrate 0.001 +developer 1 +map {3} >out.txt 2>&1 </dev/null",
+        folder_.string(), quakespasm_program(), port, map);
+    process_ = fork();
+    if (process_ == 0) {
+      execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      _exit(127);
+    }
+  }
+  ~QuakeSpasmServer() {
+    if (process_ > 0) {
+      kill(process_, SIGTERM);  // timeout hands it on
+      wait();
+    }
+    if (!folder_.empty()) std::filesystem::remove_all(folder_);
+  }
+  QuakeSpasmServer(const QuakeSpasmServer&) = delete;
+  QuakeSpasmServer& operator=(const QuakeSpasmServer&) = delete;
+
+  int port() const { return port_; }
+  void wait() {
+    if (process_ > 0) waitpid(process_, nullptr, 0);
+    process_ = -1;
+  }
+  // What it has printed so far.
+  std::string output() const {
+    std::stringstream out;
+    out << std::ifstream(folder_ / "out.txt").rdbuf();
+    return out.str();
+  }
+
+ private:
+  std::filesystem::path folder_;
+  int port_;
+  pid_t process_ = -1;
+};
+
+inline std::string run_quakespasm(const Bytes& progs, const std::string& map) {
+  QuakeSpasmServer server(progs, map);
+  server.wait();
+  return server.output();
 }
 
 }  // namespace fb::sv::testing
