@@ -1,4 +1,4 @@
-// fullbright-lab: render | reference | compare | ztest | bench | estimators.
+// fullbright-lab: render | reference | compare | ztest | bench | track | estimators.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
                                  add_compare_command(app),
                                  add_ztest_command(app),
                                  add_bench_command(app, fmt::format("{}", fmt::join(argv, argv + argc, " "))),
+                                 add_track_command(app),
                                  add_estimators_command(app)};
   CLI11_PARSE(app, argc, argv);
   for (const LabCommand& command : commands)

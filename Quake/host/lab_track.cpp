@@ -1,0 +1,57 @@
+// fullbright-lab track: where demos had their player.
+#include <fmt/format.h>
+
+#include "fs/file.h"
+#include "host/lab_stage.h"
+#include "lab/track.h"
+
+namespace fb::host {
+namespace {
+
+struct TrackOptions {
+  std::string demo, other, csv;
+  float tolerance = 0.125f;
+};
+
+Result<std::vector<lab::TrackPoint>> open_track(const std::string& path) {
+  const auto bytes = fs::read_whole_file(path);
+  if (!bytes) return bytes.error();
+  return lab::read_track(*bytes, path);
+}
+
+int run_track(const TrackOptions& options) {
+  const auto track = open_track(options.demo);
+  if (!track) return fail(track.error());
+  if (!options.csv.empty()) {
+    if (auto status = write_text(options.csv, lab::track_csv(*track)); !status) return fail(status.error());
+  }
+  if (options.other.empty()) {
+    if (options.csv != "-") fmt::print("{} points\n", track->size());
+    return 0;
+  }
+  const auto other = open_track(options.other);
+  if (!other) return fail(other.error());
+  const lab::TrackDifference d = lab::compare_tracks(*track, *other, options.tolerance);
+  fmt::print("{} and {} points; furthest apart {} units, at point {}", track->size(), other->size(), d.largest, d.at);
+  if (d.first == d.points) {
+    fmt::print("\n");
+    return d.points > 0 ? 0 : fail(Error{"track: there is nothing to compare"});
+  }
+  fmt::print("; over {} from point {} on, time {}\n", options.tolerance, d.first, (*track)[d.first].time);
+  return 1;
+}
+
+}  // namespace
+
+LabCommand add_track_command(CLI::App& app) {
+  auto options = std::make_shared<TrackOptions>();
+  CLI::App* track = app.add_subcommand(
+      "track", "where a demo's messages have its player; of two demos, how far apart, and 1 where that is too far");
+  track->add_option("DEMO", options->demo, "a recorded demo")->required();
+  track->add_option("OTHER", options->other, "another, of the same script");
+  track->add_option("--tolerance", options->tolerance, "units")->check(CLI::NonNegativeNumber)->capture_default_str();
+  track->add_option("--csv", options->csv, "write DEMO's points to this file; - is standard output");
+  return {track, [options] { return run_track(*options); }};
+}
+
+}  // namespace fb::host
