@@ -120,6 +120,10 @@ int encode_alpha(float alpha) {
   return round_to(alpha * 254.0 + 1.0, 1.0, 255.0);
 }
 
+int encode_scale(float scale) {
+  return scale > 0.0f ? static_cast<int>(std::min(scale * 16.0f, 255.0f)) : kScaleDefault;
+}
+
 std::string_view svc_name(unsigned command) {
   static constexpr std::array<std::string_view, 45> kNames = {"svc_bad",
                                                               "svc_nop",

@@ -68,6 +68,11 @@ class MessageWriter {
   // An embedded zero ends it.
   void string(std::string_view text);
 
+  void append(ByteView bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
+
+  void truncate(std::size_t size) { bytes_.resize(size < bytes_.size() ? size : bytes_.size()); }
+
+  std::size_t size() const { return bytes_.size(); }
   const Bytes& bytes() const { return bytes_; }
   Bytes take() { return std::move(bytes_); }
 

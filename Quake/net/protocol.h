@@ -173,6 +173,7 @@ constexpr int kAlphaDefault = 0, kAlphaZero = 1, kAlphaOne = 255;
 constexpr int kScaleDefault = 16;
 float decode_alpha(int alpha);
 int encode_alpha(float alpha);
+int encode_scale(float scale);  // what is not positive is not said
 inline float decode_scale(int scale) { return static_cast<float>(scale) / 16.0f; }
 
 constexpr int kDefaultViewHeight = 22;

@@ -224,6 +224,7 @@ class ServerMessageReader {
  public:
   ServerMessageReader(ByteView data, std::string_view name, Protocol protocol = {}) : reader_(data, name, protocol) {}
   bool at_end() const { return reader_.at_end(); }
+  std::size_t offset() const { return reader_.offset(); }
   Result<ServerMessage> next();
   const Protocol& protocol() const { return reader_.protocol; }
   // Where the message that next() returned last began: for what its receiver has to complain of.

@@ -22,6 +22,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -46,7 +47,11 @@ struct ServerClient {
   EdictId edict_id() const { return EdictId{static_cast<std::uint32_t>(slot) + 1}; }
   std::unique_ptr<net::Connection> connection;  // null: nobody is here
   bool active() const { return connection != nullptr; }
-  bool spawned = false;  // has begun to play: gets datagrams, and its moves count
+  // How far it is on its way into the level: each is asked for by its client command (prespawn, spawn, begin), which
+  // is not taken before its turn.
+  enum class Stage { kConnected, kPrespawned, kInLevel, kPlaying };
+  Stage stage = Stage::kConnected;
+  bool spawned() const { return stage == Stage::kPlaying; }  // gets datagrams, and its moves count
 
   std::string name;  // as it may be shown
   int colors = 0;    // 16 * shirt + trousers
@@ -60,21 +65,26 @@ struct ServerClient {
   float average_ping() const;  // seconds
 
   net::MessageWriter reliable;
-  bool overflowed = false;  // more waits than a message holds: send() drops it
+  bool overflowed = false;      // more waits than a message holds: send() drops it
+  std::deque<Bytes> before_it;  // reliable messages that go before, each on its own
 
-  // What of the signon has been asked for and not been sent: see send.cpp.
+  // On the way into a level nothing is sent but the stage that has been asked for: kParts the signon buffer, a part
+  // at a time; kFlush what `reliable` holds; kWaiting: the player's turn, and prints and the like gather.
   enum class Signon { kWaiting, kParts, kFlush };
   Signon signon = Signon::kWaiting;
   std::size_t next_part = 0;
   double last_message = 0.0;  // when it was sent anything
 
-  double command_allowance = 0.0, allowance_time = 0.0;  // of commands as text: receive.cpp
+  double command_allowance = 60.0, allowance_time = 0.0;  // of commands as text: client_commands.cpp
   bool flood_told = false;
 };
 
+// The mission packs have more weapons than Quake's protocol has bits: there they are sent as numbers of bits.
+enum class GameKind { kQuake, kHipnotic, kRogue };
+
 struct ClientsOptions {
-  int max_clients = 1;         // 1 to net::kMaxClients
-  bool standard_quake = true;  // false for hipnotic and rogue: weapons are sent as numbers of bits
+  int max_clients = 1;  // 1 to net::kMaxClients
+  GameKind game = GameKind::kQuake;
 };
 
 class Clients final : public LevelEvents {
@@ -92,7 +102,7 @@ class Clients final : public LevelEvents {
   ServerClient& operator[](int slot) { return *slots_.at(static_cast<std::size_t>(slot)); }
   // Whose edict that is; null where it is no player's. Nobody may be there: ask active().
   ServerClient* find(EdictId edict);
-  bool standard_quake = true;
+  GameKind game = GameKind::kQuake;
 
   // --- levels ---
   // Empties the buffers and takes the protocol from sv_protocol. The level must outlive end_level() or the next call.
@@ -149,7 +159,7 @@ class Clients final : public LevelEvents {
   net::MessageWriter& signon() { return signon_; }
 
   // --- for consoles ---
-  // `status`, `kick`, `ping`, `say`, `tell` as the server's own console has them. False: none of these.
+  // `status`, `kick`, `ping` and `say` as the server's own console has them. False: none of these.
   bool console_command(const con::Args& args, double now);
   net::ServerStatus status(double now);
 
@@ -177,6 +187,7 @@ class Clients final : public LevelEvents {
   std::vector<Bytes> signon_parts_;
   std::size_t signon_parts_of_ = 0;  // bytes of signon_ that these are of
   bool told_full_ = false;
+  std::int32_t effects_mask_ = -1;  // send_entities.h
 };
 
 }  // namespace fb::sv
