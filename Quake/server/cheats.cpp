@@ -67,6 +67,8 @@ std::string setpos(const CheatCall& call) {
 
 // --- give ------------------------------------------------------------------------------------------------------------
 
+bool is_rogue(Level& level) { return static_cast<bool>(level.vm->program().field<float>("ammo_lava_nails")); }
+
 // Rogue keeps ammunition for its own weapons apart, in fields that nobody else has; what is shown is that of the weapon
 // in hand.
 void give_ammo(Level& level, Edict player, progs::Field<float> shown, const char* quakes, const char* rogues,
@@ -102,7 +104,7 @@ void give_weapon(Edict player, std::string_view which, bool hipnotic) {
 
 // So that the status bar is right at once.
 void update_current_ammo(Level& level, Edict player) {
-  const bool rogue = static_cast<bool>(level.vm->program().field<float>("ammo_lava_nails"));
+  const bool rogue = is_rogue(level);
   const auto show = [&](progs::Field<float> ammo) { player.set(fields::currentammo, player.get(ammo)); };
   switch (to_int(player.get(fields::weapon))) {
     case kShotgun:
@@ -165,7 +167,7 @@ std::string give(const CheatCall& call) {
       give_armor(player, count);
       break;
     default:
-      if (what[0] >= '0' && what[0] <= '9') give_weapon(player, what, call.hipnotic);
+      if (what[0] >= '0' && what[0] <= '9') give_weapon(player, what, call.mission_pack && !is_rogue(level));
   }
   update_current_ammo(level, player);
   return {};

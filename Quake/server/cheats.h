@@ -14,7 +14,7 @@ struct CheatCall {
   Level& level;
   EdictId player;
   const con::Args& args;
-  bool hipnotic;  // the mission pack's weapons
+  bool mission_pack;  // !ClientsOptions::standard_quake
 };
 using Cheat = std::string (*)(const CheatCall& call);
 

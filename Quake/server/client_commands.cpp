@@ -162,7 +162,7 @@ struct ClientCommands {
     // Without roll: a save may have caught the view tilted, and nothing would right it.
     const vec3 angles = edict().get(fields::angles);
     say(net::svc::SetAngle{vec3(angles.x, angles.y, 0.0f)});
-    write_client_data(client.reliable, level, client.edict_id(), all.game == GameKind::kQuake);
+    write_client_data(client.reliable, level, client.edict_id(), all.standard_quake);
     say(net::svc::SignonNum{3});
   }
 
@@ -227,7 +227,7 @@ struct ClientCommands {
   }
   void cheat(Cheat cheat) {
     if (level.vm->get(globals::deathmatch) != 0.0f) return;
-    const std::string said = cheat({level, client.edict_id(), args, all.game == GameKind::kHipnotic});
+    const std::string said = cheat({level, client.edict_id(), args, !all.standard_quake});
     if (!said.empty()) all.print(client, said);
   }
 };

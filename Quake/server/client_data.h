@@ -9,7 +9,7 @@ namespace fb::sv {
 net::svc::ClientData client_data(Level& level, EdictId player, bool standard_quake);
 
 // Damage, a turned head (fixangle) and the above, in Quake's order; what was told is reset in the edict.
-// `standard_quake`: neither of the mission packs (GameKind).
+// `standard_quake`: as in ClientsOptions.
 void write_client_data(net::MessageWriter& writer, Level& level, EdictId player, bool standard_quake);
 
 }  // namespace fb::sv

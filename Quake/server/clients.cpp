@@ -49,7 +49,8 @@ float ServerClient::average_ping() const {
          static_cast<float>(count);
 }
 
-Clients::Clients(con::Console& console, const ClientsOptions& options) : game(options.game), console_(console) {
+Clients::Clients(con::Console& console, const ClientsOptions& options)
+    : standard_quake(options.standard_quake), console_(console) {
   if (!console.find_cvar("sv_protocol"))
     console.add_cvar("sv_protocol", "666", "15 NetQuake, 666 FitzQuake or 999 RMQ; counts from the next level");
   if (!console.find_cvar("hostname"))

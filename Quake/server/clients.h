@@ -79,12 +79,9 @@ struct ServerClient {
   bool flood_told = false;
 };
 
-// The mission packs have more weapons than Quake's protocol has bits: there they are sent as numbers of bits.
-enum class GameKind { kQuake, kHipnotic, kRogue };
-
 struct ClientsOptions {
-  int max_clients = 1;  // 1 to net::kMaxClients
-  GameKind game = GameKind::kQuake;
+  int max_clients = 1;         // 1 to net::kMaxClients
+  bool standard_quake = true;  // false for hipnotic (and quoth) and rogue: weapons are sent as numbers of bits
 };
 
 class Clients final : public LevelEvents {
@@ -102,7 +99,7 @@ class Clients final : public LevelEvents {
   ServerClient& operator[](int slot) { return *slots_.at(static_cast<std::size_t>(slot)); }
   // Whose edict that is; null where it is no player's. Nobody may be there: ask active().
   ServerClient* find(EdictId edict);
-  GameKind game = GameKind::kQuake;
+  bool standard_quake = true;
 
   // --- levels ---
   // Empties the buffers and takes the protocol from sv_protocol. The level must outlive end_level() or the next call.

@@ -69,7 +69,7 @@ bool Clients::send_datagram(ServerClient& client, double now) {
   const std::size_t limit = datagram_limit(protocol_, *client.connection);
   net::MessageWriter writer(protocol_);
   net::write_server_message(writer, net::svc::Time{static_cast<float>(level_->time)});
-  write_client_data(writer, *level_, client.edict_id(), game == GameKind::kQuake);
+  write_client_data(writer, *level_, client.edict_id(), standard_quake);
   // Sounds and effects happen once, things are told of again: a quarter is theirs, if they need it.
   const std::size_t room = limit - std::min(limit, writer.size());
   const std::size_t reserved = std::min(datagram_.size(), room / 4);

@@ -28,7 +28,7 @@ std::optional<Error> reason_not_to_save(Server& server) {
   const auto intermission = level.vm->program().global<float>("intermission_running");
   if (level.vm->get(intermission) != 0.0f) return Error{"the game cannot be saved during the intermission"};
   const ServerClient& player = server.clients()[0];
-  if (player.active() && player.spawned && level.edict(player.edict_id()).get(fields::health) <= 0.0f)
+  if (player.active() && player.spawned() && level.edict(player.edict_id()).get(fields::health) <= 0.0f)
     return Error{"a game with a dead player cannot be saved"};
   return std::nullopt;
 }
