@@ -4,10 +4,24 @@
 
 namespace fb {
 
+namespace {
+
+// Sine and cosine of degrees with Quake's roundings, so that games stay together to the last bit: the angle in radians
+// becomes a float, what is computed of it in double precision does, too.
+struct SineCosine {
+  explicit SineCosine(float degrees) {
+    const auto angle = static_cast<float>(static_cast<double>(degrees) * (3.14159265358979323846 * 2.0 / 360.0));
+    sine = static_cast<float>(std::sin(static_cast<double>(angle)));
+    cosine = static_cast<float>(std::cos(static_cast<double>(angle)));
+  }
+  float sine, cosine;
+};
+
+}  // namespace
+
 AxisVectors angle_vectors(const vec3& a) {
-  const float sp = std::sin(radians(a.x)), cp = std::cos(radians(a.x));
-  const float sy = std::sin(radians(a.y)), cy = std::cos(radians(a.y));
-  const float sr = std::sin(radians(a.z)), cr = std::cos(radians(a.z));
+  const SineCosine pitch(a.x), yaw(a.y), roll(a.z);
+  const float sp = pitch.sine, cp = pitch.cosine, sy = yaw.sine, cy = yaw.cosine, sr = roll.sine, cr = roll.cosine;
   AxisVectors axes;
   axes.forward = {cp * cy, cp * sy, -sp};
   axes.right = {-sr * sp * cy + cr * sy, -sr * sp * sy - cr * cy, -sr * cp};

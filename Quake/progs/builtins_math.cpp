@@ -109,7 +109,9 @@ void change_angle(Edict edict, int axis, float ideal, float speed) {
   } else if (move <= -180.0f) {
     move += 360.0f;
   }
-  angles[axis] = angle_mod(current + std::clamp(move, -std::fabs(speed), std::fabs(speed)));
+  // Not clamped: with a negative speed Quake turns away.
+  move = move > 0.0f ? std::min(move, speed) : std::max(move, -speed);
+  angles[axis] = angle_mod(current + move);
   edict.set(fields::angles, angles);
 }
 

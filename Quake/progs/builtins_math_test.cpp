@@ -57,6 +57,8 @@ TEST_F(MathBuiltinsTest, ChangeyawTurnsTheShortWayBySoMuch) {
   EXPECT_EQ(turned("350", "30"), "10");
   EXPECT_EQ(turned("90", "100"), "100");
   EXPECT_EQ(turned("0", "270"), "340");
+  EXPECT_EQ(says("self = spawn(); self.yaw_speed = -20; self.ideal_yaw = 270; changeyaw(); put(rint(self.angles_y));"),
+            "20");
 }
 
 TEST_F(MathBuiltinsTest, ChangepitchUsesItsOwnFields) {

@@ -16,13 +16,10 @@ namespace {
 void ftos(Vm& vm) {
   const float value = vm.parm_float(0);
   const std::int32_t whole = to_int(value);
-  vm.return_string(value == static_cast<float>(whole) ? fmt::format("{}", whole) : fmt::format("{:5.1f}", value));
+  vm.return_string(value == static_cast<float>(whole) ? fmt::format("{}", whole) : one_decimal(value));
 }
 
-void vtos(Vm& vm) {
-  const vec3 v = vm.parm_vector(0);
-  vm.return_string(fmt::format("'{:5.1f} {:5.1f} {:5.1f}'", v.x, v.y, v.z));
-}
+void vtos(Vm& vm) { vm.return_string(vector_text(vm.parm_vector(0))); }
 
 // "1 2 3", with the quotes of vtos or without.
 void stov(Vm& vm) {

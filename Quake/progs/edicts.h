@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "base/check.h"
@@ -33,7 +34,7 @@ class Edict {
   template <typename T>
   T get(Field<T> field) const;
   template <typename T>
-  void set(Field<T> field, T value) {
+  void set(Field<T> field, std::type_identity_t<T> value) {
     if (field) ValueTraits<T>::store(words_ + field.offset, value);
   }
   float get_or(Field<float> field, float fallback) const { return field ? get(field) : fallback; }

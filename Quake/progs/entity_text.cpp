@@ -164,9 +164,10 @@ std::string saved_text(const Vm& vm, Type type, const Word* words) {
     case Type::kString:
       return escape(vm.text(static_cast<StringId>(*words)));
     case Type::kFloat:
-      return fmt::format("{:f}", as_float(*words));
+      return six_decimals(as_float(*words));
     case Type::kVector:
-      return fmt::format("{:f} {:f} {:f}", as_float(words[0]), as_float(words[1]), as_float(words[2]));
+      return fmt::format("{} {} {}", six_decimals(as_float(words[0])), six_decimals(as_float(words[1])),
+                         six_decimals(as_float(words[2])));
     case Type::kEntity:
       return std::to_string(*words);
     case Type::kField:
@@ -185,9 +186,9 @@ std::string printed_text(const Vm& vm, Type type, const Word* words) {
     case Type::kString:
       return std::string(vm.text(static_cast<StringId>(*words)));
     case Type::kFloat:
-      return fmt::format("{:5.1f}", as_float(*words));
+      return one_decimal(as_float(*words));
     case Type::kVector:
-      return fmt::format("'{:5.1f} {:5.1f} {:5.1f}'", as_float(words[0]), as_float(words[1]), as_float(words[2]));
+      return vector_text(ValueTraits<vec3>::load(words));
     case Type::kEntity:
       return fmt::format("entity {}", *words);
     case Type::kField:

@@ -1,6 +1,9 @@
 #include "progs/text_tokens.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 
 #include "progs/value.h"
@@ -10,6 +13,13 @@ namespace {
 
 bool is_space(char c) { return static_cast<unsigned char>(c) <= ' '; }
 bool is_mark(char c) { return std::string_view("{}()'").find(c) != std::string_view::npos; }
+
+// What fmt's own formats write alike, but for numbers that are none.
+std::string printed(const char* format, float value) {
+  char buffer[64];  // the greatest float has 39 digits
+  const int length = std::snprintf(buffer, sizeof(buffer), format, static_cast<double>(value));
+  return {buffer, static_cast<std::size_t>(length)};
+}
 
 void skip_blanks_and_comments(std::string_view& text) {
   for (;;) {
@@ -63,6 +73,13 @@ vec3 parse_spaced_vector(std::string_view text) {
     text.remove_prefix(space + 1);
   }
   return v;
+}
+
+std::string one_decimal(float value) { return printed("%5.1f", value); }
+std::string six_decimals(float value) { return printed("%f", value); }
+
+std::string vector_text(const vec3& v) {
+  return fmt::format("'{} {} {}'", one_decimal(v.x), one_decimal(v.y), one_decimal(v.z));
 }
 
 }  // namespace fb::progs

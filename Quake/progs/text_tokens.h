@@ -27,4 +27,9 @@ std::int32_t parse_int(std::string_view text);
 // Three numbers with one space between, as Quake reads entities' vectors: a second space is a number of its own, 0.
 vec3 parse_spaced_vector(std::string_view text);
 
+// Numbers as C's printf writes them, with what are none: "  1.5" (%5.1f), "1.500000" (%f), "'  1.0   2.0   3.0'".
+std::string one_decimal(float value);
+std::string six_decimals(float value);
+std::string vector_text(const vec3& v);
+
 }  // namespace fb::progs

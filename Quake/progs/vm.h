@@ -16,6 +16,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "base/result.h"
@@ -67,7 +68,7 @@ class Vm {
     return value;
   }
   template <typename T>
-  void set(Global<T> global, T value) {
+  void set(Global<T> global, std::type_identity_t<T> value) {
     if (global) ValueTraits<T>::store(globals_.data() + global.offset, value);
   }
   Edict edict(EdictId id) { return edicts_[id]; }
