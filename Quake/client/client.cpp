@@ -19,6 +19,9 @@ Client::Impl::Impl(con::Console& console_, scene::ModelLibrary& library_, FileLo
   session.load_world = [this](ClientState& state) { return load_world(state); };
   session.print = [this](const std::string& text) { print(text); };
   register_console();
+  register_game_commands();
+  register_input_commands();
+  register_recording_commands();
   read_settings();
 }
 
@@ -39,6 +42,9 @@ Status Client::Impl::load_world(ClientState& state) {
   snapshots.forget();
   view_memory = {};
   sky = {};
+  drift.forget();
+  mouse_move = {};
+  if (link) link->begin_level();
   if (state.model_names.size() < 2) return world_required ? Status(Error{"the server names no map"}) : ok_status();
   const std::string& path = state.model_names[1];
   const Status loaded = library.load_map(path);
@@ -46,8 +52,10 @@ Status Client::Impl::load_world(ClientState& state) {
     if (world_required) return loaded;
     library.clear();
   }
-  for (std::size_t i = 1; i < state.model_names.size(); ++i)
+  for (std::size_t i = 1; i < state.model_names.size(); ++i) {
     if (loaded.ok() || i > 1) state.models[i] = &library.model(state.model_names[i]);
+    if (link) link->keep_alive(clock());
+  }
   if (loaded.ok()) apply_worldspawn(library.map_entities(), path, state);
   log_info("{}", state.hud.level_name);
   return ok_status();
@@ -63,6 +71,7 @@ void Client::Impl::refresh_sky() {
 
 Status Client::Impl::start(Bytes data, std::string_view name, DemoMode mode) {
   end_demo(std::nullopt);
+  disconnect();
   auto opened = DemoPlayback::open(std::move(data), name, mode, frame, clock());
   if (!opened.ok()) return opened.error();
   session.clear();
@@ -105,7 +114,7 @@ void Client::Impl::finish_frame() {
   if (state.signon == kSignons) session.lights.decay(state.time, seconds);
 }
 
-void Client::Impl::read_messages() {
+void Client::Impl::read_demo() {
   ClientState& state = session.state;
   while (demo && demo->due(state.signon == kSignons, state.time, state.message_times[0], frame, clock())) {
     if (demo->at_end()) {
@@ -135,8 +144,28 @@ void Client::Impl::read_messages() {
   }
 }
 
+// Everything between the two latest messages, and how the player sees it.
+void Client::Impl::show_moment(double seconds) {
+  ClientState& state = session.state;
+  const bool timing = demo && demo->mode() == DemoMode::kTime;
+  relink(session, demo.has_value(), timing || (link && link->is_local() && in_step));
+  const Entity* eye = state.view_entity_state();
+  session.beams.update(state.time, state.view_entity, eye ? eye->origin : vec3(0.0f));
+  // A timedemo's frames are as long as the time between its messages, so that they look the same on any machine.
+  frame_seconds = timing ? std::clamp(state.time - state.old_time, 0.0, 0.1) : seconds;
+  if (link) drift_pitch(frame_seconds);
+  if (!state.hud.paused || state.hud.intermission != Intermission::kNone)
+    view = calculate_view(session, view_memory, library.map(), frame_seconds);
+  state.view_model.frame = state.hud.stats[kStatWeaponFrame];
+  const scene::Model* weapon = state.model(state.hud.stats[kStatWeapon]);
+  if (weapon && weapon->kind == scene::ModelKind::kAlias)
+    animate_entity(state.view_model, *weapon, state.time, animates_smoothly(session.settings, weapon->name));
+  place_entities(session);
+}
+
 void Client::Impl::advance(double seconds) {
   read_settings();
+  if (attempt) poll_attempt();
   ClientState& state = session.state;
   ++session.frame;
   if (showing_map) {
@@ -144,30 +173,19 @@ void Client::Impl::advance(double seconds) {
     state.time += seconds;
     finish_frame();
     place_entities(session);
-  } else if (demo) {
+  } else if (demo || link) {
     finish_frame();
-    if (session.reconnect) {
+    if (demo && session.reconnect) {
       session.reconnect = false;
       state.signon = 0;
     }
     state.old_time = state.time;
-    if (demo->mode() == DemoMode::kPlay) state.time += seconds;
-    read_messages();
-    if (demo) {
-      const bool timing = demo->mode() == DemoMode::kTime;
-      relink(session, true, timing);
-      const Entity* eye = state.view_entity_state();
-      session.beams.update(state.time, state.view_entity, eye ? eye->origin : vec3(0.0f));
-      // A timedemo's frames are as long as the time between its messages, so that they look the same on any machine.
-      frame_seconds = timing ? std::clamp(state.time - state.old_time, 0.0, 0.1) : seconds;
-      if (!state.hud.paused || state.hud.intermission != Intermission::kNone)
-        view = calculate_view(session, view_memory, library.map(), frame_seconds);
-      state.view_model.frame = state.hud.stats[kStatWeaponFrame];
-      const scene::Model* weapon = state.model(state.hud.stats[kStatWeapon]);
-      if (weapon && weapon->kind == scene::ModelKind::kAlias)
-        animate_entity(state.view_model, *weapon, state.time, animates_smoothly(session.settings, weapon->name));
-      place_entities(session);
-    }
+    if (link || demo->mode() == DemoMode::kPlay) state.time += seconds;
+    if (demo)
+      read_demo();
+    else
+      read_server();
+    if (demo || link) show_moment(seconds);
   }
   if (active()) refresh_sky();
   state.hud.time = state.time;
@@ -176,7 +194,7 @@ void Client::Impl::advance(double seconds) {
 
 Client::Client(con::Console& console, scene::ModelLibrary& library, FileLoader files)
     : impl_(std::make_unique<Impl>(console, library, std::move(files))) {}
-Client::~Client() = default;
+Client::~Client() { impl_->stop_recording(); }
 
 Status Client::start_demo(std::string_view name, DemoMode mode) {
   const std::string path = demo_path(name);
@@ -191,6 +209,23 @@ Status Client::start_demo(Bytes data, std::string_view name, DemoMode mode) {
   return impl_->start(std::move(data), name, mode);
 }
 void Client::stop() { impl_->end_demo(std::nullopt); }
+
+void Client::set_local_server(LocalServer local) { impl_->local = std::move(local); }
+void Client::set_network(net::Network& network) { impl_->network = &network; }
+void Client::set_write_path(std::function<Result<std::filesystem::path>(std::string_view)> write_path) {
+  impl_->write_path = std::move(write_path);
+}
+void Client::connect(std::unique_ptr<net::Connection> connection, std::string server) {
+  impl_->connect(std::move(connection), std::move(server));
+}
+Status Client::connect(std::string_view server) { return impl_->connect_to(server); }
+void Client::disconnect() { impl_->disconnect(); }
+bool Client::connected() const { return impl_->link.has_value(); }
+bool Client::connecting() const { return impl_->attempt != nullptr; }
+bool Client::recording() const { return impl_->recorder.has_value(); }
+void Client::set_in_step(bool in_step) { impl_->in_step = in_step; }
+void Client::look(double seconds, const vec2& mouse) { impl_->look(seconds, mouse); }
+void Client::send() { impl_->send(); }
 bool Client::playing() const { return impl_->demo.has_value(); }
 bool Client::timing() const { return playing() && impl_->demo->mode() == DemoMode::kTime; }
 const std::optional<Error>& Client::last_error() const { return impl_->error; }
@@ -198,6 +233,7 @@ const std::optional<TimeDemoResult>& Client::last_time_demo() const { return imp
 
 Status Client::map_view(std::string_view name) {
   stop();
+  disconnect();
   const Status status = load_map_view(name, impl_->library, impl_->session, impl_->view);
   if (!status.ok()) return status;
   impl_->showing_map = true;
@@ -224,6 +260,11 @@ void Client::build_snapshot(scene::FrameSnapshot& snapshot) {
 
 const Hud& Client::hud() const { return impl_->session.state.hud; }
 Fog Client::fog() const { return fog_at(impl_->session.state.fog, impl_->session.state.time); }
+vec3 Client::view_angles() const { return impl_->session.state.view_angles; }
+vec3 Client::player_origin() const {
+  const Entity* player = impl_->session.state.view_entity_state();
+  return player ? player->origin : vec3(0.0f);
+}
 double Client::time() const { return impl_->session.state.time; }
 int Client::protocol() const {
   return impl_->session.state.have_server_info ? impl_->session.state.protocol.version : 0;

@@ -1,8 +1,11 @@
-// The client: plays demos (and, for the laboratory, shows a map without a server), keeps what the server's messages
-// say, moves everything between them as QuakeSpasm does, and fills the FrameSnapshot that the renderer draws.
-// The loop of its user, a frame at a time:
+// The client: plays on a server, plays demos and records them (and, for the laboratory, shows a map without a server),
+// keeps what the server's messages say, moves everything between them as QuakeSpasm does, and fills the FrameSnapshot
+// that the renderer draws. The loop of its user, a frame at a time:
 //
-//   console.execute();                 // playdemo, timedemo, ... are the client's commands
+//   console.execute();                 // connect, playdemo, +forward, ... are the client's commands
+//   client.look(seconds, mouse);       // turns the view: who only watches demos need not
+//   client.send();                     // at every tick of the server: what the player wants to do
+//   server.frame(...);                 // where the server is in the same program
 //   client.advance(seconds);           // messages that are due, interpolation, particles, view
 //   client.build_snapshot(snapshot);   // as often as wanted; the same frame gives the same snapshot
 //
@@ -11,6 +14,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -26,6 +30,10 @@
 namespace fb::con {
 class Console;
 }
+namespace fb::net {
+class Connection;
+class Network;
+}  // namespace fb::net
 
 namespace fb::cl {
 
@@ -80,6 +88,12 @@ struct Hud {
   double time = 0.0;
 };
 
+// The server in the same program, where there is one.
+struct LocalServer {
+  std::function<std::unique_ptr<net::Connection>()> connect;  // null: no game runs there
+  std::function<void()> shut_down;                            // the player leaves, and the game ends with that
+};
+
 // The line that timedemo ends with.
 struct TimeDemoResult {
   std::string demo;
@@ -105,13 +119,36 @@ class Client {
   void stop();
   bool playing() const;
   bool timing() const;  // playing in DemoMode::kTime
-  // Why the last demo ended, if not by its own end or by stop().
+  // Why the last demo or game ended, if not by its own end or because the player wanted it.
   const std::optional<Error>& last_error() const;
   const std::optional<TimeDemoResult>& last_time_demo() const;
 
   // A map without a server: its world, its brush entities where they stand at the start, its lamps; the camera in the
   // first info_player_start. "start" or "maps/start.bsp".
   Status map_view(std::string_view name);
+
+  // Playing. What is given here must outlive the client; without it `connect` and `record` say what is missing.
+  void set_local_server(LocalServer local);
+  void set_network(net::Network& network);
+  // Where to write a file of this name.
+  void set_write_path(std::function<Result<std::filesystem::path>(std::string_view name)> write_path);
+  // Joins a game over an open connection, leaving what went on before; `server` is what sentences call it. A local
+  // server's game that one joins again is not shut down thereby.
+  void connect(std::unique_ptr<net::Connection> connection, std::string server);
+  // "local", or a server's name or address, with or without a port. Over a network it goes on in advance().
+  Status connect(std::string_view server);
+  // Leaves the game, ends recording, and shuts a local server down.
+  void disconnect();
+  bool connected() const;   // to a server, be it in the midst of signing on
+  bool connecting() const;  // still asking
+  bool recording() const;
+  // The local server runs once a frame, so the client shows its latest word instead of going there over a tick.
+  void set_in_step(bool in_step);
+
+  // Turns the view by keys and by the mouse's counts (to the right, downwards) in a frame of `seconds`.
+  void look(double seconds, const vec2& mouse = vec2(0.0f));
+  // Tells the server what the player wants to do, and commands that wait. At each tick of the server's.
+  void send();
 
   // Moves time on by `seconds` (0 keeps it) and everything with it.
   void advance(double seconds);
@@ -129,12 +166,14 @@ class Client {
 
   const Hud& hud() const;
   Fog fog() const;
-  double time() const;   // seconds of the server's clock
-  int protocol() const;  // 15, 666 or 999; 0 before the first serverinfo
+  vec3 view_angles() const;    // degrees: where the player looks
+  vec3 player_origin() const;  // of the view entity; 0 before it is known
+  double time() const;         // seconds of the server's clock
+  int protocol() const;        // 15, 666 or 999; 0 before the first serverinfo
   const std::string& demo_name() const;
   std::size_t messages_read() const;  // of the demo that plays
 
-  // Where timedemo takes the time from, seconds; default a steady clock.
+  // Where timedemo and connections take the time from, seconds; default a steady clock.
   void set_clock(std::function<double()> clock);
   // Without this (the default is true) a demo whose map is missing plays on without a world: tests of messages alone.
   void set_world_required(bool required);

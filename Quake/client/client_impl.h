@@ -1,4 +1,4 @@
-// The inside of Client: the session, the demo that feeds it, and what is shown of it.
+// The inside of Client: the session, the demo or the server that feeds it, and what is shown of it.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,13 @@
 
 #include "client/client.h"
 #include "client/demo.h"
+#include "client/demo_recorder.h"
+#include "client/input.h"
+#include "client/server_link.h"
 #include "client/session.h"
 #include "client/snapshot.h"
 #include "client/view.h"
+#include "net/connect_attempt.h"
 
 namespace fb::con {
 class Args;
@@ -26,17 +30,44 @@ struct Client::Impl {
   void next_demo();
   bool demo_command(const con::Args& args, DemoMode mode);
 
+  // game.cpp: a server as the source of messages
+  void register_game_commands();
+  void connect(std::unique_ptr<net::Connection> connection, std::string server);
+  Status connect_to(std::string_view server);
+  void poll_attempt();
+  void read_server();
+  bool take_server_message(ByteView data);
+  void reply_to_signon(int signon);
+  void forward(const std::string& text);
+  void leave_game(std::optional<Error> error);
+  void disconnect();
+  void send();
+
+  // input_commands.cpp
+  void register_input_commands();
+  void look(double seconds, const vec2& mouse);
+  void drift_pitch(double seconds);
+
+  // recording.cpp
+  void register_recording_commands();
+  void record(const con::Args& args);
+  void record_message(ByteView data);
+  void keep_for_recording(ByteView data);
+  void record_game_so_far();
+  void stop_recording();
+
   // client.cpp
   Status start(Bytes data, std::string_view name, DemoMode mode);
   void end_demo(std::optional<Error> error);
   void finish_frame();
-  void read_messages();
+  void read_demo();
+  void show_moment(double seconds);
   void advance(double seconds);
   Status load_world(ClientState& state);
   void refresh_sky();
   void print(const std::string& text);
   const scene::Model* world() const { return session.state.model(1); }
-  bool active() const { return (demo.has_value() || showing_map) && session.state.signon == kSignons; }
+  bool active() const { return (demo || link || showing_map) && session.state.signon == kSignons; }
 
   con::Console& console;
   scene::ModelLibrary& library;
@@ -47,6 +78,25 @@ struct Client::Impl {
   Session session;
   std::optional<DemoPlayback> demo;
   bool showing_map = false;
+
+  LocalServer local;
+  net::Network* network = nullptr;
+  std::unique_ptr<net::ConnectAttempt> attempt;
+  std::string asked_server, last_server;  // of the attempt; of the last game
+  std::optional<ServerLink> link;
+  bool in_step = false;
+  std::vector<Bytes> head;  // messages of this level's signon, for a recording that begins later
+
+  Buttons buttons;
+  InputSettings input;
+  UserMove mouse_move;  // of the frames since the last tick
+  float last_forward = 0.0f;
+  vec2 last_mouse{0.0f};
+  PitchDrift drift;
+
+  std::function<Result<std::filesystem::path>(std::string_view)> write_path;
+  std::optional<DemoRecorder> recorder;
+
   std::uint64_t frame = 0;  // of the host: one an advance()
   double frame_seconds = 0.0;
   std::optional<Error> error;

@@ -21,7 +21,8 @@ std::string bare_map_name(const std::string& path) {
   return name.substr(0, name.rfind('.'));
 }
 
-// What a server stuffs into the console. Only what shows is obeyed; a demo must not change a player's settings.
+// What a server stuffs into the console. Only what shows is obeyed, unless it is the player's own server: neither a
+// demo nor a stranger must change a player's settings.
 void obey(Session& session, std::string_view line) {
   const std::size_t space = line.find(' ');
   const std::string_view command = line.substr(0, space);
@@ -47,6 +48,8 @@ void obey(Session& session, std::string_view line) {
     state.skybox = std::string(rest.substr(0, rest.find_last_not_of(" \"") + 1));
     state.skybox->erase(0, std::min(state.skybox->find_first_not_of(" \""), state.skybox->size()));
     state.sky_changed = true;
+  } else if (!command.empty() && session.command) {
+    session.command(line);
   } else if (!command.empty()) {
     log_debug("the server's command \"{}\" is ignored", line);
   }
@@ -169,7 +172,7 @@ struct Apply {
       state.signon = 0;
     }
     if (m.signon <= state.signon) return fmt::format("signon stage {} when at {}", m.signon, state.signon);
-    state.signon = m.signon;
+    state.signon = session.signon_heard = m.signon;
     return {};
   }
   std::string operator()(const net::svc::CenterPrint& m) const {
@@ -227,6 +230,7 @@ struct Apply {
 
 std::string Apply::operator()(const net::svc::ServerInfo& m) const {
   session.clear();
+  ++session.levels;
   state.protocol = m.protocol;
   if (const std::uint32_t unknown = m.protocol.flags & ~net::kKnownProtocolFlags)
     log_warning("protocol 999 with unknown flags {:#x}: its messages may not be understood", unknown);

@@ -1,0 +1,89 @@
+#include "client/demo_recorder.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <system_error>
+
+#include "base/log.h"
+#include "formats/dem.h"
+#include "net/protocol.h"
+
+namespace fb::cl {
+namespace {
+
+namespace stdfs = std::filesystem;
+
+stdfs::path part_path(const stdfs::path& path) {
+  stdfs::path part = path;
+  part += ".part";
+  return part;
+}
+
+// "x.dem" -> "x_cut1.dem": the first that is free. A demo that breaks off plays as far as it goes.
+stdfs::path free_path(const stdfs::path& path) {
+  std::error_code ignored;
+  for (int i = 1;; ++i) {
+    stdfs::path candidate = path;
+    candidate.replace_filename(fmt::format("{}_cut{}{}", path.stem().string(), i, path.extension().string()));
+    if (!stdfs::exists(candidate, ignored)) return candidate;
+  }
+}
+
+}  // namespace
+
+struct DemoRecorder::File {
+  stdfs::path path;
+  std::ofstream stream;
+
+  Status write(ByteView data) {
+    stream.write(reinterpret_cast<const char*>(data.data()), static_cast<std::streamsize>(data.size()));
+    // Each message at once: a program that ends badly leaves what it has.
+    stream.flush();
+    if (!stream.good()) return Error{fmt::format("{}: cannot be written", part_path(path).string())};
+    return ok_status();
+  }
+};
+
+DemoRecorder::DemoRecorder(std::unique_ptr<File> file) : file_(std::move(file)) {}
+DemoRecorder::DemoRecorder(DemoRecorder&&) noexcept = default;
+DemoRecorder& DemoRecorder::operator=(DemoRecorder&&) noexcept = default;
+DemoRecorder::~DemoRecorder() = default;
+const stdfs::path& DemoRecorder::path() const { return file_->path; }
+
+Result<DemoRecorder> DemoRecorder::start(const stdfs::path& path, int track) {
+  std::error_code failed;
+  stdfs::create_directories(path.parent_path(), failed);
+  const stdfs::path part = part_path(path);
+  if (stdfs::exists(part, failed)) {
+    const stdfs::path kept = free_path(path);
+    stdfs::rename(part, kept, failed);
+    if (failed) return Error{fmt::format("{}: left by a recording that was cut short, and in the way", part.string())};
+    log_info("A recording that was cut short is now {}.", kept.string());
+  }
+  auto file = std::make_unique<File>();
+  file->path = path;
+  file->stream.open(part, std::ios::binary | std::ios::trunc);
+  const std::string line = fmt::format("{}\n", track);
+  if (auto status = file->write({reinterpret_cast<const std::uint8_t*>(line.data()), line.size()}); !status.ok())
+    return Error{fmt::format("{}: cannot be written", path.string())};
+  return DemoRecorder(std::move(file));
+}
+
+Status DemoRecorder::add(const vec3& view_angles, ByteView message) {
+  Bytes bytes;
+  formats::append_dem_message(bytes, view_angles, message);
+  return file_->write(bytes);
+}
+
+Status DemoRecorder::finish(const vec3& view_angles) {
+  const Bytes goodbye = {static_cast<std::uint8_t>(net::Svc::kDisconnect)};
+  if (auto status = add(view_angles, goodbye); !status.ok()) return status;
+  file_->stream.close();
+  std::error_code failed;
+  stdfs::rename(part_path(file_->path), file_->path, failed);
+  if (failed) return Error{fmt::format("{}: {}", file_->path.string(), failed.message())};
+  return ok_status();
+}
+
+}  // namespace fb::cl

@@ -1,0 +1,257 @@
+// The client on a server: connecting, signing on, reading what comes, saying what the player wants, leaving.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/log.h"
+#include "client/client_impl.h"
+#include "client/parse.h"
+#include "console/console.h"
+
+namespace fb::cl {
+namespace {
+
+constexpr std::size_t kMostNameBytes = 15;
+constexpr int kMostColor = 13;
+constexpr std::string_view kLocal = "local";
+
+// What the server knows and the console does not. Help for each.
+constexpr std::array<std::array<const char*, 2>, 15> kForwarded = {{
+    {"status", "who plays"},
+    {"god", "cheat: nothing hurts"},
+    {"notarget", "cheat: monsters do not see you"},
+    {"fly", "cheat: flying"},
+    {"noclip", "cheat: through walls"},
+    {"setpos", "setpos <x> <y> <z> [pitch yaw roll]: cheat: goes there"},
+    {"give", "give <item> [amount]: cheat: h health, s n r c ammunition, 2 to 9 weapons, a armour, k keys"},
+    {"say", "say <text>: to everybody"},
+    {"say_team", "say_team <text>: to your team"},
+    {"tell", "tell <name> <text>: to one player"},
+    {"kill", "kill: gives up, to begin anew"},
+    {"pause", "pause: stops the game, and lets it go on"},
+    {"ping", "ping: how long each player's messages take"},
+    {"kick", "kick <name>|# <number> [reason]: throws a player out"},
+    {"ban", "ban: for servers that have it"},
+}};
+
+int shirt(int colors) { return std::clamp(colors / 16, 0, kMostColor); }
+int trousers(int colors) { return std::clamp(colors % 16, 0, kMostColor); }
+
+}  // namespace
+
+void Client::Impl::connect(std::unique_ptr<net::Connection> connection, std::string server) {
+  demo_loop_next = -1;
+  end_demo(std::nullopt);
+  leave_game(std::nullopt);
+  showing_map = false;
+  error.reset();
+  session.clear();
+  session.reconnect = false;
+  session.state.signon = session.signon_heard = 0;
+  view = {};
+  last_server = server;
+  link.emplace(std::move(connection), std::move(server), clock());
+  session.command = nullptr;
+  if (link->is_local()) session.command = [this](std::string_view line) { console.append(std::string(line) + "\n"); };
+}
+
+Status Client::Impl::connect_to(std::string_view server) {
+  if (server == kLocal) {
+    auto connection = local.connect ? local.connect() : nullptr;
+    if (!connection) return Error{"connect local: no game runs here (map NAME begins one)"};
+    connect(std::move(connection), std::string(server));
+    return ok_status();
+  }
+  if (!network) return Error{fmt::format("connect {}: there is no network", server)};
+  const auto address = network->resolve(server);
+  if (!address.ok()) return address.error();
+  demo_loop_next = -1;
+  end_demo(std::nullopt);
+  disconnect();
+  error.reset();
+  asked_server = server;
+  attempt = std::make_unique<net::ConnectAttempt>(*network, *address);
+  log_info("Connecting to {} ...", address->to_string());
+  return ok_status();
+}
+
+void Client::Impl::poll_attempt() {
+  switch (attempt->poll(clock())) {
+    case net::ConnectAttempt::State::kTrying:
+      break;
+    case net::ConnectAttempt::State::kConnected: {
+      auto connection = attempt->take();
+      attempt.reset();
+      connect(std::move(connection), asked_server);
+      log_info("Connection accepted");
+      break;
+    }
+    case net::ConnectAttempt::State::kFailed:
+      error = Error{fmt::format("Cannot connect to {}: {}", asked_server, attempt->failure())};
+      log_error("{}", error->message);
+      attempt.reset();
+      break;
+  }
+}
+
+void Client::Impl::read_server() {
+  while (link) {
+    const auto message = link->receive(clock());
+    if (!message) break;
+    if (!take_server_message(message->data)) return;
+  }
+  if (link && !link->is_open())
+    leave_game(Error{fmt::format("Lost the connection to {}: {}", link->name(), link->close_reason())});
+}
+
+// False: the game is over.
+bool Client::Impl::take_server_message(ByteView data) {
+  ClientState& state = session.state;
+  if (std::exchange(session.reconnect, false)) state.signon = 0;
+  const int level = session.levels, signon = state.signon;
+  record_message(data);
+  const Status status = parse_server_message(session, data, link->name());
+  if (!status.ok()) {
+    const bool was_local = link->is_local();
+    leave_game(status.error());
+    if (was_local && local.shut_down) local.shut_down();
+    return false;
+  }
+  if (session.disconnected) {
+    session.disconnected = false;
+    log_info("Server disconnected");
+    leave_game(std::nullopt);
+    next_demo();
+    return false;
+  }
+  if (session.levels != level) head.clear();
+  if (session.levels != level || signon < 2) keep_for_recording(data);
+  if (session.signon_heard != 0) reply_to_signon(std::exchange(session.signon_heard, 0));
+  return true;
+}
+
+// Each stage of the signon asks for the next (CL_SignonReply).
+void Client::Impl::reply_to_signon(int signon) {
+  if (signon == 1) {
+    link->command("prespawn");
+  } else if (signon == 2) {
+    const int colors = console.cvar("_cl_color").integer();
+    link->command(fmt::format("name {}", con::in_quotes(console.cvar("_cl_name").string())));
+    link->command(fmt::format("color {} {}", shirt(colors), trousers(colors)));
+    link->command("spawn");
+  } else if (signon == 3) {
+    link->command("begin");
+  }
+  link->flush(clock());
+}
+
+void Client::Impl::leave_game(std::optional<Error> why) {
+  attempt.reset();
+  stop_recording();
+  if (!link) return;
+  link.reset();
+  head.clear();
+  session.command = nullptr;
+  session.state.signon = 0;
+  session.state.hud.intermission = Intermission::kNone;
+  snapshots.forget();
+  if (why) {
+    log_error("{}", why->message);
+    error = std::move(why);
+  }
+}
+
+void Client::Impl::disconnect() {
+  const bool was_local = link && link->is_local();
+  if (link) link->disconnect(clock());
+  leave_game(std::nullopt);
+  if (was_local && local.shut_down) local.shut_down();
+}
+
+void Client::Impl::forward(const std::string& text) {
+  if (demo) return;  // as in Quake: a demo is no server
+  if (!link) {
+    log_info("Can't \"{}\", not connected", text.substr(0, text.find(' ')));
+  } else if (!link->command(text)) {
+    log_info("The server does not take commands any more: \"{}\" is dropped.", text);
+  }
+}
+
+void Client::Impl::send() {
+  if (!link) return;
+  const ClientState& state = session.state;
+  if (state.signon == kSignons && !session.reconnect) {
+    const net::clc::Move move = make_move(buttons, input, mouse_move, state.view_angles, state.message_times[0]);
+    last_forward = static_cast<float>(move.forward);
+    link->send_move(move, state.protocol, clock());
+  }
+  mouse_move = {};
+  link->flush(clock());
+}
+
+void Client::Impl::register_game_commands() {
+  if (!console.find_cvar("_cl_name")) console.add_cvar("_cl_name", "player", "your name: see name", con::kCvarArchive);
+  if (!console.find_cvar("_cl_color")) console.add_cvar("_cl_color", "0", "your colours: see color", con::kCvarArchive);
+
+  console.add_command("connect", "connect <server>: joins a game: a name or address, with or without a port",
+                      [this](const con::Args& args) {
+                        if (args.size() != 2) {
+                          log_info("connect <server>: joins a game: a name or address, with or without a port");
+                          return;
+                        }
+                        if (const auto status = connect_to(args[1]); !status.ok()) {
+                          error = status.error();
+                          log_error("{}", error->message);
+                        }
+                      });
+  console.add_command("disconnect", "leaves the game or the demo", [this](const con::Args&) {
+    demo_loop_next = -1;
+    end_demo(std::nullopt);
+    disconnect();
+  });
+  console.add_command("reconnect", "expects another level; without a game: joins the last server again",
+                      [this](const con::Args&) {
+                        if (link || demo) {
+                          session.reconnect = true;
+                        } else if (last_server.empty()) {
+                          log_info("reconnect: there was no server yet");
+                        } else if (const auto status = connect_to(last_server); !status.ok()) {
+                          log_error("{}", status.error().message);
+                        }
+                      });
+  console.add_command("cmd", "cmd <text>: a command for the server", [this](const con::Args& args) {
+    if (args.size() > 1) forward(args.rest());
+  });
+  for (const auto& [name, help] : kForwarded) {
+    if (console.has_command(name)) continue;  // the server's, in the same program
+    console.add_command(name, help, [this](const con::Args& args) {
+      forward(args.size() > 1 ? fmt::format("{} {}", args[0], args.rest()) : args[0]);
+    });
+  }
+  console.add_command("name", "name <name>: what others call you", [this](const con::Args& args) {
+    con::Cvar& name = console.cvar("_cl_name");
+    if (args.size() < 2) {
+      log_info("\"name\" is \"{}\"", name.string());
+      return;
+    }
+    const std::string wanted = args.joined(1).substr(0, kMostNameBytes);
+    if (wanted == name.string()) return;
+    name.set(wanted);
+    if (link) forward("name " + con::in_quotes(wanted));
+  });
+  console.add_command("color", "color <shirt> [trousers]: 0 to 13", [this](const con::Args& args) {
+    con::Cvar& colors = console.cvar("_cl_color");
+    if (args.size() < 2) {
+      log_info("\"color\" is \"{} {}\"", shirt(colors.integer()), trousers(colors.integer()));
+      log_info("color <0-13> [0-13]");
+      return;
+    }
+    const auto color = [&](std::size_t i) { return std::min(args.integer(i) & 15, kMostColor); };
+    const int top = color(1), bottom = args.size() > 2 ? color(2) : top;
+    colors.set(static_cast<float>(top * 16 + bottom));
+    if (link) forward(fmt::format("color {} {}", top, bottom));
+  });
+}
+
+}  // namespace fb::cl

@@ -1,0 +1,100 @@
+// record and stop: what the server says, as it comes, into a demo.
+#include <fmt/format.h>
+
+#include "base/log.h"
+#include "client/client_impl.h"
+#include "console/console.h"
+
+namespace fb::cl {
+namespace {
+
+constexpr const char* kRecordHelp = "record <demo> [<map> [cd track]]: records what happens; stop ends it";
+
+}  // namespace
+
+void Client::Impl::register_recording_commands() {
+  console.add_command("record", kRecordHelp, [this](const con::Args& args) { record(args); });
+  console.add_command("stop", "ends the recording of a demo", [this](const con::Args&) {
+    if (recorder)
+      stop_recording();
+    else
+      log_info("Not recording a demo.");
+  });
+}
+
+void Client::Impl::record(const con::Args& args) {
+  if (demo) return log_info("Can't record during demo playback");
+  stop_recording();
+  if (args.size() < 2 || args.size() > 4) return log_info("{}", kRecordHelp);
+  if (args.size() == 2 && link && session.state.signon < 2)
+    return log_info("Can't record while the game is still loading; try again in a moment.");
+  if (!write_path) return log_error("record {}: there is nowhere to write to", args[1]);
+  const auto path = write_path(demo_path(args[1]));
+  if (!path.ok()) return log_error("record {}: {}", args[1], path.error().message);
+
+  const int track = args.size() == 4 ? args.integer(3) : -1;
+  if (args.size() > 2) {
+    console.execute_line("map " + con::in_quotes(args[2]));
+    if (!link) return;  // it has said why
+  }
+  auto started = DemoRecorder::start(*path, track);
+  if (!started.ok()) return log_error("{}", started.error().message);
+  std::error_code ignored;
+  const bool replaces = std::filesystem::exists(*path, ignored);
+  log_info("recording to {}{}", path->string(), replaces ? ", which will be replaced when the recording ends" : "");
+  recorder.emplace(std::move(*started));
+  if (args.size() == 2 && link) record_game_so_far();
+}
+
+void Client::Impl::record_message(ByteView data) {
+  if (!recorder) return;
+  const Status status = recorder->add(session.state.view_angles, data);
+  if (status.ok()) return;
+  log_error("{}; the recording ends here", status.error().message);
+  recorder.reset();
+}
+
+// A server that talks for ever before the game begins fills no memory: such a game cannot be recorded from its midst.
+void Client::Impl::keep_for_recording(ByteView data) {
+  constexpr std::size_t kMostMessages = 1024;
+  if (head.size() < kMostMessages) head.emplace_back(data.begin(), data.end());
+}
+
+// What somebody has to be told who comes to the game now: the messages of its signon as they came, then what has
+// changed since, so far as it is told once only. Entities follow with the next message.
+void Client::Impl::record_game_so_far() {
+  for (const Bytes& message : head) record_message(message);
+  const ClientState& state = session.state;
+  net::MessageWriter writer(state.protocol);
+  const auto say = [&writer](const net::ServerMessage& message) { net::write_server_message(writer, message); };
+  for (std::size_t i = 0; i < state.hud.scores.size(); ++i) {
+    const Score& score = state.hud.scores[i];
+    const int client = static_cast<int>(i);
+    say(net::svc::UpdateName{client, score.name});
+    say(net::svc::UpdateFrags{client, score.frags});
+    say(net::svc::UpdateColors{client, score.colors});
+  }
+  for (std::size_t i = 0; i < state.light_styles.size(); ++i)
+    say(net::svc::LightStyle{static_cast<int>(i), state.light_styles[i]});
+  for (const int stat : {kStatTotalSecrets, kStatTotalMonsters, kStatSecrets, kStatMonsters})
+    say(net::svc::UpdateStat{stat, state.hud.stats[static_cast<std::size_t>(stat)]});
+  if (state.skybox) say(net::svc::StuffText{fmt::format("sky \"{}\"\n", *state.skybox)});
+  const Fog& fog = state.fog.now;
+  say(net::svc::StuffText{fmt::format("fog {} {} {} {}\n", fog.density, fog.color.x, fog.color.y, fog.color.z)});
+  if (state.hud.paused) say(net::svc::SetPause{true});
+  say(net::svc::SetView{state.view_entity});
+  say(net::svc::SignonNum{3});
+  record_message(writer.bytes());
+}
+
+void Client::Impl::stop_recording() {
+  if (!recorder) return;
+  const Status status = recorder->finish(session.state.view_angles);
+  if (status.ok())
+    log_info("Completed demo {}", recorder->path().string());
+  else
+    log_error("{}", status.error().message);
+  recorder.reset();
+}
+
+}  // namespace fb::cl
