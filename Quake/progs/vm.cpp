@@ -77,9 +77,7 @@ void Vm::call_builtin(FunctionId id) {
                      function.name));
     return;
   }
-  const int parm_count = parm_count_;
   (*builtin)(*this);
-  parm_count_ = parm_count;
 }
 
 void Vm::fail(std::string_view cause) {

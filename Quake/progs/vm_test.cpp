@@ -85,6 +85,17 @@ TEST_F(VmTest, GoesOnAfterAnError) {
   EXPECT_EQ(output(), "2");
 }
 
+TEST_F(VmTest, AnErrorGivesLocalsBack) {
+  options_.max_local_words = 500;
+  ASSERT_TRUE(
+      start("float calls; void(float n) deeper = { local float x; calls = calls + 1; put(x); x = n;"
+            "if (n > 0) deeper(n - 1); else { local void() f; f(); } }; void() main = { deeper(20); };"));
+  for (int i = 0; i < 100; ++i) {
+    ASSERT_THAT(error_of(), HasSubstr("call of a NULL function"));
+    ASSERT_TRUE(output().starts_with("0 20 19 ")) << output();  // what x held before, not what the error left in it
+  }
+}
+
 TEST_F(VmTest, UnknownBuiltinsFailOnlyWhenCalled) {
   const std::string before =
       "void() later = #4000; void() far = #999999; void() main2 = { later(); };"
