@@ -15,9 +15,10 @@ class Signon : public ClientsTest, public ::testing::WithParamInterface<int> {};
 INSTANTIATE_TEST_SUITE_P(Protocols, Signon, ::testing::Values(15, 666, 999));
 
 TEST_P(Signon, TellsOfTheLevel) {
-  start_game("void() main = { lightstyle(3, \"abc\"); total_monsters = 7; found_secrets = 2; world.message = \"Deep\"; "
-             "world.sounds = 5; };",
-             4, GetParam());
+  start_game(
+      "void() main = { lightstyle(3, \"abc\"); total_monsters = 7; found_secrets = 2; world.message = \"Deep\"; "
+      "world.sounds = 5; };",
+      4, GetParam());
   FakeClient& player = join();
   EXPECT_EQ(player.signon, 3);
   EXPECT_TRUE(slot(0).spawned());
@@ -31,8 +32,7 @@ TEST_P(Signon, TellsOfTheLevel) {
   EXPECT_EQ(player.last<svc::SetView>().entity, 1);
   EXPECT_EQ(player.all<svc::LightStyle>().size(), 64u);
   EXPECT_EQ(player.all<svc::LightStyle>()[3], (svc::LightStyle{3, "abc"}));
-  EXPECT_EQ(player.all<svc::UpdateStat>(),
-            (std::vector<svc::UpdateStat>{{11, 0}, {12, 7}, {13, 2}, {14, 0}}));
+  EXPECT_EQ(player.all<svc::UpdateStat>(), (std::vector<svc::UpdateStat>{{11, 0}, {12, 7}, {13, 2}, {14, 0}}));
   EXPECT_THAT(player.all<svc::UpdateName>(), ::testing::Contains(svc::UpdateName{3, ""}));
   EXPECT_EQ(player.last<svc::UpdateName>(), (svc::UpdateName{0, "player"}));
   EXPECT_EQ(player.last<svc::ClientData>().health, 100);
@@ -122,9 +122,10 @@ TEST_F(ClientsBasics, WhoLoadsForLongHearsThatTheServerLives) {
 }
 
 TEST_F(ClientsBasics, TalkReachesWhoItIsFor) {
-  start_game("void() shout = { bprint(\"all\"); }; void() whisper = { sprint(self, \"one\"); centerprint(self, \"mid\"); "
-             "stuffcmd(self, \"bf\\n\"); };",
-             2);
+  start_game(
+      "void() shout = { bprint(\"all\"); }; void() whisper = { sprint(self, \"one\"); centerprint(self, \"mid\"); "
+      "stuffcmd(self, \"bf\\n\"); };",
+      2);
   FakeClient &first = join(), &second = join();
   first.forget();
   second.forget();
@@ -172,8 +173,9 @@ TEST_F(ClientsBasics, QuakeCsBytesAreMessages) {
 }
 
 TEST_F(ClientsBasics, SoundsAndParticles) {
-  start_game("void() go = { sound(self, 2, \"a.wav\", 0.5, 2); sound(self, 1, \"b.wav\", 1, 1); particle('1 2 3', "
-             "'0 0.5 -20', 73, 20); };");
+  start_game(
+      "void() go = { sound(self, 2, \"a.wav\", 0.5, 2); sound(self, 1, \"b.wav\", 1, 1); particle('1 2 3', "
+      "'0 0.5 -20', 73, 20); };");
   FakeClient& player = join();
   place(1, {64, 0, 0});
   call("go", 1);
@@ -186,9 +188,10 @@ TEST_F(ClientsBasics, SoundsAndParticles) {
 }
 
 TEST_F(ClientsBasics, StaticThingsComeWithTheSignon) {
-  start_game("void() main = { local entity e; e = spawn(); e.model = \"progs/box.mdl\"; e.modelindex = 3; e.origin = '1 2 3'; "
-             "e.frame = 4; makestatic(e); e = spawn(); e.model = \"progs/box.mdl\"; e.modelindex = 3; e.alpha = 0.5; "
-             "makestatic(e); };");
+  start_game(
+      "void() main = { local entity e; e = spawn(); e.model = \"progs/box.mdl\"; e.modelindex = 3; e.origin = '1 2 3'; "
+      "e.frame = 4; makestatic(e); e = spawn(); e.model = \"progs/box.mdl\"; e.modelindex = 3; e.alpha = 0.5; "
+      "makestatic(e); };");
   FakeClient& player = join();
   const auto things = player.all<svc::SpawnStatic>();
   ASSERT_EQ(things.size(), 2u);

@@ -41,7 +41,8 @@ TEST_F(ReceiveTest, ThinksAfterItsMessagesInOrderOfSlots) {
 }
 
 TEST_F(ReceiveTest, NonsenseEndsItsSendersGame) {
-  const std::vector<Bytes> nonsense = {{77}, {3, 1, 2}, {4, 'h', 'i'}, {3, 0, 0, 0xc0, 0x7f, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
+  const std::vector<Bytes> nonsense = {
+      {77}, {3, 1, 2}, {4, 'h', 'i'}, {3, 0, 0, 0xc0, 0x7f, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
   for (const Bytes& bytes : nonsense) {
     LogWatch log;
     start_game("void() main = {};", 2);
@@ -61,7 +62,8 @@ TEST_F(ReceiveTest, NothingReachesTheConsole) {
   console_.add_command("quit", "", [&](const con::Args&) { ++ran; });
   start_game();
   FakeClient& player = join();
-  for (const char* text : {"quit", "sv_gravity 0", "say hi; quit", "kill;quit", "map start", "", "   ", "\"", "god\nquit"})
+  for (const char* text :
+       {"quit", "sv_gravity 0", "say hi; quit", "kill;quit", "map start", "", "   ", "\"", "god\nquit"})
     player.command(text);
   frame(4);
   console_.execute();

@@ -1,0 +1,55 @@
+// server_make_seed_corpus DIRECTORY: what players say, of each kind, for fuzz_client_messages to start from.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "net/client_messages.h"
+
+namespace {
+
+using fb::Bytes;
+namespace net = fb::net;
+
+void add_piece(Bytes& input, std::uint8_t how, const Bytes& piece) {
+  input.push_back(how);
+  input.push_back(static_cast<std::uint8_t>(piece.size()));
+  input.insert(input.end(), piece.begin(), piece.end());
+}
+
+Bytes bytes_of(const net::ClientMessage& message, int protocol) {
+  net::MessageWriter writer({protocol, 0});
+  net::write_client_message(writer, message);
+  return writer.bytes();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: %s DIRECTORY\n", argv[0]);
+    return 2;
+  }
+  const std::filesystem::path folder = std::filesystem::path(argv[1]) / "fuzz_client_messages";
+  std::filesystem::create_directories(folder);
+  constexpr int kProtocols[] = {15, 666, 999};
+  for (std::uint8_t protocol = 0; protocol < 3; ++protocol) {
+    for (const std::uint8_t signed_on : {0, 4, 8, 12}) {
+      Bytes input = {static_cast<std::uint8_t>(protocol | signed_on)};
+      const auto say = [&](std::uint8_t how, const net::ClientMessage& message) {
+        add_piece(input, how, bytes_of(message, kProtocols[protocol]));
+      };
+      for (const char* text :
+           {"prespawn", "name \"player\"", "color 4 3", "spawn", "begin", "status", "ping", "say hello",
+            "say_team \"hello\"", "tell player hello", "kill", "god", "notarget", "fly", "noclip", "give 7", "give s 20",
+            "give a 150", "setpos 1 2 3", "setpos 1 2 3 4 5 6", "pause", "pause", "kick # 2 why", "quit"})
+        for (const std::uint8_t how : {2, 1}) say(how, net::clc::StringCommand{text});
+      say(0, net::clc::Move{1.0f, fb::vec3(10, 20, 0), 400, -350, 200, 3, 7});
+      say(1, net::clc::Nop{});
+      say(1, net::clc::Disconnect{});
+      std::ofstream((folder / std::to_string(protocol | signed_on)), std::ios::binary)
+          .write(reinterpret_cast<const char*>(input.data()), static_cast<std::streamsize>(input.size()));
+    }
+  }
+  return 0;
+}
