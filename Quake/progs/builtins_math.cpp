@@ -98,21 +98,8 @@ Builtin binary(double (*function)(double, double)) {
   return [function](Vm& vm) { vm.return_float(static_cast<float>(function(vm.parm_float(0), vm.parm_float(1)))); };
 }
 
-// Turns `self` by at most its yaw_speed (or a pitch speed) towards an ideal angle, the short way.
 void change_angle(Edict edict, int axis, float ideal, float speed) {
-  vec3 angles = edict.get(fields::angles);
-  const float current = angle_mod(angles[axis]);
-  if (current == ideal) return;
-  float move = ideal - current;
-  if (ideal > current) {
-    if (move >= 180.0f) move -= 360.0f;
-  } else if (move <= -180.0f) {
-    move += 360.0f;
-  }
-  // Not clamped: with a negative speed Quake turns away.
-  move = move > 0.0f ? std::min(move, speed) : std::max(move, -speed);
-  angles[axis] = angle_mod(current + move);
-  edict.set(fields::angles, angles);
+  edict.set(fields::angles, turned_towards(edict.get(fields::angles), axis, ideal, speed));
 }
 
 void changeyaw(Vm& vm) {

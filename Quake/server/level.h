@@ -29,6 +29,8 @@ using progs::Edict;
 using progs::EdictId;
 using progs::FunctionId;
 using progs::StringId;
+namespace fields = progs::fields;
+namespace globals = progs::globals;
 
 // Cvars that the simulation reads each frame, under Quake's names. Registering twice gives the same.
 struct Cvars {

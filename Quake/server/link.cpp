@@ -7,8 +7,6 @@
 namespace fb::sv {
 namespace {
 
-namespace fields = progs::fields;
-
 int list_id(EdictId id) { return static_cast<int>(index(id)); }
 EdictId edict_id(int list_id) { return EdictId{static_cast<std::uint32_t>(list_id)}; }
 

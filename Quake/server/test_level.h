@@ -26,9 +26,6 @@
 
 namespace fb::sv::testing {
 
-namespace fields = progs::fields;
-namespace globals = progs::globals;
-
 // QuakeC's declarations of what LevelTest gives, with the numbers of defs.qc.
 constexpr const char* kLevelSource = R"(
 float MOVETYPE_NONE = 0; float MOVETYPE_WALK = 3; float MOVETYPE_STEP = 4; float MOVETYPE_FLY = 5;
@@ -55,7 +52,7 @@ struct Sound {
   float volume, attenuation;
 };
 
-class LevelTest : public progs::testing::QcTest, private LevelEvents {
+class LevelTest : public progs::testing::QcTest, public LevelEvents {
  protected:
   // One client, as edict 1.
   void start_level(const std::string& source, const MapBuilder& map) {
