@@ -48,7 +48,7 @@ Level::Level(std::string map_name, std::shared_ptr<const formats::Bsp> map, std:
     : map_name(std::move(map_name)),
       bsp(std::move(map)),
       hulls(*bsp),
-      areas(bsp->models.at(0).mins, bsp->models.at(0).maxs),
+      areas(bsp->models.at(0).mins - vec3(1.0f), bsp->models.at(0).maxs + vec3(1.0f)),  // as QuakeSpasm spreads models
       vm(std::move(machine)),
       cvars(console),
       optional(vm->program()),

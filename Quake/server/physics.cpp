@@ -42,8 +42,6 @@ void physics_edict(Level& level, EdictId id) {
 
 void physics(Level& level, const std::function<bool(EdictId)>& is_active_client) {
   progs::Vm& vm = *level.vm;
-  vm.level_time = level.time;
-  vm.set(globals::frametime, frame_seconds(level));
   if (!level.run(vm.get(globals::StartFrame), EdictId::kWorld)) return;
 
   // What is spawned in this frame, behind all that there is, moves from the next one on (QuakeSpasm; Quake moved it at
@@ -64,7 +62,6 @@ void physics(Level& level, const std::function<bool(EdictId)>& is_active_client)
     vm.set(globals::force_retouch, retouch - 1.0f);
   }
   if (!frozen) level.time += level.frame_time;
-  vm.level_time = level.time;
 }
 
 }  // namespace fb::sv

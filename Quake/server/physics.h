@@ -13,7 +13,7 @@ namespace fb::sv {
 
 // Runs StartFrame, then every edict that was there as the frame began, for level.frame_time seconds from level.time
 // on; then level.time is the end of the frame. Clients that are not active stand still. Where QuakeC fails the rest of
-// the frame is left out (level.failed()).
+// the frame is left out (level.failed()). The caller keeps QuakeC's frametime and the machine's clock.
 void physics(Level& level, const std::function<bool(EdictId)>& is_active_client);
 
 }  // namespace fb::sv

@@ -65,8 +65,8 @@ class LevelTest : public progs::testing::QcTest, public LevelEvents {
     level_ = std::make_unique<Level>("test", std::move(bsp), std::move(vm_), console_, *this, rng_);
     for (std::size_t i = 0; i < submodels; ++i) {
       const formats::BspModel& model = level_->bsp->models[i];
-      level_->models.push_back(
-          {i == 0 ? "maps/test.bsp" : fmt::format("*{}", i), static_cast<int>(i), model.mins, model.maxs});
+      level_->models.push_back({i == 0 ? "maps/test.bsp" : fmt::format("*{}", i), static_cast<int>(i),
+                                model.mins - vec3(1.0f), model.maxs + vec3(1.0f)});
     }
     Edict world = level_->world_edict();
     world.set(fields::modelindex, 1.0f);
@@ -97,6 +97,8 @@ class LevelTest : public progs::testing::QcTest, public LevelEvents {
   void tick(double seconds = 0.1, int count = 1) {
     for (int i = 0; i < count && !level_->failed(); ++i) {
       level_->frame_time = seconds;
+      level_->vm->level_time = level_->time;
+      level_->vm->set(globals::frametime, static_cast<float>(seconds));
       physics(*level_, [this](EdictId) { return client_is_active_; });
     }
   }
