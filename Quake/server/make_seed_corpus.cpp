@@ -1,4 +1,5 @@
-// server_make_seed_corpus DIRECTORY: what players say, of each kind, for fuzz_client_messages to start from.
+// server_make_seed_corpus DIRECTORY: what the fuzzers start from, in a folder each: what players say, of each kind;
+// saved games.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -23,6 +24,22 @@ Bytes bytes_of(const net::ClientMessage& message, int protocol) {
   return writer.bytes();
 }
 
+void write_saves(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  std::string header = "5\nTest__________________kills:__0/__0____\n";
+  for (int i = 0; i < 16; ++i) header += "1.500000\n";
+  header += "1\ntest\n12.345678\n";
+  for (int i = 0; i < 64; ++i) header += "m\n";
+  const std::string game =
+      "{\n\"counter\" \"3.000000\"\n\"word\" \"two\\nlines\"\n\"marked\" \"2\"\n}\n"
+      "{\n\"classname\" \"worldspawn\"\n\"model\" \"maps/test.bsp\"\n}\n{\n\"health\" \"100.000000\"\n}\n{\n}\n"
+      "{\n\"origin\" \"1.500000 2.000000 -3.000000\"\n\"think\" \"thing_think\"\n\"enemy\" \"1\"\n\"way\" \"origin\"\n"
+      "\"alpha\" \"0.500000\"\n\"angle\" \"90\"\n}\n";
+  std::ofstream(folder / "header") << header;
+  std::ofstream(folder / "whole") << header << game;
+  std::ofstream(folder / "unknown") << header << "{\n\"nothing\" \"1\"\n}\n{\n\"think\" \"none\"\n}\n";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -30,6 +47,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: %s DIRECTORY\n", argv[0]);
     return 2;
   }
+  write_saves(std::filesystem::path(argv[1]) / "fuzz_save");
   const std::filesystem::path folder = std::filesystem::path(argv[1]) / "fuzz_client_messages";
   std::filesystem::create_directories(folder);
   constexpr int kProtocols[] = {15, 666, 999};
@@ -39,10 +57,30 @@ int main(int argc, char** argv) {
       const auto say = [&](std::uint8_t how, const net::ClientMessage& message) {
         add_piece(input, how, bytes_of(message, kProtocols[protocol]));
       };
-      for (const char* text :
-           {"prespawn", "name \"player\"", "color 4 3", "spawn", "begin", "status", "ping", "say hello",
-            "say_team \"hello\"", "tell player hello", "kill", "god", "notarget", "fly", "noclip", "give 7", "give s 20",
-            "give a 150", "setpos 1 2 3", "setpos 1 2 3 4 5 6", "pause", "pause", "kick # 2 why", "quit"})
+      for (const char* text : {"prespawn",
+                               "name \"player\"",
+                               "color 4 3",
+                               "spawn",
+                               "begin",
+                               "status",
+                               "ping",
+                               "say hello",
+                               "say_team \"hello\"",
+                               "tell player hello",
+                               "kill",
+                               "god",
+                               "notarget",
+                               "fly",
+                               "noclip",
+                               "give 7",
+                               "give s 20",
+                               "give a 150",
+                               "setpos 1 2 3",
+                               "setpos 1 2 3 4 5 6",
+                               "pause",
+                               "pause",
+                               "kick # 2 why",
+                               "quit"})
         for (const std::uint8_t how : {2, 1}) say(how, net::clc::StringCommand{text});
       say(0, net::clc::Move{1.0f, fb::vec3(10, 20, 0), 400, -350, 200, 3, 7});
       say(1, net::clc::Nop{});

@@ -103,7 +103,7 @@ std::string write_save(Level& level, const std::array<float, 16>& spawn_parms, i
   return text;
 }
 
-Status read_saved_entities(progs::Vm& vm, std::string_view text, std::string_view name, const EdictVisitor& looks) {
+Status read_saved_entities(progs::Vm& vm, std::string_view text, std::string_view name, const EdictVisitor& placed) {
   const auto named = [&](const Error& error) { return Error{fmt::format("{}: {}", name, error.message)}; };
   bool is_globals = true;
   EdictId id{};
@@ -119,7 +119,7 @@ Status read_saved_entities(progs::Vm& vm, std::string_view text, std::string_vie
     if (!read) return named(read.error());
     // A player who has not begun has no fields, and is no free edict for that.
     if (read->empty && index(id) > vm.edicts().reserved()) vm.edicts().mark_free(id);
-    if (looks) looks(id, *read);
+    if (placed) placed(id, *read);
     id = next(id);
   }
   if (index(id) <= vm.edicts().reserved()) return Error{fmt::format("{}: the saved game has no player", name)};

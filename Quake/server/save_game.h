@@ -42,9 +42,9 @@ std::string save_comment(std::string_view level_name, int kills, int monsters);
 // Reads globals and edicts into a virtual machine whose level has begun: those of the save are in use or free as it
 // says, those beyond are freed. Fails where the text is malformed, names what the program has not, or has more edicts
 // than the machine.
-// `looks` is given each edict's keys that the program has no field for.
+// `placed` is called as each edict has been read.
 using EdictVisitor = std::function<void(EdictId id, const progs::EdictText& text)>;
 Status read_saved_entities(progs::Vm& vm, std::string_view entities, std::string_view name,
-                           const EdictVisitor& looks = nullptr);
+                           const EdictVisitor& placed = nullptr);
 
 }  // namespace fb::sv

@@ -196,7 +196,6 @@ bool Server::stands_still() const { return level_->paused || (held_ && options_.
 void Server::run_physics(double seconds) {
   level_->frame_time = seconds;
   level_->vm->level_time = level_->time;
-  level_->vm->set(globals::frametime, static_cast<float>(seconds));
   physics(*level_, [this](EdictId id) {
     const ServerClient* client = clients_->find(id);
     return client && client->active();

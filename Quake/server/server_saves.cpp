@@ -81,11 +81,12 @@ Status Server::load(std::string_view typed) {
 Status Server::resume(const SaveGame& save, std::string_view name) {
   Level& level = *level_;
   level.light_styles = save.header.light_styles;
-  const auto looks = [&](EdictId id, const progs::EdictText& text) { take_looks(level, id, text); };
-  if (Status status = read_saved_entities(*level.vm, save.entities, name, looks); !status) return status;
-  for (EdictId id{}; level.edicts().valid(id); id = next(id)) {
-    if (!level.edicts().is_free(id)) link_edict(level, id);
-  }
+  const auto place = [&](EdictId id, const progs::EdictText& text) {
+    if (text.empty) return;
+    take_looks(level, id, text);
+    link_edict(level, id);
+  };
+  if (Status status = read_saved_entities(*level.vm, save.entities, name, place); !status) return status;
   level.time = save.header.time;
   level.vm->level_time = level.time;
   level.last_check_time = 0.0;

@@ -1,0 +1,34 @@
+// The rules of testdemos/rules, compiled by fteqcc with more QuakeC behind them. For tests, which run in the top
+// folder.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "base/bytes.h"
+#include "fs/file.h"
+#include "progs/test_qc.h"
+
+namespace fb::sv::testing {
+
+// progs.dat; empty where there is no compiler, or it does not compile.
+inline Bytes compile_rules(const std::string& more) {
+  namespace stdfs = std::filesystem;
+  std::string folder = (stdfs::temp_directory_path() / "fullbright_rules_XXXXXX").string();
+  if (!mkdtemp(folder.data())) return {};
+  stdfs::copy("testdemos/rules", folder);
+  std::ofstream(folder + "/more.qc") << more;
+  std::ofstream(folder + "/progs.src", std::ios::app) << "\nmore.qc\n";
+  const std::string command = fmt::format("cd '{}' && fteqcc -O0 -Tstandard -srcfile progs.src >log.txt 2>&1", folder);
+  Bytes progs;
+  if (std::system(command.c_str()) == 0)
+    if (auto bytes = fs::read_whole_file(folder + "/progs.dat")) progs = *bytes;
+  stdfs::remove_all(folder);
+  return progs;
+}
+
+}  // namespace fb::sv::testing
