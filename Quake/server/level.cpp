@@ -29,7 +29,7 @@ Cvars::Cvars(con::Console& console)
       deathmatch(cvar(console, "deathmatch", "0", "players against each other; counts from the next level")),
       coop(cvar(console, "coop", "0", "players with each other; counts from the next level")),
       teamplay(cvar(console, "teamplay", "0", "what players of one team can do to each other: the mod's business")),
-      nomonsters(cvar(console, "nomonsters", "0", "1: levels have no monsters, where the mod asks")),
+      nomonsters(cvar(console, "nomonsters", "0", "1: levels begin without what is called monster_...")),
       pausable(cvar(console, "pausable", "1", "players may pause the game")),
       max_edicts(cvar(console, "max_edicts", "32000", "things that a level may have; counts from the next level")),
       alt_noclip(cvar(console, "sv_altnoclip", "1", "noclip flies where one looks", con::kCvarArchive)),

@@ -44,7 +44,7 @@ struct Cvars {
 struct LevelModel {
   std::string name;
   int submodel = -1;            // index of the map's models, 0 the world; -1: not of the map
-  vec3 mins{0.0f}, maxs{0.0f};  // what setmodel gives: for models that are no map's, +-16 as in QuakeSpasm
+  vec3 mins{0.0f}, maxs{0.0f};  // what setmodel gives: level_files.h
 };
 
 // What the server keeps of an edict.
