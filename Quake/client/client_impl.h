@@ -84,6 +84,7 @@ struct Client::Impl {
   std::unique_ptr<net::ConnectAttempt> attempt;
   std::string asked_server, last_server;  // of the attempt; of the last game
   std::optional<ServerLink> link;
+  int games = 0;  // joined so far
   bool in_step = false;
   std::vector<Bytes> head;  // messages of this level's signon, for a recording that begins later
 

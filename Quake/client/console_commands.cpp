@@ -101,7 +101,7 @@ void Client::Impl::register_console() {
                       [this](const con::Args& args) {
                         demo_loop.clear();
                         for (std::size_t i = 1; i < args.size() && i <= kMaxDemoLoop; ++i) demo_loop.push_back(args[i]);
-                        const bool busy = demo.has_value() || showing_map || held;
+                        const bool busy = demo || link || attempt || showing_map || held;
                         held = false;
                         demo_loop_next = busy ? -1 : 0;
                         next_demo();

@@ -50,6 +50,7 @@ void Client::Impl::connect(std::unique_ptr<net::Connection> connection, std::str
   session.reconnect = false;
   session.state.signon = session.signon_heard = 0;
   view = {};
+  ++games;
   last_server = server;
   link.emplace(std::move(connection), std::move(server), clock());
   session.command = nullptr;

@@ -352,6 +352,15 @@ TEST_F(Playing, RecordingSpoilsNothing) {
   EXPECT_THAT(log, HasSubstr("record <demo> [<map> [cd track]]"));
 }
 
+TEST_F(Playing, AMapThatCannotBeginIsNotRecorded) {
+  join();
+  console.remove_command("map");
+  console.add_command("map", "map", [](const con::Args&) { log_error("no such map"); });
+  console.execute("record x nowhere");
+  EXPECT_FALSE(client.recording()) << "of the game that goes on nothing was asked";
+  EXPECT_TRUE(client.connected());
+}
+
 TEST_F(Playing, RecordingWhereNothingCanBeWrittenIsASentence) {
   std::ofstream(folder) << "a file in the way";
   join();

@@ -34,8 +34,9 @@ void Client::Impl::record(const con::Args& args) {
 
   const int track = args.size() == 4 ? args.integer(3) : -1;
   if (args.size() > 2) {
+    const int before = games;
     console.execute_line("map " + con::in_quotes(args[2]));
-    if (!link) return;  // it has said why
+    if (games == before) return;  // it has said why
   }
   auto started = DemoRecorder::start(*path, track);
   if (!started.ok()) return log_error("{}", started.error().message);

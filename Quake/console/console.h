@@ -83,6 +83,8 @@ class Console {
   // One command, now, without the buffer.
   void execute_line(std::string_view line);
   bool buffer_empty() const;
+  // The last execute() ended at a `wait`.
+  bool waiting() const { return wait_; }
 
   // Where `exec` gets its scripts; without one it says that there are none.
   void set_file_loader(FileLoader loader);

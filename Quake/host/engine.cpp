@@ -1,21 +1,117 @@
 #include "host/engine.h"
 
+#include <algorithm>
+#include <random>
+
+#include "base/log.h"
 #include "render/settings.h"
 
 namespace fb::host {
 
-Result<std::unique_ptr<Engine>> Engine::create(const std::vector<std::string>& arguments) {
+EngineOptions engine_options(const GameOptions& options) {
+  EngineOptions engine;
+  engine.max_clients = options.max_clients;
+  engine.port = static_cast<std::uint16_t>(options.port);
+  engine.seed = options.seed.value_or(std::random_device{}());
+  return engine;
+}
+
+Result<std::unique_ptr<Engine>> Engine::create(const std::vector<std::string>& arguments, const EngineOptions& wanted) {
   auto options = fs::options_from_arguments(arguments);
   if (!options) return options.error();
   auto files = fs::FileSystem::open(*options);
   if (!files) return Error{files.error().message + " (-basedir DIR says where the game data is: DIR holds id1)"};
-  return std::unique_ptr<Engine>(new Engine(std::move(*files)));
+  std::unique_ptr<Engine> engine(new Engine(std::move(*files), wanted, arguments));
+  if (wanted.server && (wanted.dedicated || wanted.max_clients > 1)) {
+    if (auto status = engine->listen(wanted); !status) {
+      if (wanted.dedicated) return status.error();
+      log_error("{}; nobody can join", status.error().message);
+    }
+  }
+  return engine;
 }
 
-Engine::Engine(fs::FileSystem files)
-    : files_(std::move(files)), library_(files_.loader()), client_(console_, library_, files_.loader()) {
+Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::vector<std::string>& arguments)
+    : files_(std::move(files)), library_(files_.loader()), rng_(options.seed), network_(net::system_network()) {
   console_.set_file_loader(files_.loader());
+  register_time_cvars(console_);
+  if (options.server) make_server(options, arguments);
+  if (options.client) make_client();
+}
+
+Engine::~Engine() {
+  if (client_) client_->disconnect();  // ends a recording, too
+}
+
+void Engine::make_server(const EngineOptions& options, const std::vector<std::string>& arguments) {
+  sv::ServerServices services;
+  services.read_file = files_.loader();
+  services.game_index_of = [this](std::string_view name) { return files_.game_index_of(name); };
+  services.write_file = [this](std::string_view name, ByteView data) { return files_.write(name, data); };
+  services.rng = &rng_;
+  sv::ServerOptions server;
+  server.max_clients = options.max_clients;
+  server.dedicated = options.dedicated;
+  server.standard_quake = std::none_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
+    return argument == "-hipnotic" || argument == "-rogue";
+  });
+  server_ = std::make_unique<sv::Server>(console_, std::move(services), server);
+  server_->clients().add_listener(loopback_);
+}
+
+void Engine::make_client() {
   render::register_render_cvars(console_);
+  client_ = std::make_unique<cl::Client>(console_, library_, files_.loader());
+  client_->set_network(*network_);
+  client_->set_write_path([this](std::string_view name) { return files_.write_path(name); });
+  if (!server_) return;
+  client_->set_local_server(
+      {[this]() -> std::unique_ptr<net::Connection> { return server_->active() ? loopback_.connect(now_) : nullptr; },
+       [this] { server_->shutdown(); }});
+  server_->set_local_start([this] {
+    if (const auto status = client_->connect("local"); !status) log_error("{}", status.error().message);
+  });
+}
+
+Status Engine::listen(const EngineOptions& options) {
+  auto opened = net::DatagramListener::open(
+      *network_, options.port, [this] { return server_->clients().status(now_); }, std::random_device{}());
+  if (!opened) return opened.error();
+  listener_ = std::move(*opened);
+  server_->clients().add_listener(*listener_);
+  log_info("Listening at port {}.", listener_->port());
+  return ok_status();
+}
+
+void Engine::queue_configuration(const std::vector<std::string>& arguments) {
+  console_.set_command_line(arguments);
+  console_.append(files_.exists("quake.rc") ? "exec quake.rc\n"
+                                            : "exec default.cfg\nexec config.cfg\nexec autoexec.cfg\nstuffcmds\n");
+}
+
+void Engine::execute_commands(double now) {
+  now_ = now;
+  console_.set_time(now);
+  if (!console_.waiting() || ticked_) console_.execute();
+}
+
+void Engine::frame(const FramePlan& plan, const vec2& mouse, double now) {
+  now_ = now;
+  if (client_) {
+    client_->set_in_step(plan.in_step);
+    client_->look(plan.seconds, mouse);
+  }
+  for (int i = 0; i < plan.ticks; ++i) {
+    if (client_) client_->send();
+    if (server_) server_->frame(plan.tick_seconds, now);
+  }
+  ticked_ = plan.ticks > 0;
+  if (client_) client_->advance(plan.seconds);
+}
+
+bool Engine::busy() {
+  if (!console_.buffer_empty() || (server_ && server_->active())) return true;
+  return client_ && (client_->playing() || client_->connected() || client_->connecting());
 }
 
 }  // namespace fb::host

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "host/dedicated.h"
 #include "host/device_list.h"
 #include "host/game.h"
 
@@ -23,6 +24,11 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (options->list_devices) return host::print_devices(options->device);
+  if (options->dedicated) {
+    const auto status = host::run_dedicated(*options);
+    if (!status) fmt::print(stderr, "fullbright: {}\n", status.error().message);
+    return status ? *status : 1;
+  }
   auto game = host::Game::create(*options);
   if (!game) {
     fmt::print(stderr, "fullbright: {}\n", game.error().message);

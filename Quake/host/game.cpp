@@ -16,10 +16,6 @@ namespace {
 constexpr uvec2 kWindowSize{1280, 720}, kHeadlessSize{640, 360};
 
 void register_host_cvars(con::Console& console) {
-  console.add_cvar({"host_framerate", "0", "seconds that every frame lasts, whatever it took; 0: real time",
-                    con::kCvarPlain, 0.0f, 1.0f});
-  console.add_cvar({"host_timescale", "1", "how fast time goes", con::kCvarPlain, 0.0f, 100.0f});
-  console.add_cvar({"host_maxfps", "250", "most frames a second in a window", con::kCvarArchive, 10.0f, 1000.0f});
   console.add_cvar({"vid_vsync", "0", "wait for the display's refresh; counts from the next start", con::kCvarArchive,
                     0.0f, 1.0f, true});
 }
@@ -38,7 +34,7 @@ Result<std::unique_ptr<Game>> Game::create(const GameOptions& options) {
   if (options.headless && !options.has_commands) {
     return Error{"-headless: there is nothing to do; give a command, for instance +timedemo demo1"};
   }
-  auto engine = Engine::create(options.arguments);
+  auto engine = Engine::create(options.arguments, engine_options(options));
   if (!engine) return engine.error();
   std::unique_ptr<Game> game(new Game(options, std::move(*engine)));
   game->register_commands();
@@ -48,10 +44,9 @@ Result<std::unique_ptr<Game>> Game::create(const GameOptions& options) {
     if (failed) return Error{fmt::format("-capture {}: {}", options.capture, failed.message())};
   }
 
-  con::Console& console = game->engine_->console();
-  console.set_command_line(options.arguments);
-  // quake.rc runs default.cfg, config.cfg, autoexec.cfg and the command line, then the demo loop.
-  console.append(game->engine_->files().exists("quake.rc") ? "exec quake.rc\n" : "exec default.cfg\nstuffcmds\n");
+  // The mouse looks unless the configuration says otherwise.
+  if (!options.headless) game->engine_->console().append("+mlook\n");
+  game->engine_->queue_configuration(options.arguments);
 
   if (auto status = game->open_device(); !status) return status.error();
   return game;
@@ -150,23 +145,38 @@ void Game::handle_events() {
   for (const platform::InputEvent& event : window_->poll_events()) {
     using Kind = platform::InputEvent::Kind;
     if (event.kind == Kind::kQuit) quit_ = true;
+    if (event.kind == Kind::kMouseMotion && window_->mouse_grabbed())
+      mouse_ += vec2(static_cast<float>(event.dx), static_cast<float>(event.dy));
     screen_.handle(event);
     if (event.kind == Kind::kResize) fit_to_window();
   }
+  follow_focus();
 }
 
-double Game::frame_seconds() {
-  con::Console& console = engine_->console();
-  const double fixed = console.cvar("host_framerate").value();
+// Who plays has the mouse in the game; at the console, time stands still where nobody else plays.
+void Game::follow_focus() {
+  const cl::Client& client = engine_->client();
+  const bool in_game = client.connected() && client.active();
+  if (in_game && !was_in_game_) screen_.close_console();
+  was_in_game_ = in_game;
+  const bool grab = in_game && !screen_.console_open() && window_->focused();
+  if (grab != window_->mouse_grabbed()) window_->grab_mouse(grab);
+  engine_->server().hold(in_game && screen_.console_open());
+}
+
+// Waits where frames come faster than they may.
+double Game::seconds_passed() {
+  const TimeSettings settings = read_time_settings(engine_->console());
+  const bool real = settings.time_scale > 0.0 || settings.frame_rate <= 0.0;
   double now = platform::now_seconds();
-  if (fixed <= 0 && window_ && !engine_->client().timing()) {
-    const double shortest = 1.0 / console.cvar("host_maxfps").value();
+  if (real && window_ && !engine_->client().timing()) {
+    const double shortest = 1.0 / settings.max_fps;
     if (now - last_time_ < shortest) platform::sleep_seconds(shortest - (now - last_time_));
     now = platform::now_seconds();
   }
   const double passed = frame_ == 0 ? 0.0 : now - last_time_;
   last_time_ = now;
-  return (fixed > 0 ? fixed : std::min(passed, 0.2)) * console.cvar("host_timescale").value();
+  return passed;
 }
 
 void Game::capture() {
@@ -226,17 +236,17 @@ int Game::run() {
                        renderer_->output_size().x, renderer_->output_size().y, device_->report().name);
   });
   while (!quit_) {
+    mouse_ = vec2(0.0f);
     handle_events();
-    console.set_time(platform::now_seconds());
-    console.execute();
+    engine_->execute_commands(platform::now_seconds());
     if (quit_) break;
-    client.advance(frame_seconds());
+    const double passed = seconds_passed();
+    engine_->frame(timer_.plan(passed, read_time_settings(console)), mouse_, platform::now_seconds());
     report_timing();
     const bool drawn = draw_frame();
     if (drawn && client.timing()) pass_report_.add(renderer_->pass_times());
-    const bool idle = !client.playing() && console.buffer_empty();
-    if (options_.headless && idle) {
-      if (client.last_error()) exit_status_ = 1;
+    if (options_.headless && !engine_->busy()) {
+      if (client.last_error() || engine_->server().last_error()) exit_status_ = 1;
       break;
     }
   }

@@ -32,7 +32,8 @@ class Game {
   void fit_to_window();
   void register_commands();
   void handle_events();
-  double frame_seconds();
+  void follow_focus();
+  double seconds_passed();
   bool draw_frame();
   void capture();
   void report_timing();
@@ -50,6 +51,9 @@ class Game {
   bool quit_ = false, was_timing_ = false;
   int exit_status_ = 0;
   double last_time_ = 0;
+  FrameTimer timer_;
+  vec2 mouse_{0.0f};  // counts of this frame
+  bool was_in_game_ = false;
   std::uint64_t frame_ = 0, captured_ = 0;
 };
 

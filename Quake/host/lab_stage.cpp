@@ -50,7 +50,7 @@ Status open_source(Stage& stage, const StageOptions& o) {
   std::vector<std::string> arguments;
   if (!o.basedir.empty()) arguments.insert(arguments.end(), {"-basedir", o.basedir});
   for (const std::string& game : o.games) arguments.insert(arguments.end(), {"-game", game});
-  auto engine = Engine::create(arguments);
+  auto engine = Engine::create(arguments, {.server = false});
   if (!engine) return engine.error();
   stage.engine = std::move(*engine);
   if (auto status = set_cvars(stage.engine->console(), o); !status) return status;

@@ -9,7 +9,10 @@
 namespace fb::host {
 namespace {
 
-bool parse_number(std::string_view text, std::uint32_t& value) {
+constexpr std::uint32_t kMostPlayers = 16, kUsualPlayers = 8;
+
+template <typename Number>
+bool parse_number(std::string_view text, Number& value) {
   const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
   return result.ec == std::errc() && result.ptr == text.data() + text.size();
 }
@@ -48,6 +51,15 @@ Result<GameOptions> parse_game_options(const std::vector<std::string>& arguments
       continue;
     }
     std::string text;
+    // -dedicated and -listen: how many may play, if it says so.
+    const auto players = [&]() -> Status {
+      std::uint32_t count = kUsualPlayers;
+      const bool given = i + 1 < arguments.size() && !arguments[i + 1].empty() && std::isdigit(arguments[i + 1][0]);
+      if (given && (!parse_number(arguments[++i], count) || count < 1 || count > kMostPlayers))
+        return Error{fmt::format("{} {}: 1 to {} players are possible", a, arguments[i], kMostPlayers)};
+      options.max_clients = static_cast<int>(count);
+      return ok_status();
+    };
     if (a == "-help" || a == "--help" || a == "-h")
       options.help = true;
     else if (a == "-version" || a == "--version")
@@ -78,6 +90,18 @@ Result<GameOptions> parse_game_options(const std::vector<std::string>& arguments
       std::uint32_t& side = a == "-width" ? options.size.x : options.size.y;
       if (!parse_number(text, side) || side < 1 || side > 16384)
         return Error{fmt::format("{} {}: a number from 1 to 16384 is wanted", a, text)};
+    } else if (a == "-dedicated" || a == "-listen") {
+      options.dedicated = options.dedicated || a == "-dedicated";
+      if (auto s = players(); !s) return s.error();
+    } else if (a == "-port") {
+      if (auto s = value(text); !s) return s.error();
+      if (!parse_number(text, options.port) || options.port < 1 || options.port > 65535)
+        return Error{fmt::format("-port {}: a number from 1 to 65535 is wanted", text)};
+    } else if (a == "-seed") {
+      if (auto s = value(text); !s) return s.error();
+      std::uint64_t seed = 0;
+      if (!parse_number(text, seed)) return Error{fmt::format("-seed {}: a whole number is wanted", text)};
+      options.seed = seed;
     } else if (a == "-capture") {
       if (auto s = value(options.capture); !s) return s.error();
     } else if (a == "-capture_every") {
@@ -115,12 +139,17 @@ usage: fullbright [options] [+command arguments ...]
   -fullscreen -window  how the window opens
   -device NAME         part of a device's name, or its index
   -listdevices         what devices there are, what each lacks, which would be chosen
+  -dedicated [N]       a server for N players (8), without window or device
+  -listen [N]          a game that others may join
+  -port N              where (26000)
+  -seed N              the same game again: seeds its random numbers
   -capture DIR         write frames as DIR/frame_000000.png ...
   -capture_every N     only every N-th frame
   -validation          Vulkan's validation layers
   -version -help
 
 Commands run in order; a timedemo is over before the next one runs:
+  fullbright -basedir ~/quake +map start
   fullbright -basedir ~/quake -headless +timedemo demo1 +quit
   fullbright -basedir ~/quake -game ad +playdemo demo1
 At the console: cvarlist, cmdlist, apropos WORD, help NAME.

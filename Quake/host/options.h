@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,11 @@ struct GameOptions {
   uvec2 size{0, 0};     // 0: the window's default
   std::string capture;  // folder for numbered PNG frames; empty: none
   std::uint32_t capture_every = 1;
-  bool has_commands = false;           // any '+'
+  bool has_commands = false;  // any '+'
+  bool dedicated = false;
+  int max_clients = 1;  // of -dedicated and -listen
+  std::uint32_t port = 26000;
+  std::optional<std::uint64_t> seed;   // of the game's random numbers; none: another one each time
   std::vector<std::string> arguments;  // all of them, for files and stuffcmds
 };
 

@@ -25,14 +25,39 @@ TEST(GameOptions, AnUnknownOptionOrAMissingValueIsNamed) {
   }
 }
 
+TEST(GameOptions, ServersSayForHowMany) {
+  EXPECT_FALSE(parse_game_options({"+map", "start"})->dedicated);
+  const auto dedicated = parse_game_options({"-dedicated", "4", "-port", "27000", "-seed", "12"});
+  ASSERT_TRUE(dedicated.ok());
+  EXPECT_TRUE(dedicated->dedicated);
+  EXPECT_EQ(dedicated->max_clients, 4);
+  EXPECT_EQ(dedicated->port, 27000u);
+  EXPECT_EQ(dedicated->seed, 12u);
+  const auto listening = parse_game_options({"-listen", "+map", "start"});
+  ASSERT_TRUE(listening.ok());
+  EXPECT_FALSE(listening->dedicated);
+  EXPECT_EQ(listening->max_clients, 8);
+  EXPECT_FALSE(listening->seed.has_value());
+  for (const std::vector<std::string>& bad : {std::vector<std::string>{"-dedicated", "0"},
+                                              {"-listen", "17"},
+                                              {"-port", "0"},
+                                              {"-port", "65536"},
+                                              {"-seed", "x"},
+                                              {"-seed"}}) {
+    const auto refused = parse_game_options(bad);
+    ASSERT_FALSE(refused.ok()) << bad[0];
+    EXPECT_NE(refused.error().message.find(bad[0]), std::string::npos);
+  }
+}
+
 TEST(GameOptions, OneSideOfTheSizeGivesTheOther) {
   EXPECT_EQ(parse_game_options({"-width", "1280"})->size, uvec2(1280, 720));
   EXPECT_EQ(parse_game_options({"-height", "720"})->size, uvec2(1280, 720));
 }
 
 TEST(GameOptions, HelpNamesEveryOption) {
-  for (const char* option :
-       {"-basedir", "-game", "-headless", "-size", "-device", "-listdevices", "-capture", "-validation"}) {
+  for (const char* option : {"-basedir", "-game", "-headless", "-size", "-device", "-listdevices", "-capture",
+                             "-validation", "-dedicated", "-listen", "-port", "-seed"}) {
     EXPECT_NE(game_help().find(option), std::string::npos) << option;
   }
 }

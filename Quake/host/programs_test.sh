@@ -30,6 +30,27 @@ check "help" grep -q -- -capture_every <<<"$("$build/fullbright" --help)"
 check "the laboratory's help" grep -q reference <<<"$("$build/fullbright-lab" --help)"
 check "an unknown scene names those there are" fails_with cbox "$build/fullbright-lab" render --scene nowhere
 
+if [[ -e $data/id1/pak0.pak ]] && command -v fteqcc >/dev/null; then
+  mkdir -p "$scratch/user/id1" && cp -r testdemos/rules "$scratch/rules"
+  (cd "$scratch/rules" && fteqcc -O0 -Tstandard -srcfile progs.src >/dev/null 2>&1 && cp progs.dat "$scratch/user/id1/")
+  serve() {  # serve FILE: ten minutes of a server's game, and its state
+    timeout 120 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -seed 1 -basedir "$data" -userdir "$scratch/user" \
+      +host_framerate 0.05 +map start +sv_run 600 +sv_dump "$1" +quit >"$scratch/log" 2>&1 </dev/null
+  }
+  dedicated_repeats() {
+    serve one.txt && serve two.txt && [[ $(wc -c <"$scratch/user/id1/one.txt") -gt 1000 ]] &&
+      cmp "$scratch/user/id1/one.txt" "$scratch/user/id1/two.txt"
+  }
+  check "a dedicated server's game repeats" dedicated_repeats
+  terminal_is_obeyed() {
+    printf 'echo typed\nquit\n' | timeout 20 "$build/fullbright" -dedicated -port $((20000 + RANDOM)) -basedir "$data" \
+      -userdir "$scratch/user" >"$scratch/log" 2>&1 && grep -q '^typed' "$scratch/log"
+  }
+  check "a dedicated server obeys its terminal" terminal_is_obeyed
+else
+  echo "skipped: servers, for want of LibreQuake's data or fteqcc"
+fi
+
 if ! "$build/fullbright" -listdevices >"$scratch/devices" 2>&1; then
   echo "skipped: no Vulkan device: $(cat "$scratch/devices")"
   exit $((failures > 0 ? 1 : 77))

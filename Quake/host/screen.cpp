@@ -29,6 +29,8 @@ Screen::Screen(con::Console& console, ui::FileLoader files)
   bindings_.bind(kKeyGrave, "toggleconsole");
 }
 
+void Screen::close_console() { open_ = false; }
+
 void Screen::type(const platform::InputEvent& event) {
   switch (event.key) {
     case platform::kKeyEnter:
@@ -79,12 +81,13 @@ void Screen::type(const platform::InputEvent& event) {
 void Screen::handle(const platform::InputEvent& event) {
   using Kind = platform::InputEvent::Kind;
   if (event.kind == Kind::kFocus && !event.focused) bindings_.release_all();
-  if (event.kind == Kind::kText && open_ && event.text != "`" && event.text != "~") input_.insert(event.text);
+  const bool typing = open_ || !in_game_;
+  if (event.kind == Kind::kText && typing && event.text != "`" && event.text != "~") input_.insert(event.text);
   if (event.kind != Kind::kKey) return;
   const bool toggles = event.key == kKeyGrave || (event.key == platform::kKeyEscape);
   if (toggles) {
     if (event.down && !event.repeat) console_.append("toggleconsole\n");
-  } else if (open_) {
+  } else if (typing) {
     if (event.down) type(event);
   } else if (!event.repeat) {
     bindings_.key_event(event.key, event.down);
@@ -92,6 +95,7 @@ void Screen::handle(const platform::InputEvent& event) {
 }
 
 const scene::DrawList& Screen::draw(const cl::Hud& hud, bool game, uvec2 size, double now) {
+  in_game_ = game;
   list_.clear();
   rate_.frame(now);
   const int width = static_cast<int>(size.x), height = static_cast<int>(size.y);

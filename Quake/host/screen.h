@@ -23,6 +23,7 @@ class Screen {
   // A key, text or focus event; others are passed over.
   void handle(const platform::InputEvent& event);
   bool console_open() const { return open_; }
+  void close_console();
 
   // The list of this frame. `game`: there is a world behind it; without one the console fills the picture.
   const scene::DrawList& draw(const cl::Hud& hud, bool game, uvec2 size, double now);
@@ -38,6 +39,7 @@ class Screen {
   ui::FrameRate rate_;
   scene::DrawList list_;
   bool open_ = false;
+  bool in_game_ = false;  // as of the last frame: without a game all typing is the console's
   std::size_t scrolled_up_ = 0;
 };
 

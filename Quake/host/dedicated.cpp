@@ -1,0 +1,60 @@
+#include "host/dedicated.h"
+
+#include <csignal>
+
+#include "base/log.h"
+#include "console/bindings.h"
+#include "host/engine.h"
+#include "host/terminal.h"
+#include "platform/clock.h"
+#include "platform/keys.h"
+
+namespace fb::host {
+namespace {
+
+volatile std::sig_atomic_t told_to_end = 0;
+void on_signal(int) { told_to_end = 1; }
+
+}  // namespace
+
+Result<int> run_dedicated(const GameOptions& options) {
+  EngineOptions wanted = engine_options(options);
+  wanted.client = false;
+  wanted.dedicated = true;
+  auto made = Engine::create(options.arguments, wanted);
+  if (!made) return made.error();
+  Engine& engine = **made;
+  con::Console& console = engine.console();
+
+  bool quit = false;
+  console.add_cvar({"sys_ticrate", "0.05", "seconds of a tick of a dedicated server", con::kCvarPlain, 0.001f, 0.1f});
+  console.add_command("quit", "ends the program", [&quit](const con::Args&) { quit = true; });
+  // What a player's configuration says besides is nothing to a server.
+  con::Bindings bindings(
+      console, [](std::string_view name) { return platform::key_from_name(name); },
+      [](int key) { return platform::key_name(key); });
+  console.add_command("startdemos", "nothing: a server plays no demos", [](const con::Args&) {});
+  engine.queue_configuration(options.arguments);
+
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  TerminalLines terminal;
+  FrameTimer timer;
+  double last = platform::now_seconds();
+  while (!quit && told_to_end == 0) {
+    while (const auto line = terminal.next()) console.append(*line + "\n");
+    engine.execute_commands(platform::now_seconds());
+    if (quit) break;
+    TimeSettings settings = read_time_settings(console);
+    settings.max_fps = FrameTimer::kFastestInStep;  // sys_ticrate is a tick
+    const double now = platform::now_seconds();
+    engine.frame(timer.plan(now - last, settings), vec2(0.0f), now);
+    last = now;
+    const double next = now + static_cast<double>(console.cvar("sys_ticrate").value());
+    if (console.buffer_empty() || console.waiting()) platform::sleep_seconds(next - platform::now_seconds());
+  }
+  engine.server().shutdown();
+  return engine.server().last_error() ? 1 : 0;
+}
+
+}  // namespace fb::host

@@ -1,0 +1,45 @@
+#include "host/frame_timer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "console/console.h"
+
+namespace fb::host {
+
+void register_time_cvars(con::Console& console) {
+  console.add_cvar({"host_framerate", "0", "seconds that every frame lasts, whatever it took; 0: real time",
+                    con::kCvarPlain, 0.0f, 1.0f});
+  console.add_cvar(
+      {"host_timescale", "0", "how fast time goes: 0.5 is half as fast; 0: as it is", con::kCvarPlain, 0.0f, 100.0f});
+  console.add_cvar({"host_maxfps", "250", "most frames a second in a window; above 72 the game ticks 72 times a second",
+                    con::kCvarArchive, 10.0f, 1000.0f});
+}
+
+TimeSettings read_time_settings(const con::Console& console) {
+  const auto value = [&](const char* name) { return static_cast<double>(console.cvar(name).value()); };
+  return {value("host_framerate"), value("host_timescale"), value("host_maxfps")};
+}
+
+FramePlan FrameTimer::plan(double passed, const TimeSettings& settings) {
+  const double real = std::clamp(passed, kShortest, kLongest);
+  const bool scaled = settings.time_scale > 0.0, fixed = !scaled && settings.frame_rate > 0.0;
+  const double scale = scaled ? settings.time_scale : 1.0;
+  FramePlan plan;
+  plan.seconds = fixed ? settings.frame_rate : real * scale;
+  if (fixed || settings.max_fps <= kFastestInStep) {
+    due_ = 0.0;
+    plan.ticks = 1;
+    plan.tick_seconds = plan.seconds;
+    return plan;
+  }
+  plan.in_step = false;
+  due_ += real;
+  // A thousandth of a tick more or less is none: sums of floats are never even.
+  plan.ticks = static_cast<int>(std::floor(due_ / kTick + 1e-3));
+  due_ = std::max(0.0, due_ - plan.ticks * kTick);
+  plan.tick_seconds = kTick * scale;
+  return plan;
+}
+
+}  // namespace fb::host
