@@ -1,5 +1,7 @@
 #include "server/client_data.h"
 
+#include "server/user.h"
+
 namespace fb::sv {
 namespace {
 
@@ -70,6 +72,7 @@ net::svc::ClientData client_data(Level& level, EdictId id, bool standard_quake) 
 void write_client_data(net::MessageWriter& writer, Level& level, EdictId id, bool standard_quake) {
   const Edict player = level.edict(id);
   write_damage(writer, level, player);
+  set_ideal_pitch(level, id);
   write_fixed_angle(writer, player);
   net::write_server_message(writer, client_data(level, id, standard_quake));
 }

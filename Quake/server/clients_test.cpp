@@ -188,10 +188,13 @@ TEST_F(ClientsBasics, SoundsAndParticles) {
 }
 
 TEST_F(ClientsBasics, StaticThingsComeWithTheSignon) {
-  start_game(
-      "void() main = { local entity e; e = spawn(); e.model = \"progs/box.mdl\"; e.modelindex = 3; e.origin = '1 2 3'; "
-      "e.frame = 4; makestatic(e); e = spawn(); e.model = \"progs/box.mdl\"; e.modelindex = 3; e.alpha = 0.5; "
-      "makestatic(e); };");
+  start_game();
+  const std::uint32_t plain = spawn({1, 2, 3}), glassy = spawn({4, 5, 6}), hidden = spawn({7, 8, 9});
+  edict(plain).set(fields::frame, 4.0f);
+  edict(plain).set(program_->field<float>("alpha"), 0.5f);  // QuakeC's comes too late
+  level_->extra(EdictId{glassy}).alpha = net::encode_alpha(0.5f);
+  level_->extra(EdictId{hidden}).alpha = net::kAlphaZero;
+  for (const std::uint32_t id : {plain, glassy, hidden}) clients_.make_static(edict(id));
   FakeClient& player = join();
   const auto things = player.all<svc::SpawnStatic>();
   ASSERT_EQ(things.size(), 2u);

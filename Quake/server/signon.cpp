@@ -24,17 +24,17 @@ void fit_protocol_15(net::EntityState& state) {
   state.scale = net::kScaleDefault;
 }
 
+// With the alpha that the entity has from the map, or was sent with last: what QuakeC has set since counts from when
+// the edict is sent next, so that static things are as opaque as in QuakeSpasm (Misc/QUIRKS.md).
 net::EntityState state_of(Level& level, EdictId id) {
   const Edict edict = level.edict(id);
-  EdictExtra& extra = level.extra(id);
-  if (level.optional.alpha) extra.alpha = net::encode_alpha(edict.get(level.optional.alpha));
   net::EntityState state;
   state.origin = edict.get(fields::origin);
   state.angles = edict.get(fields::angles);
   state.frame = to_int(edict.get(fields::frame));
   state.skin = to_int(edict.get(fields::skin));
   state.model = level.model_index(level.vm->text(edict.get(fields::model)));
-  state.alpha = extra.alpha;
+  state.alpha = level.extra(id).alpha;
   return state;
 }
 

@@ -44,7 +44,10 @@ inline int quakespasm_port() { return 27000 + getpid() % 20000; }
 // A dedicated server for four on `map`, as fast as it goes, until QuakeC says `quit`, a minute is over or this is gone.
 class QuakeSpasmServer {
  public:
-  QuakeSpasmServer(const Bytes& progs, const std::string& map, int port = quakespasm_port()) : port_(port) {
+  // `commands` are executed before the map: "+sv_protocol 15".
+  QuakeSpasmServer(const Bytes& progs, const std::string& map, const std::string& commands = "",
+                   int port = quakespasm_port())
+      : port_(port) {
     namespace stdfs = std::filesystem;
     std::string made = (stdfs::temp_directory_path() / "fullbright_quakespasm_XXXXXX").string();
     if (mkdtemp(made.data()) == nullptr) return;
@@ -57,8 +60,8 @@ class QuakeSpasmServer {
         .write(reinterpret_cast<const char*>(progs.data()), static_cast<std::streamsize>(progs.size()));
     const std::string command = fmt::format(
         "cd '{0}' && HOME='{0}' exec timeout 60 '{1}' -dedicated 4 -basedir . -game game -port {2} "
-        "+sys_ticrate 0.001 +developer 1 +map {3} >out.txt 2>&1 </dev/null",
-        folder_.string(), quakespasm_program(), port, map);
+        "+sys_ticrate 0.001 +developer 1 {4} +map {3} >out.txt 2>&1 </dev/null",
+        folder_.string(), quakespasm_program(), port, map, commands);
     process_ = fork();
     if (process_ == 0) {
       execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
