@@ -7,6 +7,7 @@
 
 #include "base/log.h"
 #include "progs/entity_text.h"
+#include "server/mod_cvars.h"
 #include "server/physics.h"
 #include "server/server_commands.h"
 #include "server/spawn.h"
@@ -40,7 +41,9 @@ Server::Server(con::Console& console, ServerServices services, const ServerOptio
   if (!services_.rng) services_.rng = &own_rng_;
   context_.load_model = [this](std::string_view name) { return model_box(name); };
   context_.change_level = [this](std::string name) { request_changelevel(std::move(name)); };
-  const Cvars registered(console_);  // for configs that come before the first level
+  // For configs that come before the first level.
+  const Cvars registered(console_);
+  add_mod_cvars(console_, services_.read_file && services_.read_file("gfx/pop.lmp").has_value());
 }
 
 Server::~Server() {

@@ -237,6 +237,16 @@ TEST_F(ServerGameTest, ExternalEntities) {
   EXPECT_EQ(said(), "outside ");
 }
 
+TEST_F(ServerGameTest, ModsHaveTheirCvars) {
+  files_["gfx/pop.lmp"] = Bytes(256);
+  const std::string cvars =
+      "saysf(cvar(\"registered\")); saysf(cvar(\"pr_checkextension\"));"
+      "cvar_set(\"temp1\", \"7\"); saysf(cvar(\"temp1\")); saysf(cvar(\"fraglimit\"));";
+  EXPECT_EQ(says(cvars), "1 1 7 0 ");
+  EXPECT_TRUE(console_.cvar("saved4").archived());
+  EXPECT_FALSE(console_.set("registered", "0"));
+}
+
 TEST_F(ServerGameTest, ManyEdictsAreASentence) {
   console_.execute("set max_edicts 256");
   start("void() thing = { while (1) spawn(); };");
