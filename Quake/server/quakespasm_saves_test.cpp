@@ -14,6 +14,111 @@ namespace {
 
 namespace stdfs = std::filesystem;
 
+// No chance in it but what is worked out in whole numbers.
+constexpr const char* kMonsters = R"qc(
+entity(vector o, float radius) findradius = #22;
+float(float yaw, float distance) walkmove = #32;
+float() droptofloor = #34;
+float(float f) floor = #37;
+float(entity e) checkbottom = #40;
+void(string s) localcmd = #46;
+void() changeyaw = #49;
+vector(vector v) vectoangles = #51;
+float seed, finished;
+float(float n) chance = {
+  seed = seed * 109 + 1021;
+  seed = seed - floor(seed / 65536) * 65536;
+  return floor(seed * n / 65536);
+};
+void() barrel_explode = {};
+void() StartFrame = {
+  if (time < 10 || finished) return;
+  finished = 1;
+  localcmd("save later\nquit\n");
+};
+void() thrown_touch = {
+  self.frags = self.frags + 1;
+  if (other.takedamage) { other.health = other.health - 5; remove(self); }
+};
+void() throw_thing = {
+  local entity thing;
+  thing = spawn();
+  thing.owner = self;
+  thing.classname = "thrown";
+  thing.solid = SOLID_BBOX;
+  thing.movetype = 9 + chance(2);
+  thing.touch = thrown_touch;
+  setmodel(thing, "progs/missile.mdl");
+  setsize(thing, '0 0 0', '0 0 0');
+  setorigin(thing, self.origin + '0 0 8');
+  makevectors(self.angles);
+  thing.velocity = v_forward * (200 + chance(400)) + v_up * chance(300);
+  thing.avelocity = '300 200 100';
+  thing.angles = vectoangles(thing.velocity);
+  thing.think = SUB_Remove;
+  thing.nextthink = time + 1 + chance(3);
+};
+void() monster_think = {
+  local entity near;
+  self.nextthink = time + 0.1;
+  if (chance(5) == 0) self.ideal_yaw = chance(360);
+  changeyaw();
+  if (!walkmove(self.angles_y, 8)) self.ideal_yaw = self.ideal_yaw + 90;
+  if (!checkbottom(self)) self.frags = self.frags + 1;
+  if (chance(10) == 0) throw_thing();
+  near = findradius(self.origin, 300);
+  while (near) {
+    if (near != self && near.takedamage) {
+      traceline(self.origin, near.origin, FALSE, self);
+      if (trace_ent == near) self.enemy = near;
+    }
+    near = near.chain;
+  }
+  if (self.health < 0) { self.think = SUB_Remove; self.solid = SOLID_NOT; }
+};
+void() monster_start = {
+  droptofloor();
+  self.yaw_speed = 20;
+  self.think = monster_think;
+  self.nextthink = time + 0.1;
+};
+void() monster = {
+  self.solid = SOLID_SLIDEBOX;
+  self.movetype = 4;
+  self.takedamage = 2;
+  self.health = 60;
+  setmodel(self, "progs/player.mdl");
+  setsize(self, '-16 -16 -24', '16 16 40');
+  self.flags = self.flags | 32;
+  self.think = monster_start;
+  self.nextthink = time + 0.1 + chance(10) * 0.05;
+};
+void() monster_army = { monster(); };
+void() monster_dog = { monster(); };
+void() monster_enforcer = { monster(); };
+void() monster_knight = { monster(); };
+void() monster_hell_knight = { monster(); };
+void() monster_ogre = { monster(); };
+void() monster_zombie = { monster(); };
+void() monster_wizard = { monster(); self.flags = self.flags | 1; };
+void() monster_shambler = { monster(); };
+void() monster_demon1 = { monster(); };
+void() item_start = { self.movetype = MOVETYPE_TOSS; self.velocity = '0 0 0'; if (!droptofloor()) remove(self); };
+void() item_touch = { if (other.flags & 32) { other.health = other.health + 10; remove(self); } };
+void() item = {
+  precache_model("maps/b_bh25.bsp");
+  setmodel(self, "maps/b_bh25.bsp");
+  self.solid = SOLID_TRIGGER;
+  self.touch = item_touch;
+  self.nextthink = time + 0.2;
+  self.think = item_start;
+};
+void() item_health = { item(); };
+void() item_shells = { item(); setsize(self, '0 0 0', '32 32 56'); };
+void() item_spikes = { item(); };
+void() item_rockets = { item(); };
+)qc";
+
 std::string text_of(const stdfs::path& path) {
   std::stringstream text;
   text << std::ifstream(path).rdbuf();
@@ -32,8 +137,6 @@ class QuakeSpasmSaves : public ::testing::TestWithParam<const char*> {
     set_log_level(LogLevel::kError);
     if (const std::string lacks = testing::quakespasm_lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
     if (!progs::testing::compile("void() main = {};").has_compiler) GTEST_SKIP() << progs::testing::no_compiler();
-    static const Bytes rules = testing::compile_rules("void() barrel_explode = {};");
-    ASSERT_FALSE(rules.empty()) << "testdemos/rules do not compile";
     std::string made = (stdfs::temp_directory_path() / "fullbright_saves_XXXXXX").string();
     ASSERT_NE(mkdtemp(made.data()), nullptr);
     folder_ = made;
@@ -42,6 +145,10 @@ class QuakeSpasmSaves : public ::testing::TestWithParam<const char*> {
     stdfs::create_directories(folder_ / game_);
     for (const auto& entry : stdfs::directory_iterator(stdfs::absolute(testing::game_data()) / "id1"))
       stdfs::create_symlink(entry.path(), folder_ / "id1" / entry.path().filename());
+  }
+  void put_rules(const std::string& more) {
+    const Bytes rules = testing::compile_rules(more);
+    ASSERT_FALSE(rules.empty()) << "testdemos/rules do not compile";
     std::ofstream(folder_ / game_ / "progs.dat", std::ios::binary)
         .write(reinterpret_cast<const char*>(rules.data()), static_cast<std::streamsize>(rules.size()));
     fs::FsOptions options;
@@ -59,9 +166,9 @@ class QuakeSpasmSaves : public ::testing::TestWithParam<const char*> {
   }
 
   void run_quakespasm(const std::string& commands) {
-    const std::string command = fmt::format(
-        "cd '{}' && timeout 60 '{}' -dedicated 1 -basedir . -game {} -port {} {} +quit >out.txt 2>&1 </dev/null",
-        folder_.string(), testing::quakespasm_program(), game_, testing::quakespasm_port(), commands);
+    const std::string command =
+        fmt::format("cd '{}' && timeout 60 '{}' -dedicated 1 -basedir . -game {} -port {} {} >out.txt 2>&1 </dev/null",
+                    folder_.string(), testing::quakespasm_program(), game_, testing::quakespasm_port(), commands);
     (void)std::system(command.c_str());
     const std::string output = text_of(folder_ / "out.txt"), mark = "Saving game to ";
     const auto at = output.rfind(mark);
@@ -97,7 +204,8 @@ class QuakeSpasmSaves : public ::testing::TestWithParam<const char*> {
 
 TEST_P(QuakeSpasmSaves, LoadHereAndThere) {
   const std::string map = GetParam();
-  ASSERT_NO_FATAL_FAILURE(run_quakespasm(fmt::format("+map {} +save new +load new +save again", map)));
+  ASSERT_NO_FATAL_FAILURE(put_rules("void() barrel_explode = {};"));
+  ASSERT_NO_FATAL_FAILURE(run_quakespasm(fmt::format("+map {} +save new +load new +save again +quit", map)));
   theirs_ = text_of(saves_ / "new.sav");
   ASSERT_FALSE(theirs_.empty());
   EXPECT_EQ(without_comment(our_save([&](Server& server) { return server.map(map); })), without_comment(theirs_));
@@ -106,11 +214,27 @@ TEST_P(QuakeSpasmSaves, LoadHereAndThere) {
   EXPECT_EQ(without_comment(ours), without_comment(text_of(saves_ / "again.sav")));
 
   std::ofstream(saves_ / "ours.sav") << ours;
-  ASSERT_NO_FATAL_FAILURE(run_quakespasm("+load ours +save back"));
+  ASSERT_NO_FATAL_FAILURE(run_quakespasm("+load ours +save back +quit"));
   EXPECT_EQ(without_comment(text_of(saves_ / "back.sav")), without_comment(ours));
 }
 
-INSTANTIATE_TEST_SUITE_P(Maps, QuakeSpasmSaves, ::testing::Values("start", "lq_e0m1", "lq_e1m7"));
+TEST_P(QuakeSpasmSaves, TenSecondsLater) {
+  const std::string map = GetParam();
+  ASSERT_NO_FATAL_FAILURE(put_rules(kMonsters));
+  ASSERT_NO_FATAL_FAILURE(run_quakespasm(fmt::format("+sys_ticrate 0.001 +host_framerate 0.05 +map {}", map)));
+  const std::string theirs = text_of(saves_ / "later.sav");
+  ASSERT_NE(theirs.find("\"finished\" \"1.000000\""), std::string::npos) << theirs;
+  const std::string ours = our_save([&](Server& server) {
+    Status status = server.map(map);
+    const auto finished = server.level()->vm->program().global<float>("finished");
+    for (int i = 0; status && i < 1000 && server.level()->vm->get(finished) == 0.0f; ++i)
+      status = server.run(0.05, static_cast<double>(0.05f));
+    return status;
+  });
+  EXPECT_EQ(without_comment(ours), without_comment(theirs));
+}
+
+INSTANTIATE_TEST_SUITE_P(Maps, QuakeSpasmSaves, ::testing::Values("start", "lq_e0m1", "lq_e0m2", "lq_e1m7"));
 
 }  // namespace
 }  // namespace fb::sv

@@ -15,13 +15,21 @@
 
 namespace fb::sv::testing {
 
-// progs.dat; empty where there is no compiler, or it does not compile.
+// progs.dat; a StartFrame in `more` is instead of the rules' own. Empty where there is no compiler, or it does not
+// compile.
 inline Bytes compile_rules(const std::string& more) {
   namespace stdfs = std::filesystem;
   std::string folder = (stdfs::temp_directory_path() / "fullbright_rules_XXXXXX").string();
   if (!mkdtemp(folder.data())) return {};
   stdfs::copy("testdemos/rules", folder);
   std::ofstream(folder + "/more.qc") << more;
+  if (more.find("StartFrame") != std::string::npos) {
+    const auto main_bytes = fs::read_whole_file(folder + "/main.qc");
+    std::string main_text = main_bytes ? std::string(main_bytes->begin(), main_bytes->end()) : std::string();
+    const std::string theirs = "void() StartFrame = {};";
+    if (const auto at = main_text.find(theirs); at != std::string::npos) main_text.erase(at, theirs.size());
+    std::ofstream(folder + "/main.qc") << main_text;
+  }
   std::ofstream(folder + "/progs.src", std::ios::app) << "\nmore.qc\n";
   const std::string command = fmt::format("cd '{}' && fteqcc -O0 -Tstandard -srcfile progs.src >log.txt 2>&1", folder);
   Bytes progs;
