@@ -10,8 +10,8 @@
 // What a map, a mod or a save gets wrong ends at most the level, with one sentence in the log and in last_error(); the
 // console goes on. One thread uses a Server.
 //
-// Registers the console's map, changelevel, restart, save, load, edict, edicts, edictcount, profile, sv_run, sv_dump,
-// sv_protocol and what simulation and clients need. The console must outlive it.
+// Registers the console's map, changelevel, restart, maxplayers, save, load, edict, edicts, edictcount, profile, sv_run
+// and sv_dump, and the cvars of simulation, players and mods. The console must outlive it.
 #pragma once
 
 #include <array>
