@@ -159,6 +159,7 @@ bool step_direction(Level& level, EdictId id, float yaw, float distance) {
   const bool free = move_step(level, id, step_along(yaw, distance), false);
   if (free) {
     const float missing = edict.get(fields::angles).y - edict.get(fields::ideal_yaw);
+    // A negative difference is never too much: so Quake has it.
     if (missing > 45.0f && missing < 315.0f) edict.set(fields::origin, origin);
   }
   link_edict(level, id, true);

@@ -59,6 +59,7 @@ class LevelTest : public progs::testing::QcTest, public LevelEvents {
     start_level(source, std::make_shared<formats::Bsp>(map.build()));
   }
   void start_level(const std::string& source, std::shared_ptr<const formats::Bsp> bsp) {
+    options_.max_edicts = 1024;
     if (!start(std::string(progs::testing::kBuiltinSource) + kLevelSource + source)) return;
     ASSERT_TRUE(vm_ != nullptr);
     const std::size_t submodels = bsp->models.size();
