@@ -57,6 +57,7 @@ void Engine::make_server(const EngineOptions& options, const std::vector<std::st
   });
   server_ = std::make_unique<sv::Server>(console_, std::move(services), server);
   server_->clients().add_listener(loopback_);
+  if (options.max_clients > 1) console_.set("deathmatch", "1");  // as in Quake, unless the configuration says coop
 }
 
 void Engine::make_client() {

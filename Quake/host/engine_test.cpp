@@ -189,7 +189,7 @@ TEST_F(EngineTest, HighFrameRatesDoNotChangeThePhysics) {
   EXPECT_NEAR(distances[2], distances[0], 2 * 320.0f / 72.0f);
 }
 
-TEST_F(EngineTest, TwoPlayOverTheNetwork) {
+TEST_F(EngineTest, OthersJoinOverTheNetwork) {
   auto server = make({.client = false, .dedicated = true, .max_clients = 2, .port = 26977});
   auto player = make({.server = false});
   if (!server || !player) GTEST_SKIP() << "port 26977 is taken";
@@ -205,6 +205,7 @@ TEST_F(EngineTest, TwoPlayOverTheNetwork) {
   }
   EXPECT_TRUE(player->client().active()) << log;
   EXPECT_EQ(server->server().clients().active_count(), 1);
+  EXPECT_TRUE(server->console().cvar("deathmatch").on());
 }
 
 }  // namespace
