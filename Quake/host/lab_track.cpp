@@ -11,6 +11,7 @@ namespace {
 struct TrackOptions {
   std::string demo, other, csv;
   float tolerance = 0.125f;
+  int shift = 0;
 };
 
 Result<std::vector<lab::TrackPoint>> open_track(const std::string& path) {
@@ -31,14 +32,13 @@ int run_track(const TrackOptions& options) {
   }
   const auto other = open_track(options.other);
   if (!other) return fail(other.error());
-  const lab::TrackDifference d = lab::compare_tracks(*track, *other, options.tolerance);
-  fmt::print("{} and {} points; furthest apart {} units, at point {}", track->size(), other->size(), d.largest, d.at);
-  if (d.first == d.points) {
-    fmt::print("\n");
-    return d.points > 0 ? 0 : fail(Error{"track: there is nothing to compare"});
-  }
-  fmt::print("; over {} from point {} on, time {}\n", options.tolerance, d.first, (*track)[d.first].time);
-  return 1;
+  const lab::TrackDifference d = lab::compare_tracks(*track, *other, options.tolerance, options.shift);
+  if (d.points == 0) return fail(Error{"track: there is nothing to compare"});
+  fmt::print("{} and {} points, {} of them side by side, shifted by {}; furthest apart {} units, at point {}",
+             track->size(), other->size(), d.points, d.shift, d.largest, d.at);
+  if (!d.within) fmt::print("; over {} from point {} on, time {}", options.tolerance, d.first, (*track)[d.first].time);
+  fmt::print("\n");
+  return d.within ? 0 : 1;
 }
 
 }  // namespace
@@ -50,6 +50,9 @@ LabCommand add_track_command(CLI::App& app) {
   track->add_option("DEMO", options->demo, "a recorded demo")->required();
   track->add_option("OTHER", options->other, "another, of the same script");
   track->add_option("--tolerance", options->tolerance, "units")->check(CLI::NonNegativeNumber)->capture_default_str();
+  track->add_option("--shift", options->shift, "points by which OTHER may begin later or earlier: the best is taken")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   track->add_option("--csv", options->csv, "write DEMO's points to this file; - is standard output");
   return {track, [options] { return run_track(*options); }};
 }

@@ -60,6 +60,28 @@ class Player {
   TrackPoint point_;
 };
 
+TrackDifference compare_shifted(const std::vector<TrackPoint>& a, const std::vector<TrackPoint>& b, float tolerance,
+                                int shift) {
+  TrackDifference result;
+  result.shift = shift;
+  for (std::size_t i = shift < 0 ? static_cast<std::size_t>(-shift) : 0; i < a.size(); ++i) {
+    const std::size_t beside = shift < 0 ? i - static_cast<std::size_t>(-shift) : i + static_cast<std::size_t>(shift);
+    if (beside >= b.size()) break;
+    ++result.points;
+    const vec3 d = glm::abs(a[i].origin - b[beside].origin);
+    const float apart = std::max({d.x, d.y, d.z});
+    if (apart > tolerance && result.within) {
+      result.within = false;
+      result.first = i;
+    }
+    if (apart > result.largest) {
+      result.largest = apart;
+      result.at = i;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 Result<std::vector<TrackPoint>> read_track(ByteView demo, std::string_view name) {
@@ -86,19 +108,16 @@ Result<std::vector<TrackPoint>> read_track(ByteView demo, std::string_view name)
   return track;
 }
 
-TrackDifference compare_tracks(const std::vector<TrackPoint>& a, const std::vector<TrackPoint>& b, float tolerance) {
-  TrackDifference result;
-  result.points = result.first = std::min(a.size(), b.size());
-  for (std::size_t i = 0; i < result.points; ++i) {
-    const vec3 d = glm::abs(a[i].origin - b[i].origin);
-    const float apart = std::max({d.x, d.y, d.z});
-    if (apart > tolerance) result.first = std::min(result.first, i);
-    if (apart > result.largest) {
-      result.largest = apart;
-      result.at = i;
+TrackDifference compare_tracks(const std::vector<TrackPoint>& a, const std::vector<TrackPoint>& b, float tolerance,
+                               int most_shift) {
+  TrackDifference best = compare_shifted(a, b, tolerance, 0);
+  for (int shift = 1; shift <= most_shift; ++shift) {
+    for (const int s : {shift, -shift}) {
+      const TrackDifference d = compare_shifted(a, b, tolerance, s);
+      if (d.points > 0 && d.largest < best.largest) best = d;
     }
   }
-  return result;
+  return best;
 }
 
 std::string track_csv(const std::vector<TrackPoint>& track) {

@@ -25,13 +25,17 @@ struct TrackPoint {
 Result<std::vector<TrackPoint>> read_track(ByteView demo, std::string_view name);
 
 struct TrackDifference {
+  int shift = 0;           // point i of the one stands beside point i + shift of the other
   std::size_t points = 0;  // that both have
   float largest = 0.0f;    // units, along one axis
-  std::size_t at = 0;      // the point of the largest
-  std::size_t first = 0;   // the first point that is further apart than the tolerance; points: none
+  std::size_t at = 0;      // the one's point of the largest
+  bool within = true;      // no point is further apart than the tolerance
+  std::size_t first = 0;   // if not: the one's first point that is
 };
-// Point by point from the first of each; `tolerance` in units.
-TrackDifference compare_tracks(const std::vector<TrackPoint>& a, const std::vector<TrackPoint>& b, float tolerance);
+// Point by point; `tolerance` in units. Of two engines one may take more frames until its player is in the game: the
+// shift of at most `most_shift` points is taken, either way, under which they are nearest.
+TrackDifference compare_tracks(const std::vector<TrackPoint>& a, const std::vector<TrackPoint>& b, float tolerance,
+                               int most_shift = 0);
 
 // time,x,y,z,vx,vy,vz,ground,water,health: a line a point, with a head.
 std::string track_csv(const std::vector<TrackPoint>& track);

@@ -62,7 +62,21 @@ TEST(Track, SaysWhereTwoPart) {
   EXPECT_EQ(d.largest, 0.875f);
   EXPECT_EQ(d.at, 7u);
   EXPECT_EQ(d.first, 3u);  // 3 * 0.125 is more than a quarter
-  EXPECT_EQ(compare_tracks(*a, *a, 0.0f).first, 10u);
+  EXPECT_FALSE(d.within);
+  EXPECT_TRUE(compare_tracks(*a, *a, 0.0f).within);
+}
+
+TEST(Track, FindsHowFarOneIsBehind) {
+  const auto a = read_track(walking_demo(2.0f, 10), "a.dem");
+  ASSERT_TRUE(a.ok());
+  const std::vector<TrackPoint> late(a->begin() + 3, a->end());
+  EXPECT_EQ(compare_tracks(*a, late, 0.125f, 2).largest, 2.0f);
+  const TrackDifference d = compare_tracks(*a, late, 0.125f, 4), e = compare_tracks(late, *a, 0.125f, 4);
+  EXPECT_EQ(d.shift, -3);
+  EXPECT_EQ(d.points, 7u);
+  EXPECT_TRUE(d.within);
+  EXPECT_EQ(e.shift, 3);
+  EXPECT_EQ(e.largest, 0.0f);
 }
 
 TEST(Track, WritesALineAPoint) {

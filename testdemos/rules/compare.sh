@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Plays script.cfg on LibreQuake's lq_e0m1 by these rules, here and in Debian's quakespasm, and says how far apart the
+# players were (fullbright-lab track); then each engine plays the demo that the other recorded. Exits with 77 where
+# something that it needs is absent, having said what.
+#
+#   testdemos/rules/compare.sh BUILD BASEDIR      BASEDIR holds id1 with LibreQuake's paks
+set -euo pipefail
+if [[ $# -ne 2 || $1 == --help ]]; then
+  sed -n '2,7s/^# \?//p' "$0"
+  exit 2
+fi
+build=$(cd "$1" && pwd) data=$(cd "$2" 2>/dev/null && pwd || echo "$2") here=$(cd "$(dirname "$0")" && pwd)
+export PATH=$PATH:/usr/games
+skip() { echo "skipped: $*"; exit 77; }
+[[ -d $data/id1 ]] || skip "there is no game data in $data"
+command -v fteqcc >/dev/null || skip "fteqcc is not installed"
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$work/base/play" "$work/home"
+ln -s "$data/id1" "$work/base/id1"
+cp "$here"/*.qc "$here/progs.src" "$work/base/play"
+(cd "$work/base/play" && fteqcc -Tstandard -O0 -srcfile progs.src >compile.log 2>&1) || { cat "$work/base/play/compile.log"; exit 1; }
+printf 'host_maxfps 72\nhost_framerate 0.05\n' >"$work/base/play/autoexec.cfg"
+{ cat "$here/script.cfg"; echo quit; } >"$work/base/play/walk.cfg"
+
+ours() { "$build/fullbright" -basedir "$work/base" -userdir "$work/user" -game play -headless -size 64x36 "$@"; }
+theirs() {
+  HOME=$work/home SDL_AUDIODRIVER=dummy timeout 120 xvfb-run -a timeout 110 stdbuf -oL quakespasm -basedir "$work/base" \
+    -game play -window -width 320 -height 240 -nojoy "$@"
+}
+
+ours +record ours lq_e0m1 +exec walk.cfg >"$work/ours.log" 2>&1 || { tail -20 "$work/ours.log"; exit 1; }
+our_demo=$(find "$work" -name ours.dem)
+[[ -n $our_demo ]] || { tail -20 "$work/ours.log"; echo "no demo was recorded"; exit 1; }
+"$build/fullbright-lab" track "$our_demo"
+command -v quakespasm >/dev/null && command -v xvfb-run >/dev/null || skip "quakespasm and xvfb are not installed; nothing was compared"
+
+theirs +record theirs lq_e0m1 +exec walk.cfg >"$work/theirs.log" 2>&1 || true
+their_demo=$(find "$work" -name theirs.dem)
+[[ -n $their_demo ]] || { tail -20 "$work/theirs.log"; echo "quakespasm recorded no demo"; exit 1; }
+"$build/fullbright-lab" track "$our_demo" "$their_demo" --shift 20
