@@ -26,7 +26,7 @@ printf 'host_maxfps 72\nhost_framerate 0.05\n' >"$work/base/play/autoexec.cfg"
 
 ours() { "$build/fullbright" -basedir "$work/base" -userdir "$work/user" -game play -headless -size 64x36 "$@"; }
 theirs() {
-  HOME=$work/home SDL_AUDIODRIVER=dummy timeout 120 xvfb-run -a timeout 110 stdbuf -oL quakespasm -basedir "$work/base" \
+  HOME=$work/home SDL_AUDIODRIVER=dummy timeout -s KILL 300 xvfb-run -a timeout -s KILL 280 stdbuf -oL quakespasm -basedir "$work/base" \
     -game play -window -width 320 -height 240 -nojoy "$@"
 }
 
