@@ -16,18 +16,20 @@ skip() { echo "skipped: $*"; exit 77; }
 command -v fteqcc >/dev/null || skip "fteqcc is not installed"
 
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-mkdir -p "$work/base/play" "$work/home"
+# quakespasm writes below the home that the system knows, whatever HOME says.
+game=$(basename "$work") written=$(getent passwd "$(id -u)" | cut -d: -f6)/.quakespasm/$(basename "$work")
+trap 'rm -rf "$work" "$written"' EXIT
+mkdir -p "$work/base/$game"
 ln -s "$data/id1" "$work/base/id1"
-cp "$here"/*.qc "$here/progs.src" "$work/base/play"
-(cd "$work/base/play" && fteqcc -Tstandard -O0 -srcfile progs.src >compile.log 2>&1) || { cat "$work/base/play/compile.log"; exit 1; }
-printf 'host_maxfps 72\nhost_framerate 0.05\n' >"$work/base/play/autoexec.cfg"
-{ cat "$here/script.cfg"; echo quit; } >"$work/base/play/walk.cfg"
+cp "$here"/*.qc "$here/progs.src" "$work/base/$game"
+(cd "$work/base/$game" && fteqcc -Tstandard -O0 -srcfile progs.src >compile.log 2>&1) || { cat "$work/base/$game/compile.log"; exit 1; }
+printf 'host_maxfps 72\nhost_framerate 0.05\n' >"$work/base/$game/autoexec.cfg"
+{ cat "$here/script.cfg"; echo quit; } >"$work/base/$game/walk.cfg"
 
-ours() { "$build/fullbright" -basedir "$work/base" -userdir "$work/user" -game play -headless -size 64x36 "$@"; }
+ours() { "$build/fullbright" -basedir "$work/base" -userdir "$work/user" -game "$game" -headless -size 64x36 "$@"; }
 theirs() {
-  HOME=$work/home SDL_AUDIODRIVER=dummy timeout -s KILL 300 xvfb-run -a timeout -s KILL 280 stdbuf -oL quakespasm -basedir "$work/base" \
-    -game play -window -width 320 -height 240 -nojoy "$@"
+  SDL_AUDIODRIVER=dummy timeout -s KILL 300 xvfb-run -a timeout -s KILL 280 stdbuf -oL quakespasm -basedir "$work/base" \
+    -game "$game" -window -width 320 -height 240 -nojoy "$@"
 }
 
 ours +record ours lq_e0m1 +exec walk.cfg >"$work/ours.log" 2>&1 || { tail -20 "$work/ours.log"; exit 1; }
@@ -37,6 +39,6 @@ our_demo=$(find "$work" -name ours.dem)
 command -v quakespasm >/dev/null && command -v xvfb-run >/dev/null || skip "quakespasm and xvfb are not installed; nothing was compared"
 
 theirs +record theirs lq_e0m1 +exec walk.cfg >"$work/theirs.log" 2>&1 || true
-their_demo=$(find "$work" -name theirs.dem)
+their_demo=$(find "$written" -name theirs.dem)
 [[ -n $their_demo ]] || { tail -20 "$work/theirs.log"; echo "quakespasm recorded no demo"; exit 1; }
 "$build/fullbright-lab" track "$our_demo" "$their_demo" --shift 20
