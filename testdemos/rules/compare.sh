@@ -42,3 +42,23 @@ theirs +record theirs lq_e0m1 +exec walk.cfg >"$work/theirs.log" 2>&1 || true
 their_demo=$(find "$written" -name theirs.dem)
 [[ -n $their_demo ]] || { tail -20 "$work/theirs.log"; echo "quakespasm recorded no demo"; exit 1; }
 "$build/fullbright-lab" track "$our_demo" "$their_demo" --shift 20
+
+# Each plays what the other recorded, to its end and with as many frames as what it recorded itself.
+cp "$our_demo" "$their_demo" "$work/base/$game"
+our_frames() { ours +timedemo "$1" +quit 2>&1 | sed -n 's/^\([0-9]*\) frames .*fps.*/\1/p'; }
+# quakespasm stays after a timedemo: it is ended when it has printed the line.
+their_frames() {
+  theirs +timedemo "$1" >"$work/timedemo.log" 2>&1 &
+  for _ in $(seq 200); do
+    if grep -q ' frames .*fps' "$work/timedemo.log"; then break; fi
+    sleep 1
+  done
+  pkill -KILL -f "quakespasm -basedir $work/base" || true
+  wait || true
+  sed -n 's/^ *\([0-9]*\) frames .*fps.*/\1/p' "$work/timedemo.log"
+}
+for demo in ours theirs; do
+  here_count=$(our_frames $demo) there_count=$(their_frames $demo)
+  echo "$demo.dem: $here_count frames here, $there_count in quakespasm"
+  [[ -n $here_count && $here_count == "$there_count" ]] || exit 1
+done
