@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 seconds=${FUZZ_SECONDS:-60}
 dir=build-fuzz
 
-cmake --preset fuzz ${CI:+-DFULLBRIGHT_PCH=ON} >/dev/null
+cmake --preset fuzz >/dev/null
 targets=$(ninja -C $dir -t targets all | sed -n 's/^\(fuzz_[a-z0-9_]*\):.*/\1/p' | sort -u)
 makers=$(ninja -C $dir -t targets all | sed -n 's/^\([a-z0-9_]*make_seed_corpus\):.*/\1/p' | grep -v "^cmake_" | sort -u || true)
 [[ $# -eq 0 ]] || targets="$*"
