@@ -27,9 +27,22 @@ printf 'host_maxfps 72\nhost_framerate 0.05\n' >"$work/base/$game/autoexec.cfg"
 { cat "$here/script.cfg"; echo quit; } >"$work/base/$game/walk.cfg"
 
 ours() { "$build/fullbright" -basedir "$work/base" -userdir "$work/user" -game "$game" -headless -size 64x36 "$@"; }
+# Runs quakespasm until it prints the line, or what it records has not grown for 15 seconds (a script's end may leave it
+# in a menu, where the game stands still), and ends it. theirs LINE LOG ARGUMENT...
 theirs() {
-  SDL_AUDIODRIVER=dummy timeout -s KILL 300 xvfb-run -a timeout -s KILL 280 stdbuf -oL quakespasm -basedir "$work/base" \
-    -game "$game" -window -width 320 -height 240 -nojoy "$@"
+  local line=$1 log=$2 size=0 before=0 still=0
+  shift 2
+  SDL_AUDIODRIVER=dummy timeout -s KILL 300 xvfb-run -a stdbuf -oL quakespasm -basedir "$work/base" -game "$game" -window \
+    -width 320 -height 240 -nojoy "$@" >"$log" 2>&1 &
+  for _ in $(seq 280); do
+    if grep -q "$line" "$log" || ! kill -0 $! 2>/dev/null || ((still > 15)); then break; fi
+    size=$({ cat "$written"/*.dem 2>/dev/null || true; } | wc -c)
+    if [[ $line == *Completed* ]] && ((size > 0 && size == before)); then ((++still)); else still=0; fi
+    before=$size
+    sleep 1
+  done
+  pkill -KILL -f "quakespasm -basedir $work/base" || true
+  wait 2>/dev/null || true
 }
 
 ours +record ours lq_e0m1 +exec walk.cfg >"$work/ours.log" 2>&1 || { tail -20 "$work/ours.log"; exit 1; }
@@ -38,7 +51,7 @@ our_demo=$(find "$work" -name ours.dem)
 "$build/fullbright-lab" track "$our_demo"
 command -v quakespasm >/dev/null && command -v xvfb-run >/dev/null || skip "quakespasm and xvfb are not installed; nothing was compared"
 
-theirs +record theirs lq_e0m1 +exec walk.cfg >"$work/theirs.log" 2>&1 || true
+theirs '^Completed demo' "$work/theirs.log" +record theirs lq_e0m1 +exec walk.cfg
 their_demo=$(find "$written" -name theirs.dem)
 [[ -n $their_demo ]] || { tail -20 "$work/theirs.log"; echo "quakespasm recorded no demo"; exit 1; }
 "$build/fullbright-lab" track "$our_demo" "$their_demo" --shift 20
@@ -46,15 +59,8 @@ their_demo=$(find "$written" -name theirs.dem)
 # Each plays what the other recorded, to its end and with as many frames as what it recorded itself.
 cp "$our_demo" "$their_demo" "$work/base/$game"
 our_frames() { ours +timedemo "$1" +quit 2>&1 | sed -n 's/^\([0-9]*\) frames .*fps.*/\1/p'; }
-# quakespasm stays after a timedemo: it is ended when it has printed the line.
 their_frames() {
-  theirs +timedemo "$1" >"$work/timedemo.log" 2>&1 &
-  for _ in $(seq 200); do
-    if grep -q ' frames .*fps' "$work/timedemo.log"; then break; fi
-    sleep 1
-  done
-  pkill -KILL -f "quakespasm -basedir $work/base" || true
-  wait || true
+  theirs ' frames .*fps' "$work/timedemo.log" +timedemo "$1"
   sed -n 's/^ *\([0-9]*\) frames .*fps.*/\1/p' "$work/timedemo.log"
 }
 for demo in ours theirs; do
