@@ -12,6 +12,7 @@
 #include "progs/test_program.h"
 #include "server/clients.h"
 #include "server/test_map.h"
+#include "server/test_remote_connection.h"
 
 namespace fb::sv {
 namespace {
@@ -32,25 +33,6 @@ struct Game {
   }
   std::shared_ptr<const progs::Program> program;
   std::shared_ptr<const formats::Bsp> bsp;
-};
-
-class Far final : public net::Connection {
- public:
-  explicit Far(std::unique_ptr<net::Connection> inner) : inner_(std::move(inner)) {}
-  bool can_send() const override { return inner_->can_send(); }
-  Status send_reliable(ByteView message, double now) override { return inner_->send_reliable(message, now); }
-  Status send_unreliable(ByteView message, double now) override { return inner_->send_unreliable(message, now); }
-  std::optional<net::ReceivedMessage> receive(double now) override { return inner_->receive(now); }
-  bool is_open() const override { return inner_->is_open(); }
-  std::string_view close_reason() const override { return inner_->close_reason(); }
-  void close() override { inner_->close(); }
-  std::string address() const override { return "192.0.2.1:26001"; }
-  bool is_local() const override { return false; }
-  std::size_t unreliable_limit() const override { return net::kDatagramMtu; }
-  double connect_time() const override { return inner_->connect_time(); }
-
- private:
-  std::unique_ptr<net::Connection> inner_;
 };
 
 struct Player {
@@ -106,7 +88,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (int i = 0; i < 2; ++i) {
     auto [client, server] = net::make_loopback(now);
     players[i].connection = std::move(client);
-    if (i == 1) server = std::make_unique<Far>(std::move(server));
+    if (i == 1) server = std::make_unique<testing::RemoteConnection>(std::move(server));
     clients.accept(std::move(server), now);
   }
   const auto frame = [&] {
