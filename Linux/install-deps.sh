@@ -14,6 +14,7 @@ usage: Linux/install-deps.sh [--dry-run] [--quiet] [GROUP ...]
   fuzz      build, and clang with libFuzzer
   coverage  test, and gcovr
   check     what checks the source text: clang-format, clang-tidy, python3
+  maps      what compiles the base game's maps anew (they are kept compiled)
   all       every group
   --dry-run say what would be installed, install nothing
   --quiet   say nothing where nothing is missing
@@ -30,7 +31,8 @@ packages_of() {
     fuzz) packages_of build; echo clang libclang-rt-dev llvm ;;
     coverage) packages_of test; echo gcovr ;;
     check) echo clang-format clang-tidy python3 ;;
-    all) for group in test bench fuzz coverage check; do packages_of "$group"; done ;;
+    maps) echo mmdebstrap python3 python3-numpy ;;
+    all) for group in test bench fuzz coverage check maps; do packages_of "$group"; done ;;
     *) echo "install-deps.sh: unknown group '$1'; see --help" >&2; return 2 ;;
   esac
 }
