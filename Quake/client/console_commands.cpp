@@ -29,6 +29,21 @@ bool is_archived(std::string_view name) {
   return std::find(kArchived.begin(), kArchived.end(), name) != kArchived.end();
 }
 
+// What the last message told of, as it is shown.
+void print_entities(const ClientState& state) {
+  int count = 0;
+  for (std::size_t i = 1; i < state.entities.size(); ++i) {
+    const Entity& entity = state.entities[i];
+    if (entity.model == 0 || entity.message_time != state.message_times[0]) continue;
+    const auto model = static_cast<std::size_t>(entity.model);
+    const std::string name = model < state.model_names.size() ? state.model_names[model] : "?";
+    const vec3 &o = entity.origin, &a = entity.angles;
+    log_info("{:3}: {}:{} ({} {} {}) [{} {} {}]", i, name, entity.frame, o.x, o.y, o.z, a.x, a.y, a.z);
+    ++count;
+  }
+  log_info("{} entities", count);
+}
+
 }  // namespace
 
 void Client::Impl::read_settings() {
@@ -111,6 +126,8 @@ void Client::Impl::register_console() {
     end_demo(std::nullopt);
     next_demo();
   });
+  console.add_command("entities", "what the server shows: number, model, frame, place and angles of each thing",
+                      [this](const con::Args&) { print_entities(session.state); });
   if (!console.has_command("bf"))
     console.add_command("bf", "flashes as if something had been picked up",
                         [this](const con::Args&) { bonus_flash(session.state); });

@@ -12,7 +12,7 @@ void register_time_cvars(con::Console& console) {
                     con::kCvarPlain, 0.0f, 1.0f});
   console.add_cvar(
       {"host_timescale", "0", "how fast time goes: 0.5 is half as fast; 0: as it is", con::kCvarPlain, 0.0f, 100.0f});
-  console.add_cvar({"host_maxfps", "250", "most frames a second in a window; above 72 the game ticks 72 times a second",
+  console.add_cvar({"host_maxfps", "250", "most frames a second; above 72 the game ticks 72 times a second",
                     con::kCvarArchive, 10.0f, 1000.0f});
 }
 

@@ -164,12 +164,14 @@ void Game::follow_focus() {
   engine_->server().hold(in_game && screen_.console_open());
 }
 
-// Waits where frames come faster than they may.
+// Waits where frames come faster than they may: in a window, and in somebody else's game, whose time is real.
 double Game::seconds_passed() {
+  const cl::Client& client = engine_->client();
+  const bool elsewhere = client.connecting() || (client.connected() && !engine_->server().active());
   const TimeSettings settings = read_time_settings(engine_->console());
   const bool real = settings.time_scale > 0.0 || settings.frame_rate <= 0.0;
   double now = platform::now_seconds();
-  if (real && window_ && !engine_->client().timing()) {
+  if (real && (window_ || elsewhere) && !client.timing()) {
     const double shortest = 1.0 / settings.max_fps;
     if (now - last_time_ < shortest) platform::sleep_seconds(shortest - (now - last_time_));
     now = platform::now_seconds();
