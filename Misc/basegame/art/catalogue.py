@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from art import tex_doors, tex_fine, tex_grown, tex_metal, tex_stone, tex_wood
 from art.palette import hex_to_srgb
 from art.surface import Surface
 
@@ -32,28 +33,30 @@ def add(names: str, size: tuple[int, int], painter: Painter) -> None:
         TEXTURES[name] = (*size, painter)
 
 
-add("stone_a stone_b stone_floor cobble rock_a rock_b", (128, 128), flat("8d98a8"))
-add("dirt", (128, 128), flat("6b4a30"))
-add("moss_stone", (128, 128), flat("7f8a60"))
-add("stone_trim", (128, 32), flat("a7b1bd"))
-add("brick_red", (128, 128), flat("a5604e"))
-add("brick_dark", (128, 128), flat("656d80"))
-add("plaster plaster_crack", (128, 128), flat("d8caa8"))
-add("metal_plate metal_rivet metal_floor steel_wall", (128, 128), flat("70737a"))
-add("metal_rust", (128, 128), flat("8c5a38"))
-add("metal_trim", (128, 32), flat("585c66"))
-add("copper_plate copper_floor", (128, 128), flat("6fae98"))
-add("copper_trim", (128, 32), flat("b07a50"))
-add("steel_door", (128, 128), flat("8c929c"))
-add("wood_plank wood_door", (128, 128), flat("9a6c48"))
-add("wood_beam", (128, 32), flat("7a5030"))
-add("tile_teal", (128, 128), flat("5fa090"))
-add("tile_white", (128, 128), flat("e0dccc"))
-add("tile_check", (128, 128), flat("9aa0a0"))
-add("marble_white", (128, 128), flat("e2ddd2"))
-add("marble_black", (128, 128), flat("3a3d44"))
-add("flesh_a flesh_b", (128, 128), flat("c8675c"))
-add("glass_teal", (64, 64), flat("70b8a8"))
+for _painter in (tex_stone.stone_a, tex_stone.stone_b, tex_stone.stone_floor, tex_stone.cobble, tex_stone.rock_a,
+                 tex_stone.rock_b, tex_stone.dirt, tex_stone.moss_stone, tex_stone.brick_red, tex_stone.brick_dark,
+                 tex_stone.plaster, tex_stone.plaster_crack):
+    add(_painter.__name__, (128, 128), _painter)
+add("stone_trim", (128, 32), tex_stone.stone_trim)
+for _painter in (tex_metal.metal_plate, tex_metal.metal_rivet, tex_metal.metal_floor, tex_metal.metal_rust,
+                 tex_metal.copper_plate, tex_metal.copper_floor, tex_metal.steel_wall, tex_metal.steel_door):
+    add(_painter.__name__, (128, 128), _painter)
+add("metal_trim", (128, 32), tex_metal.metal_trim)
+add("copper_trim", (128, 32), tex_metal.copper_trim)
+for _painter in (tex_wood.wood_plank, tex_wood.wood_door, tex_wood.bookshelf, tex_fine.tile_teal, tex_fine.tile_white,
+                 tex_fine.tile_check, tex_fine.marble_white, tex_fine.marble_black, tex_fine.carpet_red):
+    add(_painter.__name__, (128, 128), _painter)
+for _painter in (tex_wood.crate_a, tex_wood.crate_b, tex_wood.barrel_side, tex_wood.barrel_top, tex_fine.glass_teal):
+    add(_painter.__name__, (64, 64), _painter)
+add("wood_beam", (128, 32), tex_wood.wood_beam)
+for _painter in (tex_grown.flesh_a, tex_grown.flesh_b, tex_grown.bones, tex_doors.door_iron, tex_doors.door_gold,
+                 tex_doors.door_silver, tex_doors.door_rune):
+    add(_painter.__name__, (128, 128), _painter)
+add("skull_trim", (128, 32), tex_grown.skull_trim)
+add("candle_wax", (64, 64), tex_grown.candle_wax)
+add("{vine", (64, 64), tex_grown.vine)
+add("{grate", (64, 64), tex_doors.grate)
+add("{chain", (32, 64), tex_doors.chain)
 add("window_a window_b", (64, 128), flat("ffc64e", glow=True))
 add("light_white", (64, 64), flat("ffffff", glow=True))
 add("light_warm", (64, 64), flat("ffc64e", glow=True))
@@ -66,21 +69,10 @@ add("rune_a rune_b", (64, 64), flat("738299"))
 add("crystal_blue", (64, 64), flat("5fb8ff", glow=True))
 add("crystal_red", (64, 64), flat("e8262a", glow=True))
 add("crystal_gold", (64, 64), flat("e6bf44", glow=True))
-add("candle_wax", (64, 64), flat("f0e0b8"))
-add("door_iron door_gold door_silver door_rune", (128, 128), flat("6a6058"))
 add("+0button +1button", (64, 64), flat("8a6a48"))
 add("+abutton", (64, 64), flat("bf1420", glow=True))
 add("+0plate +1plate +2plate +3plate", (64, 64), flat("546070"))
 add("sign_exit sign_arrow", (64, 32), flat("6a5a40"))
-add("skull_trim", (128, 32), flat("b0a080"))
-add("bones", (128, 128), flat("cfbf9a"))
-add("crate_a crate_b", (64, 64), flat("9a6c48"))
-add("barrel_side barrel_top", (64, 64), flat("5a6a72"))
-add("bookshelf", (128, 128), flat("6b432a"))
-add("carpet_red", (128, 128), flat("a02830"))
-add("{grate", (64, 64), flat("585c66"))
-add("{vine", (64, 64), flat("5a7a30"))
-add("{chain", (32, 64), flat("585c66"))
 add("*water_a *water_b", (64, 64), flat("2f7070"))
 add("*slime_a", (64, 64), flat("7f9a30"))
 add("*lava_a", (64, 64), flat("f26a0c", glow=True))
