@@ -152,7 +152,7 @@ class Canvas:
         lines = self.noise((7, length), 3, seed=940 + seed) + 0.7 * self.noise((40, length), 2, seed=941 + seed)
         return smoothstep(0.6 - share, 1.3 - share, lines)
 
-    def surface(self, palette: list[int] | None = None, dither: float = 0.012, tiles: bool = True) -> Surface:
+    def surface(self, palette: list[int] | None = None, dither: float = 0.0, tiles: bool = True) -> Surface:
         """The layers as a surface."""
-        return Surface(np.clip(self.color, 0.0, 1.0), self.height, np.clip(self.gloss, 0.0, 0.97), self.glow, self.holes,
-                       self.scale, palette, dither, tiles)
+        return Surface(np.clip(self.color, 0.0, 1.0), self.height, np.clip(self.gloss, 0.0, 0.97), self.glow,
+                       holes=self.holes, scale=self.scale, palette=palette, dither=dither, tiles=tiles)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from art import tex_doors, tex_fine, tex_grown, tex_metal, tex_stone, tex_wood
+from art import tex_box, tex_doors, tex_fine, tex_glow, tex_grown, tex_liquid, tex_metal, tex_stone, tex_wood
 from art.palette import hex_to_srgb
 from art.surface import Surface
 
@@ -57,32 +57,27 @@ add("candle_wax", (64, 64), tex_grown.candle_wax)
 add("{vine", (64, 64), tex_grown.vine)
 add("{grate", (64, 64), tex_doors.grate)
 add("{chain", (32, 64), tex_doors.chain)
-add("window_a window_b", (64, 128), flat("ffc64e", glow=True))
-add("light_white", (64, 64), flat("ffffff", glow=True))
-add("light_warm", (64, 64), flat("ffc64e", glow=True))
-add("light_cool", (64, 64), flat("9fdcff", glow=True))
-add("light_red", (64, 64), flat("e8262a", glow=True))
-add("light_green", (64, 64), flat("8cffa0", glow=True))
-add("light_strip", (64, 16), flat("fff8d4", glow=True))
-add("lamp_round", (64, 64), flat("ffe894", glow=True))
-add("rune_a rune_b", (64, 64), flat("738299"))
-add("crystal_blue", (64, 64), flat("5fb8ff", glow=True))
-add("crystal_red", (64, 64), flat("e8262a", glow=True))
-add("crystal_gold", (64, 64), flat("e6bf44", glow=True))
-add("+0button +1button", (64, 64), flat("8a6a48"))
-add("+abutton", (64, 64), flat("bf1420", glow=True))
-add("+0plate +1plate +2plate +3plate", (64, 64), flat("546070"))
-add("sign_exit sign_arrow", (64, 32), flat("6a5a40"))
-add("*water_a *water_b", (64, 64), flat("2f7070"))
-add("*slime_a", (64, 64), flat("7f9a30"))
-add("*lava_a", (64, 64), flat("f26a0c", glow=True))
-add("*teleport", (64, 64), flat("643f7b"))
-add("sky_night", (256, 128), flat("182440"))
-add("sky_dusk", (256, 128), flat("8a5068"))
-add("sky_storm", (256, 128), flat("5a7080"))
-add("skip clip trigger origin hint", (64, 64), flat("c850c8"))
-add("box_shell box_nail box_rocket box_cell box_health box_mega", (64, 64), flat("8a7a60"))
-add("box_shell_top box_nail_top box_rocket_top box_cell_top box_health_top box_mega_top", (64, 64), flat("9a8a70"))
+for _name in ("light_white light_warm light_cool light_red light_green lamp_round rune_a rune_b crystal_blue crystal_red "
+              "crystal_gold").split():
+    add(_name, (64, 64), getattr(tex_glow, _name))
+add("light_strip", (64, 16), tex_glow.light_strip)
+add("window_a", (64, 128), tex_glow.window_a)
+add("window_b", (64, 128), tex_glow.window_b)
+add("+0button", (64, 64), tex_glow.button_0)
+add("+1button", (64, 64), tex_glow.button_1)
+add("+abutton", (64, 64), tex_glow.button_a)
+for _frame, _painter in enumerate(tex_glow.plates):
+    add(f"+{_frame}plate", (64, 64), _painter)
+add("sign_exit", (64, 32), tex_glow.sign_exit)
+add("sign_arrow", (64, 32), tex_glow.sign_arrow)
+for _name in "water_a water_b slime_a lava_a teleport".split():
+    add(f"*{_name}", (64, 64), getattr(tex_liquid, _name))
+for _name in "sky_night sky_dusk sky_storm".split():
+    add(_name, (256, 128), getattr(tex_liquid, _name))
+for _name, _painter in tex_box.BOXES.items():
+    add(_name, (64, 64), _painter)
+for _name, _color in {"skip": "b04a9c", "clip": "a8782c", "trigger": "7a4ab0", "origin": "3a86a0", "hint": "5a8a3a"}.items():
+    add(_name, (64, 64), tex_box.tool(_color, _name))
 add("lab_white", (64, 64), flat("d8d8d8"))
 add("lab_grey", (64, 64), flat("888888"))
 add("lab_black", (64, 64), flat("1d1d1f"))
@@ -90,7 +85,10 @@ add("lab_red", (64, 64), flat("a92726"))
 add("lab_green", (64, 64), flat("525a20"))
 add("lab_blue", (64, 64), flat("1a56a8"))
 add("lab_yellow", (64, 64), flat("e6b53c"))
-add("lab_check lab_chrome lab_steel lab_marble", (64, 64), flat("9a9a9a"))
 add("lab_light", (64, 64), flat("ffffff", glow=True))
 add("lab_light_warm", (64, 64), flat("ffc64e", glow=True))
-add("lab_light_dim", (64, 64), flat("9fdcff", glow=True))
+add("lab_chrome", (64, 64), flat("d9d9d8"))
+add("lab_steel", (64, 64), flat("9a9b9f"))
+add("lab_marble", (64, 64), flat("c8c8c8"))
+add("lab_check", (64, 64), tex_box.lab_check)
+add("lab_light_dim", (64, 64), tex_box.lab_light_dim)

@@ -24,10 +24,12 @@ class Surface:
     height: np.ndarray | None = None  # texels of the texture, up is towards the viewer
     gloss: np.ndarray | None = None  # 1 - roughness, 0..1
     glow: np.ndarray | None = None  # bool: these texels are lights, and their colour is their light's
+    luma: np.ndarray | None = None  # (H, W, 3) sRGB: the light itself, where the palette has no such light
     holes: np.ndarray | None = None  # bool: nothing is here
+    open_sky: np.ndarray | None = None  # bool: index 0, where a sky's near layer shows the far one
     scale: int = 1
     palette: list[int] | None = None  # the only indices that texels without glow may have
-    dither: float = 0.012
+    dither: float = 0.0
     tiles: bool = True  # its edges meet (normals are taken across them)
 
 
@@ -52,6 +54,8 @@ def _level(surface: Surface, factor: int) -> np.ndarray:
             indices[lit] = nearest(srgb_from_linear(light), glow=True)[lit]
     if surface.holes is not None:
         indices[shrink(surface.holes.astype(float), factor) >= 0.5] = TRANSPARENT
+    if surface.open_sky is not None:
+        indices[shrink(surface.open_sky.astype(float), factor) >= 0.5] = 0
     return indices
 
 
@@ -76,14 +80,16 @@ def _bytes(values: np.ndarray) -> np.ndarray:
 
 def files(name: str, surface: Surface) -> dict[str, bytes]:
     """The PNG files beside a texture: none for a surface without height, gloss and finer texels."""
-    if surface.height is None and surface.gloss is None and surface.scale == 1:
+    if surface.height is None and surface.gloss is None and surface.luma is None and surface.scale == 1:
         return {}
     stem = "textures/" + name.replace("*", "#")
     color = _bytes(surface.color)
     if surface.holes is not None:
         color = np.concatenate([color, _bytes(~surface.holes)[..., None]], axis=-1)
     out = {f"{stem}.png": write_png(color)}
-    if surface.glow is not None and surface.glow.any():
+    if surface.luma is not None:
+        out[f"{stem}_luma.png"] = write_png(_bytes(surface.luma))
+    elif surface.glow is not None and surface.glow.any():
         out[f"{stem}_luma.png"] = write_png(_bytes(surface.color * surface.glow[..., None]))
     if surface.height is not None:
         out[f"{stem}_norm.png"] = write_png(normal_map(surface.height, surface.scale, surface.tiles))

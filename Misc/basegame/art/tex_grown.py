@@ -100,12 +100,14 @@ def bones(width: int, height: int) -> Surface:
     band = np.abs(((c.y + 32.0) % 64.0) - 32.0) < 12.0
     c.height = np.where(band, -2.0, c.height)
     c.color = np.where(band[..., None], np.array([0.16, 0.13, 0.1]), c.color)
+    # One skull, drawn once and put where the others are: rows of six, the second half a skull further.
+    model = _skull(c, 0.5 * width, 0.5 * height, 10.2)
     for level in range(2):
         for i in range(6):
-            cx = (i + 0.5 * level) * width / 6.0 + 10.0
-            cy = 64.0 * level + 0.0
-            for wrap in (0.0, 128.0):
-                relief, here, holes = _skull(c, cx, cy + wrap, 10.2)
+            across = round(((i + 0.5 * level) * width / 6.0 + 10.0 - 0.5 * width) * c.scale)
+            down = round((64.0 * level - 0.5 * height) * c.scale)
+            relief, here, holes = (np.roll(layer, (down, across), (0, 1)) for layer in model)
+            if here.any():
                 c.height = np.where(here > 0.5, relief, c.height)
                 c.paint(c.ramp(BONE, 0.6 + 0.3 * ((i * 5 + level * 3) % 7) / 7.0 - 0.15 + 0.12 * c.noise(10, 3, seed=7)), here)
                 c.paint("241a12", 0.9 * holes)

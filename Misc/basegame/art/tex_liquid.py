@@ -1,0 +1,124 @@
+"""Liquids (64x64, they swing in the renderer) and skies (256x128: near layer with holes, then far layer)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from art.canvas import Canvas
+from art.noise import blur, smoothstep
+from art.palette import RAMPS
+from art.surface import Surface
+
+
+def _web(c: Canvas, size: float, seed: int, warp: float) -> np.ndarray:
+    """Bright lines like light under water: 1 on cells' borders."""
+    net = c.cells(size, seed, 0.9, warp=warp)
+    return smoothstep(0.16, 0.0, net.edge())
+
+
+def _water(seed: int, ramp: str, row: str) -> Surface:
+    c = Canvas(64, 64, seed, scale=1)
+    deep = c.noise(32, 3, 0.5, seed=1)
+    web = 0.65 * _web(c, 16, 2, 6.0) + 0.35 * _web(c, 9, 3, 3.5)
+    c.color = c.ramp(ramp, 0.36 + 0.18 * deep + 0.5 * blur(web, 0.8))
+    return Surface(c.color, palette=RAMPS[row], dither=0.015)
+
+
+def water_a(width: int, height: int) -> Surface:
+    """The drowned works' water: deep teal."""
+    return _water(131, "05120f 10332f 265d52 4a8f7c 82c0a9", "verdigris")
+
+
+def water_b(width: int, height: int) -> Surface:
+    """Open water: bluer."""
+    return _water(132, "081a34 103668 1a56a8 3a86e0 7cc4ff", "blue")
+
+
+def slime_a(width: int, height: int) -> Surface:
+    """Alchemists' slime: yellow-green, with bubbles."""
+    c = Canvas(64, 64, 133, scale=1)
+    flow = c.noise(26, 3, 0.5, seed=1, warp=6.0 * c.noise(30, 2, seed=2))
+    bubbles = c.cells(9, 3, 1.0)
+    radius = 0.14 + 0.24 * bubbles.random(4)
+    ring = smoothstep(0.07, 0.0, np.abs(bubbles.nearest - radius)) * (bubbles.random(5) < 0.45)
+    c.color = c.ramp("2b2f10 4e5a1c 7f883a a4b44c d4dc84", 0.42 + 0.3 * flow + 0.35 * ring)
+    return Surface(c.color, palette=sorted(RAMPS["olive"] + RAMPS["yellow"]), dither=0.015)
+
+
+def lava_a(width: int, height: int) -> Surface:
+    """Slag from the furnaces: dark crust afloat on fire."""
+    c = Canvas(64, 64, 134, scale=1)
+    crust = c.cells(16, 1, 0.95, warp=6.0)
+    hot = 1.0 - smoothstep(0.02, 0.34, crust.edge() + 0.07 * c.noise(9, 3, seed=2))
+    heat = np.clip(0.1 + 0.78 * hot + 0.16 * c.noise(16, 3, seed=3), 0.0, 1.0)
+    c.color = c.ramp("1c0402 3a0a02 7d1c03 c43c05 f26a0c ff9a24 ffc64e ffe894", heat)
+    return Surface(c.color, glow=heat > 0.22, dither=0.01)
+
+
+def teleport(width: int, height: int) -> Surface:
+    """A door of the monks' making: violet night with stars drawn into threads."""
+    c = Canvas(64, 64, 135, scale=1)
+    swirl = c.noise(24, 3, 0.5, seed=1, warp=9.0 * c.noise(32, 2, seed=2))
+    threads = smoothstep(0.16, 0.0, np.abs(c.noise(28, 3, 0.5, seed=3, warp=9.0 * c.noise(32, 2, seed=4))))
+    c.color = c.ramp("120817 33193f 643f7b 9f7bb0 d9bfe0", 0.3 + 0.3 * swirl + 0.5 * threads)
+    stars = c.cells(8, 5, 1.0)
+    size = 0.1 + 0.12 * stars.random(6)
+    star = (stars.nearest < size) & (stars.random(7) < 0.5)
+    c.color = np.where(star[..., None], np.array([0.87, 0.97, 1.0]), c.color)
+    return Surface(c.color, glow=star, palette=sorted(RAMPS["mauve"] + RAMPS["blue"]), dither=0.015)
+
+
+_SKY = [i for i in range(1, 224) if i not in RAMPS["grey"] or i > 12]  # no greys: skies have colours
+
+
+def _sky(far: np.ndarray, near: np.ndarray, cover: np.ndarray) -> Surface:
+    """The two layers side by side; index 0 is where the near one is open, and nowhere else."""
+    color = np.concatenate([near, far], axis=1)
+    holes = np.concatenate([cover <= 0.0, np.zeros(cover.shape, bool)], axis=1)
+    return Surface(color, open_sky=holes, palette=_SKY, dither=0.018)
+
+
+def _layer(seed: int) -> Canvas:
+    return Canvas(128, 128, seed, scale=1)
+
+
+def _clouds(c: Canvas, size: float, seed: int) -> np.ndarray:
+    """Heaped clouds, about -1..1."""
+    bend = 0.22 * size * c.noise(size, 3, seed=seed + 1)
+    billow = 1.0 - 2.0 * np.abs(c.noise(size * 0.6, 4, 0.5, seed=seed + 2, warp=bend))
+    return 0.75 * c.noise(size, 4, 0.5, seed=seed, warp=bend) + 0.3 * billow
+
+
+def sky_night(width: int, height: int) -> Surface:
+    """Blue night: stars, a pale river of them, thin clouds."""
+    c = _layer(141)
+    river = smoothstep(0.1, 1.1, c.noise(90, 4, 0.55, seed=1))
+    far = c.ramp("081a34 0c284e 103668 16468a 1a56a8", 0.22 + 0.16 * c.noise(60, 3, seed=2) + 0.38 * river)
+    for size, share, seed in ((5, 0.18, 3), (11, 0.45, 4)):
+        stars = c.cells(size, seed, 1.0)
+        bright = np.clip(1.0 - stars.nearest * size / (0.5 + 0.7 * stars.random(5)), 0, 1) * (stars.random(6) < share)
+        far = far + bright[..., None] * (np.array([1.0, 0.98, 0.9]) - far) * (0.5 + 0.5 * stars.random(7))[..., None]
+    d = _layer(142)
+    cloud = _clouds(d, 64, 1) - 0.15
+    near = d.ramp("103668 16468a 4a6c9c 738299 98a8bc", 1.1 * cloud)
+    return _sky(far, near, cloud - 0.06)
+
+
+def sky_dusk(width: int, height: int) -> Surface:
+    """After sunset: coral and gold bands behind violet clouds."""
+    c = _layer(144)
+    far = c.ramp("7a4a78 b0607a e08a74 f4b87e ffdf9c", 0.5 + 0.3 * c.noise((128, 50), 4, 0.5, seed=1) + 0.12 * c.noise(30, 3, seed=2))
+    d = _layer(145)
+    cloud = _clouds(d, 70, 1) - 0.05
+    near = d.ramp("d68478 a86078 7a4a84 523066 3a1f4c", 1.25 * cloud)
+    return _sky(far, near, cloud)
+
+
+def sky_storm(width: int, height: int) -> Surface:
+    """Rain to come: slate over teal light."""
+    c = _layer(147)
+    far = c.ramp("546a84 738299 96a5b8 b9c7d8", 0.5 + 0.42 * _clouds(c, 80, 1))
+    d = _layer(148)
+    cloud = _clouds(d, 64, 5) + 0.1
+    near = d.ramp("7a8aa0 5c6c82 46546a 343f50", 1.2 * cloud)
+    return _sky(far, near, cloud)
