@@ -1,0 +1,145 @@
+"""What the game expects of every model: frames, flags, skins, size; and a mesh that is whole."""
+
+from __future__ import annotations
+
+import collections
+import functools
+import pathlib
+import sys
+import unittest
+
+import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+
+from formats.mdl import Frame, Mdl, read_mdl, write_mdl  # noqa: E402
+from formats.mdl_normals import DIRECTIONS, icosphere, nearest_direction  # noqa: E402
+from models import conventions  # noqa: E402
+from models.catalogue import MODELS  # noqa: E402
+from models.kit.motion import keyed  # noqa: E402
+from models.kit.turn import limb  # noqa: E402
+
+MOST_VERTICES = 1024  # what Quake's own programs have room for
+
+
+@functools.cache
+def made(name: str) -> bytes:
+    return write_mdl(MODELS[name]())
+
+
+@functools.cache
+def model(name: str) -> Mdl:
+    return read_mdl(made(name))
+
+
+class Format(unittest.TestCase):
+    def test_directions_are_the_icospheres(self):
+        alike = icosphere(2) @ DIRECTIONS.T
+        self.assertEqual(alike.shape, (162, 162))
+        self.assertEqual(sorted(alike.argmax(axis=1)), list(range(162)))
+        self.assertGreater(alike.max(axis=1).min(), 1.0 - 1e-9)
+        self.assertTrue((nearest_direction(DIRECTIONS) == np.arange(162)).all())
+
+    def test_a_model_reads_back(self):
+        corners = np.array([[[0, 0, 0], [10, 0, 0], [0, 20, 0], [0, 0, 30.0]]] * 2)
+        normals = np.zeros((2, 4, 3)) + [0, 0, 1.0]
+        skin = np.arange(32, dtype=np.uint8).reshape(4, 8)
+        source = Mdl(corners, normals, np.array([[0, 2, 1], [0, 1, 3]]), np.array([[0, 0], [7, 0], [0, 3], [7, 3]]), [skin], [Frame("run1", [0]), Frame("run2", [1])], 8)
+        back = read_mdl(write_mdl(source))
+        np.testing.assert_allclose(back.positions, corners, atol=0.1)
+        np.testing.assert_array_equal(back.triangles, source.triangles)
+        np.testing.assert_array_equal(back.skins[0], skin)
+        self.assertEqual([f.name for f in back.frames], ["run1", "run2"])
+        self.assertEqual(back.flags, 8)
+
+    def test_a_cut_file_is_refused(self):
+        with self.assertRaises(ValueError):
+            read_mdl(made("soldier")[:-1])
+
+
+class Kit(unittest.TestCase):
+    def test_keys_are_met_and_equal_keys_hold_still(self):
+        clip = keyed(9, {0: {"a": 1.0}, 4: {"a": 5.0}, 8: {"a": 5.0}})["a"][:, 0]
+        self.assertEqual((clip[0], clip[4]), (1.0, 5.0))
+        np.testing.assert_allclose(clip[4:], 5.0)
+
+    def test_a_limb_reaches_its_target(self):
+        target = np.array([[3.0, 1.0, -8.0], [6.0, -2.0, -3.0]])
+        upper, lower, joint, end = limb(np.zeros((2, 3)), target, np.array([[1.0, 0, 0]] * 2), 7.0, 6.0, (1, 0, 0))
+        np.testing.assert_allclose(end, target, atol=1e-9)
+        np.testing.assert_allclose(upper @ [0, 0, -7.0], joint, atol=1e-9)
+        np.testing.assert_allclose(joint + lower @ [0, 0, -6.0], end, atol=1e-9)
+
+
+class Models(unittest.TestCase):
+    def each(self):
+        for name in sorted(MODELS):
+            with self.subTest(model=name):
+                yield name, model(name)
+
+    def test_frames_are_the_conventions(self):
+        for name, m in self.each():
+            groups = conventions.GROUPS.get(name)
+            if groups:
+                self.assertEqual([len(f.poses) for f in m.frames], groups)
+            else:
+                self.assertEqual([f.name for f in m.frames], conventions.frame_names(name))
+                self.assertEqual(len(m.positions), len(m.frames))
+
+    def test_flags_and_skins_are_the_conventions(self):
+        for name, m in self.each():
+            self.assertEqual(m.flags, conventions.FLAGS.get(name, 0))
+            self.assertEqual(len(m.skins), conventions.SKINS.get(name, 1))
+            self.assertEqual(m.skins[0].shape[1] % 4, 0, "rows of four bytes")
+            self.assertFalse((m.skins[0] == 255).all())
+
+    def test_meshes_are_whole(self):
+        for name, m in self.each():
+            self.assertLessEqual(m.positions.shape[1], MOST_VERTICES)
+            self.assertLess(m.triangles.max(), m.positions.shape[1])
+            self.assertEqual(len(np.unique(m.triangles)), m.positions.shape[1], "vertices that nothing uses")
+            height, width = m.skins[0].shape
+            self.assertTrue(((m.texels >= 0) & (m.texels < [width, height])).all())
+            corner = m.positions[:, m.triangles]
+            area = np.linalg.norm(np.cross(corner[:, :, 1] - corner[:, :, 0], corner[:, :, 2] - corner[:, :, 0]), axis=2).max(axis=0)
+            self.assertLess((area < 1e-6).mean(), 0.04, "triangles without area in every frame")
+
+    def test_meshes_are_nearly_closed(self):
+        for name, m in self.each():
+            # Seams part vertices, so edges are told by places in all frames.
+            places = {}
+            number = [places.setdefault(m.positions[:, v].tobytes(), len(places)) for v in range(m.positions.shape[1])]
+            edges = collections.Counter()
+            for a, b, c in m.triangles:
+                for u, v in ((a, b), (b, c), (c, a)):
+                    edges[number[u], number[v]] += 1
+            alone = sum(count for (u, v), count in edges.items() if u != v and edges[v, u] == 0)
+            self.assertLess(alone / (3 * len(m.triangles)), 0.12, "open edges")
+
+    def test_bodies_stand_in_their_hulls(self):
+        for name, (half, height) in conventions.HULLS.items():
+            if name not in MODELS:
+                continue
+            with self.subTest(model=name):
+                m = model(name)
+                first = next((i for i, f in enumerate(m.frames) if f.name.startswith(("stand", "walk", "hover", "swim"))), 0)
+                low, high = m.positions[first].min(axis=0), m.positions[first].max(axis=0)
+                self.assertGreater(low[2], -24.5 if name not in ("fish", "wizard") else -30.0)
+                self.assertLess(high[2], height - 24.0 + 4.0)
+                self.assertGreater(high[2] - low[2], 0.45 * height if name not in ("fish", "tarbaby", "dog") else 8.0)
+                self.assertLess(np.abs(m.positions[first][:, 1]).max(), half * 1.5)
+                self.assertGreater(m.positions[..., 2].min(), -32.0, "sinks through the ground")
+
+    def test_feet_stay_where_they_are_put(self):
+        m = model("soldier")
+        run = [i for i, f in enumerate(m.frames) if f.name.startswith("prowl_")]
+        lowest = m.positions[run][:, :, 2].min(axis=1)
+        self.assertLess(np.abs(lowest + 24.0).max(), 1.5)
+
+    def test_the_same_bytes_every_time(self):
+        for name in ("v_shot", "soldier"):
+            self.assertEqual(write_mdl(MODELS[name]()), made(name))
+
+
+if __name__ == "__main__":
+    unittest.main()
