@@ -36,7 +36,7 @@ def compile_progs(sources: pathlib.Path = HERE, *extra: pathlib.Path) -> bytes:
         done = subprocess.run(
             [compiler, "-Tstandard", "-srcfile", "progs.src"], cwd=work, capture_output=True, text=True, check=False
         )
-        said = [line for line in (done.stdout + done.stderr).splitlines() if "warning" in line or "rror" in line]
+        said = [line for line in (done.stdout + done.stderr).splitlines() if "warning:" in line or "rror" in line]
         progs = work / "progs.dat"
         if done.returncode != 0 or said or not progs.exists():
             raise CompileError("\n".join(said) or done.stdout + done.stderr)
