@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <set>
@@ -87,6 +88,7 @@ struct FileSystem::Impl {
   mutable std::set<std::string> noted;
 
   Status add_game(const std::string& name, int game_index);
+  Status add_base_game_beneath();
   Status add_directory(const stdfs::path& directory, const std::string& label, int game_index);
   std::optional<Hit> find_exact(const std::string& name) const;
   std::optional<Hit> find_ignoring_case(const std::string& name) const;
@@ -140,6 +142,16 @@ Status FileSystem::Impl::add_game(const std::string& name, int game_index) {
   return ok_status();
 }
 
+Status FileSystem::Impl::add_base_game_beneath() {
+  if (locate("progs.dat") || !is_a_directory(options.base_game / "id1")) return ok_status();
+  std::vector<Place> above = std::exchange(places, {});
+  auto status = add_directory(options.base_game / "id1", "basegame/id1", 0);
+  places.insert(places.begin(), std::move_iterator(above.begin()), std::move_iterator(above.end()));
+  if (status)
+    log_info("There is no progs.dat in {}: the base game's code plays it.", options.base_dir.generic_string());
+  return status;
+}
+
 std::optional<Hit> FileSystem::Impl::find_exact(const std::string& name) const {
   for (const Place& place : places) {
     if (place.pak) {
@@ -185,16 +197,23 @@ FileSystem::~FileSystem() = default;
 Result<FileSystem> FileSystem::open(const FsOptions& options) {
   auto impl = std::make_unique<Impl>();
   impl->options = options;
+  const bool in_the_box =
+      !options.base_dir_named && !options.base_game.empty() && !is_a_directory(options.base_dir / "id1");
+  if (in_the_box) impl->options.base_dir = options.base_game;
   impl->user_dir = options.user_dir ? *options.user_dir : default_user_dir();
   // With the user directory inside the base directory's place the same files would be found twice.
   std::error_code code;
-  if (!impl->user_dir.empty() && stdfs::equivalent(impl->user_dir, options.base_dir, code)) impl->user_dir.clear();
+  if (!impl->user_dir.empty() && stdfs::equivalent(impl->user_dir, impl->options.base_dir, code))
+    impl->user_dir.clear();
 
   if (auto status = impl->add_game("id1", 0); !status) return status.error();
   int game_index = 1;
   for (const std::string& game : options.games) {
     if (!is_game_name(game)) return Error{fmt::format("\"{}\": a gamedir is one directory's name, not a path", game)};
     if (auto status = impl->add_game(game, game_index++); !status) return status.error();
+  }
+  if (!options.base_game.empty() && !in_the_box) {
+    if (auto status = impl->add_base_game_beneath(); !status) return status.error();
   }
   return FileSystem(std::move(impl));
 }

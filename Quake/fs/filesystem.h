@@ -3,6 +3,7 @@
 //   the last gamedir named, then those before it, id1 last; and of each gamedir
 //     user directory: pakN.pak ... pak1.pak, pak0.pak, then loose files
 //     base directory: pakN.pak ... pak1.pak, pak0.pak, then loose files
+//   and, where none of these has a progs.dat, the base game's id1 (FsOptions::base_game)
 //
 // Paks are numbered from 0 without a gap: after the first number that is missing no more are opened. (QuakeSpasm's own
 // quakespasm.pak and its shareware rule, which hides loose files in subdirectories, are left out.) A name is taken as
@@ -47,7 +48,7 @@ class FileSystem {
   Result<Bytes> load(std::string_view name) const;
   bool exists(std::string_view name) const;
   // Where read() finds it: "id1/pak0.pak", "id1" for a loose file, "user/id1" and "user/id1/pak0.pak" below the user
-  // directory; empty where it does not.
+  // directory, "basegame/id1" in the base game beneath other data; empty where it does not.
   std::string source_of(std::string_view name) const;
   // Which gamedir read() finds it in: 0 for id1, 1 for the next; -1 for none. A map's .ent or .lit counts only if it is
   // not from an earlier gamedir than the map.

@@ -47,6 +47,56 @@ class LogLines {
   int handle_;
 };
 
+// A game in the box beside some other data.
+struct Boxed {
+  TestDirectory box, data;
+  Boxed() {
+    box.put("id1/progs.dat", "box code");
+    box.put("id1/both", "box");
+    data.put("id1/both", "data");
+  }
+  FsOptions options() const {
+    FsOptions options = options_for(data);
+    options.base_dir_named = true;
+    options.base_game = box.path();
+    return options;
+  }
+};
+
+TEST(FileSystem, DataWithoutCodePlaysOnTheBaseGames) {
+  const Boxed boxed;
+  const FileSystem files = open(boxed.options());
+  EXPECT_EQ(text(files, "progs.dat"), "box code");
+  EXPECT_EQ(files.source_of("progs.dat"), "basegame/id1");
+  EXPECT_EQ(text(files, "both"), "data");
+  EXPECT_EQ(files.game_index_of("progs.dat"), 0);
+}
+
+TEST(FileSystem, DataWithCodeOfItsOwnSeesNothingOfTheBaseGame) {
+  Boxed boxed;
+  boxed.box.put("id1/only", "box");
+  boxed.data.put("mod/progs.dat", "mod's code");
+  FsOptions options = boxed.options();
+  options.games = {"mod"};
+  const FileSystem files = open(options);
+  EXPECT_EQ(text(files, "progs.dat"), "mod's code");
+  EXPECT_FALSE(files.exists("only"));
+}
+
+TEST(FileSystem, TheBaseGamePlaysWhereNobodyNamedData) {
+  Boxed boxed;
+  const TestDirectory empty;
+  FsOptions options = boxed.options();
+  options.base_dir = empty.path();
+  EXPECT_FALSE(FileSystem::open(options)) << "a named directory without id1 is a mistake";
+  options.base_dir_named = false;
+  const FileSystem files = open(options);
+  EXPECT_EQ(text(files, "both"), "box");
+  EXPECT_EQ(files.source_of("both"), "id1");
+  options.base_dir = boxed.data.path();
+  EXPECT_EQ(text(open(options), "both"), "data") << "data in the current directory comes first";
+}
+
 TEST(FileSystem, LaterPaksThenEarlierThenLooseFiles) {
   const TestDirectory base;
   base.put("id1/a", "loose");

@@ -27,8 +27,8 @@ Result<FsOptions> options_from_arguments(std::span<const std::string> arguments)
     if (given(fmt::format("-{}", pack).c_str())) add_once(options.games, pack);
   }
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const bool game = arguments[i] == "-game", user = arguments[i] == "-userdir";
-    if (!game && !user && arguments[i] != "-basedir") continue;
+    const bool game = arguments[i] == "-game", user = arguments[i] == "-userdir", box = arguments[i] == "-basegame";
+    if (!game && !user && !box && arguments[i] != "-basedir") continue;
     if (i + 1 == arguments.size()) return Error{fmt::format("{} needs a directory after it", arguments[i])};
     const std::string& value = arguments[++i];
     if (game) {
@@ -37,10 +37,14 @@ Result<FsOptions> options_from_arguments(std::span<const std::string> arguments)
       add_once(options.games, value);
     } else {
       if (value.empty()) return Error{fmt::format("{} needs a directory after it", arguments[i - 1])};
-      if (user)
+      if (user) {
         options.user_dir = value;
-      else
+      } else if (box) {
+        options.base_game = value;
+      } else {
         options.base_dir = value;
+        options.base_dir_named = true;
+      }
     }
   }
   return options;

@@ -1,4 +1,5 @@
-// Where game data is, as the command line says it: -basedir DIR, -userdir DIR, -game DIR, -hipnotic, -rogue, -quoth.
+// Where game data is, as the command line says it: -basedir DIR, -userdir DIR, -basegame DIR, -game DIR, -hipnotic,
+// -rogue, -quoth.
 #pragma once
 
 #include <filesystem>
@@ -13,6 +14,10 @@ namespace fb::fs {
 
 struct FsOptions {
   std::filesystem::path base_dir = ".";
+  bool base_dir_named = false;  // by the user; if not, and base_dir has no id1, base_game takes its place
+  // The game in the box: base_game/id1. It is searched last of all where nothing else has a progs.dat, so that data
+  // without game code of its own can be played. Empty: none.
+  std::filesystem::path base_game;
   std::vector<std::string> games;  // after id1, mission packs first, each once; later ones win
   // What the player writes, and what he adds: DIR/<gamedir> is searched before <base_dir>/<gamedir>. nullopt:
   // default_user_dir(); an empty path: none, and writing goes below base_dir.

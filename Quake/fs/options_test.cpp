@@ -32,6 +32,14 @@ TEST(FsOptions, TheUserDirectoryMayBeNamed) {
   EXPECT_NE(options_from_arguments(cut).error().message.find("-userdir"), std::string::npos);
 }
 
+TEST(FsOptions, TheBaseGameIsNamedByItself) {
+  const FsOptions options = parse({"-basegame", "box"});
+  EXPECT_EQ(options.base_game, "box");
+  EXPECT_FALSE(options.base_dir_named);
+  EXPECT_TRUE(parse({"-basedir", "."}).base_dir_named);
+  EXPECT_THAT(failure({"-basegame"}), HasSubstr("-basegame needs"));
+}
+
 TEST(FsOptions, NothingGiven) {
   const FsOptions options = parse({"fullbright", "+map", "start"});
   EXPECT_EQ(options.base_dir, ".");

@@ -3,14 +3,14 @@
 
 #include <cstdio>
 
+#include "host/base_game.h"
 #include "host/dedicated.h"
 #include "host/device_list.h"
 #include "host/game.h"
 
 int main(int argc, char** argv) {
   using namespace fb;
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const auto options = host::parse_game_options(arguments);
+  const auto options = host::parse_game_options(host::with_base_game({argv + 1, argv + argc}));
   if (!options) {
     fmt::print(stderr, "fullbright: {}\n", options.error().message);
     return 2;

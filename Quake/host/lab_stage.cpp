@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "fs/file.h"
+#include "host/base_game.h"
 #include "host/options.h"
 #include "lab/client_source.h"
 
@@ -50,7 +51,7 @@ Status open_source(Stage& stage, const StageOptions& o) {
   std::vector<std::string> arguments;
   if (!o.basedir.empty()) arguments.insert(arguments.end(), {"-basedir", o.basedir});
   for (const std::string& game : o.games) arguments.insert(arguments.end(), {"-game", game});
-  auto engine = Engine::create(arguments, {.server = false});
+  auto engine = Engine::create(with_base_game(std::move(arguments)), {.server = false});
   if (!engine) return engine.error();
   stage.engine = std::move(*engine);
   if (auto status = set_cvars(stage.engine->console(), o); !status) return status;
@@ -72,7 +73,7 @@ Status open_source(Stage& stage, const StageOptions& o) {
 }  // namespace
 
 void add_stage_options(CLI::App& app, StageOptions& o) {
-  app.add_option("--basedir", o.basedir, "folder that holds id1");
+  app.add_option("--basedir", o.basedir, "folder that holds id1 (default: the current one, else the base game)");
   app.add_option("--game", o.games, "a mod's folder beside id1; several count");
   auto* what = app.add_option_group("what", "what to show");
   what->add_option("--demo", o.demo, "a recorded demo: a file, or the game's by name");

@@ -76,7 +76,7 @@ Result<GameOptions> parse_game_options(const std::vector<std::string>& arguments
       options.validation = true;
     else if (a == "-hipnotic" || a == "-rogue" || a == "-quoth")
       continue;  // fs/options.h
-    else if (a == "-basedir" || a == "-game" || a == "-userdir") {
+    else if (a == "-basedir" || a == "-basegame" || a == "-game" || a == "-userdir") {
       if (auto s = value(text); !s) return s.error();
     } else if (a == "-device") {
       if (auto s = value(options.device); !s) return s.error();
@@ -130,10 +130,11 @@ std::string game_help() {
 
 usage: fullbright [options] [+command arguments ...]
 
-  -basedir DIR         folder that holds id1 (default: the current one)
+  -basedir DIR         folder that holds id1 (default: the current one if it does, else the base game)
   -game DIR            a mod's folder beside id1; several count, the last wins
   -hipnotic -rogue -quoth   the mission packs
   -userdir DIR         the player's own files (default: ~/.fullbright)
+  -basegame DIR        the game in the box (default: beside the program); its code plays data that has no progs.dat
   -headless            no window; needs a command, e.g. +timedemo demo1
   -size WxH            of the picture (default 1280x720, headless 640x360)
   -fullscreen -window  how the window opens

@@ -56,8 +56,8 @@ TEST(GameOptions, OneSideOfTheSizeGivesTheOther) {
 }
 
 TEST(GameOptions, HelpNamesEveryOption) {
-  for (const char* option : {"-basedir", "-game", "-headless", "-size", "-device", "-listdevices", "-capture",
-                             "-validation", "-dedicated", "-listen", "-port", "-seed"}) {
+  for (const char* option : {"-basedir", "-basegame", "-game", "-headless", "-size", "-device", "-listdevices",
+                             "-capture", "-validation", "-dedicated", "-listen", "-port", "-seed"}) {
     EXPECT_NE(game_help().find(option), std::string::npos) << option;
   }
 }
