@@ -37,7 +37,7 @@ fuzz: ## run each parser's fuzzer for FUZZ_SECONDS (60)
 	@Misc/fuzz.sh
 
 asan: ## build with the address and undefined-behaviour sanitizers and run every test
-	@$(DEPS) test
+	@$(DEPS) test fuzz
 	$(call configure_and_build,asan-ubsan,build-asan)
 	@Misc/with_display.sh Misc/sanitized.sh ctest --test-dir build-asan --output-on-failure
 
@@ -68,7 +68,7 @@ deps: ## install everything that any of these needs
 	@Linux/install-deps.sh all
 
 clean: ## remove what was built
-	rm -rf build build-asan build-coverage build-fuzz
+	rm -rf build build-asan build-coverage
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 18

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # `make fuzz`: builds every libFuzzer target and runs each for FUZZ_SECONDS. A module's *_make_seed_corpus program, built
-# with them, writes seeds into build-fuzz/seeds/<target>/. What a target finds stays in build-fuzz/corpus/<target>, an
-# input that breaks it in build-fuzz/crash/. usage: Misc/fuzz.sh [TARGET ...]
+# with them, writes seeds into build-asan/seeds/<target>/. What a target finds stays in build-asan/corpus/<target>, an
+# input that breaks it in build-asan/crash/. usage: Misc/fuzz.sh [TARGET ...]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=${FUZZ_SECONDS:-60}
-dir=build-fuzz
+jobs=${JOBS:-$(nproc)}
+dir=build-asan
 
-cmake --preset fuzz >/dev/null
+cmake --preset asan-ubsan >/dev/null
 targets=$(ninja -C $dir -t targets all | sed -n 's/^\(fuzz_[a-z0-9_]*\):.*/\1/p' | sort -u)
 makers=$(ninja -C $dir -t targets all | sed -n 's/^\([a-z0-9_]*make_seed_corpus\):.*/\1/p' | grep -v "^cmake_" | sort -u || true)
 [[ $# -eq 0 ]] || targets="$*"
@@ -19,20 +20,22 @@ ninja -C $dir $targets $makers
 
 mkdir -p $dir/seeds $dir/crash
 for maker in $makers; do "$dir/$maker" $dir/seeds; done
-failed=()
-for target in $targets; do
-  mkdir -p "$dir/corpus/$target" "$dir/seeds/$target"
-  echo "== $target for $seconds s"
+run_target() {  # run_target TARGET: its log, then one line of what it did
+  local target=$1
   if ! timeout $((seconds + 120)) "$dir/$target" -max_total_time="$seconds" -rss_limit_mb=2048 -timeout=10 -print_final_stats=1 \
-      -verbosity=0 -artifact_prefix=$dir/crash/"$target"- "$dir/corpus/$target" "$dir/seeds/$target" >"$dir/$target.log" 2>&1; then
+      -verbosity=0 -artifact_prefix="$dir/crash/$target-" "$dir/corpus/$target" "$dir/seeds/$target" >"$dir/$target.log" 2>&1; then
     tail -n 60 "$dir/$target.log"
-    failed+=("$target")
-  else
-    sed -n 's/^stat::number_of_executed_units: */  runs: /p; s/^stat::peak_rss_mb: */  peak MB: /p' "$dir/$target.log"
+    echo "$target: FAILED"
+    return 1
   fi
-done
-if [[ ${#failed[@]} -gt 0 ]]; then
-  echo "fuzz: failed: ${failed[*]}; the inputs are in $dir/crash" >&2
+  printf '%-28s %10s runs  %5s MB at most\n' "$target:" $(sed -n 's/^stat::number_of_executed_units: *//p; s/^stat::peak_rss_mb: *//p' "$dir/$target.log")
+}
+export -f run_target
+export dir seconds
+echo "== $(wc -w <<<"$targets") targets, each for $seconds s, $jobs at a time"
+for target in $targets; do mkdir -p "$dir/corpus/$target" "$dir/seeds/$target"; done
+if ! printf '%s\n' $targets | xargs -P "$jobs" -I{} bash -c 'run_target {}'; then
+  echo "fuzz: a target failed; the inputs are in $dir/crash" >&2
   exit 1
 fi
 echo "fuzz: every target ran $seconds s clean"

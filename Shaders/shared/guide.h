@@ -19,7 +19,18 @@ struct GuideState {
   float emissive;  // share of the score that came from emission, the rest from reflection
 };
 
-FB_FN GuideState empty_guide_state() { return GuideState(vec3(0.0f), 0.0f, 0.0f, 0u, 0u, 0u, vec3(0.0f), 0.0f); }
+FB_FN GuideState empty_guide_state() {
+  GuideState s;
+  s.target = vec3(0.0f);
+  s.weight = 0.0f;
+  s.spread = 0.0f;
+  s.count = 0u;
+  s.check = 0u;
+  s.time = 0u;
+  s.velocity = vec3(0.0f);
+  s.emissive = 0.0f;
+  return s;
+}
 
 // Packing: four words that every reader needs, two that only moving lights and updates do.
 //   0, 1: target, 21 bits a coordinate in steps of 1/32 unit; 1 bit: it moves

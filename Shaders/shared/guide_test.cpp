@@ -15,7 +15,7 @@ namespace {
 using Real = long double;
 constexpr Real kEpsilon = 0x1p-24L;  // relative rounding error of one operation
 
-GuideState some_state() { return GuideState(vec3(10, -20, 30), 2.0f, 0.01f, 7, 0x1235, 99, vec3(0), 0.25f); }
+GuideState some_state() { return GuideState{vec3(10, -20, 30), 2.0f, 0.01f, 7, 0x1235, 99, vec3(0), 0.25f}; }
 GuideState repacked(const GuideState& s) {
   return add_guide_motion(unpack_guide_state(pack_guide_state(s)), pack_guide_motion(s));
 }
