@@ -7,7 +7,7 @@ QUAKE_DIR ?=
 export FUZZ_SECONDS QUAKE_DIR JOBS
 
 .DEFAULT_GOAL := all
-.PHONY: all deps test demo bench fuzz asan coverage check tidy format clean help
+.PHONY: all deps test demo play bench fuzz asan coverage check tidy format clean help
 
 # preset, its folder, options of the build. Configuring is silent unless it fails.
 define configure_and_build
@@ -15,17 +15,20 @@ define configure_and_build
 @cmake --build --preset $(1) --parallel $(JOBS) $(3)
 endef
 
-all: ## build/fullbright and build/fullbright-lab
+all: ## build/fullbright and build/fullbright-lab, and the base game in build/game
 	@$(DEPS) build
-	$(call configure_and_build,release,build,--target fullbright fullbright-lab)
+	$(call configure_and_build,release,build,--target fullbright fullbright-lab basegame)
 
 test: ## build everything and run every test
 	@$(DEPS) test
 	$(call configure_and_build,release,build)
 	Misc/with_display.sh ctest --test-dir build --output-on-failure
 
-demo: all ## play a recorded demo headless through the path tracer; QUAKE_DIR=... says where the game data is
+demo: all ## play a recorded demo headless through the path tracer; QUAKE_DIR=... takes other data than the base game's
 	@Misc/demo.sh
+
+play: all ## play, in a window: the base game, or QUAKE_DIR's
+	build/fullbright -basedir "$(or $(QUAKE_DIR),build/game)" +map start
 
 bench: ## measure, on this machine, what the README's numbers say
 	@$(DEPS) bench

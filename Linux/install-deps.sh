@@ -7,9 +7,10 @@ set -euo pipefail
 usage() {
   cat <<'TEXT'
 usage: Linux/install-deps.sh [--dry-run] [--quiet] [GROUP ...]
-  build     what compiles the game, the laboratory and their tests, and a Vulkan driver to run them (the default)
-  test      build, and what the tests run with: validation layers, a virtual X server, a QuakeC compiler,
-            QuakeSpasm to compare with
+  build     what compiles the game, the laboratory and their tests, what makes the base game, and a Vulkan driver to run
+            them (the default)
+  test      build, and what the tests run with: validation layers, a virtual X server, QuakeSpasm to
+            compare with
   bench     build, and what the benchmarks compare against
   fuzz      build, and clang with libFuzzer
   coverage  test, and gcovr
@@ -25,7 +26,8 @@ packages_of() {
   case "$1" in
     build)
       echo g++ make cmake ninja-build pkg-config ccache glslang-tools libvulkan-dev mesa-vulkan-drivers libsdl2-dev \
-        libglm-dev libfmt-dev libpng-dev libopenexr-dev libxxhash-dev libcli11-dev libgtest-dev libgmock-dev ;;
+        libglm-dev libfmt-dev libpng-dev libopenexr-dev libxxhash-dev libcli11-dev libgtest-dev libgmock-dev python3 python3-numpy fteqcc \
+        vorbis-tools ;;
     test) packages_of build; echo vulkan-validationlayers xvfb xauth imagemagick python3 fteqcc quakespasm ;;
     bench) packages_of build; echo libbenchmark-dev libembree-dev python3 fteqcc ;;
     fuzz) packages_of build; echo clang libclang-rt-dev llvm ;;
