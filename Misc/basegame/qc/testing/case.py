@@ -1,0 +1,30 @@
+"""What tests that play share: one compiled game for each class. They need the engine: FULLBRIGHT=path of the program."""
+
+import os
+import pathlib
+import tempfile
+import unittest
+
+from qc.make import CompileError, compile_progs
+from qc.testing.game import Game
+
+
+class PlayCase(unittest.TestCase):
+    game: Game
+
+    @classmethod
+    def setUpClass(cls):
+        if not os.environ.get("FULLBRIGHT"):
+            raise unittest.SkipTest("FULLBRIGHT names no program to play with")
+        try:
+            progs = compile_progs()
+        except CompileError as error:
+            if "not installed" in str(error):
+                raise unittest.SkipTest(str(error)) from error
+            raise
+        cls._folder = tempfile.TemporaryDirectory()
+        cls.game = Game(pathlib.Path(cls._folder.name), progs)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls._folder.cleanup()
