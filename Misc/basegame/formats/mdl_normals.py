@@ -6,6 +6,8 @@ The directions follow from the construction; only their order is the format's ow
 
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 
 _ORDER = """
@@ -41,6 +43,18 @@ def _directions() -> np.ndarray:
 DIRECTIONS = _directions()  # (162, 3), unit length
 
 
+_STEPS = 24  # cells of a table from -1 to 1 along each axis: finer than the directions lie apart
+
+
+@functools.cache
+def _table() -> np.ndarray:
+    """The nearest direction's number for each cell of the cube around the sphere."""
+    at = np.arange(-_STEPS, _STEPS + 1) / _STEPS
+    cells = np.stack(np.meshgrid(at, at, at, indexing="ij"), axis=-1)
+    return (cells @ DIRECTIONS.T).argmax(axis=-1).astype(np.uint8)
+
+
 def nearest_direction(normals: np.ndarray) -> np.ndarray:
-    """Numbers (...) uint8 of the directions nearest to `normals` (..., 3)."""
-    return (normals @ DIRECTIONS.T).argmax(axis=-1).astype(np.uint8)
+    """Numbers (...) uint8 of the directions nearest to unit vectors (..., 3), to within a cell of the table."""
+    cell = np.round(np.clip(normals, -1.0, 1.0) * _STEPS).astype(int) + _STEPS
+    return _table()[cell[..., 0], cell[..., 1], cell[..., 2]]

@@ -5,27 +5,30 @@ from __future__ import annotations
 import numpy as np
 
 
-def _hash(x: np.ndarray, y: np.ndarray, z: np.ndarray, seed: int) -> np.ndarray:
-    """Lattice points (ints) to 0..1."""
-    h = (x * 374761393 + y * 668265263 + z * 2147483647 + seed * 974634777).astype(np.uint64) & 0xFFFFFFFF
-    h = ((h ^ (h >> np.uint64(13))) * np.uint64(1274126177)) & np.uint64(0xFFFFFFFF)
-    h = ((h ^ (h >> np.uint64(16))) * np.uint64(2246822519)) & np.uint64(0xFFFFFFFF)
-    return ((h ^ (h >> np.uint64(15))) & np.uint64(0xFFFF)).astype(float) / 65535.0
+def _mixed(h: np.ndarray) -> np.ndarray:
+    """Lattice numbers (uint32) to 0..1, scattered."""
+    h = (h ^ (h >> np.uint32(13))) * np.uint32(1274126177)
+    h = (h ^ (h >> np.uint32(16))) * np.uint32(2246822519)
+    return (h >> np.uint32(8)).astype(np.float32) / np.float32(1 << 24)
 
 
 def value_noise(points: np.ndarray, seed: int = 0) -> np.ndarray:
     """Smooth noise 0..1 at `points` (..., 3), one lattice cell a unit."""
-    cell = np.floor(points).astype(np.int64)
+    cell = np.floor(points)
     f = points - cell
     f = f * f * (3.0 - 2.0 * f)
-    total = np.zeros(points.shape[:-1])
-    for corner in range(8):
-        dx, dy, dz = corner & 1, corner >> 1 & 1, corner >> 2
-        weight = np.ones(points.shape[:-1])
-        for axis, d in enumerate((dx, dy, dz)):
-            weight = weight * (f[..., axis] if d else 1.0 - f[..., axis])
-        total += weight * _hash(cell[..., 0] + dx, cell[..., 1] + dy, cell[..., 2] + dz, seed)
-    return total
+    lattice = cell.astype(np.int64).astype(np.uint32) * np.array([374761393, 668265263, 2147483647], np.uint32)
+    step = np.array([374761393, 668265263, 2147483647], np.uint32)
+    start = np.uint32(seed * 974634777 & 0xFFFFFFFF)
+    along_z = []
+    for dz in (0, 1):
+        along_y = []
+        for dy in (0, 1):
+            base = lattice[..., 1] + np.uint32(dy) * step[1] + lattice[..., 2] + np.uint32(dz) * step[2] + start
+            near, far = _mixed(lattice[..., 0] + base), _mixed(lattice[..., 0] + step[0] + base)
+            along_y.append(near + (far - near) * f[..., 0])
+        along_z.append(along_y[0] + (along_y[1] - along_y[0]) * f[..., 1])
+    return along_z[0] + (along_z[1] - along_z[0]) * f[..., 2]
 
 
 def fbm(points: np.ndarray, size: float, octaves: int = 3, seed: int = 0) -> np.ndarray:
