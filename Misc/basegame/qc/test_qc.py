@@ -58,6 +58,16 @@ class ProgsTest(unittest.TestCase):
         used = sorted(-first for first in self.functions.values() if first < 0)
         self.assertLessEqual(used[-1], 78)
 
+    def test_no_assignment_loses_half_its_condition(self):
+        """The compiler reads `x = a && b` as `(x = a) && b`, and says nothing."""
+        for path in HERE.rglob("*.qc"):
+            for number, line in enumerate(path.read_text(encoding="ascii").split("\n"), 1):
+                taken = re.match(r"\s*[\w.]+ = (.*);", line.split("//")[0])
+                inner = taken.group(1) if taken else ""
+                while re.search(r"\([^()]*\)", inner):
+                    inner = re.sub(r"\([^()]*\)", "", inner)
+                self.assertNotRegex(inner, r"&&|\|\|", f"{path.name}:{number}: put parentheses around the condition")
+
     def test_every_file_is_known_to_sources(self):
         """Each source is compiled, and each that is named exists."""
         named = (HERE / "progs.src").read_text(encoding="ascii").split()[1:]

@@ -70,14 +70,16 @@ class Game:
         self._write(f"maps/{name}.bsp", write_level(entities, boxes))
 
     def play(self, script: list[str], setup: str = "", arguments: tuple[str, ...] = ()) -> "Session":
-        """Plays the map `test`. A line is a console command, or a number of seconds to wait, or `see NAME`, which keeps the
-        level's state under that name."""
+        """Plays the map `test`. A line is a console command, or a number of seconds to wait, `see NAME`, which keeps the
+        level's state under that name, or `at X Y Z`, which puts the player there."""
         lines: list[str] = []
         for line in script:
             if re.fullmatch(r"[\d.]+", line):
                 lines += ["wait"] * round(float(line) / TICK)
             elif line.startswith("see "):
                 lines.append(f"sv_dump {line[4:]}.txt")
+            elif line.startswith("at "):
+                lines += [f"setpos {line[3:]}", "noclip"]  # setpos lets him float
             else:
                 lines.append(line)
         self._write("script.cfg", ("\n".join(lines) + "\nquit\n").encode("ascii"))

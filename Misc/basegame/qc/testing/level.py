@@ -79,6 +79,8 @@ def _pool(tree: _Tree):
 
 
 def _model(low, high, heads, leafs: int) -> bytes:
+    # Engines make a model's box a unit larger on each side, and compilers of maps know it.
+    low, high = [c + 1 for c in low], [c - 1 for c in high]
     return struct.pack("<9f7i", *low, *high, 0, 0, 0, *heads, leafs, 0, 0)
 
 
