@@ -5,7 +5,7 @@
 namespace fb::net {
 namespace {
 
-constexpr int kMostRequestsACall = 64;
+constexpr int kMostRequestsACall = 512;  // so that a flood cannot hold up the frame
 
 std::string cut(const std::string& text, std::size_t most) { return text.substr(0, most); }
 int to_byte(std::size_t n) { return static_cast<int>(std::min<std::size_t>(n, 255)); }

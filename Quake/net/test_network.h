@@ -62,13 +62,22 @@ class TestNetwork {
       if (inbox.empty()) return std::nullopt;
       current_ = std::move(inbox.front());
       inbox.pop();
+      waiting_ -= current_.second.size();
       return Datagram{current_.first, current_.second};
     }
     std::uint16_t port() const override { return address_.port; }
     Family family() const override { return address_.family; }
-    std::queue<std::pair<Address, Bytes>> inbox;
+    // What finds no room is lost.
+    void put(const Address& from, const Bytes& data) {
+      if (waiting_ + data.size() > kRoom) return;
+      waiting_ += data.size();
+      inbox.emplace(from, data);
+    }
 
    private:
+    static constexpr std::size_t kRoom = 212992;  // bytes, as Linux has it
+    std::queue<std::pair<Address, Bytes>> inbox;
+    std::size_t waiting_ = 0;
     TestNetwork& network_;
     Address address_;
     std::pair<Address, Bytes> current_;
@@ -120,7 +129,7 @@ class TestNetwork {
     while (!flying_.empty() && flying_.top().time <= now_) {
       const Flight& flight = flying_.top();
       if (const auto socket = sockets_.find(flight.to); socket != sockets_.end())
-        socket->second->inbox.emplace(flight.from, flight.data);
+        socket->second->put(flight.from, flight.data);
       flying_.pop();
     }
   }
