@@ -274,15 +274,40 @@ bool pay(Clients& clients, ServerClient& client, double cost, double now) {
   return false;
 }
 
+const Row* find_command(std::string_view name) {
+  const auto* row = std::find_if(std::begin(kCommands), std::end(kCommands),
+                                 [&](const Row& known) { return con::same_name(known.name, name); });
+  return row == std::end(kCommands) ? nullptr : row;
+}
+
+// Until the text's first zero.
+std::string_view whole_text(std::string_view text) { return text.substr(0, text.find('\0')); }
+
+// KRIMZON_SV_PARSECLIENTCOMMAND: what players in the game say goes to the mod, where it wants to hear; it hands on what
+// it leaves to the engine (clientcommand). False: it does not want to.
+bool tell_mod(const Clients& clients, const ServerClient& client, Level& level, std::string_view text) {
+  if (!client.spawned() || !clients.extensions_wanted()) return false;
+  progs::Vm& vm = *level.vm;
+  const FunctionId parse = vm.program().find_function("SV_ParseClientCommand");
+  if (parse == FunctionId::kNull) return false;
+  vm.set_parm(0, vm.strings().temporary(text));
+  level.run(parse, client.edict_id());
+  return true;
+}
+
 }  // namespace
 
 void run_client_command(Clients& clients, ServerClient& client, std::string_view text, double now) {
-  const con::Args args(text.substr(0, text.find('\0')));
-  ClientCommands commands{clients, client, *clients.level(), args, now};
-  const auto* row = std::find_if(std::begin(kCommands), std::end(kCommands),
-                                 [&](const Row& known) { return con::same_name(known.name, args[0]); });
-  if (!pay(clients, client, row == std::end(kCommands) ? 1.0 : row->cost, now)) return;
-  if (row != std::end(kCommands)) {
+  const con::Args args(whole_text(text));
+  const Row* row = find_command(args[0]);
+  if (!pay(clients, client, row ? row->cost : 1.0, now)) return;
+  if (!tell_mod(clients, client, *clients.level(), whole_text(text))) clients.execute_command(client, text);
+}
+
+void Clients::execute_command(ServerClient& client, std::string_view text) {
+  const con::Args args(whole_text(text));
+  ClientCommands commands{*this, client, *level_, args, heard_at_};
+  if (const Row* row = find_command(args[0])) {
     if (client.stage >= row->from) (commands.*row->run)();
   } else if (const Cheat cheat = find_cheat(args[0])) {
     if (client.spawned()) commands.cheat(cheat);

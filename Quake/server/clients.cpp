@@ -136,6 +136,11 @@ void Clients::stuff(ServerClient& client, std::string_view text) {
   write_reliable(client, net::svc::StuffText{std::string(text)});
 }
 
+bool Clients::extensions_wanted() const {
+  const con::Cvar* cvar = console_.find_cvar("pr_checkextension");
+  return !cvar || cvar->on();
+}
+
 Result<net::MessageWriter*> Clients::destination(int where, EdictId msg_entity) {
   const auto within = [&](net::MessageWriter& writer, std::size_t most) -> net::MessageWriter* {
     if (writer.size() <= most) return &writer;

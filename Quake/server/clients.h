@@ -155,6 +155,11 @@ class Clients final : public LevelEvents {
   net::MessageWriter& reliable_datagram() { return reliable_datagram_; }
   net::MessageWriter& signon() { return signon_; }
 
+  // Whether mods may be told of extensions of QuakeC (pr_checkextension).
+  bool extensions_wanted() const;
+  // As if the player had sent it; costs nothing, and is for QuakeC (clientcommand).
+  void execute_command(ServerClient& client, std::string_view text);
+
   // --- for consoles ---
   // `status`, `kick`, `ping` and `say` as the server's own console has them. False: none of these.
   bool console_command(const con::Args& args, double now);
@@ -184,6 +189,7 @@ class Clients final : public LevelEvents {
   std::vector<Bytes> signon_parts_;
   std::size_t signon_parts_of_ = 0;  // bytes of signon_ that these are of
   bool told_full_ = false;
+  double heard_at_ = 0.0;           // when players were listened to last
   std::int32_t effects_mask_ = -1;  // send_entities.h
 };
 

@@ -9,6 +9,7 @@ void add_game_builtins(progs::BuiltinTable& table, GameContext& context) {
   add_level_builtins(table, context);
   add_effect_builtins(table, context);
   add_surface_builtins(table, context);
+  add_extension_builtins(table, context);
   table.add_extension("DP_GFX_FOG");  // the client's, of the world's key `fog`
 }
 

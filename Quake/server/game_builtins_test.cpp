@@ -201,7 +201,11 @@ TEST_F(GameBuiltinsTest, ExtensionsAreToldHonestly) {
     saysf(checkextension("DP_SV_POINTPARTICLES")); saysf(checkextension("FTE_SV_POINTPARTICLES"));
     saysf(checkextension("DP_TE_PARTICLERAIN")); saysf(checkextension("DP_TE_PARTICLESNOW"));
     saysf(checkextension("DP_SV_ROTATINGBMODEL")); saysf(checkextension("FTE_ENT_SKIN_CONTENTS"));)"),
-            "1 1 1 1 0 0 0 0 0 0 ");
+            "1 1 1 1 0 0 0 0 1 1 ");
+  console_.set("pr_checkextension", "0");
+  EXPECT_EQ(says("saysf(checkextension(\"DP_QC_GETSURFACE\")); saysf(checkextension(\"DP_SV_ROTATINGBMODEL\"));"),
+            "0 0 ");
+  EXPECT_FALSE(level().asked.rotating_pushers);
 }
 
 TEST_F(GameBuiltinsTest, MakeStatic) {

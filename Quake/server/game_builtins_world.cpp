@@ -91,6 +91,31 @@ void tracebox(Vm& vm, GameContext& context) {
         4);
 }
 
+// tracetoss(thing, whom not): where it would come to something if it flew and fell from here as it is, in steps of a
+// twentieth of a second, for ten seconds at most (DP_QC_TRACETOSS). It stays where it is.
+void tracetoss(Vm& vm, GameContext& context) {
+  constexpr double kStep = 0.05;
+  constexpr int kMostSteps = 200;
+  Level& level = *context.level;
+  const Edict thing = vm.parm_edict(0);
+  const EdictId ignored = vm.parm_entity(1);
+  if (vm.failed()) return;
+  const float own = thing.get(level.optional.gravity);
+  const double gravity = static_cast<double>((own != 0.0f ? own : 1.0f) * level.cvars.gravity.value());
+  vec3 velocity = thing.get(fields::velocity);
+  world::Move move{thing.get(fields::origin), thing.get(fields::mins), thing.get(fields::maxs),
+                   thing.get(fields::origin)};
+  MoveTrace trace;
+  for (int step = 0; step < kMostSteps; ++step) {
+    velocity.z = static_cast<float>(velocity.z - gravity * kStep);
+    move.end = move.start + velocity * static_cast<float>(kStep);
+    trace = sv_move(level, move, MoveKind::kNormal, thing.id());
+    move.start = trace.end_pos;
+    if (trace.edict && (ignored == EdictId::kWorld || *trace.edict != ignored)) break;
+  }
+  set_trace_globals(vm, trace);
+}
+
 }  // namespace
 
 void add_world_builtins(BuiltinTable& table, GameContext& context) {
@@ -101,6 +126,8 @@ void add_world_builtins(BuiltinTable& table, GameContext& context) {
   set(3, "setmodel", setmodel);
   set(4, "setsize", setsize);
   set(16, "traceline", traceline);
+  set(64, "tracetoss", tracetoss);
+  table.add_extension("DP_QC_TRACETOSS");
   set(90, "tracebox", tracebox);
   table.add_extension("DP_QC_TRACEBOX");
   set(32, "walkmove", [](Vm& vm, GameContext& in) {

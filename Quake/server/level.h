@@ -71,6 +71,14 @@ class LevelEvents {
   virtual void start_sound(EdictId source, int channel, std::string_view sample, float volume, float attenuation) = 0;
 };
 
+// Extensions that change how a level behaves. Only for mods that have asked for them (checkextension): others may rely
+// on what QuakeSpasm does.
+struct AskedExtensions {
+  bool rotating_pushers =
+      false;                   // DP_SV_ROTATINGBMODEL: avelocity turns pushers, and what is turned blocks as it looks
+  bool skin_contents = false;  // FTE_ENT_SKIN_CONTENTS: skin_contents.h
+};
+
 class Level final : public progs::EdictListener {
  public:
   // `vm` has started its level (edicts of the world and the clients).
@@ -85,6 +93,7 @@ class Level final : public progs::EdictListener {
   std::unique_ptr<progs::Vm> vm;
   Cvars cvars;
   OptionalFields optional;
+  AskedExtensions asked;
   LevelEvents& events;
   Rng& rng;  // the engine's, which QuakeC's random() draws from as well
 

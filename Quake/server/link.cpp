@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "server/quakec.h"
+#include "server/skin_contents.h"
 
 namespace fb::sv {
 namespace {
@@ -22,13 +23,15 @@ bool is_touched_by(const Edict& trigger, const Bounds& box) {
          world::boxes_meet(box, linked_box(trigger));
 }
 
+// Brush models block as if they were never turned, unless the mod has asked for it (DP_SV_ROTATINGBMODEL).
+bool is_turned(const Level& level, const Edict& edict) {
+  return level.asked.rotating_pushers && edict.get(fields::solid) == kSolidBsp &&
+         edict.get(fields::angles) != vec3(0.0f);
+}
+
 // Nothing where the model is none of the map's, which is the mod's fault.
 std::optional<std::uint32_t> map_model(Level& level, const Edict& edict) {
-  const int number = enum_of(edict, fields::modelindex);
-  if (number > 0 && static_cast<std::size_t>(number) < level.models.size()) {
-    const int submodel = level.models[static_cast<std::size_t>(number)].submodel;
-    if (submodel >= 0) return static_cast<std::uint32_t>(submodel);
-  }
+  if (const auto model = map_model_of(level, edict)) return model;
   level.fail(fmt::format("{} is SOLID_BSP, but its model is none of the map's", describe(level, edict.id())));
   return std::nullopt;
 }
@@ -40,7 +43,7 @@ MoveTrace clip_move_to_entity(Level& level, const Edict& edict, const world::Mov
   if (edict.get(fields::solid) == kSolidBsp) {
     const auto model = map_model(level, edict);
     trace.end_pos = move.end;
-    if (model) static_cast<world::Trace&>(trace) = world::clip_move_to_model(level.hulls, *model, origin, move);
+    if (model) static_cast<world::Trace&>(trace) = clip_move_to_map_model(level, edict, *model, move);
   } else {
     static_cast<world::Trace&>(trace) =
         world::clip_move_to_box(origin, edict.get(fields::mins), edict.get(fields::maxs), move);
@@ -98,6 +101,7 @@ class MoveClip {
     const auto solid = touched.get(fields::solid);
     if (solid == kSolidNot || solid == kSolidTrigger || touched.id() == pass_) return false;
     if (kind_ == MoveKind::kNoMonsters && solid != kSolidBsp) return false;
+    if (is_volume(level_, touched)) return false;
     if (!world::boxes_meet(box_, linked_box(touched))) return false;
     if (!pass_) return true;
     if (pass_has_size_ && touched.get(fields::size).x == 0.0f) return false;  // points never meet
@@ -133,8 +137,12 @@ void link_edict(Level& level, EdictId id, bool touch_triggers) {
   const bool item = edict.has_flag(fields::flags, kFlagItem);
   const vec3 wider = item ? vec3(15.0f, 15.0f, 0.0f) : vec3(1.0f);
   const vec3 origin = edict.get(fields::origin);
-  edict.set(fields::absmin, origin + edict.get(fields::mins) - wider);
-  edict.set(fields::absmax, origin + edict.get(fields::maxs) + wider);
+  Bounds own;
+  own.min = edict.get(fields::mins);
+  own.max = edict.get(fields::maxs);
+  if (is_turned(level, edict)) own = transform_bounds(entity_transform(vec3(0.0f), edict.get(fields::angles)), own);
+  edict.set(fields::absmin, origin + own.min - wider);
+  edict.set(fields::absmax, origin + own.max + wider);
   const Bounds box = linked_box(edict);
 
   level.extra(id).leafs =
@@ -176,8 +184,23 @@ bool in_solid(Level& level, EdictId id) {
   return move_edict(level, id, level.edict(id).get(fields::origin)).start_solid;
 }
 
-std::int32_t point_contents(const Level& level, const vec3& point) {
-  return world::sv_point_contents(level.hulls, point);
+std::int32_t point_contents(Level& level, const vec3& point) {
+  const std::int32_t contents = world::sv_point_contents(level.hulls, point);
+  return contents == formats::kContentsEmpty ? volume_contents(level, point).value_or(contents) : contents;
+}
+
+std::optional<std::uint32_t> map_model_of(const Level& level, const Edict& edict) {
+  const int number = enum_of(edict, fields::modelindex);
+  if (number <= 0 || static_cast<std::size_t>(number) >= level.models.size()) return std::nullopt;
+  const int submodel = level.models[static_cast<std::size_t>(number)].submodel;
+  return submodel >= 0 ? std::optional(static_cast<std::uint32_t>(submodel)) : std::nullopt;
+}
+
+world::Trace clip_move_to_map_model(const Level& level, const Edict& edict, std::uint32_t model,
+                                    const world::Move& move) {
+  const vec3 origin = edict.get(fields::origin);
+  if (!is_turned(level, edict)) return world::clip_move_to_model(level.hulls, model, origin, move);
+  return world::clip_move_to_turned_model(level.hulls, model, origin, edict.get(fields::angles), move);
 }
 
 }  // namespace fb::sv

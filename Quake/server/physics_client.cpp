@@ -6,6 +6,7 @@
 #include "server/float_vectors.h"
 #include "server/physics_moves.h"
 #include "server/quakec.h"
+#include "server/skin_contents.h"
 #include "server/steps.h"
 
 namespace fb::sv {
@@ -150,7 +151,8 @@ bool move_client(Level& level, EdictId id) {
       return run_think(level, id);
     case kMoveWalk:
       if (!run_think(level, id)) return false;
-      if (!check_water(level, edict) && !edict.has_flag(fields::flags, kFlagWaterJump)) add_gravity(level, edict);
+      if (!check_water(level, edict) && !edict.has_flag(fields::flags, kFlagWaterJump) && !on_ladder(level, id))
+        add_gravity(level, edict);
       check_stuck(level, id);
       walk_move(level, id);
       return true;

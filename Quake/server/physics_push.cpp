@@ -23,13 +23,19 @@ class PushMove {
   // Moves, or stays where it was if something is in the way.
   void run() {
     add_to_clock(seconds_);
-    if (pusher_.get(fields::velocity) == vec3(0.0f)) return;
+    if (level_.asked.rotating_pushers) turn_ = pusher_.get(fields::avelocity) * seconds_;
+    if (pusher_.get(fields::velocity) == vec3(0.0f) && !turns()) return;
     move_ = pusher_.get(fields::velocity) * seconds_;
     final_.min = pusher_.get(fields::absmin) + move_;
     final_.max = pusher_.get(fields::absmax) + move_;
-    from_ = pusher_.get(fields::origin);
-    pusher_.set(fields::origin, from_ + move_);
+    from_ = Place(pusher_);
+    pusher_.set(fields::origin, from_.origin + move_);
+    if (turns()) pusher_.set(fields::angles, from_.angles + turn_);
     link_edict(level_, id_);
+    if (turns()) {
+      final_.min = pusher_.get(fields::absmin);
+      final_.max = pusher_.get(fields::absmax);
+    }
 
     for (EdictId id{1}; level_.edicts().valid(id) && !level_.failed(); id = next(id)) {
       Edict edict = level_.edict(id);
@@ -39,6 +45,24 @@ class PushMove {
   }
 
  private:
+  struct Place {
+    Place() = default;
+    explicit Place(const Edict& edict) : origin(edict.get(fields::origin)), angles(edict.get(fields::angles)) {}
+    void put_back(Edict edict) const {
+      edict.set(fields::origin, origin);
+      edict.set(fields::angles, angles);
+    }
+    vec3 origin{0.0f}, angles{0.0f};
+  };
+
+  bool turns() const { return turn_ != vec3(0.0f); }
+  // How far something at `origin` goes along.
+  vec3 way_of(const vec3& origin) const {
+    if (!turns()) return move_;
+    const vec3 in_pusher = transform_point(inverse_affine(entity_transform(from_.origin, from_.angles)), origin);
+    return transform_point(entity_transform(from_.origin + move_, from_.angles + turn_), in_pusher) - origin;
+  }
+
   void add_to_clock(float seconds) { pusher_.set(fields::ltime, pusher_.get(fields::ltime) + seconds); }
 
   bool is_in_the_way(const Edict& edict) {
@@ -56,11 +80,12 @@ class PushMove {
   // Moves an edict along. False: it cannot, and is no such thing as is just crushed.
   bool carry(Edict edict) {
     if (enum_of(edict, fields::movetype) != kMoveWalk) edict.remove_flag(fields::flags, kFlagOnGround);
-    moved_.emplace_back(edict, edict.get(fields::origin));
+    moved_.emplace_back(edict, Place(edict));
     // QuakeC that is touched on the way sees a pusher that is not solid, and one that was never SOLID_BSP becomes so.
     pusher_.set(fields::solid, static_cast<float>(kSolidNot));
-    push_entity(level_, edict.id(), move_);
+    push_entity(level_, edict.id(), way_of(edict.get(fields::origin)));
     pusher_.set(fields::solid, static_cast<float>(kSolidBsp));
+    turn_along(edict);
     if (level_.failed() || !in_solid(level_, edict.id())) return true;
 
     const vec3 mins = edict.get(fields::mins);
@@ -73,16 +98,24 @@ class PushMove {
     return true;
   }
 
+  // Players look where they want to.
+  void turn_along(Edict edict) {
+    if (!turns() || edict.is_free() || level_.is_client(edict.id())) return;
+    vec3 angles = edict.get(fields::angles);
+    angles.y += turn_.y;
+    edict.set(fields::angles, angles);
+  }
+
   // Undoes everything. The order of links is Quake's: what blocks first, then the pusher, the moved ones after QuakeC.
   void block(Edict edict) {
-    edict.set(fields::origin, moved_.back().second);
+    moved_.back().second.put_back(edict);
     link_edict(level_, edict.id(), true);
-    pusher_.set(fields::origin, from_);
+    from_.put_back(pusher_);
     link_edict(level_, id_);
     add_to_clock(-seconds_);
     level_.run(pusher_.get(fields::blocked), id_, edict.id());
-    for (auto& [moved, origin] : moved_) {
-      moved.set(fields::origin, origin);
+    for (auto& [moved, place] : moved_) {
+      place.put_back(moved);
       link_edict(level_, moved.id());
     }
   }
@@ -91,9 +124,10 @@ class PushMove {
   EdictId id_;
   Edict pusher_;
   float seconds_;
-  vec3 move_{0.0f}, from_{0.0f};
-  Bounds final_;                               // where it goes
-  std::vector<std::pair<Edict, vec3>> moved_;  // and from where
+  vec3 move_{0.0f}, turn_{0.0f};  // units, degrees
+  Place from_;
+  Bounds final_;                                // where it goes
+  std::vector<std::pair<Edict, Place>> moved_;  // and from where
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Thinks, and the movetypes that are neither players nor pushers.
 #include "server/physics.h"
 
+#include "server/physics_moves.h"
 #include "server/test_level.h"
 
 namespace fb::sv {
@@ -31,6 +32,13 @@ class PhysicsTest : public LevelTest {
   void start_with(const std::string& source) { start_with(source, room()); }
   void start_with(const std::string& source, const MapBuilder& map) { start_level(kThing + source, map); }
 };
+
+TEST(ClipVelocity, LessThanATenthOfAUnitASecondIsNone) {
+  const vec3 up(0, 0, 1);
+  EXPECT_EQ(clip_velocity(vec3(0.099f, -0.099f, -50.0f), up, 1.0f), vec3(0.0f));
+  EXPECT_EQ(clip_velocity(vec3(0.101f, -0.101f, -50.0f), up, 1.0f), vec3(0.101f, -0.101f, 0.0f));
+  EXPECT_EQ(clip_velocity(vec3(0.0f, 0.0f, -50.0f), up, 1.5f), vec3(0, 0, 25));
+}
 
 // --- frames and thinks ---
 

@@ -18,6 +18,7 @@ constexpr int kMostMessages = 256;  // of a player in a frame; what is more wait
 }  // namespace
 
 void Clients::receive(double now, const std::function<void(ServerClient&)>& think) {
+  heard_at_ = now;
   for (auto& client : slots_) {
     if (!level_ || level_->failed()) return;
     if (!client->active()) continue;

@@ -6,6 +6,7 @@
 #include "server/float_vectors.h"
 #include "server/link.h"
 #include "server/quakec.h"
+#include "server/skin_contents.h"
 
 namespace fb::sv {
 namespace {
@@ -48,6 +49,8 @@ class UserMove {
       no_clip_move();
     } else if (!no_clip && player_.get(fields::waterlevel) >= 2.0f) {
       water_move();
+    } else if (enum_of(player_, fields::movetype) == kMoveWalk && on_ladder(level_, player_.id())) {
+      ladder_move();
     } else {
       air_move();
     }
@@ -120,6 +123,18 @@ class UserMove {
     normalize(wish);
     const float gain = level_.cvars.accelerate.value() * wish_speed;
     speed_up(wish, static_cast<float>(gain * level_.frame_time), missing);
+  }
+
+  // Nothing pulls down, and going forward is climbing: up, unless one looks well below the horizon. Half as fast as on
+  // foot; who asks for nothing hangs on.
+  void ladder_move() {
+    constexpr float kLookDown = 15.0f;  // degrees
+    velocity_ = wish_along(view_axes());
+    const bool down = player_.get(fields::v_angle)[kPitch] > kLookDown;
+    velocity_.z = (down ? -command_.forward_move : command_.forward_move) + command_.up_move;
+    if (player_.get(fields::button2) != 0.0f) velocity_.z = max_speed();
+    const float most = max_speed() * 0.5f, speed = length(velocity_);
+    if (speed > most) velocity_ *= most / speed;
   }
 
   // SV_AirMove: on foot, falling, and flying. Its axes are the body's, which look up or down by a third and lean.

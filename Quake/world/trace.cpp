@@ -141,6 +141,22 @@ Trace clip_move_to_model(const MapHulls& map, std::uint32_t model, const vec3& o
   return clip_move(hull, offset, move);
 }
 
+Trace clip_move_to_turned_model(const MapHulls& map, std::uint32_t model, const vec3& origin, const vec3& angles,
+                                const Move& move) {
+  const Hull hull = map.hull(model, hull_for_size(move.maxs - move.mins));
+  const vec3 shift = hull.clip_mins - move.mins;
+  const AxisVectors axes = angle_vectors(angles);
+  const auto into_model = [&](const vec3& v) {
+    const vec3 from_origin = v - origin;
+    return vec3(dot(from_origin, axes.forward), -dot(from_origin, axes.right), dot(from_origin, axes.up)) - shift;
+  };
+  const auto turned = [&](const vec3& v) { return axes.forward * v.x - axes.right * v.y + axes.up * v.z; };
+  Trace trace = trace_hull(hull, into_model(move.start), into_model(move.end));
+  trace.end_pos = trace.fraction == 1.0f ? move.end : turned(trace.end_pos + shift) + origin;
+  trace.plane.normal = turned(trace.plane.normal);
+  return trace;
+}
+
 Trace clip_move_to_box(const vec3& origin, const vec3& box_mins, const vec3& box_maxs, const Move& move) {
   const BoxHull box(box_mins - move.maxs, box_maxs - move.mins);
   return clip_move(box.hull(), origin, move);

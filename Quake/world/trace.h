@@ -37,9 +37,13 @@ struct Move {
   vec3 start{0.0f}, mins{0.0f}, maxs{0.0f}, end{0.0f};
 };
 
-// Against a model of a map that stands at `origin` (SOLID_BSP: its angles turn what is seen, never what is hit). The
+// Against a model of a map that stands at `origin` (SOLID_BSP: angles turn what is seen, not what is hit). The
 // hull is chosen by the box's width, so other boxes than the hull's own are taken as if they were that.
 Trace clip_move_to_model(const MapHulls& map, std::uint32_t model, const vec3& origin, const Move& move);
+// The same of a model that is turned about its origin, as it is drawn (base/maths.h, entity_transform). The moving box
+// stays along the axes of the map, and is taken to be the hull's own box along those of the model.
+Trace clip_move_to_turned_model(const MapHulls& map, std::uint32_t model, const vec3& origin, const vec3& angles,
+                                const Move& move);
 // Against another box (SOLID_BBOX, SOLID_SLIDEBOX).
 Trace clip_move_to_box(const vec3& origin, const vec3& box_mins, const vec3& box_maxs, const Move& move);
 
