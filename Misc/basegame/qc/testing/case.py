@@ -5,19 +5,20 @@ import pathlib
 import tempfile
 import unittest
 
-from qc.make import CompileError, compile_progs
+from qc.make import HERE, CompileError, compile_progs
 from qc.testing.game import Game
 
 
 class PlayCase(unittest.TestCase):
     game: Game
+    extra: tuple[pathlib.Path, ...] = ()  # compiled behind the game
 
     @classmethod
     def setUpClass(cls):
         if not os.environ.get("FULLBRIGHT"):
             raise unittest.SkipTest("FULLBRIGHT names no program to play with")
         try:
-            progs = compile_progs()
+            progs = compile_progs(HERE, *cls.extra)
         except CompileError as error:
             if "not installed" in str(error):
                 raise unittest.SkipTest(str(error)) from error
