@@ -52,8 +52,8 @@ class Canvas:
               warp: Field | None = None) -> Field:
         """Fractal noise, about -1..1; `wavelength` in texels, one or (across, down). `warp` (texels) moves it sideways."""
         across, down = wavelength if isinstance(wavelength, tuple) else (wavelength, wavelength)
-        u = self.u if warp is None else self.u + warp / self.width
-        v = self.v if warp is None else self.v + warp / self.height_texels
+        u = self.u[0] if warp is None else self.u + warp / self.width
+        v = self.v[:, 0] if warp is None else self.v + warp / self.height_texels
         columns, rows = max(1, self.width / across), max(1, self.height_texels / down)
         return noise.fractal_noise(u, v, columns, rows, self.seed * 7919 + seed, octaves, gain)
 
@@ -91,11 +91,9 @@ class Canvas:
         return Blocks((j % columns) + columns * row, edge, u, v)
 
     @staticmethod
-    def ramp(colors: list[str] | str, at: Field) -> Field:
-        """sRGB along colours for 0..1."""
-        names = colors.split() if isinstance(colors, str) else colors
-        table = gradient(names, np.linspace(0.0, 1.0, 256))
-        return table[np.clip(np.nan_to_num(at) * 255.0 + 0.5, 0, 255).astype(int)]
+    def ramp(colors: str, at: Field | float) -> Field:
+        """sRGB along colours (`rrggbb` in one text) for 0..1."""
+        return gradient(colors, at)
 
     def paint(self, color: Field | str, mask: Field) -> None:
         """Lays a colour, or an sRGB picture, over what is there where the mask is 1."""

@@ -96,15 +96,18 @@ def text_width(text: str, high: float, spacing: float = 0.14) -> float:
 
 
 def text_distance(x: np.ndarray, y: np.ndarray, text: str, left: float, top: float, high: float, pen: Pen = Pen(),
-                  spacing: float = 0.14) -> np.ndarray:
-    """Signed distance (about) to a line of text; x and y are a grid's coordinates (h, w), y down."""
+                  spacing: float = 0.14, reach: float = 0.3) -> np.ndarray:
+    """Signed distance (about) to a line of text; x and y are a grid's coordinates (h, w), y down.
+
+    Farther than `reach` times the letters' height from a letter's box it is only known to be large.
+    """
     out = np.full(x.shape, 1e9)
     angle = np.deg2rad(pen.slant)
     stretch = pen.broad / pen.thin
     at = left
     for letter in text.upper():
         wide, strokes = _letters()[letter]
-        margin = high * 0.3
+        margin = high * reach
         columns = np.flatnonzero((x[0] > at - margin) & (x[0] < at + wide * high + margin))
         if columns.size and strokes:
             window = slice(columns[0], columns[-1] + 1)

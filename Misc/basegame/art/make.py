@@ -11,14 +11,20 @@ from __future__ import annotations
 import argparse
 import fnmatch
 import pathlib
+import re
 import sys
 from collections.abc import Callable, Iterator
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 from art.catalogue import TEXTURES  # noqa: E402
+from art.hud import hud_files  # noqa: E402
+from art.menus import menu_pictures  # noqa: E402
+from art.pages import page_pictures  # noqa: E402
 from art.palette import PALETTE, colormap  # noqa: E402
+from art.sprites import sprite_files  # noqa: E402
 from art.surface import Surface, files, miptex  # noqa: E402
+from formats.lmp import write_lmp  # noqa: E402
 from formats.wad import TYPE_MIPTEX, Lump, write_wad  # noqa: E402
 
 Files = dict[str, bytes]
@@ -45,7 +51,8 @@ def texture_files(pattern: str) -> Files:
     out: Files = {}
     lumps = []
     for name in TEXTURES:
-        if not wad_wanted and not fnmatch.fnmatch(f"textures/{name.replace('*', '#')}.png", pattern):
+        stem = f"textures/{name.replace('*', '#')}"
+        if not wad_wanted and not any(fnmatch.fnmatch(f"{stem}{kind}.png", pattern) for kind in ("", "_norm", "_gloss", "_luma")):
             continue
         surface = paint(name)
         lumps.append(Lump(name, TYPE_MIPTEX, miptex(name, surface)))
@@ -55,17 +62,27 @@ def texture_files(pattern: str) -> Files:
     return out
 
 
-# What each part writes: the prefixes of its paths, and its maker.
-PARTS: list[tuple[str, list[str], Callable[[str], Files]]] = [
-    ("palette", ["gfx/palette.lmp", "gfx/colormap.lmp"], lambda pattern: palette_files()),
-    ("textures", ["basegame.wad", "textures/"], texture_files),
+def picture_files(pattern: str) -> Files:
+    """`gfx/*.lmp` of menus, pages and the console."""
+    return {f"gfx/{name}.lmp": write_lmp(picture) for name, picture in (menu_pictures() | page_pictures()).items()}
+
+
+# What each part is called, how its paths begin, and its maker, which may make more than the pattern asks for.
+PARTS: list[tuple[str, tuple[str, ...], Callable[[str], Files]]] = [
+    ("palette", ("gfx/palette.lmp", "gfx/colormap.lmp"), lambda pattern: palette_files()),
+    ("status bar", ("gfx.wad",), hud_files),
+    ("menus", ("gfx/",), picture_files),
+    ("sprites", ("progs/s_",), sprite_files),
+    ("textures", ("textures/", "basegame.wad"), texture_files),
 ]
 
 
 def make(pattern: str = "*") -> Iterator[tuple[str, Files]]:
     """Each part's name and those of its files that match the pattern."""
-    for name, _, maker in PARTS:
-        yield name, {path: data for path, data in maker(pattern).items() if fnmatch.fnmatch(path, pattern)}
+    literal = re.split(r"[*?\[]", pattern)[0]
+    for name, starts, maker in PARTS:
+        if any(start.startswith(literal) or literal.startswith(start) for start in starts):
+            yield name, {path: data for path, data in maker(pattern).items() if fnmatch.fnmatch(path, pattern)}
 
 
 def main() -> int:

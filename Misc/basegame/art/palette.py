@@ -7,6 +7,8 @@ pictures and of textures whose name begins with `{`. A row is drawn through a fe
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
 # sRGB colours along each row, from its first index to its last.
@@ -67,17 +69,27 @@ def srgb_from_oklab(lab: np.ndarray) -> np.ndarray:
     return srgb_from_linear((np.asarray(lab, float) @ np.linalg.inv(_LAB).T) ** 3 @ np.linalg.inv(_LMS).T)
 
 
-def gradient(colors: list[str], at: np.ndarray) -> np.ndarray:
+def mixed(colors: tuple[str, ...], at: np.ndarray) -> np.ndarray:
     """sRGB (..., 3) along `rrggbb` colours evenly spaced in 0..1, mixed in OKLab."""
-    at = np.clip(np.asarray(at, float), 0.0, 1.0)
     labs = oklab_from_srgb(np.array([hex_to_srgb(color) for color in colors]))
     places = np.linspace(0.0, 1.0, len(colors))
     return srgb_from_oklab(np.stack([np.interp(at, places, labs[:, i]) for i in range(3)], axis=-1))
 
 
+@cache
+def _table(colors: str, linear: bool) -> np.ndarray:
+    rgb = mixed(tuple(colors.split()), np.linspace(0.0, 1.0, 256))
+    return linear_from_srgb(rgb) if linear else rgb
+
+
+def gradient(colors: str, at: np.ndarray | float, linear: bool = False) -> np.ndarray:
+    """As mixed, from a table of 256 steps: sRGB (or linear light) along colours named in one text, ends repeated outside 0..1."""
+    return _table(colors, linear)[np.clip(np.nan_to_num(np.asarray(at)) * 255.0 + 0.5, 0, 255).astype(np.int32)]
+
+
 def _palette() -> np.ndarray:
-    rows = [gradient(colors, np.linspace(0.0, 1.0, 16)) for _, colors in _ROWS]
-    rows.append(gradient(_FIRE, np.linspace(0.0, 1.0, 16)))
+    rows = [mixed(tuple(colors), np.linspace(0.0, 1.0, 16)) for _, colors in _ROWS]
+    rows.append(mixed(tuple(_FIRE), np.linspace(0.0, 1.0, 16)))
     rows.append(np.array([hex_to_srgb(color) for color in _LAST]))
     return np.round(np.concatenate(rows) * 255.0).astype(np.uint8)
 

@@ -12,7 +12,46 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 from art import make  # noqa: E402
 from art.palette import GLOW_FIRST, PALETTE, RAMPS, colormap, linear_from_srgb, nearest, oklab_from_srgb  # noqa: E402
-from formats import lmp, png, wad  # noqa: E402
+from art.catalogue import TEXTURES  # noqa: E402
+from art.surface import files, miptex  # noqa: E402
+from formats import lmp, png, spr, wad  # noqa: E402
+
+# What map makers were promised.
+PROMISED = """
+stone_a stone_b stone_floor stone_trim cobble rock_a rock_b dirt moss_stone brick_red brick_dark plaster plaster_crack
+metal_plate metal_rivet metal_floor metal_rust metal_trim copper_plate copper_trim copper_floor steel_door steel_wall
+wood_plank wood_beam wood_door tile_teal tile_white tile_check marble_white marble_black flesh_a flesh_b glass_teal
+window_a window_b light_white light_warm light_cool light_red light_green light_strip lamp_round rune_a rune_b
+crystal_blue crystal_red crystal_gold candle_wax door_iron door_gold door_silver door_rune +0button +1button +abutton
++0plate +1plate +2plate +3plate sign_exit sign_arrow skull_trim bones crate_a crate_b barrel_side barrel_top bookshelf
+carpet_red {grate {vine {chain *water_a *water_b *slime_a *lava_a *teleport sky_night sky_dusk sky_storm skip clip
+trigger origin hint box_shell box_nail box_rocket box_cell box_health box_mega box_shell_top box_nail_top
+box_rocket_top box_cell_top box_health_top box_mega_top lab_white lab_grey lab_black lab_red lab_green lab_blue
+lab_yellow lab_check lab_light lab_light_warm lab_light_dim lab_chrome lab_steel lab_marble
+""".split()
+# The status bar's pictures and their sizes, as engines draw them.
+HUD_SIZES = {
+    "num_": (24, 24), "anum_": (24, 24), "face": (24, 24), "sb_armor": (24, 24), "sb_shells": (24, 24), "sb_nails": (24, 24),
+    "sb_rocket": (24, 24), "sb_cells": (24, 24), "sb_key": (16, 16), "sb_invis": (16, 16), "sb_invuln": (16, 16),
+    "sb_suit": (16, 16), "sb_quad": (16, 16), "sb_sigil": (16, 8), "sbar": (24, 320), "ibar": (24, 320), "scorebar": (24, 320),
+    "disc": (24, 24), "ram": (32, 32), "net": (32, 32), "turtle": (32, 32), "backtile": (64, 64),
+}
+HUD_NAMES = [f"{prefix}num_{sign}" for prefix in ("", "a") for sign in [*map(str, range(10)), "minus"]]
+HUD_NAMES += ["num_colon", "num_slash", "sb_shells", "sb_nails", "sb_rocket", "sb_cells", "sb_armor1", "sb_armor2", "sb_armor3"]
+HUD_NAMES += ["sb_key1", "sb_key2", "sb_invis", "sb_invuln", "sb_suit", "sb_quad", "sb_sigil1", "sb_sigil2", "sb_sigil3", "sb_sigil4"]
+HUD_NAMES += [f"face{state}{i}" for state in ("", "_p") for i in range(1, 6)]
+HUD_NAMES += ["face_invis", "face_invul2", "face_inv2", "face_quad", "sbar", "ibar", "scorebar", "disc", "ram", "net", "turtle", "backtile"]
+WEAPONS = ["shotgun", "sshotgun", "nailgun", "snailgun", "rlaunch", "srlaunch", "lightng"]
+MENU_SIZES = {
+    "conback": (200, 320), "qplaque": (144, 32), "mainmenu": (112, 240), "menuplyr": (56, 48), "bigbox": (72, 72),
+    "inter": (144, 160), "menudot1": (24, 16), "menudot6": (24, 16), "box_tl": (8, 8), "box_tm": (8, 16), "box_mm2": (8, 16),
+    "help0": (200, 320), "help5": (200, 320),
+}
+MENU_NAMES = """ttl_main ttl_sgl ttl_cstm sp_menu mp_menu p_option p_load p_save p_multi loading pause complete finale ranking vidmodes
+box_ml box_bl box_mm box_bm box_tr box_mr box_br dim_modm dim_drct dim_ipx dim_tcp dim_mult netmen1 netmen2 netmen3 netmen4 netmen5
+help1 help2 help3 help4 menudot2 menudot3 menudot4 menudot5""".split()
+# One of each kind of painter: what the slower tests look at.
+SAMPLE = ["stone_a", "copper_plate", "rune_a", "light_green", "{vine", "*lava_a", "sky_dusk", "+0plate", "lab_light_dim", "stone_trim"]
 
 
 class Palette(unittest.TestCase):
@@ -60,6 +99,110 @@ class Formats(unittest.TestCase):
         self.assertEqual(found["two"], lumps[1])
         with self.assertRaises(ValueError):
             wad.write_wad([wad.Lump("a" * 16, 0x42, b"")])
+
+
+class Textures(unittest.TestCase):
+    def test_names_and_sizes(self):
+        self.assertEqual(sorted(set(PROMISED) - set(TEXTURES)), [])
+        for name, (width, height, _) in TEXTURES.items():
+            self.assertEqual((width % 16, height % 16), (0, 0), name)
+            self.assertLessEqual(len(name), 15)
+
+    def test_files_read_back(self):
+        for name in SAMPLE:
+            surface = make.paint(name)
+            found, levels = wad.read_miptex(miptex(name, surface))
+            width, height, _ = TEXTURES[name]
+            self.assertEqual((found, levels[0].shape, levels[3].shape), (name, (height, width), (height // 8, width // 8)))
+            for path, data in files(name, surface).items():
+                self.assertEqual(png.read_png(data).shape[:2], (height * surface.scale, width * surface.scale), path)
+
+    def test_only_lights_glow(self):
+        glowing = {"rune_a": True, "light_green": True, "*lava_a": True, "+0plate": True, "lab_light_dim": True}
+        for name in SAMPLE:
+            indices = wad.read_miptex(miptex(name, make.paint(name)))[1][0]
+            lit = (indices >= GLOW_FIRST) & (indices < 255)
+            self.assertEqual(bool(lit.any()), glowing.get(name, False), name)
+            self.assertEqual(bool((indices == 255).any()), name.startswith("{"), name)
+
+    def test_sky_layers(self):
+        indices = wad.read_miptex(miptex("sky_dusk", make.paint("sky_dusk")))[1][0]
+        self.assertTrue(0.02 < (indices[:, :128] == 0).mean() < 0.9)
+        self.assertFalse((indices[:, 128:] == 0).any())
+
+    def test_reflectance(self):
+        for name in ["stone_a", "stone_b", "copper_plate", "tile_white", "wood_plank", "brick_red", "plaster"]:
+            mean = linear_from_srgb(make.paint(name).color).mean()
+            self.assertTrue(0.12 < mean < 0.65, f"{name} reflects {mean:.2f}")
+
+    def test_edges_meet(self):
+        for name in ["stone_a", "copper_plate", "brick_red", "rock_a"]:
+            color = make.paint(name).color
+            for seam, inside in ((color[0] - color[-1], np.diff(color, axis=0)), (color[:, 0] - color[:, -1], np.diff(color, axis=1))):
+                # Neighbours across the seam differ by no more than neighbours elsewhere at their worst.
+                steps = np.abs(inside).mean(axis=(1, 2)) if seam.shape[0] == inside.shape[1] else np.abs(inside).mean(axis=(0, 2))
+                self.assertLess(np.abs(seam).mean(), 1.5 * steps.max() + 0.01, name)
+
+    def test_normals_point_up_the_image(self):
+        from art.surface import normal_map
+
+        height = np.tile(np.linspace(8.0, 0.0, 16)[:, None], (1, 16))  # falls down the image
+        normal = normal_map(height, 1, tiles=False)[8, 8].astype(int)
+        self.assertEqual(normal[0], 128)
+        self.assertLess(normal[1], 128)
+
+
+class Pictures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.hud = wad.read_wad(make.hud_files("*")["gfx.wad"])
+        cls.menus = make.picture_files("*")
+
+    def test_status_bar(self):
+        names = HUD_NAMES + [f"{state}_{weapon}" for state in ("inv", "inv2", "inva1", "inva5") for weapon in WEAPONS]
+        self.assertEqual(sorted(set(names) - set(self.hud)), [])
+        for name in names:
+            picture = lmp.read_lmp(self.hud[name].data)
+            sizes = [size for prefix, size in HUD_SIZES.items() if name.startswith(prefix)]
+            expected = sizes[0] if sizes else (16, 48 if name.endswith("lightng") else 24)
+            self.assertEqual(picture.shape, expected, name)
+
+    def test_console_letters(self):
+        sheet = np.frombuffer(self.hud["conchars"].data, np.uint8).reshape(128, 128)
+        cells = [sheet[8 * (i // 16) :, 8 * (i % 16) :][:8, :8] for i in range(256)]
+        drawn = [bool(cell.any()) for cell in cells]
+        empty = [i for i in range(128) if not drawn[i]]
+        self.assertEqual(empty, [0, 10, 12, 32])
+        self.assertEqual(len({cell.tobytes() for cell in cells[33:127]}), 94)
+        self.assertFalse((cells[ord("A")] == cells[ord("A") + 128]).all())
+
+    def test_menus(self):
+        self.assertEqual(sorted(name for name in [*MENU_SIZES, *MENU_NAMES] if f"gfx/{name}.lmp" not in self.menus), [])
+        for name, size in MENU_SIZES.items():
+            self.assertEqual(lmp.read_lmp(self.menus[f"gfx/{name}.lmp"]).shape, size, name)
+        for path, data in self.menus.items():
+            self.assertLessEqual(lmp.read_lmp(data).shape[1], 320, path)
+        self.assertFalse((lmp.read_lmp(self.menus["gfx/conback.lmp"]) == 255).any())
+
+    def test_sprites(self):
+        made = make.sprite_files("*")
+        for name, frames, size in (("s_bubble", 2, 16), ("s_explod", 6, 64), ("s_light", 1, 32)):
+            sprite = spr.read_spr(made[f"progs/{name}.spr"])
+            self.assertEqual([frame.picture.shape for frame in sprite.frames], [(size, size)] * frames)
+            self.assertEqual((sprite.frames[0].left, sprite.frames[0].top), (-size // 2, size // 2))
+        with self.assertRaises(ValueError):
+            spr.read_spr(made["progs/s_light.spr"][:-1])
+
+
+class Maker(unittest.TestCase):
+    def test_same_bytes_twice(self):
+        for name in SAMPLE[:4]:
+            self.assertEqual(miptex(name, make.paint(name)), miptex(name, make.paint(name)))
+            self.assertEqual(files(name, make.paint(name)), files(name, make.paint(name)))
+
+    def test_pattern(self):
+        made = {path for _, part in make.make("textures/rune_a*") for path in part}
+        self.assertEqual(made, {f"textures/rune_a{kind}.png" for kind in ("", "_norm", "_gloss", "_luma")})
 
 
 if __name__ == "__main__":
