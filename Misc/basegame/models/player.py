@@ -12,6 +12,7 @@ from models.kit.motion import keyed, merge
 from models.kit.paint import band, both_of, canvas, copper, iron, layers, leather, plain, rivets, spot, steel, where
 from models.kit.shapes import Patch, both, box, ellipsoid, flat_section, lathe, torus, tube
 from models.kit.skeleton import Skeleton
+from models.soldier import severed
 
 BODY = humanoid.Build()
 GUN = {"hand_r": (0.42, 0.10, -0.62), "hand_l": (0.75, -0.1, -0.5), "hold": 1, "grip": (2, 8, 0), "elbow_r": 30, "elbow_l": 10, "fade": 1, "extra": 0}
@@ -116,7 +117,11 @@ def player() -> Mdl:
     skeleton = humanoid.bones(BODY)
     skeleton.add("axe", "weapon", skeleton.rest["weapon"])
     patches = _suit(skeleton) + _gear(skeleton) + _gun(skeleton) + _axe(skeleton)
-    return humanoid_model("player", BODY, skeleton, patches, _clips(), {**GUN}, (7.0, 0.6, 0.4), {"axe": "extra", "weapon": "fade"}, skin=(296, 200))
+    return humanoid_model("player", BODY, skeleton, patches, _clips(), {**GUN}, (7.0, 0.6, 0.4), shrink={"axe": "extra", "weapon": "fade"}, skin=(296, 200))
 
 
-MODELS = {"player": player}
+def h_player() -> Mdl:
+    return severed([*helmet((0.3, 0, 4.6), bone="root"), lathe([(-0.6, 5.0), (0.4, 5.6), (1.4, 4.8)], BRASS, sides=10, caps=(None, None))], 3.4)
+
+
+MODELS = {"player": player, "h_player": h_player}

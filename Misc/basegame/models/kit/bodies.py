@@ -25,7 +25,8 @@ def limb(skeleton: Skeleton, chain: tuple[str, str, str], root: str, radii: Sequ
         path.append(point + np.asarray(shift, float))
         bones.append({chain[0]: 1.0 - lower, chain[1]: lower})
     bones[0] = {root: 0.6, chain[0]: 0.4}
-    return tube(path, radii, paint, bones, sides, caps=(None, None), detail=detail)
+    first = radii[0] if np.isscalar(radii[0]) else min(radii[0])
+    return tube(path, radii, paint, bones, sides, caps=(0.5 * first, None), detail=detail)
 
 
 def leg(skeleton: Skeleton, radii: Sequence, paint: Painter, sides: int = 6, shift: Vec = (0, 0, 0), detail: float = 1.0) -> Patch:

@@ -26,11 +26,13 @@ def sequence_clips(name: str, clips: dict[str, Clip]) -> list[tuple[Clip, int]]:
 
 
 def humanoid_model(name: str, body: humanoid.Build, skeleton: Skeleton, patches: list[Patch], clips: dict[str, Clip], rest: dict | None = None,
-                   left_grip=None, shrink: dict[str, str] | None = None, floor: float = -23.9, **options) -> Mdl:
+                   left_grip=None, posture: dict | None = None, shrink: dict[str, str] | None = None, floor: float = -23.9, **options) -> Mdl:
     """A humanoid's model. `rest` changes controls' rest values; bones named in `shrink` vanish where the control it
-    gives for them is 0."""
+    gives for them is 0. `posture` is added to controls while the body does not lie: how it holds itself."""
     base = {**humanoid.REST, **(rest or {})}
     controls = joined(base, sequence_clips(name, clips))
+    for control, offset in (posture or {}).items():
+        controls[control] = controls[control] + (1.0 - controls["loose"]) * np.asarray(offset, float)
     posing = humanoid.pose(body, skeleton, controls, left_grip)
     for bone, control in (shrink or {}).items():
         turn, at = posing.of(bone)
