@@ -1,4 +1,6 @@
-"""What tests that play share: one compiled game for each class. They need the engine: FULLBRIGHT=path of the program."""
+"""What tests that play share: one compiled game for each class.
+
+They need the engine: FULLBRIGHT=path of the program, or FULLBRIGHT_BUILD=folder that it was built in."""
 
 import os
 import pathlib
@@ -9,14 +11,19 @@ from qc.make import HERE, CompileError, compile_progs
 from qc.testing.game import Game
 
 
+def engine_path() -> pathlib.Path:
+    built = pathlib.Path(os.environ.get("FULLBRIGHT_BUILD", ".")) / "fullbright"
+    return pathlib.Path(os.environ.get("FULLBRIGHT", built))
+
+
 class PlayCase(unittest.TestCase):
     game: Game
     extra: tuple[pathlib.Path, ...] = ()  # compiled behind the game
 
     @classmethod
     def setUpClass(cls):
-        if not os.environ.get("FULLBRIGHT"):
-            raise unittest.SkipTest("FULLBRIGHT names no program to play with")
+        if not engine_path().is_file():
+            raise unittest.SkipTest("neither FULLBRIGHT nor FULLBRIGHT_BUILD leads to a program to play with")
         try:
             progs = compile_progs(HERE, *cls.extra)
         except CompileError as error:
@@ -24,7 +31,7 @@ class PlayCase(unittest.TestCase):
                 raise unittest.SkipTest(str(error)) from error
             raise
         cls._folder = tempfile.TemporaryDirectory()
-        cls.game = Game(pathlib.Path(cls._folder.name), progs)
+        cls.game = Game(pathlib.Path(cls._folder.name), progs, engine_path())
 
     @classmethod
     def tearDownClass(cls):

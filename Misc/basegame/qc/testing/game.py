@@ -3,7 +3,6 @@
 Models, sprites and sounds are what progs.dat names, as small as their formats allow.
 """
 
-import os
 import pathlib
 import re
 import struct
@@ -46,9 +45,9 @@ def names_in(progs: bytes) -> list[str]:
 class Game:
     """A folder with progs.dat and everything that it names."""
 
-    def __init__(self, folder: pathlib.Path, progs: bytes):
+    def __init__(self, folder: pathlib.Path, progs: bytes, engine: pathlib.Path):
         self.folder = folder
-        self.engine = os.environ.get("FULLBRIGHT", "")
+        self.engine = str(engine)
         self._write("progs.dat", progs)
         self._write("gfx/palette.lmp", bytes(c for i in range(256) for c in (i, i, i)))
         for name in names_in(progs):
