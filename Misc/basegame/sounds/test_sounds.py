@@ -22,7 +22,7 @@ from formats import wav  # noqa: E402
 from sounds import catalogue  # noqa: E402
 from sounds.conventions import CATEGORIES, CONVENTIONS  # noqa: E402
 from sounds.kit.filters import fast_length, moving, respond  # noqa: E402
-from sounds.kit.master import PEAK, loudness  # noqa: E402
+from sounds.kit.master import loudness  # noqa: E402
 from sounds.kit.space import fold_long  # noqa: E402
 from sounds.kit.waves import generator, sine, white  # noqa: E402
 from sounds.music import tracks  # noqa: E402
@@ -63,7 +63,7 @@ class EverySound(unittest.TestCase):
         self.each(lambda c, s: self.assertTrue(c.shortest <= len(s.samples) / s.rate <= c.longest, len(s.samples) / s.rate))
 
     def test_nothing_clips(self) -> None:
-        self.each(lambda c, s: self.assertLessEqual(np.max(np.abs(s.samples)), PEAK + 0.001))
+        self.each(lambda c, s: self.assertLessEqual(np.max(np.abs(s.samples)), 0.9))
 
     def test_no_mean(self) -> None:
         self.each(lambda c, s: self.assertLess(abs(np.mean(s.samples)), 0.001))
@@ -79,7 +79,7 @@ class EverySound(unittest.TestCase):
         def check(convention, sound) -> None:
             ends = sound.samples[-1:] if sound.loop is None else sound.samples[:0]
             starts = sound.samples[:1] if sound.loop != 0 else sound.samples[:0]
-            self.assertLess(np.max(np.abs(np.concatenate([starts, ends, [0.0]]))), 0.005)
+            self.assertLess(np.max(np.abs(np.concatenate([starts, ends, [0.0]]))), 1e-4)
 
         self.each(check)
 
@@ -109,6 +109,21 @@ class EverySound(unittest.TestCase):
                 self.assertLessEqual(
                     at_seam, 1.02 * np.quantile(steps[: n - 4], 0.9999) + 2 / 32767, f"difference of order {order}"
                 )
+
+        self.each(lambda c, s: check(c, s) if s.loop is not None else None)
+
+    def test_loudness_over_seams(self) -> None:
+        """From 25 ms before the seam to 25 ms behind it the level changes no more than it does anywhere else."""
+
+        def check(convention, sound) -> None:
+            turn = sound.samples[sound.loop :]
+            window = sound.rate // 40
+            energy = np.concatenate([[0.0], np.cumsum(np.resize(turn, len(turn) + 2 * window) ** 2)])
+            level = 10.0 * np.log10(energy[window:] - energy[:-window] + 1e-9)
+            change = np.abs(level[window:] - level[:-window])
+            seam = len(turn) - window
+            elsewhere = np.concatenate([change[window : seam - window], change[seam + window :]])
+            self.assertLess(change[seam], np.max(elsewhere) + 0.3)
 
         self.each(lambda c, s: check(c, s) if s.loop is not None else None)
 
@@ -208,11 +223,11 @@ class Command(unittest.TestCase):
 
 
 class Music(unittest.TestCase):
-    def test_intermission(self) -> None:
+    def test_a_piece(self) -> None:
         """Stereo, at rest at both ends, within full scale, and as loud as music is to be."""
         piece = tracks.PIECES["track03"]()
         seconds = piece.shape[1] / 22050
-        self.assertTrue(40 < seconds < 60, seconds)
+        self.assertTrue(100 < seconds < 130, seconds)
         self.assertLess(np.max(np.abs(piece)), 0.9)
         self.assertLess(np.max(np.abs(piece[:, [0, -1]])), 0.001)
         self.assertLess(np.max(np.abs(np.mean(piece, axis=1))), 0.001)

@@ -118,7 +118,7 @@ def master(x: np.ndarray | Loop, target: float, half: bool = False) -> Wav:
         if half:
             out, start = half_rate(out), start // 2
         out = level(out, target, rate)
-        return Wav(rate, out - np.mean(out), start)
+        return Wav(rate, without_mean(out), start)
     if not np.any(x):
         return Wav(RATE, x)
     return Wav(RATE, without_mean(level(at_rest(x), target)))

@@ -116,17 +116,39 @@ def lament(hall: Hall, g: np.random.Generator, at: float) -> None:
 
 
 def vigil() -> np.ndarray:
-    """Track 3: rest between two levels; the choir alone with the bells, towards light and not quite there."""
+    """Track 3: rest between two levels, the choir alone with the bells, towards light and not quite there; then, for who
+    stays, the way down into the works: the pump once a bar, hammers, a horn, the same light farther off."""
     g = generator("track03")
-    length = 10.5 * BAR
+    length = 23 * BAR
     hall = Hall(length)
-    hall.add(play.drone(length, (36.71, 73.42), 130.0) * swell_of(length, (0.6, 1.0, 0.6)), 0.0, 0.20, 0.0, 0.1)
-    hall.add(play.tide(length, g), 0.0, 0.07, 0.3, 0.3)
+    hall.add(play.drone(length, (36.71, 73.42), 130.0) * swell_of(length, (0.6, 0.9, 1.0, 1.0, 0.6)), 0.0, 0.20, 0.0, 0.1)
+    hall.add(play.tide(length, g), 0.0, 0.06, 0.3, 0.3)
     play.drops(hall, g, 0.4, 0.18)
-    for k, (chord, vowels) in enumerate((("dm", "uou"), ("bb", "uou"), ("f", "uoau"), ("am", "oao"), ("open", "aoou"))):
+    light = (("dm", "uou"), ("bb", "uou"), ("f", "uoau"), ("am", "oao"), ("open", "aoou"))
+    for k, (chord, vowels) in enumerate(light):
         choir(hall, g, CHORDS[chord], 2 * k * BAR, 2 * BAR, vowels, 0.07)
-    for bar, phrase in ((0.5, TOLL), (2, ANSWER), (4, CALL), (6, ANSWER), (8, TOLL)):
-        bells(hall, phrase, bar, 0.2 if phrase is TOLL else 0.07, 0.3)
+    down = (("gm", "uou"), ("am", "uou"), ("f", "uoou"), ("eb", "uoau"), ("dm", "oou"))
+    for k, (chord, vowels) in enumerate(down):
+        choir(hall, g, CHORDS[chord], (12 + 2 * k) * BAR, 2 * BAR, vowels, 0.05)
+    for bar, phrase in (
+        (0.5, TOLL),
+        (2, ANSWER),
+        (4, CALL),
+        (6, ANSWER),
+        (8, TOLL),
+        (11, TOLL),
+        (14, CALL),
+        (18, ANSWER),
+        (21, TOLL),
+    ):
+        bells(hall, phrase, bar, 0.2 if phrase is TOLL else 0.1, 0.3)
+    for bar in range(10, 21):
+        hall.add(play.beat(), bar * BAR, 0.4, 0.0, 0.15)
+    works(hall, g, 13, 20, 0.2)
+    for bar, hz in ((10, 73.42), (12, 49.0), (16, 43.65), (18, 77.78)):
+        hall.add(play.horn(hz, 1.8 * BAR, g), bar * BAR, 0.14, 0.1, 0.4)
+    for bar, base, pan in ((11.5, 180.0, -0.6), (17.5, 140.0, 0.7), (20.5, 165.0, -0.5)):
+        hall.add(play.groan(g, 4.0, base), bar * BAR, 0.10, pan, 0.9)
     return finished(hall, 4.6, 0.3, 1.5, 6.0)
 
 

@@ -10,9 +10,9 @@ from sounds.kit.space import room
 from sounds.kit.voice import Throat, cry
 from sounds.kit.waves import curve, decay, drift, layers, samples, sequence, unit, white
 
-MAN = Throat(size=1.0, rough=0.3, jitter=0.03, breath=0.12, drive=1.4, width=1.15)
-HURT = Throat(size=1.0, rough=0.55, jitter=0.06, breath=0.2, growl=0.35, growl_hz=42.0, drive=2.2, width=1.2)
-DYING = Throat(size=1.03, rough=0.6, jitter=0.07, breath=0.35, growl=0.4, growl_hz=24.0, drive=1.8, width=1.3)
+MAN = Throat(size=1.0, rough=0.3, jitter=0.03, breath=0.15, drive=1.4, edge=7.0)
+HURT = Throat(size=1.0, rough=0.55, jitter=0.06, breath=0.25, growl=0.35, growl_hz=42.0, drive=2.2, edge=8.5)
+DYING = Throat(size=1.03, rough=0.6, jitter=0.07, breath=0.35, growl=0.4, growl_hz=24.0, drive=1.8, width=1.2, edge=7.0)
 SHORT = [(0.0, 0.0), (0.06, 1.0), (0.45, 0.75), (1.0, 0.0)]
 
 
