@@ -2,6 +2,7 @@
 they get on with one another. The plays themselves are in testing/test_monsters.qc."""
 
 import pathlib
+import socket
 import subprocess
 import sys
 import unittest
@@ -70,6 +71,13 @@ def crowd() -> list[dict[str, str]]:
     return [entity(f"monster_{k}", targetname=n, origin=o, **keys) for (k, n, keys), o in zip(cast, place)]
 
 
+def free_port() -> str:
+    """A UDP port that nobody has just now."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("", 0))
+        return str(probe.getsockname()[1])
+
+
 class MonstersCase(PlayCase):
     extra = (HERE / "testing" / "test_monsters.qc",)
 
@@ -77,8 +85,8 @@ class MonstersCase(PlayCase):
     def results(cls, **cvars: str) -> dict[tuple[str, str], float]:
         """Plays everything, and returns what the plays report."""
         cls.game.write_map("test", things() + crowd(), BOXES)
-        command = [cls.game.engine, "-dedicated", "1", "-seed", "1", "-basedir", str(cls.game.folder)]
-        command += ["-userdir", str(cls.game.folder / "user")]
+        command = [cls.game.engine, "-dedicated", "1", "-port", free_port(), "-seed", "1"]
+        command += ["-basedir", str(cls.game.folder), "-userdir", str(cls.game.folder / "user")]
         for name, value in cvars.items():
             command += [f"+{name}", value]
         command += ["+host_framerate", "0.05", "+map", "test", "+sv_run", "800"]
