@@ -33,6 +33,7 @@ ACTORS = [
     ("army", "soldier", {"target": "switch"}), ("ogre", "ogre", {}), ("knight", "knight", {}), ("knight", "knight2", {}),
     ("army", "soldier2", {}), ("zombie", "risen", {}), ("army", "seer", {}), ("army", "friend", {}),
     ("army", "ambush", {"spawnflags": "1"}), ("knight", "walker", {}), ("demon1", "jumper", {}), ("ogre_marksman", "spare", {}),
+    ("hell_knight", "caster", {}), ("shalrath", "vore", {}),
 ]
 PEN = ((-1024, 384, -256), (1024, 400, 1024))
 SCREEN = ((-278, -1024, -256), (-262, -172, 1024))
@@ -173,6 +174,16 @@ class MonstersTest(MonstersCase):
 
     def test_alarm_wakes_who_sees_it_but_not_an_ambush(self):
         self.assert_play("alarm", seer=1, friend_before=0, friend=1, ambush=0)
+
+    def test_leaps(self):
+        self.assertGreaterEqual(self.found["monster_demon1", "most_damage"], 40)
+
+    def test_spikes_fly_uphill(self):
+        self.assertIn(self.found["spikes", "damage"], (9, 18, 27))  # most of the fan goes by
+
+    def test_ball_follows(self):
+        self.assert_play("vore", before=0)
+        self.assertGreater(self.found["vore", "damage"], 20)
 
     def test_walks_to_the_last_corner(self):
         self.assertLess(self.found["walker", "distance"], 40)
