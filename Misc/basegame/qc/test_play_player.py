@@ -123,6 +123,19 @@ class PlayerTest(PlayCase):
         session = self.session(["kill", "0.5", "see after"], [start], setup="deathmatch 1")
         self.assertEqual(session["after"].number("frags"), -2)
 
+    def test_coop_begins_at_its_own_starts_with_what_the_level_began_with(self):
+        start = {"classname": "info_player_coop", "origin": "500 500 -230"}
+        hurt = {"classname": "trigger_hurt", "model": "*1", "dmg": "110"}
+        key = {"classname": "item_key1", "origin": "500 500 -200"}
+        script = ["see start", "+forward", "0.6", "-forward", "2", "+attack", "0.1", "-attack", "0.3", "see again"]
+        session = self.session(script, [start, hurt, key], [((560, 440, -256), (660, 560, -100))], "coop 1")
+        begun, again = session["start"], session["again"]
+        self.assertEqual(begun.place()[:2], (500, 500))
+        self.assertEqual(begun.one(classname="item_key1")["solid"], "1.000000")  # for the others
+        self.assertEqual(again.number("health"), 100)
+        self.assertGreaterEqual(again.number("ammo_shells"), 25)  # and perhaps the backpack that he left
+        self.assertNotIn("Server spawned: test", session.said.split("Server spawned: test", 1)[1])  # nobody else begins anew
+
     def test_comes_back_to_the_hub_elsewhere(self):
         other = {"classname": "info_player_start2", "origin": "400 0 -230"}
         session = self.session(["impulse 11", "0.2", "changelevel test", "1", "see back"], [other])

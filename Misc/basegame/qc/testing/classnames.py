@@ -20,6 +20,6 @@ MONSTERS += " monster_knight monster_ogre monster_ogre_marksman monster_oldone m
 MONSTERS += " monster_tarbaby monster_wizard monster_zombie"
 
 # What maps give to other things by name, in the key `use`.
-USED_BY_NAME = "barrel_explode"
+USED_BY_NAME = "barrel_explode SUB_Null SUB_Remove SUB_UseTargets door_use door_go_up light_use train_use multi_use"
 
 ALL = " ".join([WORLD, PLACES, MOVERS, TRIGGERS, ITEMS, TRAPS, MONSTERS, USED_BY_NAME]).split()
