@@ -73,48 +73,53 @@ class Kit(unittest.TestCase):
 
 class Models(unittest.TestCase):
     def each(self):
-        for name in sorted(MODELS):
-            with self.subTest(model=name):
-                yield name, model(name)
+        return ((name, model(name)) for name in sorted(MODELS))
+
+    def test_every_model_of_the_conventions_is_made(self):
+        self.assertEqual(sorted(MODELS), conventions.every_model())
 
     def test_frames_are_the_conventions(self):
         for name, m in self.each():
-            groups = conventions.GROUPS.get(name)
-            if groups:
-                self.assertEqual([len(f.poses) for f in m.frames], groups)
-            else:
-                self.assertEqual([f.name for f in m.frames], conventions.frame_names(name))
-                self.assertEqual(len(m.positions), len(m.frames))
+            with self.subTest(model=name):
+                groups = conventions.GROUPS.get(name)
+                if groups:
+                    self.assertEqual([len(f.poses) for f in m.frames], groups)
+                else:
+                    self.assertEqual([f.name for f in m.frames], conventions.frame_names(name))
+                    self.assertEqual(len(m.positions), len(m.frames))
 
     def test_flags_and_skins_are_the_conventions(self):
         for name, m in self.each():
-            self.assertEqual(m.flags, conventions.FLAGS.get(name, 0))
-            self.assertEqual(len(m.skins), conventions.SKINS.get(name, 1))
-            self.assertEqual(m.skins[0].shape[1] % 4, 0, "rows of four bytes")
-            self.assertFalse((m.skins[0] == 255).all())
+            with self.subTest(model=name):
+                self.assertEqual(m.flags, conventions.FLAGS.get(name, 0))
+                self.assertEqual(len(m.skins), conventions.SKINS.get(name, 1))
+                self.assertEqual(m.skins[0].shape[1] % 4, 0, "rows of four bytes")
+                self.assertFalse((m.skins[0] == 255).all())
 
     def test_meshes_are_whole(self):
         for name, m in self.each():
-            self.assertLessEqual(m.positions.shape[1], MOST_VERTICES)
-            self.assertLess(m.triangles.max(), m.positions.shape[1])
-            self.assertEqual(len(np.unique(m.triangles)), m.positions.shape[1], "vertices that nothing uses")
-            height, width = m.skins[0].shape
-            self.assertTrue(((m.texels >= 0) & (m.texels < [width, height])).all())
-            corner = m.positions[:, m.triangles]
-            area = np.linalg.norm(np.cross(corner[:, :, 1] - corner[:, :, 0], corner[:, :, 2] - corner[:, :, 0]), axis=2).max(axis=0)
-            self.assertLess((area < 1e-6).mean(), 0.04, "triangles without area in every frame")
+            with self.subTest(model=name):
+                self.assertLessEqual(m.positions.shape[1], MOST_VERTICES)
+                self.assertLess(m.triangles.max(), m.positions.shape[1])
+                self.assertEqual(len(np.unique(m.triangles)), m.positions.shape[1], "vertices that nothing uses")
+                height, width = m.skins[0].shape
+                self.assertTrue(((m.texels >= 0) & (m.texels < [width, height])).all())
+                corner = m.positions[:, m.triangles]
+                area = np.linalg.norm(np.cross(corner[:, :, 1] - corner[:, :, 0], corner[:, :, 2] - corner[:, :, 0]), axis=2).max(axis=0)
+                self.assertLess((area < 1e-6).mean(), 0.04, "triangles without area in every frame")
 
     def test_meshes_are_nearly_closed(self):
         for name, m in self.each():
-            # Seams part vertices, so edges are told by places in all frames.
-            places = {}
-            number = [places.setdefault(m.positions[:, v].tobytes(), len(places)) for v in range(m.positions.shape[1])]
-            edges = collections.Counter()
-            for a, b, c in m.triangles:
-                for u, v in ((a, b), (b, c), (c, a)):
-                    edges[number[u], number[v]] += 1
-            alone = sum(count for (u, v), count in edges.items() if u != v and edges[v, u] == 0)
-            self.assertLess(alone / (3 * len(m.triangles)), 0.12, "open edges")
+            with self.subTest(model=name):
+                # Seams part vertices, so edges are told by places in all frames.
+                places = {}
+                number = [places.setdefault(m.positions[:, v].tobytes(), len(places)) for v in range(m.positions.shape[1])]
+                edges = collections.Counter()
+                for a, b, c in m.triangles:
+                    for u, v in ((a, b), (b, c), (c, a)):
+                        edges[number[u], number[v]] += 1
+                alone = sum(count for (u, v), count in edges.items() if u != v and edges[v, u] == 0)
+                self.assertLess(alone / (3 * len(m.triangles)), 0.12, "open edges")
 
     def test_bodies_stand_in_their_hulls(self):
         for name, (half, height) in conventions.HULLS.items():

@@ -152,10 +152,15 @@ def torus(at: Vec, axis: Vec, radius: float, thick: float | tuple[float, float],
     return Patch(np.array(rings), paint, ring_bones(bones, around + 1), detail)
 
 
+def new_sheet() -> int:
+    """A number for patches that share their place in the skin."""
+    return next(_sheets)
+
+
 def mirrored(patch: Patch) -> Patch:
     """The same on the other side (y -> -y), painted by the same part of the skin; bones `_l` become `_r`."""
     if patch.sheet < 0:
-        patch.sheet = next(_sheets)
+        patch.sheet = new_sheet()
     other = [{_swap(name): share for name, share in ring.items()} for ring in patch.bones]
     return dataclasses.replace(patch, grid=patch.grid * [1, -1, 1], bones=other)
 
