@@ -47,6 +47,7 @@ class Canvas:
         self.gloss = np.full(self.x.shape, 0.2)
         self.glow: Field | None = None
         self.holes: Field | None = None
+        self.shine = 1.0
 
     def noise(self, wavelength: float | tuple[float, float], octaves: int = 4, gain: float = 0.5, seed: int = 0,
               warp: Field | None = None) -> Field:
@@ -153,4 +154,4 @@ class Canvas:
     def surface(self, palette: list[int] | None = None, dither: float = 0.0, tiles: bool = True) -> Surface:
         """The layers as a surface."""
         return Surface(np.clip(self.color, 0.0, 1.0), self.height, np.clip(self.gloss, 0.0, 0.97), self.glow,
-                       holes=self.holes, scale=self.scale, palette=palette, dither=dither, tiles=tiles)
+                       shine=self.shine, holes=self.holes, scale=self.scale, palette=palette, dither=dither, tiles=tiles)

@@ -25,6 +25,7 @@ class Surface:
     gloss: np.ndarray | None = None  # 1 - roughness, 0..1
     glow: np.ndarray | None = None  # bool: these texels are lights, and their colour is their light's
     luma: np.ndarray | None = None  # (H, W, 3) sRGB: the light itself, where the palette has no such light
+    shine: float = 1.0  # light of what glows as a share of a lamp's; below 1 hues are kept, where a lamp's burn out
     holes: np.ndarray | None = None  # bool: nothing is here
     open_sky: np.ndarray | None = None  # bool: index 0, where a sky's near layer shows the far one
     scale: int = 1
@@ -64,11 +65,16 @@ def miptex(name: str, surface: Surface) -> bytes:
     return write_miptex(name, [_level(surface, surface.scale << level) for level in range(4)])
 
 
+STEEPEST = 0.75  # slope that normals come near to but never reach: beyond it low light would blacken every groove
+
+
 def normal_map(height: np.ndarray, scale: int, tiles: bool = True) -> np.ndarray:
     """Tangent-space normals (H, W, 3) uint8 of a height field in texels; green points up the image."""
     padded = np.pad(height, 1, mode="wrap" if tiles else "edge")
     across = (padded[1:-1, 2:] - padded[1:-1, :-2]) * (0.5 * scale)
     down = (padded[2:, 1:-1] - padded[:-2, 1:-1]) * (0.5 * scale)
+    gentler = 1.0 / np.sqrt(1.0 + (across**2 + down**2) / STEEPEST**2)
+    across, down = across * gentler, down * gentler
     normal = np.stack([-across, down, np.ones_like(height)], axis=-1)
     normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
     return np.round(normal * 127.0 + 128.0).astype(np.uint8)
@@ -90,7 +96,10 @@ def files(name: str, surface: Surface) -> dict[str, bytes]:
     if surface.luma is not None:
         out[f"{stem}_luma.png"] = write_png(_bytes(surface.luma))
     elif surface.glow is not None and surface.glow.any():
-        out[f"{stem}_luma.png"] = write_png(_bytes(surface.color * surface.glow[..., None]))
+        light = linear_from_srgb(surface.color)
+        if surface.shine < 1.0:
+            light = surface.shine * light * (light / np.maximum(light.max(axis=-1, keepdims=True), 1e-6)) ** 1.5
+        out[f"{stem}_luma.png"] = write_png(_bytes(srgb_from_linear(light) * surface.glow[..., None]))
     if surface.height is not None:
         out[f"{stem}_norm.png"] = write_png(normal_map(surface.height, surface.scale, surface.tiles))
     if surface.gloss is not None:

@@ -50,7 +50,7 @@ def rocket_figure(x: Field, y: Field) -> Figure:
 def cell_figure(x: Field, y: Field) -> Figure:
     """A bolt of lightning; the last colour glows."""
     bolt = [(3, -14), (-8, 2), (-1, 2), (-4, 14), (8, -3), (1, -3)]
-    return [(shapes.polygon(x, y, bolt), "9fdcff")]
+    return [(shapes.polygon(x, y, bolt), "5fb8ff")]
 
 
 def health_figure(x: Field, y: Field) -> Figure:
@@ -91,7 +91,7 @@ def _case(seed: int, paint_ramp: str, metal: str, figure: Callable[[Field, Field
             d = distance * size
             c.paint("1e1a18", 0.75 * c.mask(d - 1.0))
             if glows and i == len(layers) - 1:
-                shine(c, c.mask(d), color)
+                shine(c, c.mask(d), color, 0.35)
             else:
                 c.paint(color, c.mask(d) * (1 - 0.35 * worn))
             c.height += 0.5 * c.mask(d, 1.5)

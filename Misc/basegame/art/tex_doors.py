@@ -123,7 +123,7 @@ def door_rune(width: int, height: int) -> Surface:
         lx, ly = mx - 37.0 * np.cos(a), my - 37.0 * np.sin(a)
         lit = np.minimum(lit, rune_sign(lx * -np.sin(a) + ly * np.cos(a), lx * np.cos(a) + ly * np.sin(a), i, 6.0))
     lit = np.minimum(lit, rune_sign(mx, my, 8, 17.0))
-    engrave(c, np.maximum(lit, 1.6 - split), "9fdcff")
+    engrave(c, np.maximum(lit, 1.6 - split), "5fb8ff")
     return c.surface(palette=STONE_INDICES)
 
 
@@ -133,6 +133,7 @@ STONE_INDICES = sorted(RAMPS["grey"] + RAMPS["slate"] + RAMPS["verdigris"])
 def engrave(c: Canvas, distance: np.ndarray, color: str) -> None:
     """A groove with light at its bottom."""
     c.height -= 1.5 * c.mask(distance - 0.5, 1.5)
+    c.shine = 0.45
     lit = c.mask(distance) > 0.5
     c.color = np.where(lit[..., None], hex_to_srgb(color), c.color)
     c.glow = lit if c.glow is None else c.glow | lit

@@ -19,8 +19,9 @@ from art.tex_doors import GOLD, STONE_INDICES, engrave, inlay, rune_sign
 from art.tex_metal import COPPER, IRON, frame_spots, rivets, rust, sheet, verdigris
 
 
-def shine(c: Canvas, mask: np.ndarray, color: str | np.ndarray) -> None:
-    """Makes texels lights of a colour."""
+def shine(c: Canvas, mask: np.ndarray, color: str | np.ndarray, light: float = 1.0) -> None:
+    """Makes texels lights of a colour, of `light` times a lamp's brightness."""
+    c.shine = light
     lit = mask > 0.5
     rgb = hex_to_srgb(color) if isinstance(color, str) else color
     c.color = np.where(lit[..., None], rgb, c.color)
@@ -156,7 +157,7 @@ def _rune(seed: int, color: str, which: int) -> Callable[[int, int], Surface]:
 
 
 rune_a = _rune(118, "ffc64e", 8)
-rune_b = _rune(119, "9fdcff", 5)
+rune_b = _rune(119, "5fb8ff", 5)
 
 
 def _crystal(seed: int, glow_ramp: str, dark: str) -> Callable[[int, int], Surface]:
@@ -172,14 +173,14 @@ def _crystal(seed: int, glow_ramp: str, dark: str) -> Callable[[int, int], Surfa
         inner = tone + 0.35 * (facets.dy + 0.3 * facets.dx)
         c.color = c.ramp(dark, 0.3 + 0.6 * inner)
         lit = (inner > 0.42) & (edge > 0.035)
-        shine(c, lit.astype(float), c.ramp(glow_ramp, smoothstep(0.42, 1.0, inner)))
+        shine(c, lit.astype(float), c.ramp(glow_ramp, smoothstep(0.42, 1.0, inner)), 0.3)
         c.gloss = np.where(edge > 0.02, 0.85, 0.5)
         return c.surface()
 
     return paint
 
 
-crystal_blue = _crystal(120, "5fb8ff 9fdcff dff8ff", "103668 1a56a8 3a86e0")
+crystal_blue = _crystal(120, "5fb8ff 7cc8ff 9fdcff dff8ff", "103668 1a56a8 3a86e0")
 crystal_red = _crystal(121, "8c0a14 bf1420 e8262a ff4a40", "3c090b 741518 a92726")
 crystal_gold = _crystal(122, "b0761e e6bf44 ffe47c", "5a3a10 8c5e1c c48c34")
 
@@ -219,7 +220,7 @@ def _window(seed: int, colors: list[str], figure: Callable[[np.ndarray, np.ndarr
         inside = opening < 0
         c.color = np.where(inside[..., None], hex_to_srgb("2c3034"), c.color)
         c.height = np.where(inside, 0.7 * smoothstep(0.6, -0.4, glass) + 0.1 * c.noise(6, 2, seed=6), c.height)
-        shine(c, c.mask(-glass), np.clip(color, 0, 1))
+        shine(c, c.mask(-glass), np.clip(color, 0, 1), 0.4)
         c.gloss = np.where(glass > 0, 0.85, c.gloss)
         return c.surface(tiles=False)
 
@@ -258,7 +259,7 @@ def _button(seed: int, rim: str, core: str, pressed: bool) -> Callable[[int, int
         c.height = np.where(radius < 17.5, high * np.sqrt(np.clip(1 - (radius / 17.0) ** 2, 0, 1)), c.height)
         c.color = np.where((jewel < 2.5)[..., None], hex_to_srgb("2a2624"), c.color)
         wave = np.abs(c.y - 32 - 3.2 * np.sin((c.x - 32) * 2 * np.pi / 14.0)) - 1.5
-        shine(c, c.mask(jewel), np.where((wave < 0)[..., None], hex_to_srgb(core), hex_to_srgb(rim)))
+        shine(c, c.mask(jewel), np.where((wave < 0)[..., None], hex_to_srgb(core), hex_to_srgb(rim)), 0.4)
         rivets(c, [(8, 8), (56, 8), (8, 56), (56, 56)], 2.2, 1.4)
         rust(c, 0.05, 80, -0.2)
         return c.surface()
@@ -285,9 +286,9 @@ def _plate(frame: int) -> Callable[[int, int], Surface]:
             c.tint(1.0 - 0.3 * np.exp(-(((radius - 7.2) / 0.8) ** 2)))
             behind = (frame - i) % 4
             if behind == 0:
-                shine(c, c.mask(radius - 5.0), c.ramp("fff8d4 ffe47c e6bf44", radius / 5.0))
+                shine(c, c.mask(radius - 5.0), c.ramp("fff8d4 ffe47c e6bf44", radius / 5.0), 0.5)
             elif behind == 1:
-                shine(c, c.mask(radius - 5.0), c.ramp("c99a2e b0761e", radius / 5.0))
+                shine(c, c.mask(radius - 5.0), c.ramp("c99a2e b0761e", radius / 5.0), 0.5)
             else:
                 c.paint("3c2c1c", c.mask(radius - 5.0))
                 c.gloss = np.where(radius < 5.0, 0.8, c.gloss)
@@ -314,7 +315,7 @@ def sign_exit(width: int, height: int) -> Surface:
     c = _sign(127, width, height)
     left = 0.5 * (width - text_width("EXIT", 17.0, 0.22))
     letters = text_distance(c.x, c.y, "EXIT", left, 7.5, 17.0, Pen(0.11, 0.07, 30.0), 0.22)
-    shine(c, c.mask(letters), "fff0a0")
+    shine(c, c.mask(letters), "fff0a0", 0.5)
     return c.surface()
 
 
@@ -323,5 +324,5 @@ def sign_arrow(width: int, height: int) -> Surface:
     c = _sign(128, width, height)
     arrow = shapes.union(shapes.polygon(c.x, c.y, [(36, 6), (57, 16), (36, 26), (40, 16)]),
                          shapes.strokes(c.x, c.y, [(8, 16), (17, 16)], 2.4), shapes.strokes(c.x, c.y, [(23, 16), (39, 16)], 2.4))
-    shine(c, c.mask(arrow), "fff0a0")
+    shine(c, c.mask(arrow), "fff0a0", 0.5)
     return c.surface()
