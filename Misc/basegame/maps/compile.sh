@@ -91,7 +91,8 @@ compile() {
   fi
   if [[ $fast == no ]]; then
     [[ $is_item == yes ]] || step vis tool vis "${vis_options[@]}" "$work/$name.bsp"
-    step light tool light "${light_options[@]}" -radlights "$here/glow.rad" "$work/$name.bsp"
+    # The laboratory's scenes are for the path tracer: no lightmaps.
+    [[ $name == lab_* ]] || step light tool light "${light_options[@]}" -radlights "$here/glow.rad" "$work/$name.bsp"
   fi
   cp "$work/$name.bsp" "$bsp.part"
   mv "$bsp.part" "$bsp"
