@@ -136,6 +136,17 @@ class PlayerTest(PlayCase):
         self.assertGreaterEqual(again.number("ammo_shells"), 25)  # and perhaps the backpack that he left
         self.assertNotIn("Server spawned: test", session.said.split("Server spawned: test", 1)[1])  # nobody else begins anew
 
+    def test_a_saved_game_goes_on(self):
+        door = {"classname": "func_door", "model": "*1", "angle": "-1"}
+        script = ["impulse 9", "0.2", "at 160 0 -231", "0.2", "at 0 0 -231", "0.5", "impulse 7", "+attack", "0.1", "-attack", "see saved",
+                  "save s", "6", "see closed", "load s", "0.5", "see loaded", "2", "see open", "5", "see closed_again"]
+        session = self.session(script, [door], [((200, -50, -256), (216, 50, -100))])
+        height = {s: session[s].place(session[s].one(model="*1"))[2] for s in ("saved", "closed", "loaded", "open", "closed_again")}
+        self.assertTrue(0 < height["saved"] < height["loaded"] < 148, height)
+        self.assertEqual([height["closed"], height["open"], height["closed_again"]], [0, 148, 0])
+        self.assertEqual(session["loaded"].number("ammo_rockets"), session["saved"].number("ammo_rockets"))
+        self.assertEqual(session["closed_again"].player["think"], "PlayerStands")
+
     def test_comes_back_to_the_hub_elsewhere(self):
         other = {"classname": "info_player_start2", "origin": "400 0 -230"}
         session = self.session(["impulse 11", "0.2", "changelevel test", "1", "see back"], [other])
