@@ -68,14 +68,12 @@ def teleport(width: int, height: int) -> Surface:
     return Surface(c.color, glow=star, palette=sorted(RAMPS["mauve"] + RAMPS["blue"]), dither=0.015)
 
 
-_SKY = [i for i in range(1, 224) if i not in RAMPS["grey"] or i > 12]  # no greys: skies have colours
-
-
-def _sky(far: np.ndarray, near: np.ndarray, cover: np.ndarray) -> Surface:
-    """The two layers side by side; index 0 is where the near one is open, and nowhere else."""
+def _sky(far: np.ndarray, near: np.ndarray, cover: np.ndarray, rows: str) -> Surface:
+    """The two layers side by side, in colours of a few rows; index 0 is where the near one is open, and nowhere else."""
     color = np.concatenate([near, far], axis=1)
     holes = np.concatenate([cover <= 0.0, np.zeros(cover.shape, bool)], axis=1)
-    return Surface(color, open_sky=holes, palette=_SKY, dither=0.018)
+    palette = [i for row in rows.split() for i in RAMPS[row] if i != 0]
+    return Surface(color, open_sky=holes, palette=palette, dither=0.026)
 
 
 def _layer(seed: int) -> Canvas:
@@ -97,28 +95,28 @@ def sky_night(width: int, height: int) -> Surface:
     for size, share, seed in ((5, 0.18, 3), (11, 0.45, 4)):
         stars = c.cells(size, seed, 1.0)
         bright = np.clip(1.0 - stars.nearest * size / (0.5 + 0.7 * stars.random(5)), 0, 1) * (stars.random(6) < share)
-        far = far + bright[..., None] * (np.array([1.0, 0.98, 0.9]) - far) * (0.5 + 0.5 * stars.random(7))[..., None]
+        far = far + bright[..., None] * (np.array([0.86, 0.92, 1.0]) - far) * (0.5 + 0.5 * stars.random(7))[..., None]
     d = _layer(142)
-    cloud = _clouds(d, 64, 1) - 0.15
-    near = d.ramp("103668 16468a 4a6c9c 738299 98a8bc", 1.1 * cloud)
-    return _sky(far, near, cloud - 0.06)
+    cloud = _clouds(d, 64, 1) - 0.2
+    near = d.ramp("0c2a50 103668 154684 1a56a8", 0.9 * cloud)
+    return _sky(far, near, cloud, "blue")
 
 
 def sky_dusk(width: int, height: int) -> Surface:
-    """After sunset: coral and gold bands behind violet clouds."""
+    """A low sun behind haze: cream light, umber clouds."""
     c = _layer(144)
-    far = c.ramp("7a4a78 b0607a e08a74 f4b87e ffdf9c", 0.5 + 0.3 * c.noise((128, 50), 4, 0.5, seed=1) + 0.12 * c.noise(30, 3, seed=2))
+    far = c.ramp("c89f80 deb99c f3d9bd f6ecd2", 0.5 + 0.42 * _clouds(c, 80, 1))
     d = _layer(145)
-    cloud = _clouds(d, 70, 1) - 0.05
-    near = d.ramp("d68478 a86078 7a4a84 523066 3a1f4c", 1.25 * cloud)
-    return _sky(far, near, cloud)
+    cloud = _clouds(d, 64, 5)
+    near = d.ramp("c89f80 ae8568 946b51 744f3a", 1.1 * cloud)
+    return _sky(far, near, cloud, "tan")
 
 
 def sky_storm(width: int, height: int) -> Surface:
-    """Rain to come: slate over teal light."""
+    """Rain to come: slate on slate."""
     c = _layer(147)
     far = c.ramp("546a84 738299 96a5b8 b9c7d8", 0.5 + 0.42 * _clouds(c, 80, 1))
     d = _layer(148)
     cloud = _clouds(d, 64, 5) + 0.1
     near = d.ramp("7a8aa0 5c6c82 46546a 343f50", 1.2 * cloud)
-    return _sky(far, near, cloud)
+    return _sky(far, near, cloud, "slate")
