@@ -68,18 +68,22 @@ def tract(x: np.ndarray, vowels: list[tuple[float, str]], throat: Throat) -> np.
     at = np.array([place for place, _ in vowels])
     table = np.log(np.array([VOWELS[v] for _, v in vowels]))
 
+    def resonance(f: np.ndarray, hz: np.ndarray | float, k: int) -> np.ndarray:
+        """The k-th formant, as it rings: with its phase, so that each pulse is followed by its decay and not preceded."""
+        bandwidth = throat.width * (60.0 + 35.0 * k + 0.02 * hz)
+        ratio = f / hz
+        return 1.0 - ratio * ratio + 1j * (ratio * bandwidth / hz)
+
     def gains(f: np.ndarray, place: np.ndarray) -> np.ndarray:
-        total = np.ones((len(place), len(f)))
-        formants = [np.exp(np.interp(place, at, table[:, k])) / throat.size for k in range(3)]
-        formants += [np.full_like(place, hz / throat.size) for hz in range(3400, int(11000 * throat.size), 1050)]
-        for k, hz in enumerate(formants):
-            bandwidth = throat.width * (60.0 + 35.0 * k + 0.02 * hz)
-            ratio = f / hz
-            squared = ratio * ratio
-            total *= (1.0 - squared) ** 2 + squared * (bandwidth / hz) ** 2
+        still = np.ones(len(f), complex)
+        for k, hz in enumerate(range(3400, int(11000 * throat.size), 1050), 3):
+            still *= resonance(f, hz / throat.size, k)
+        total = np.broadcast_to(still, (len(place), len(f))).copy()
+        for k in range(3):
+            total *= resonance(f, np.exp(np.interp(place, at, table[:, k])) / throat.size, k)
         radiation = np.minimum(1.0, f / 150.0)
         pressed = np.clip(f / 600.0, 1.0, 7.5) ** (throat.edge / 6.02)
-        return np.minimum(total**-0.5, 60.0) * radiation * pressed
+        return radiation * pressed / total
 
     return moving(x, gains)
 

@@ -12,9 +12,9 @@ from sounds.kit.space import room
 from sounds.kit.voice import Throat, cry, syllables
 from sounds.kit.waves import coloured, curve, drift, layers, pulse, samples, saw, sequence, sine, unit, white
 
-SOLDIER = Throat(size=0.98, rough=0.35, jitter=0.03, breath=0.12, growl=0.2, growl_hz=38.0, drive=1.8)
-ENFORCER = Throat(size=1.06, rough=0.2, jitter=0.01, breath=0.1, drive=2.0)
-KNIGHT = Throat(size=1.1, rough=0.4, jitter=0.03, breath=0.15, growl=0.3, growl_hz=33.0, drive=1.6, edge=4.0)
+SOLDIER = Throat(size=0.98, rough=0.35, jitter=0.03, breath=0.12, growl=0.2, growl_hz=38.0, drive=1.8, edge=7.5)
+ENFORCER = Throat(size=1.06, rough=0.2, jitter=0.01, breath=0.1, drive=2.0, edge=8.5)
+KNIGHT = Throat(size=1.1, rough=0.4, jitter=0.03, breath=0.15, growl=0.3, growl_hz=33.0, drive=1.6, edge=6.5)
 DEATH_KNIGHT = Throat(size=1.3, rough=0.5, jitter=0.03, breath=0.3, growl=0.5, growl_hz=26.0, sub=0.5, drive=2.2)
 OGRE = Throat(
     size=1.38, edge=7.0, rough=0.55, jitter=0.04, breath=0.18, growl=0.6, growl_hz=24.0, sub=0.35, drive=2.6, width=1.2
@@ -24,8 +24,8 @@ FALL = [(0.0, 0.0), (0.05, 1.0), (0.4, 0.8), (0.75, 0.35), (1.0, 0.0)]
 
 
 def helmet(x):
-    """Through the copper of a diving helmet: a short box with two resonances of its own."""
-    return peaks(comb(x, 0.0031, 0.45, 2600.0), [(620.0, 5.0, 1.2), (1750.0, 6.0, 0.8)], 0.7)
+    """Through the copper of a diving helmet: a short box with resonances of its own."""
+    return peaks(comb(x, 0.0031, 0.35, 4000.0), [(620.0, 4.0, 0.4), (1750.0, 5.0, 1.3), (3100.0, 5.0, 1.2)], 0.7)
 
 
 def speaker(g, x):
