@@ -49,8 +49,14 @@ class Canvas:
         self.holes: Field | None = None
         self.shine = 1.0
 
-    def noise(self, wavelength: float | tuple[float, float], octaves: int = 4, gain: float = 0.5, seed: int = 0,
-              warp: Field | None = None) -> Field:
+    def noise(
+        self,
+        wavelength: float | tuple[float, float],
+        octaves: int = 4,
+        gain: float = 0.5,
+        seed: int = 0,
+        warp: Field | None = None,
+    ) -> Field:
         """Fractal noise, about -1..1; `wavelength` in texels, one or (across, down). `warp` (texels) moves it sideways."""
         across, down = wavelength if isinstance(wavelength, tuple) else (wavelength, wavelength)
         u = self.u[0] if warp is None else self.u + warp / self.width
@@ -153,5 +159,15 @@ class Canvas:
 
     def surface(self, palette: list[int] | None = None, dither: float = 0.0, tiles: bool = True) -> Surface:
         """The layers as a surface."""
-        return Surface(np.clip(self.color, 0.0, 1.0), self.height, np.clip(self.gloss, 0.0, 0.97), self.glow,
-                       shine=self.shine, holes=self.holes, scale=self.scale, palette=palette, dither=dither, tiles=tiles)
+        return Surface(
+            np.clip(self.color, 0.0, 1.0),
+            self.height,
+            np.clip(self.gloss, 0.0, 0.97),
+            self.glow,
+            shine=self.shine,
+            holes=self.holes,
+            scale=self.scale,
+            palette=palette,
+            dither=dither,
+            tiles=tiles,
+        )

@@ -33,32 +33,68 @@ def add(names: str, size: tuple[int, int], painter: Painter) -> None:
         TEXTURES[name] = (*size, painter)
 
 
-for _painter in (tex_stone.stone_a, tex_stone.stone_b, tex_stone.stone_floor, tex_stone.cobble, tex_stone.rock_a,
-                 tex_stone.rock_b, tex_stone.dirt, tex_stone.moss_stone, tex_stone.brick_red, tex_stone.brick_dark,
-                 tex_stone.plaster, tex_stone.plaster_crack):
+for _painter in (
+    tex_stone.stone_a,
+    tex_stone.stone_b,
+    tex_stone.stone_floor,
+    tex_stone.cobble,
+    tex_stone.rock_a,
+    tex_stone.rock_b,
+    tex_stone.dirt,
+    tex_stone.moss_stone,
+    tex_stone.brick_red,
+    tex_stone.brick_dark,
+    tex_stone.plaster,
+    tex_stone.plaster_crack,
+):
     add(_painter.__name__, (128, 128), _painter)
 add("stone_trim", (128, 32), tex_stone.stone_trim)
-for _painter in (tex_metal.metal_plate, tex_metal.metal_rivet, tex_metal.metal_floor, tex_metal.metal_rust,
-                 tex_metal.copper_plate, tex_metal.copper_floor, tex_metal.steel_wall, tex_metal.steel_door):
+for _painter in (
+    tex_metal.metal_plate,
+    tex_metal.metal_rivet,
+    tex_metal.metal_floor,
+    tex_metal.metal_rust,
+    tex_metal.copper_plate,
+    tex_metal.copper_floor,
+    tex_metal.steel_wall,
+    tex_metal.steel_door,
+):
     add(_painter.__name__, (128, 128), _painter)
 add("metal_trim", (128, 32), tex_metal.metal_trim)
 add("copper_trim", (128, 32), tex_metal.copper_trim)
-for _painter in (tex_wood.wood_plank, tex_wood.wood_door, tex_wood.bookshelf, tex_fine.tile_teal, tex_fine.tile_white,
-                 tex_fine.tile_check, tex_fine.marble_white, tex_fine.marble_black, tex_fine.carpet_red):
+for _painter in (
+    tex_wood.wood_plank,
+    tex_wood.wood_door,
+    tex_wood.bookshelf,
+    tex_fine.tile_teal,
+    tex_fine.tile_white,
+    tex_fine.tile_check,
+    tex_fine.marble_white,
+    tex_fine.marble_black,
+    tex_fine.carpet_red,
+):
     add(_painter.__name__, (128, 128), _painter)
 for _painter in (tex_wood.crate_a, tex_wood.crate_b, tex_wood.barrel_side, tex_wood.barrel_top, tex_fine.glass_teal):
     add(_painter.__name__, (64, 64), _painter)
 add("wood_beam", (128, 32), tex_wood.wood_beam)
-for _painter in (tex_grown.flesh_a, tex_grown.flesh_b, tex_grown.bones, tex_doors.door_iron, tex_doors.door_gold,
-                 tex_doors.door_silver, tex_doors.door_rune):
+for _painter in (
+    tex_grown.flesh_a,
+    tex_grown.flesh_b,
+    tex_grown.bones,
+    tex_doors.door_iron,
+    tex_doors.door_gold,
+    tex_doors.door_silver,
+    tex_doors.door_rune,
+):
     add(_painter.__name__, (128, 128), _painter)
 add("skull_trim", (128, 32), tex_grown.skull_trim)
 add("candle_wax", (64, 64), tex_grown.candle_wax)
 add("{vine", (64, 64), tex_grown.vine)
 add("{grate", (64, 64), tex_doors.grate)
 add("{chain", (32, 64), tex_doors.chain)
-for _name in ("light_white light_warm light_cool light_red light_green lamp_round rune_a rune_b crystal_blue crystal_red "
-              "crystal_gold").split():
+for _name in (
+    "light_white light_warm light_cool light_red light_green lamp_round rune_a rune_b crystal_blue crystal_red " "crystal_gold"
+).split():
     add(_name, (64, 64), getattr(tex_glow, _name))
 add("light_strip", (64, 16), tex_glow.light_strip)
 add("window_a", (64, 128), tex_glow.window_a)

@@ -20,7 +20,9 @@ def _face(health: int, pain: bool) -> Picture:
     x, y = p.x, p.y + (0.8 if pain else 0.0)
     side = np.abs(x - 12)
     p.lay(np.ones(x.shape), gradient("1a1e24 2e353d", 1.0 - p.y / 24, linear=True))
-    hood = shapes.union(shapes.ellipse(x, y, 12, 11.5, 10.4, 11.2), shapes.polygon(side, y, [(0, 14), (9.5, 16), (12.5, 25), (-2, 25)]))
+    hood = shapes.union(
+        shapes.ellipse(x, y, 12, 11.5, 10.4, 11.2), shapes.polygon(side, y, [(0, 14), (9.5, 16), (12.5, 25), (-2, 25)])
+    )
     p.fill(hood, _HOOD, 4.0, 0.5, 0.5)
     opening = shapes.ellipse(x, y, 12, 12.6, 7.2, 9.4)
     p.lay(p.mask(opening - 0.8), "0a1413")
@@ -54,7 +56,12 @@ def _features(p: Picture, x: np.ndarray, y: np.ndarray, side: np.ndarray, health
 
 
 def _wounds(p: Picture, x: np.ndarray, y: np.ndarray, health: int, face: np.ndarray) -> None:
-    cuts = [[(14.6, 12.9), (17.0, 15.6)], [(7.4, 8.0), (9.2, 10.2), (8.4, 13.0)], [(12.4, 16.2), (12.9, 20.5)], [(15.4, 7.4), (13.8, 9.4)]]
+    cuts = [
+        [(14.6, 12.9), (17.0, 15.6)],
+        [(7.4, 8.0), (9.2, 10.2), (8.4, 13.0)],
+        [(12.4, 16.2), (12.9, 20.5)],
+        [(15.4, 7.4), (13.8, 9.4)],
+    ]
     for cut in cuts[: health - 1]:
         p.lay(p.mask(np.maximum(shapes.strokes(x, y, cut, 0.5), face)), _BLOOD)
     if health >= 4:

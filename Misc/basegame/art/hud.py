@@ -52,7 +52,9 @@ def ammo() -> dict[str, np.ndarray]:
         _slot(picture)
         for distance, color in figure((picture.x - 12) / 0.72, (picture.y - 12) / 0.72):
             base = hex_to_srgb(color)
-            ramp = " ".join("%02x%02x%02x" % tuple(np.round(np.clip(base * f, 0, 1) * 255).astype(int)) for f in (0.45, 1.0, 1.35))
+            ramp = " ".join(
+                "%02x%02x%02x" % tuple(np.round(np.clip(base * f, 0, 1) * 255).astype(int)) for f in (0.45, 1.0, 1.35)
+            )
             picture.fill(distance * 0.72, ramp, 2.2, 0.5, 0.5)
         out[f"sb_{name}"] = picture.indices()
     for name in ("sb_ammobase", "sb_armorbase"):
@@ -69,8 +71,23 @@ def armour() -> dict[str, np.ndarray]:
         picture = Picture(24, 24)
         _slot(picture)
         x, y = np.abs(picture.x - 12), picture.y
-        plate = shapes.polygon(x, y, [(0, 4.6), (2.6, 4.6), (5.0, 2.6), (8.6, 4.0), (9.2, 8.4), (7.0, 10.5), (6.6, 16.0), (4.2, 20.4), (0, 21.6),
-                                      (-5, 21.6), (-5, 4.6)])
+        plate = shapes.polygon(
+            x,
+            y,
+            [
+                (0, 4.6),
+                (2.6, 4.6),
+                (5.0, 2.6),
+                (8.6, 4.0),
+                (9.2, 8.4),
+                (7.0, 10.5),
+                (6.6, 16.0),
+                (4.2, 20.4),
+                (0, 21.6),
+                (-5, 21.6),
+                (-5, 4.6),
+            ],
+        )
         picture.fill(plate, ramp, 3.0, 0.45, 0.45)
         picture.lay(picture.mask(np.maximum(x - 0.4, np.maximum(7 - y, y - 20))) * 0.7, ramp.split()[0])
         for level in (12.5, 16.0):
@@ -85,28 +102,53 @@ def _weapon(name: str, x: Field, y: Field) -> list[tuple[Field, str]]:
     b, p, r = shapes.box, shapes.polygon, shapes.union
     wood, steel, brass, coral = "2a160c 6b432a a87650", IRON, GOLD, "3c090b a92726 f07a60"
     if name == "shotgun":
-        return [(p(x, y, [(1, 12.6), (1, 8.6), (7, 6.0), (10, 6.0), (10, 9.0), (6, 9.6)]), wood), (b(x, y, 8, 5.6, 23, 7.8, 0.6), steel),
-                (b(x, y, 12, 7.6, 18, 10.0, 0.8), wood), (b(x, y, 8, 5.2, 12, 9.4, 0.8), brass)]
+        return [
+            (p(x, y, [(1, 12.6), (1, 8.6), (7, 6.0), (10, 6.0), (10, 9.0), (6, 9.6)]), wood),
+            (b(x, y, 8, 5.6, 23, 7.8, 0.6), steel),
+            (b(x, y, 12, 7.6, 18, 10.0, 0.8), wood),
+            (b(x, y, 8, 5.2, 12, 9.4, 0.8), brass),
+        ]
     if name == "sshotgun":
-        return [(p(x, y, [(1, 13), (1, 9), (7, 5.6), (10, 5.6), (10, 9.6), (6, 10)]), wood), (b(x, y, 8, 3.8, 23, 6.2, 0.6), steel),
-                (b(x, y, 8, 6.6, 23, 9.0, 0.6), steel), (b(x, y, 12, 8.8, 18, 11.0, 0.8), wood), (b(x, y, 7.6, 4.0, 11.6, 10, 0.8), brass)]
+        return [
+            (p(x, y, [(1, 13), (1, 9), (7, 5.6), (10, 5.6), (10, 9.6), (6, 10)]), wood),
+            (b(x, y, 8, 3.8, 23, 6.2, 0.6), steel),
+            (b(x, y, 8, 6.6, 23, 9.0, 0.6), steel),
+            (b(x, y, 12, 8.8, 18, 11.0, 0.8), wood),
+            (b(x, y, 7.6, 4.0, 11.6, 10, 0.8), brass),
+        ]
     if name in ("nailgun", "snailgun"):
         barrels = [4.4, 8.2] if name == "nailgun" else [3.0, 5.8, 8.6, 11.4]
         parts = [(b(x, y, 12, at - 1.0, 23, at + 1.0, 0.5), steel) for at in barrels]
         top, low = barrels[0] - 1.6, barrels[-1] + 1.6
-        return parts + [(b(x, y, 3, top, 14, low, 1.5), "1a2226 3f5a60 7a9ca0"), (b(x, y, 15.5, top + 0.2, 17.6, low - 0.2, 0.4), brass),
-                        (b(x, y, 5, low - 0.6, 8, 14.6, 0.6), wood)]
+        return parts + [
+            (b(x, y, 3, top, 14, low, 1.5), "1a2226 3f5a60 7a9ca0"),
+            (b(x, y, 15.5, top + 0.2, 17.6, low - 0.2, 0.4), brass),
+            (b(x, y, 5, low - 0.6, 8, 14.6, 0.6), wood),
+        ]
     if name == "rlaunch":  # throws grenades
-        return [(p(x, y, [(1, 11), (1, 7.4), (7, 6), (8, 9.4)]), wood), (b(x, y, 7, 4.6, 22.6, 9.8, 2.0), "1c2a14 4a6a2c 86a850"),
-                (shapes.circle(x, y, 11.5, 10.0, 3.2), steel), (b(x, y, 20.6, 3.8, 23, 10.6, 0.6), brass)]
+        return [
+            (p(x, y, [(1, 11), (1, 7.4), (7, 6), (8, 9.4)]), wood),
+            (b(x, y, 7, 4.6, 22.6, 9.8, 2.0), "1c2a14 4a6a2c 86a850"),
+            (shapes.circle(x, y, 11.5, 10.0, 3.2), steel),
+            (b(x, y, 20.6, 3.8, 23, 10.6, 0.6), brass),
+        ]
     if name == "srlaunch":  # fires rockets
-        return [(b(x, y, 1, 3.6, 23, 8.8, 1.2), "2a1208 8c3a1c d08048"), (p(x, y, [(0.6, 3.0), (4, 4.4), (4, 8.4), (0.6, 9.6)]), steel),
-                (b(x, y, 20.4, 2.8, 23.2, 9.6, 0.6), steel), (p(x, y, [(9, 8), (13, 8), (12, 14), (9.6, 14)]), wood),
-                (b(x, y, 14.6, 1.8, 17.4, 4.2, 0.4), brass)]
+        return [
+            (b(x, y, 1, 3.6, 23, 8.8, 1.2), "2a1208 8c3a1c d08048"),
+            (p(x, y, [(0.6, 3.0), (4, 4.4), (4, 8.4), (0.6, 9.6)]), steel),
+            (b(x, y, 20.4, 2.8, 23.2, 9.6, 0.6), steel),
+            (p(x, y, [(9, 8), (13, 8), (12, 14), (9.6, 14)]), wood),
+            (b(x, y, 14.6, 1.8, 17.4, 4.2, 0.4), brass),
+        ]
     coils = [b(x, y, 20 + 5 * i, 3.4, 22.6 + 5 * i, 11.0, 0.9) for i in range(4)]
-    return [(b(x, y, 4, 4.4, 18, 10.6, 2.0), "10203a 2a4a78 6a94c0"), (b(x, y, 16, 5.8, 42, 8.8, 1.0), steel), (r(*coils), brass),
-            (p(x, y, [(41, 3), (46.6, 5.6), (43.4, 7.2), (46.6, 9.0), (41, 11.6), (42.6, 7.3)]), "3a86e0 9fdcff f6f6f4"),
-            (b(x, y, 8, 10, 11.4, 15, 0.6), wood), (shapes.circle(x, y, 11, 7.5, 2.0), coral)]
+    return [
+        (b(x, y, 4, 4.4, 18, 10.6, 2.0), "10203a 2a4a78 6a94c0"),
+        (b(x, y, 16, 5.8, 42, 8.8, 1.0), steel),
+        (r(*coils), brass),
+        (p(x, y, [(41, 3), (46.6, 5.6), (43.4, 7.2), (46.6, 9.0), (41, 11.6), (42.6, 7.3)]), "3a86e0 9fdcff f6f6f4"),
+        (b(x, y, 8, 10, 11.4, 15, 0.6), wood),
+        (shapes.circle(x, y, 11, 7.5, 2.0), coral),
+    ]
 
 
 def weapons() -> dict[str, np.ndarray]:
@@ -132,16 +174,31 @@ def _item(name: str, x: Field, y: Field) -> list[tuple[Field, str]]:
     b, c = shapes.box, shapes.circle
     if name.startswith("key"):
         ramp = "3c4854 8a98a6 e8eef2" if name == "key1" else GOLD
-        return [(shapes.union(shapes.ring(c(x, y, 4.8, 4.8, 2.9), 2.0), shapes.segment(x, y, 6.8, 6.8, 13, 13, 0.9),
-                              shapes.segment(x, y, 11.4, 11.4, 13.2, 9.6, 0.8), shapes.segment(x, y, 9.0, 9.0, 10.8, 7.2, 0.8)), ramp)]
+        return [
+            (
+                shapes.union(
+                    shapes.ring(c(x, y, 4.8, 4.8, 2.9), 2.0),
+                    shapes.segment(x, y, 6.8, 6.8, 13, 13, 0.9),
+                    shapes.segment(x, y, 11.4, 11.4, 13.2, 9.6, 0.8),
+                    shapes.segment(x, y, 9.0, 9.0, 10.8, 7.2, 0.8),
+                ),
+                ramp,
+            )
+        ]
     if name == "invis":
         eye = shapes.cut(np.maximum(c(x, y, 8, 13.0, 8.6), c(x, y, 8, 3.0, 8.6)), c(x, y, 8, 8, 2.6))
         return [(eye, "3a2a5a 7a5aa8 d9bfe0"), (c(x, y, 8, 8, 1.4), "c03020 ff6a50 ffc0a0")]
     if name.startswith("invul"):
-        return [(shapes.polygon(x, y, [(8, 1), (14.4, 3.4), (13.6, 9.4), (8, 15), (2.4, 9.4), (1.6, 3.4)]), "5c1010 bf2a20 ff9a78"),
-                (shapes.star(x, y, 8, 7.4, 5, 4.2, 1.8), GOLD)]
+        return [
+            (shapes.polygon(x, y, [(8, 1), (14.4, 3.4), (13.6, 9.4), (8, 15), (2.4, 9.4), (1.6, 3.4)]), "5c1010 bf2a20 ff9a78"),
+            (shapes.star(x, y, 8, 7.4, 5, 4.2, 1.8), GOLD),
+        ]
     if name == "suit":
-        return [(b(x, y, 2.0, 1.4, 14, 13.0, 5.5), COPPER), (c(x, y, 8, 7, 4.3), "10332f 4a8f7c c4ead8"), (b(x, y, 3.6, 12, 12.4, 15, 1.0), GOLD)]
+        return [
+            (b(x, y, 2.0, 1.4, 14, 13.0, 5.5), COPPER),
+            (c(x, y, 8, 7, 4.3), "10332f 4a8f7c c4ead8"),
+            (b(x, y, 3.6, 12, 12.4, 15, 1.0), GOLD),
+        ]
     ring = shapes.ring(c(x, y, 8, 8, 5.0), 2.0)
     return [(ring, "103668 3a86e0 9fdcff"), (shapes.star(x, y, 8, 8, 4, 7.4, 2.2), "1a56a8 7cc4ff f6f6f4")]
 
@@ -165,8 +222,12 @@ def items() -> dict[str, np.ndarray]:
         picture = Picture(8, 16)
         stone = shapes.polygon(picture.x, picture.y, [(4, 0.6), (7.4, 4), (7.4, 12), (4, 15.4), (0.6, 12), (0.6, 4)])
         picture.fill(stone, ramp, 2.0, 0.42, 0.5, None)
-        marks = [[(4, 4), (4, 12)], [(2.5, 5), (4, 8), (5.5, 5), (4, 8), (4, 12)], [(4, 4), (2.4, 8), (4, 12), (5.6, 8), (4, 4)],
-                 [(2.4, 5), (5.6, 8), (2.4, 11), (5.6, 11)]]
+        marks = [
+            [(4, 4), (4, 12)],
+            [(2.5, 5), (4, 8), (5.5, 5), (4, 8), (4, 12)],
+            [(4, 4), (2.4, 8), (4, 12), (5.6, 8), (4, 4)],
+            [(2.4, 5), (5.6, 8), (2.4, 11), (5.6, 11)],
+        ]
         picture.lay(picture.mask(shapes.strokes(picture.x, picture.y, marks[i - 1], 0.55)), "fff8d4")
         out[f"sb_sigil{i}"] = picture.indices()
     return out
@@ -228,12 +289,25 @@ def _signs() -> dict[str, np.ndarray]:
     for i in range(8):
         ram.fill(shapes.box(ram.x, ram.y, 4.6 + 3.0 * i, 23, 6.2 + 3.0 * i, 27), GOLD, 0.8, 0.5, 0.3, None)
     net = Picture(32, 32)
-    net.fill(shapes.strokes(net.x, net.y, [(6, 22), (12, 12), (16, 18), (20, 8), (26, 22)], 1.4), "103668 3a86e0 9fdcff", 1.4, 0.6, 0.4)
+    net.fill(
+        shapes.strokes(net.x, net.y, [(6, 22), (12, 12), (16, 18), (20, 8), (26, 22)], 1.4),
+        "103668 3a86e0 9fdcff",
+        1.4,
+        0.6,
+        0.4,
+    )
     net.fill(shapes.strokes(net.x, net.y, [(5, 5), (27, 27)], 2.0), RED, 1.6, 0.5, 0.4)
     turtle = Picture(32, 32)
     x, y = turtle.x, turtle.y
-    turtle.fill(shapes.union(shapes.ellipse(x, y, 26, 16.5, 4, 3.2), shapes.ellipse(x, y, 8, 23, 3, 3), shapes.ellipse(x, y, 20, 23, 3, 3)),
-                "2b2f10 7f883a d4dc84", 2.0, 0.5, 0.4)
+    turtle.fill(
+        shapes.union(
+            shapes.ellipse(x, y, 26, 16.5, 4, 3.2), shapes.ellipse(x, y, 8, 23, 3, 3), shapes.ellipse(x, y, 20, 23, 3, 3)
+        ),
+        "2b2f10 7f883a d4dc84",
+        2.0,
+        0.5,
+        0.4,
+    )
     turtle.fill(np.maximum(shapes.ellipse(x, y, 14, 21, 12, 13), y - 21.5), "10332f 4a8f7c c4ead8", 4.0, 0.5, 0.5)
     for cx, cy in ((8.5, 17.5), (14, 13.5), (19.5, 17.5), (14, 19)):
         turtle.lay(turtle.mask(np.abs(np.hypot(x - cx, y - cy) - 2.4) - 0.4) * 0.8, "0c2a28")

@@ -30,8 +30,14 @@ def _letters() -> dict[str, tuple[float, list[Stroke]]]:
     round_ = _arc(0.42, 0.5, 0.36, 0.5, -48, -312)
     return {
         "A": (0.80, [[(0.03, 1), (0.40, 0), (0.77, 1)], [(0.19, 0.64), (0.61, 0.64)]]),
-        "B": (0.66, [[(0.10, 0), (0.10, 1)], [(0.10, 0), *_arc(0.28, 0.24, 0.24, 0.24, -90, 90), (0.10, 0.48)],
-                     [(0.10, 0.48), *_arc(0.30, 0.74, 0.28, 0.26, -90, 90), (0.10, 1)]]),
+        "B": (
+            0.66,
+            [
+                [(0.10, 0), (0.10, 1)],
+                [(0.10, 0), *_arc(0.28, 0.24, 0.24, 0.24, -90, 90), (0.10, 0.48)],
+                [(0.10, 0.48), *_arc(0.30, 0.74, 0.28, 0.26, -90, 90), (0.10, 1)],
+            ],
+        ),
         "C": (0.74, [round_]),
         "D": (0.78, [[(0.10, 0), (0.10, 1)], [(0.10, 0), *_arc(0.28, 0.5, 0.42, 0.5, -90, 90), (0.10, 1)]]),
         "E": (0.70, [round_, [(0.08, 0.5), (0.62, 0.5)]]),
@@ -47,8 +53,14 @@ def _letters() -> dict[str, tuple[float, list[Stroke]]]:
         "O": (0.84, [_arc(0.42, 0.5, 0.36, 0.5, 0, 360)]),
         "P": (0.64, [[(0.10, 0), (0.10, 1)], [(0.10, 0), *_arc(0.28, 0.28, 0.28, 0.28, -90, 90), (0.10, 0.56)]]),
         "Q": (0.86, [_arc(0.42, 0.5, 0.36, 0.5, 0, 360), [(0.50, 0.72), (0.82, 1.08)]]),
-        "R": (0.70, [[(0.10, 0), (0.10, 1)], [(0.10, 0), *_arc(0.28, 0.26, 0.26, 0.26, -90, 90), (0.10, 0.52)],
-                     [(0.28, 0.52), (0.66, 1)]]),
+        "R": (
+            0.70,
+            [
+                [(0.10, 0), (0.10, 1)],
+                [(0.10, 0), *_arc(0.28, 0.26, 0.26, 0.26, -90, 90), (0.10, 0.52)],
+                [(0.28, 0.52), (0.66, 1)],
+            ],
+        ),
         "S": (0.62, [[*_arc(0.32, 0.25, 0.24, 0.25, -30, -270), *_arc(0.32, 0.75, 0.24, 0.25, -90, 150)]]),
         "T": (0.68, [[(0.34, 0), (0.34, 1)], [(0.03, 0.02), (0.65, 0.02)]]),
         "U": (0.76, [[(0.10, 0), (0.10, 0.6), *_arc(0.38, 0.62, 0.28, 0.38, 170, 10), (0.66, 0.6), (0.66, 0)]]),
@@ -95,8 +107,17 @@ def text_width(text: str, high: float, spacing: float = 0.14) -> float:
     return high * (sum(_letters()[letter][0] + spacing for letter in text.upper()) - spacing)
 
 
-def text_distance(x: np.ndarray, y: np.ndarray, text: str, left: float, top: float, high: float, pen: Pen = Pen(),
-                  spacing: float = 0.14, reach: float = 0.3) -> np.ndarray:
+def text_distance(
+    x: np.ndarray,
+    y: np.ndarray,
+    text: str,
+    left: float,
+    top: float,
+    high: float,
+    pen: Pen = Pen(),
+    spacing: float = 0.14,
+    reach: float = 0.3,
+) -> np.ndarray:
     """Signed distance (about) to a line of text; x and y are a grid's coordinates (h, w), y down.
 
     Farther than `reach` times the letters' height from a letter's box it is only known to be large.
@@ -116,8 +137,10 @@ def text_distance(x: np.ndarray, y: np.ndarray, text: str, left: float, top: flo
             a, b = lx * np.cos(angle) - ly * np.sin(angle), (lx * np.sin(angle) + ly * np.cos(angle)) * stretch
             near = np.full(lx.shape, 1e9)
             for stroke in strokes:
-                turned = [(px * np.cos(angle) - py * np.sin(angle), (px * np.sin(angle) + py * np.cos(angle)) * stretch)
-                          for px, py in stroke]
+                turned = [
+                    (px * np.cos(angle) - py * np.sin(angle), (px * np.sin(angle) + py * np.cos(angle)) * stretch)
+                    for px, py in stroke
+                ]
                 for (x0, y0), (x1, y1) in zip(turned, turned[1:]):
                     near = np.minimum(near, segment(a, b, x0, y0, x1, y1))
             out[:, window] = np.minimum(out[:, window], (near - pen.broad) * high / (0.5 + 0.5 * stretch))

@@ -52,7 +52,9 @@ def texture_files(pattern: str) -> Files:
     lumps = []
     for name in TEXTURES:
         stem = f"textures/{name.replace('*', '#')}"
-        if not wad_wanted and not any(fnmatch.fnmatch(f"{stem}{kind}.png", pattern) for kind in ("", "_norm", "_gloss", "_luma")):
+        if not wad_wanted and not any(
+            fnmatch.fnmatch(f"{stem}{kind}.png", pattern) for kind in ("", "_norm", "_gloss", "_luma")
+        ):
             continue
         surface = paint(name)
         lumps.append(Lump(name, TYPE_MIPTEX, miptex(name, surface)))

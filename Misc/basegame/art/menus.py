@@ -18,9 +18,18 @@ BROAD = Pen(0.12, 0.04, 32.0)
 
 # name: (width, words); all are 24 high.
 _TITLES = {
-    "ttl_main": (96, "Main"), "ttl_sgl": (168, "Single Player"), "ttl_cstm": (136, "Controls"), "p_option": (120, "Options"),
-    "p_load": (72, "Load"), "p_save": (72, "Save"), "p_multi": (152, "Multiplayer"), "vidmodes": (152, "Video Modes"),
-    "loading": (120, "Loading"), "pause": (104, "Paused"), "complete": (168, "Completed"), "ranking": (120, "Ranking"),
+    "ttl_main": (96, "Main"),
+    "ttl_sgl": (168, "Single Player"),
+    "ttl_cstm": (136, "Controls"),
+    "p_option": (120, "Options"),
+    "p_load": (72, "Load"),
+    "p_save": (72, "Save"),
+    "p_multi": (152, "Multiplayer"),
+    "vidmodes": (152, "Video Modes"),
+    "loading": (120, "Loading"),
+    "pause": (104, "Paused"),
+    "complete": (168, "Completed"),
+    "ranking": (120, "Ranking"),
     "finale": (288, "The Light Is Yours"),
 }
 # name: (width, height, lines); a line every 20 pixels, as the menus' cursor steps.
@@ -73,12 +82,16 @@ def dots() -> dict[str, np.ndarray]:
         lean = 1.3 * np.sin(2 * np.pi * frame / 6)
         tall = 1.2 * np.cos(4 * np.pi * frame / 6)
         bend = x - 8 - lean * np.clip((15 - y) / 10, 0, 1.4) ** 2
-        flame = shapes.union(shapes.circle(bend, y, 0, 12.6, 4.0), shapes.polygon(bend, y, [(0, 2.2 - tall), (3.4, 10.6), (-3.4, 10.6)]))
+        flame = shapes.union(
+            shapes.circle(bend, y, 0, 12.6, 4.0), shapes.polygon(bend, y, [(0, 2.2 - tall), (3.4, 10.6), (-3.4, 10.6)])
+        )
         picture.lay(picture.mask(flame - 0.9), "5a1808")
         heat = np.clip(-flame / 3.6 + 0.18 * np.clip((y - 6) / 8, 0, 1), 0, 1)
         picture.lay(picture.mask(flame), gradient("c43c05 f26a0c ff9a24 ffc64e ffe894 ffffff", heat, linear=True))
         picture.fill(np.maximum(shapes.ellipse(x, y, 8, 15.0, 6.2, 5.0), 15.4 - y), COPPER, 2.0, 0.5, 0.5)
-        picture.fill(shapes.union(shapes.box(x, y, 7, 19, 9, 21.4), shapes.box(x, y, 4, 21, 12, 23, 0.9)), COPPER, 1.0, 0.45, 0.4, None)
+        picture.fill(
+            shapes.union(shapes.box(x, y, 7, 19, 9, 21.4), shapes.box(x, y, 4, 21, 12, 23, 0.9)), COPPER, 1.0, 0.45, 0.4, None
+        )
         out[f"menudot{frame + 1}"] = picture.indices()
     return out
 
@@ -93,7 +106,16 @@ def qplaque() -> np.ndarray:
     for y in (7.0, 137.0):
         p.fill(shapes.star(p.x, p.y, 16, y, 8, 4.2, 2.4), "8a5a18 dcb04c fff0a0", 1.6, 0.55, 0.4)
     high = 117.0 / text_width("Fullbright", 1.0, 0.16)
-    letters = text_distance(np.ascontiguousarray(144.0 - p.y.T), np.ascontiguousarray(p.x.T), "Fullbright", 13.0, 16.0 - 0.5 * high, high, BROAD, 0.16).T
+    letters = text_distance(
+        np.ascontiguousarray(144.0 - p.y.T),
+        np.ascontiguousarray(p.x.T),
+        "Fullbright",
+        13.0,
+        16.0 - 0.5 * high,
+        high,
+        BROAD,
+        0.16,
+    ).T
     p.lay(p.mask(letters - 2.6) * 0.45, "8c3a08")
     p.lay(p.mask(letters - 1.2), "1c0a04")
     p.lay(p.mask(letters), gradient("ffffff ffe894 ffb43c e87818", np.clip((p.x - 9.0) / 15.0, 0, 1), linear=True))
@@ -108,11 +130,23 @@ def boxes() -> dict[str, np.ndarray]:
     whole.erase(1.0 - whole.mask(rim - 0.6))
     whole.fill(np.abs(rim + 1.6) - 1.2, COPPER, 1.2, 0.5, 0.45)
     sheet = whole.indices()
-    out = {"box_tl": sheet[:8, :8], "box_ml": sheet[8:16, :8], "box_bl": sheet[16:, :8],
-           "box_tm": sheet[:8, 16:32], "box_mm": sheet[8:16, 16:32], "box_mm2": sheet[8:16, 16:32], "box_bm": sheet[16:, 16:32],
-           "box_tr": sheet[:8, 40:], "box_mr": sheet[8:16, 40:], "box_br": sheet[16:, 40:]}
+    out = {
+        "box_tl": sheet[:8, :8],
+        "box_ml": sheet[8:16, :8],
+        "box_bl": sheet[16:, :8],
+        "box_tm": sheet[:8, 16:32],
+        "box_mm": sheet[8:16, 16:32],
+        "box_mm2": sheet[8:16, 16:32],
+        "box_bm": sheet[16:, 16:32],
+        "box_tr": sheet[:8, 40:],
+        "box_mr": sheet[8:16, 40:],
+        "box_br": sheet[16:, 40:],
+    }
     big = Picture(72, 72, 7)
-    big.lay(np.ones(big.x.shape), gradient(TEAL, 0.5 + 0.25 * big.noise(24, 1) - 0.3 * np.hypot(big.x - 36, big.y - 36) / 50, linear=True))
+    big.lay(
+        np.ones(big.x.shape),
+        gradient(TEAL, 0.5 + 0.25 * big.noise(24, 1) - 0.3 * np.hypot(big.x - 36, big.y - 36) / 50, linear=True),
+    )
     frame = shapes.box(big.x, big.y, 0.6, 0.6, 71.4, 71.4, 4.0)
     big.erase(1.0 - big.mask(frame - 0.6))
     big.fill(np.abs(frame + 2.4) - 2.0, COPPER, 1.8, 0.5, 0.45)
@@ -136,7 +170,15 @@ def menuplyr() -> np.ndarray:
     p.fill(shapes.box(x, y, 10.5, 30.5, 40, 33.4, 0.8), "1c1e22 50565e 9aa2aa", 1.4, 0.5, 0.4)
     p.fill(shapes.box(x, y, 12, 32.4, 20, 36.0, 1.2), "3a2a10 a8782c ffe68c", 1.4, 0.5, 0.4)
     p.fill(shapes.box(x, y, 14.8, 37.4, 33.2, 39.8, 0.6), "2a160c 5a3a22 8a6038", 1.0, 0.5, 0.4)
-    p.fill(shapes.union(shapes.ellipse(x, y, 24, 10.6, 7.4, 8.8), shapes.polygon(side, y, [(0, 14), (6, 14), (8.6, 20), (-1, 21)])), shirt, 3.0, 0.55, 0.5)
+    p.fill(
+        shapes.union(
+            shapes.ellipse(x, y, 24, 10.6, 7.4, 8.8), shapes.polygon(side, y, [(0, 14), (6, 14), (8.6, 20), (-1, 21)])
+        ),
+        shirt,
+        3.0,
+        0.55,
+        0.5,
+    )
     p.lay(p.mask(shapes.ellipse(x, y, 24, 11.6, 4.9, 6.6)), "120a06")
     p.fill(shapes.ellipse(x, y, 24, 12.2, 4.2, 5.6), "573a2b c89f80 f3d9bd", 3.0, 0.5, 0.5, None)
     p.lay(p.mask(np.maximum(shapes.ellipse(x, y, 24, 6.6, 5.0, 3.2), shapes.ellipse(x, y, 24, 12.2, 4.3, 5.7))) * 0.8, "120a06")

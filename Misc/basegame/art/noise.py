@@ -78,12 +78,15 @@ def gradient_noise(u: np.ndarray, v: np.ndarray, columns: int, rows: int, seed: 
     return (top + (low - top) * sy) * np.float32(1.5)
 
 
-def fractal_noise(u: np.ndarray, v: np.ndarray, columns: float, rows: float, seed: int, octaves: int = 4,
-                  gain: float = 0.5) -> np.ndarray:
+def fractal_noise(
+    u: np.ndarray, v: np.ndarray, columns: float, rows: float, seed: int, octaves: int = 4, gain: float = 0.5
+) -> np.ndarray:
     """Octaves of gradient noise, each twice as fine and `gain` times as high; about -1..1. Places as for gradient_noise."""
     total, weight, height = np.float32(0.0), 0.0, 1.0
     for octave in range(octaves):
-        total = total + np.float32(height) * gradient_noise(u, v, round(columns) << octave, round(rows) << octave, seed + 101 * octave)
+        total = total + np.float32(height) * gradient_noise(
+            u, v, round(columns) << octave, round(rows) << octave, seed + 101 * octave
+        )
         weight += height**2
         height *= gain
     return total / np.float32(weight**0.5)

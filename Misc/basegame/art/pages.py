@@ -20,11 +20,16 @@ _NAME = "Fullbright"
 def _nave(p: Picture) -> None:
     """A drowned nave: pillars step back to a lit window, water below mirrors it."""
     horizon = 138.0
-    y = np.where(p.y > horizon, 2 * horizon - p.y + 1.6 * np.sin(p.y * 1.3 + 5 * p.noise((60, 6), 3)) * (p.y - horizon) / 20, p.y)
+    y = np.where(
+        p.y > horizon, 2 * horizon - p.y + 1.6 * np.sin(p.y * 1.3 + 5 * p.noise((60, 6), 3)) * (p.y - horizon) / 20, p.y
+    )
     x = np.where(p.y > horizon, p.x + 2.2 * p.noise((24, 3), 4) * (p.y - horizon) / 30, p.x)
     mx, my = x - 160.0, y - 74.0
     glow = np.exp(-np.hypot(mx / 70, my / 58) ** 1.5)
-    p.lay(np.ones(x.shape), gradient("04090c 081a1e 10383c 2a6a62 7ab89a e8e0a8", 0.06 + 0.62 * glow + 0.03 * p.noise(50, 1), linear=True))
+    p.lay(
+        np.ones(x.shape),
+        gradient("04090c 081a1e 10383c 2a6a62 7ab89a e8e0a8", 0.06 + 0.62 * glow + 0.03 * p.noise(50, 1), linear=True),
+    )
     for depth in range(5):
         scale = 1.0 + 0.62 * depth
         near = depth / 4.0
@@ -52,7 +57,7 @@ def _nave(p: Picture) -> None:
     water = (p.y > horizon).astype(float)
     ripple = 0.5 + 0.5 * np.sin(p.y * 2.1 + 7.0 * p.noise((30, 5), 5))
     p.lay(0.42 * water * (0.6 + 0.4 * ripple), "06262a")
-    sparkle = smooth(p.noise((10, 1.6), 6)) * water * np.exp(-((p.x - 160) / 46) ** 2)
+    sparkle = smooth(p.noise((10, 1.6), 6)) * water * np.exp(-(((p.x - 160) / 46) ** 2))
     p.lay(0.8 * sparkle, "ffe0a0")
 
 
@@ -114,23 +119,81 @@ def _page(title: str) -> np.ndarray:
     return page
 
 
-_STORY = ["", "The sea took the monastery of lamps", "and the works that cast its bells,", "and stranger things.", "",
-          "Its furnaces burn again under water,", "and no monk tends them. What was set", "there to be guarded walks.", "",
-          "Go down. Find the four sigils. Bring", "the light back up, or put it out."]
-_KEYS = [("W S or arrows", "forward, back"), ("A D", "step aside"), ("mouse", "look"), ("left button", "fire"), ("space", "jump, swim up"),
-         ("shift", "run, or walk"), ("1 to 8, wheel", "weapons"), ("tab", "score"), ("F6, F9", "save, load quickly"), ("~", "console"),
-         ("escape", "menu")]
-_WEAPONS = [("shotgun", "Shotgun: steady, tight"), ("sshotgun", "Double shotgun: be near"), ("nailgun", "Nailgun: a stream of nails"),
-            ("snailgun", "Heavy nailgun: more of them"), ("rlaunch", "Grenades: roll, wait, burst"), ("srlaunch", "Rockets: mind the walls"),
-            ("lightng", "Lightning: not under water!")]
-_ITEMS = [("sb_armor1", "Green armour, to 100"), ("sb_armor2", "Yellow armour, to 150"), ("sb_armor3", "Red armour, to 200"),
-          ("sb_quad", "Four times the damage"), ("sb_invuln", "Nothing hurts"), ("sb_invis", "Hard to see"), ("sb_suit", "Breathe, wade in slime"),
-          ("sb_key1", "Silver key: the moon"), ("sb_key2", "Gold key: the sun")]
-_HINTS = ["", "What glows gives light. Dark places", "have a lamp that waits to be lit.", "", "A wall that differs may open: shoot", "it, press it, walk into it.", "",
-          "Slime burns slowly, slag at once.", "You can hold your breath for twelve", "seconds.", "", "Monsters that hit one another forget", "you for a while."]
-_CREDITS = ["", "Fullbright is free software under", "the GNU General Public License,", "version 2 or later. Its base game is", "made by programs: every texture,",
-            "letter, sound and wall.", "", "It plays Quake's levels and mods,", "with every light path-traced.", "", "Quake is by id Software, whose",
-            "released source made this possible."]
+_STORY = [
+    "",
+    "The sea took the monastery of lamps",
+    "and the works that cast its bells,",
+    "and stranger things.",
+    "",
+    "Its furnaces burn again under water,",
+    "and no monk tends them. What was set",
+    "there to be guarded walks.",
+    "",
+    "Go down. Find the four sigils. Bring",
+    "the light back up, or put it out.",
+]
+_KEYS = [
+    ("W S or arrows", "forward, back"),
+    ("A D", "step aside"),
+    ("mouse", "look"),
+    ("left button", "fire"),
+    ("space", "jump, swim up"),
+    ("shift", "run, or walk"),
+    ("1 to 8, wheel", "weapons"),
+    ("tab", "score"),
+    ("F6, F9", "save, load quickly"),
+    ("~", "console"),
+    ("escape", "menu"),
+]
+_WEAPONS = [
+    ("shotgun", "Shotgun: steady, tight"),
+    ("sshotgun", "Double shotgun: be near"),
+    ("nailgun", "Nailgun: a stream of nails"),
+    ("snailgun", "Heavy nailgun: more of them"),
+    ("rlaunch", "Grenades: roll, wait, burst"),
+    ("srlaunch", "Rockets: mind the walls"),
+    ("lightng", "Lightning: not under water!"),
+]
+_ITEMS = [
+    ("sb_armor1", "Green armour, to 100"),
+    ("sb_armor2", "Yellow armour, to 150"),
+    ("sb_armor3", "Red armour, to 200"),
+    ("sb_quad", "Four times the damage"),
+    ("sb_invuln", "Nothing hurts"),
+    ("sb_invis", "Hard to see"),
+    ("sb_suit", "Breathe, wade in slime"),
+    ("sb_key1", "Silver key: the moon"),
+    ("sb_key2", "Gold key: the sun"),
+]
+_HINTS = [
+    "",
+    "What glows gives light. Dark places",
+    "have a lamp that waits to be lit.",
+    "",
+    "A wall that differs may open: shoot",
+    "it, press it, walk into it.",
+    "",
+    "Slime burns slowly, slag at once.",
+    "You can hold your breath for twelve",
+    "seconds.",
+    "",
+    "Monsters that hit one another forget",
+    "you for a while.",
+]
+_CREDITS = [
+    "",
+    "Fullbright is free software under",
+    "the GNU General Public License,",
+    "version 2 or later. Its base game is",
+    "made by programs: every texture,",
+    "letter, sound and wall.",
+    "",
+    "It plays Quake's levels and mods,",
+    "with every light path-traced.",
+    "",
+    "Quake is by id Software, whose",
+    "released source made this possible.",
+]
 
 
 def _lines(page: np.ndarray, lines: list[str]) -> np.ndarray:

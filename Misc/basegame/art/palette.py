@@ -53,10 +53,20 @@ def srgb_from_linear(light: np.ndarray) -> np.ndarray:
     return np.where(light <= 0.0031308, light * 12.92, 1.055 * light ** (1 / 2.4) - 0.055)
 
 
-_LMS = np.array([[0.4122214708, 0.5363325363, 0.0514459929], [0.2119034982, 0.6806995451, 0.1073969566],
-                 [0.0883024619, 0.2817188376, 0.6299787005]])
-_LAB = np.array([[0.2104542553, 0.7936177850, -0.0040720468], [1.9779984951, -2.4285922050, 0.4505937099],
-                 [0.0259040371, 0.7827717662, -0.8086757660]])
+_LMS = np.array(
+    [
+        [0.4122214708, 0.5363325363, 0.0514459929],
+        [0.2119034982, 0.6806995451, 0.1073969566],
+        [0.0883024619, 0.2817188376, 0.6299787005],
+    ]
+)
+_LAB = np.array(
+    [
+        [0.2104542553, 0.7936177850, -0.0040720468],
+        [1.9779984951, -2.4285922050, 0.4505937099],
+        [0.0259040371, 0.7827717662, -0.8086757660],
+    ]
+)
 
 
 def oklab_from_srgb(rgb: np.ndarray) -> np.ndarray:
@@ -101,8 +111,13 @@ RAMPS: dict[str, list[int]] = {
     name: list(range(16 * row, 16 * row + 16)) if row < 8 else list(range(16 * row + 15, 16 * row - 1, -1))
     for row, (name, _) in enumerate(_ROWS)
 }
-RAMPS |= {"fire": list(range(224, 240)), "gold_glow": [240, 241, 242, 243], "blue_glow": [244, 245, 246],
-          "red_glow": [247, 248, 249, 250, 251], "white_glow": [252, 253, 254]}
+RAMPS |= {
+    "fire": list(range(224, 240)),
+    "gold_glow": [240, 241, 242, 243],
+    "blue_glow": [244, 245, 246],
+    "red_glow": [247, 248, 249, 250, 251],
+    "white_glow": [252, 253, 254],
+}
 
 _PALETTE_LAB = oklab_from_srgb(PALETTE / 255.0)
 # What the eye forgives least in a flat picture is a wrong hue, so hue counts more than lightness.

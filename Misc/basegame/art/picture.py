@@ -29,8 +29,14 @@ class Picture:
     def noise(self, wavelength: float | tuple[float, float], seed: int = 0, octaves: int = 4) -> Field:
         """Noise of about -1..1; `wavelength` in pixels."""
         across, down = wavelength if isinstance(wavelength, tuple) else (wavelength, wavelength)
-        return fractal_noise(self.x[0] / self.width, self.y[:, 0] / self.high, max(1, self.width / across), max(1, self.high / down),
-                             self.seed * 131 + seed, octaves)
+        return fractal_noise(
+            self.x[0] / self.width,
+            self.y[:, 0] / self.high,
+            max(1, self.width / across),
+            max(1, self.high / down),
+            self.seed * 131 + seed,
+            octaves,
+        )
 
     def mask(self, distance: Field) -> Field:
         """1 inside a figure, 0 outside, an edge a subpixel wide."""
@@ -46,8 +52,16 @@ class Picture:
         """Makes a hole."""
         self.cover = np.minimum(self.cover, 1.0 - mask)
 
-    def fill(self, distance: Field, ramp: str, bevel: float = 1.5, at: Field | float = 0.5, contrast: float = 0.5,
-             outline: str | None = "14161a", width: float = 0.9) -> None:
+    def fill(
+        self,
+        distance: Field,
+        ramp: str,
+        bevel: float = 1.5,
+        at: Field | float = 0.5,
+        contrast: float = 0.5,
+        outline: str | None = "14161a",
+        width: float = 0.9,
+    ) -> None:
         """A solid figure: edges `bevel` pixels wide catch the light, `at` is where the flat has its colour on the ramp."""
         if outline is not None:
             self.lay(self.mask(distance - width), outline)
@@ -56,16 +70,33 @@ class Picture:
         light = -(gx * 0.62 + gy * 0.78) * edge * -1.0
         self.lay(self.mask(distance), gradient(ramp, at - contrast * light, linear=True))
 
-    def text(self, words: str, left: float, top: float, high: float, ramp: str, pen: Pen = Pen(0.105, 0.045, 32.0),
-             spacing: float = 0.14, outline: str | None = "14161a", width: float = 1.0) -> None:
+    def text(
+        self,
+        words: str,
+        left: float,
+        top: float,
+        high: float,
+        ramp: str,
+        pen: Pen = Pen(0.105, 0.045, 32.0),
+        spacing: float = 0.14,
+        outline: str | None = "14161a",
+        width: float = 1.0,
+    ) -> None:
         """A line of text, lighter towards its top."""
         distance = text_distance(self.x, self.y, words, left, top, high, pen, spacing)
         if outline is not None:
             self.lay(self.mask(distance - width), outline)
         self.lay(self.mask(distance), gradient(ramp, 1.0 - (self.y - top) / high, linear=True))
 
-    def text_fit(self, words: str, ramp: str, margin: float = 2.0, centre: bool = False, pen: Pen = Pen(0.105, 0.045, 32.0),
-                 spacing: float = 0.14) -> None:
+    def text_fit(
+        self,
+        words: str,
+        ramp: str,
+        margin: float = 2.0,
+        centre: bool = False,
+        pen: Pen = Pen(0.105, 0.045, 32.0),
+        spacing: float = 0.14,
+    ) -> None:
         """A line of text as large as the picture allows."""
         high = min(self.high - 2 * margin, (self.width - 2 * margin) / (text_width(words, 1.0, spacing) + 0.2))
         left = margin + 0.08 * high

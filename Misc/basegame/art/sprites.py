@@ -61,10 +61,8 @@ def light() -> np.ndarray:
 
 def sprite_files(pattern: str) -> dict[str, bytes]:
     """`progs/s_*.spr`."""
-    made = {
-        "s_bubble": [bubble(0), bubble(1)],
-        "s_explod": [explosion(frame) for frame in range(6)],
-        "s_light": [light()],
+    made = {"s_bubble": [bubble(0), bubble(1)], "s_explod": [explosion(frame) for frame in range(6)], "s_light": [light()]}
+    return {
+        f"progs/{name}.spr": write_spr(Sprite(PARALLEL, [Frame.centred(picture) for picture in pictures]))
+        for name, pictures in made.items()
     }
-    return {f"progs/{name}.spr": write_spr(Sprite(PARALLEL, [Frame.centred(picture) for picture in pictures]))
-            for name, pictures in made.items()}

@@ -31,27 +31,90 @@ lab_yellow lab_check lab_light lab_light_warm lab_light_dim lab_chrome lab_steel
 """.split()
 # The status bar's pictures and their sizes, as engines draw them.
 HUD_SIZES = {
-    "num_": (24, 24), "anum_": (24, 24), "face": (24, 24), "sb_armor": (24, 24), "sb_shells": (24, 24), "sb_nails": (24, 24),
-    "sb_rocket": (24, 24), "sb_cells": (24, 24), "sb_key": (16, 16), "sb_invis": (16, 16), "sb_invuln": (16, 16),
-    "sb_suit": (16, 16), "sb_quad": (16, 16), "sb_sigil": (16, 8), "sbar": (24, 320), "ibar": (24, 320), "scorebar": (24, 320),
-    "disc": (24, 24), "ram": (32, 32), "net": (32, 32), "turtle": (32, 32), "backtile": (64, 64),
+    "num_": (24, 24),
+    "anum_": (24, 24),
+    "face": (24, 24),
+    "sb_armor": (24, 24),
+    "sb_shells": (24, 24),
+    "sb_nails": (24, 24),
+    "sb_rocket": (24, 24),
+    "sb_cells": (24, 24),
+    "sb_key": (16, 16),
+    "sb_invis": (16, 16),
+    "sb_invuln": (16, 16),
+    "sb_suit": (16, 16),
+    "sb_quad": (16, 16),
+    "sb_sigil": (16, 8),
+    "sbar": (24, 320),
+    "ibar": (24, 320),
+    "scorebar": (24, 320),
+    "disc": (24, 24),
+    "ram": (32, 32),
+    "net": (32, 32),
+    "turtle": (32, 32),
+    "backtile": (64, 64),
 }
 HUD_NAMES = [f"{prefix}num_{sign}" for prefix in ("", "a") for sign in [*map(str, range(10)), "minus"]]
 HUD_NAMES += ["num_colon", "num_slash", "sb_shells", "sb_nails", "sb_rocket", "sb_cells", "sb_armor1", "sb_armor2", "sb_armor3"]
-HUD_NAMES += ["sb_key1", "sb_key2", "sb_invis", "sb_invuln", "sb_suit", "sb_quad", "sb_sigil1", "sb_sigil2", "sb_sigil3", "sb_sigil4"]
+HUD_NAMES += [
+    "sb_key1",
+    "sb_key2",
+    "sb_invis",
+    "sb_invuln",
+    "sb_suit",
+    "sb_quad",
+    "sb_sigil1",
+    "sb_sigil2",
+    "sb_sigil3",
+    "sb_sigil4",
+]
 HUD_NAMES += [f"face{state}{i}" for state in ("", "_p") for i in range(1, 6)]
-HUD_NAMES += ["face_invis", "face_invul2", "face_inv2", "face_quad", "sbar", "ibar", "scorebar", "disc", "ram", "net", "turtle", "backtile"]
+HUD_NAMES += [
+    "face_invis",
+    "face_invul2",
+    "face_inv2",
+    "face_quad",
+    "sbar",
+    "ibar",
+    "scorebar",
+    "disc",
+    "ram",
+    "net",
+    "turtle",
+    "backtile",
+]
 WEAPONS = ["shotgun", "sshotgun", "nailgun", "snailgun", "rlaunch", "srlaunch", "lightng"]
 MENU_SIZES = {
-    "conback": (200, 320), "qplaque": (144, 32), "mainmenu": (112, 240), "menuplyr": (56, 48), "bigbox": (72, 72),
-    "inter": (144, 160), "menudot1": (24, 16), "menudot6": (24, 16), "box_tl": (8, 8), "box_tm": (8, 16), "box_mm2": (8, 16),
-    "help0": (200, 320), "help5": (200, 320),
+    "conback": (200, 320),
+    "qplaque": (144, 32),
+    "mainmenu": (112, 240),
+    "menuplyr": (56, 48),
+    "bigbox": (72, 72),
+    "inter": (144, 160),
+    "menudot1": (24, 16),
+    "menudot6": (24, 16),
+    "box_tl": (8, 8),
+    "box_tm": (8, 16),
+    "box_mm2": (8, 16),
+    "help0": (200, 320),
+    "help5": (200, 320),
 }
 MENU_NAMES = """ttl_main ttl_sgl ttl_cstm sp_menu mp_menu p_option p_load p_save p_multi loading pause complete finale ranking vidmodes
 box_ml box_bl box_mm box_bm box_tr box_mr box_br dim_modm dim_drct dim_ipx dim_tcp dim_mult netmen1 netmen2 netmen3 netmen4 netmen5
 help1 help2 help3 help4 menudot2 menudot3 menudot4 menudot5""".split()
 # One of each kind of painter: what the slower tests look at.
-SAMPLE = ["stone_a", "copper_plate", "rune_a", "light_green", "{vine", "*lava_a", "sky_dusk", "+0plate", "lab_light_dim", "stone_trim"]
+SAMPLE = [
+    "stone_a",
+    "copper_plate",
+    "rune_a",
+    "light_green",
+    "{vine",
+    "*lava_a",
+    "sky_dusk",
+    "+0plate",
+    "lab_light_dim",
+    "stone_trim",
+]
 
 
 class Palette(unittest.TestCase):
@@ -138,9 +201,14 @@ class Textures(unittest.TestCase):
     def test_edges_meet(self):
         for name in ["stone_a", "copper_plate", "brick_red", "rock_a"]:
             color = make.paint(name).color
-            for seam, inside in ((color[0] - color[-1], np.diff(color, axis=0)), (color[:, 0] - color[:, -1], np.diff(color, axis=1))):
+            for seam, inside in (
+                (color[0] - color[-1], np.diff(color, axis=0)),
+                (color[:, 0] - color[:, -1], np.diff(color, axis=1)),
+            ):
                 # Neighbours across the seam differ by no more than neighbours elsewhere at their worst.
-                steps = np.abs(inside).mean(axis=(1, 2)) if seam.shape[0] == inside.shape[1] else np.abs(inside).mean(axis=(0, 2))
+                steps = (
+                    np.abs(inside).mean(axis=(1, 2)) if seam.shape[0] == inside.shape[1] else np.abs(inside).mean(axis=(0, 2))
+                )
                 self.assertLess(np.abs(seam).mean(), 1.5 * steps.max() + 0.01, name)
 
     def test_normals_point_up_the_image(self):

@@ -56,7 +56,9 @@ def cell_figure(x: Field, y: Field) -> Figure:
 def health_figure(x: Field, y: Field) -> Figure:
     """A heart."""
     ax = np.abs(x)
-    heart = shapes.union(shapes.circle(ax, y, 5.0, -4.5, 6.2), shapes.polygon(ax, y, [(0, -5), (10.6, -1.6), (0, 12.5), (-4, 2)]))
+    heart = shapes.union(
+        shapes.circle(ax, y, 5.0, -4.5, 6.2), shapes.polygon(ax, y, [(0, -5), (10.6, -1.6), (0, 12.5), (-4, 2)])
+    )
     return [(heart, "c8382e")]
 
 
@@ -67,7 +69,9 @@ def mega_figure(x: Field, y: Field) -> Figure:
     return [(rays, "e6bf44"), (heart, "ff4a40")]
 
 
-def _case(seed: int, paint_ramp: str, metal: str, figure: Callable[[Field, Field], Figure], glows: bool, top: bool) -> Callable[[int, int], Surface]:
+def _case(
+    seed: int, paint_ramp: str, metal: str, figure: Callable[[Field, Field], Figure], glows: bool, top: bool
+) -> Callable[[int, int], Surface]:
     """The side or the lid of a case."""
 
     def paint(width: int, height: int) -> Surface:
@@ -118,7 +122,9 @@ BOXES = {name + suffix: _case(*row, top) for name, row in _CASES.items() for suf
 def lab_check(width: int, height: int) -> Surface:
     """Squares of 8 texels, reflectance 0.2 and 0.7."""
     y, x = np.mgrid[0:height, 0:width]
-    return Surface(np.where((((x // 8) + (y // 8)) % 2 == 0)[..., None], hex_to_srgb("7b7c80"), hex_to_srgb("d9d9d8")), dither=0.0)
+    return Surface(
+        np.where((((x // 8) + (y // 8)) % 2 == 0)[..., None], hex_to_srgb("7b7c80"), hex_to_srgb("d9d9d8")), dither=0.0
+    )
 
 
 def lab_light_dim(width: int, height: int) -> Surface:

@@ -55,7 +55,10 @@ def _moon(x: np.ndarray, y: np.ndarray, cx: float, cy: float) -> np.ndarray:
 def _keyhole(c: Canvas, cx: float, cy: float, ramp: str) -> None:
     plate = shapes.box(c.x, c.y, cx - 7, cy - 10, cx + 7, cy + 10, 6.0)
     inlay(c, plate, ramp, 1.2, 70)
-    hole = shapes.union(shapes.circle(c.x, c.y, cx, cy - 2.5, 2.8), shapes.polygon(c.x, c.y, [(cx, cy - 2), (cx + 2.6, cy + 7), (cx - 2.6, cy + 7)]))
+    hole = shapes.union(
+        shapes.circle(c.x, c.y, cx, cy - 2.5, 2.8),
+        shapes.polygon(c.x, c.y, [(cx, cy - 2), (cx + 2.6, cy + 7), (cx - 2.6, cy + 7)]),
+    )
     c.height -= 2.0 * c.mask(hole, 1.0)
     c.paint("0c0c0e", c.mask(hole))
 

@@ -122,7 +122,9 @@ def glass_teal(width: int, height: int) -> Surface:
     number = (np.floor(c.x / 16) + 7 * np.floor(c.y / 16)).astype(int)
     from_corner = np.hypot(8 - np.abs(lx), 8 - np.abs(ly))
     tone = Blocks(number, radius, lx, ly).random(1)
-    c.color = c.ramp("2d7a72 4aa092 72c0ae a6dcc8", 0.2 + 0.5 * tone + 0.18 * np.cos(radius * 1.6) + 0.1 * c.noise(8, 2, seed=2))
+    c.color = c.ramp(
+        "2d7a72 4aa092 72c0ae a6dcc8", 0.2 + 0.5 * tone + 0.18 * np.cos(radius * 1.6) + 0.1 * c.noise(8, 2, seed=2)
+    )
     c.height = 0.22 * np.cos(radius * 1.6) + 0.6 * np.exp(-((radius / 1.6) ** 2))
     lead = np.minimum(np.abs(radius - 7.0) - 0.8, from_corner - 2.4)
     c.height += 1.2 * c.mask(lead, 1.2)

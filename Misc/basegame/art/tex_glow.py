@@ -168,7 +168,7 @@ def _crystal(seed: int, glow_ramp: str, dark: str) -> Callable[[int, int], Surfa
         facets = c.cells((11, 22), 1, 0.95)
         edge = facets.edge()
         tone = facets.random(2)
-        slope = ((facets.random(3) - 0.5) * facets.dx * 11 + (facets.random(4) - 0.5) * facets.dy * 22)
+        slope = (facets.random(3) - 0.5) * facets.dx * 11 + (facets.random(4) - 0.5) * facets.dy * 22
         c.height = 0.9 * slope + 1.2 * smoothstep(0.0, 0.08, edge)
         inner = tone + 0.35 * (facets.dy + 0.3 * facets.dx)
         c.color = c.ramp(dark, 0.3 + 0.6 * inner)
@@ -189,7 +189,9 @@ _GLASS_WARM = ["ffc64e", "ff9a24", "e8262a", "ffe894", "c43c05", "fff8d4", "9fdc
 _GLASS_COOL = ["5fb8ff", "9fdcff", "dff8ff", "e6bf44", "5fb8ff", "bf1420", "9fdcff"]
 
 
-def _window(seed: int, colors: list[str], figure: Callable[[np.ndarray, np.ndarray], list[tuple[np.ndarray, str]]]) -> Callable[[int, int], Surface]:
+def _window(
+    seed: int, colors: list[str], figure: Callable[[np.ndarray, np.ndarray], list[tuple[np.ndarray, str]]]
+) -> Callable[[int, int], Surface]:
     """A lancet of stained glass in a stone frame: `figure` gives panes by distance and colour, laid over a ground."""
 
     def paint(width: int, height: int) -> Surface:
@@ -240,7 +242,13 @@ def _chalice(x: np.ndarray, y: np.ndarray) -> list[tuple[np.ndarray, str]]:
     stem = shapes.union(shapes.box(x, y, 29.5, 74, 34.5, 96), shapes.ellipse(x, y, 32, 98, 12, 5))
     flame = shapes.union(shapes.circle(x, y, 32, 46, 7.5), shapes.polygon(x, y, [(32, 24), (38.5, 43), (25.5, 43)]))
     halo = shapes.circle(x, y, 32, 42, 19.0)
-    return [(halo, "5fb8ff"), (bowl, "e6bf44"), (stem, "c99a2e"), (flame, "ffe894"), (shapes.circle(x, y, 32, 47, 3.4), "ff9a24")]
+    return [
+        (halo, "5fb8ff"),
+        (bowl, "e6bf44"),
+        (stem, "c99a2e"),
+        (flame, "ffe894"),
+        (shapes.circle(x, y, 32, 47, 3.4), "ff9a24"),
+    ]
 
 
 window_a = _window(123, _GLASS_WARM, _sun_over_waves)
@@ -322,7 +330,10 @@ def sign_exit(width: int, height: int) -> Surface:
 def sign_arrow(width: int, height: int) -> Surface:
     """A lit arrow to the right."""
     c = _sign(128, width, height)
-    arrow = shapes.union(shapes.polygon(c.x, c.y, [(36, 6), (57, 16), (36, 26), (40, 16)]),
-                         shapes.strokes(c.x, c.y, [(8, 16), (17, 16)], 2.4), shapes.strokes(c.x, c.y, [(23, 16), (39, 16)], 2.4))
+    arrow = shapes.union(
+        shapes.polygon(c.x, c.y, [(36, 6), (57, 16), (36, 26), (40, 16)]),
+        shapes.strokes(c.x, c.y, [(8, 16), (17, 16)], 2.4),
+        shapes.strokes(c.x, c.y, [(23, 16), (39, 16)], 2.4),
+    )
     shine(c, c.mask(arrow), "fff0a0", 0.5)
     return c.surface()

@@ -34,8 +34,11 @@ def rivets(c: Canvas, spots: list[tuple[float, float]], radius: float, high: flo
 
 def grid(x0: float, y0: float, x1: float, y1: float, columns: int, rows: int) -> list[tuple[float, float]]:
     """Evenly spaced spots from one corner to the other."""
-    return [(x0 + (x1 - x0) * i / max(columns - 1, 1), y0 + (y1 - y0) * j / max(rows - 1, 1))
-            for j in range(rows) for i in range(columns)]
+    return [
+        (x0 + (x1 - x0) * i / max(columns - 1, 1), y0 + (y1 - y0) * j / max(rows - 1, 1))
+        for j in range(rows)
+        for i in range(columns)
+    ]
 
 
 def frame_spots(x0: float, y0: float, x1: float, y1: float, step: float) -> list[tuple[float, float]]:
@@ -52,7 +55,9 @@ def sheet(c: Canvas, ramp: str, tone: float, seed: int, spread: float = 0.2, glo
     c.color = c.ramp(ramp, tone + spread * clouds + 0.25 * spread * rolled)
     c.height = 0.22 * c.noise(36, 2, seed=seed + 2) + 0.035 * c.noise(5, 3, seed=seed + 3)
     c.gloss = gloss + 0.16 * clouds + 0.06 * rolled - 0.1 * smoothstep(0.2, 0.9, c.noise(18, 4, seed=seed + 4))
-    scratch = smoothstep(0.06, 0.0, np.abs(c.noise((70, 16), 3, 0.6, seed=seed + 5))) * smoothstep(0.2, 0.7, c.noise(26, 2, seed=seed + 6))
+    scratch = smoothstep(0.06, 0.0, np.abs(c.noise((70, 16), 3, 0.6, seed=seed + 5))) * smoothstep(
+        0.2, 0.7, c.noise(26, 2, seed=seed + 6)
+    )
     c.tint(1.0 + 0.25 * scratch)
     c.gloss = c.gloss - 0.15 * scratch
 
@@ -187,7 +192,9 @@ def copper_plate(width: int, height: int) -> Surface:
     c.tint(0.88 + 0.24 * blocks.random(5))
     c.height += 1.7 * np.exp(-((seam / 1.4) ** 2)) + 0.9 * smoothstep(0.0, 5.0, blocks.v + 32.0)
     c.height += 0.5 * (blocks.random(6) - 0.5) * blocks.u / 16.0
-    verdigris(c, 0.7, 20, 0.3 * smoothstep(6.0, 0.0, lap) + 0.35 * (blocks.random(7) - 0.5) - 0.5 * np.exp(-((seam / 1.2) ** 2)))
+    verdigris(
+        c, 0.7, 20, 0.3 * smoothstep(6.0, 0.0, lap) + 0.35 * (blocks.random(7) - 0.5) - 0.5 * np.exp(-((seam / 1.2) ** 2))
+    )
     rivets(c, [(x, y) for x in range(8, 128, 16) for y in (4, 68)], 1.5, 1.0)
     c.wear("e8ab7c", 0.65, 2.0, 0.2, gloss=0.25)
     c.grime("2c4a42", 0.35, 3.0)

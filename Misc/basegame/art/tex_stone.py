@@ -89,8 +89,10 @@ def stone_trim(width: int, height: int) -> Surface:
     middle, period = 0.5 * height, 32.0
     x = (c.x % period) - 0.5 * period
     # The wave: a breaking crest, as a spiral of half rings.
-    crest = shapes.union(shapes.ring(shapes.circle(x, c.y, -1.0, middle, 7.5), 2.6) + 4.0 * ((c.y > middle) & (x > -1.0)),
-                         shapes.ring(shapes.circle(x, c.y, 1.5, middle, 4.2), 2.2) + 4.0 * ((c.y < middle) & (x < 1.5)))
+    crest = shapes.union(
+        shapes.ring(shapes.circle(x, c.y, -1.0, middle, 7.5), 2.6) + 4.0 * ((c.y > middle) & (x > -1.0)),
+        shapes.ring(shapes.circle(x, c.y, 1.5, middle, 4.2), 2.2) + 4.0 * ((c.y < middle) & (x < 1.5)),
+    )
     swell = middle + 8.0 - 1.2 * np.cos(2 * np.pi * x / period)
     crest = shapes.union(crest, swell - c.y)
     crest = np.maximum(crest, c.y - (height - 5.0))

@@ -58,7 +58,12 @@ def wood_plank(width: int, height: int) -> Surface:
     c.tint(1.0 - 0.13 * ((c.y - butt_at) % 128 > 64))
     c.height -= 1.0 * smoothstep(0.8, 0.3, butt)
     c.paint("2a1c12", 0.85 * smoothstep(0.8, 0.4, butt))
-    nails = [(i * 16 + dx, (30.0 if i % 2 == 0 else 92.0) + 12.0 * (i % 3) + dy) for i in range(8) for dx in (4, 12) for dy in (-4, 4)]
+    nails = [
+        (i * 16 + dx, (30.0 if i % 2 == 0 else 92.0) + 12.0 * (i % 3) + dy)
+        for i in range(8)
+        for dx in (4, 12)
+        for dy in (-4, 4)
+    ]
     _nails(c, [(x, y % 128) for x, y in nails])
     c.grime("33241a", 0.35, 2.0)
     c.wear("c9a678", 0.25, 2.0, 0.2)
@@ -73,7 +78,9 @@ def wood_beam(width: int, height: int) -> Surface:
     adze = c.cells((10, 7), 5, 0.9)
     edge = np.minimum(c.y, height - c.y)
     c.height = relief + c.bevel(edge, 2.5, 1.4) + 0.5 * adze.nearest
-    shake = smoothstep(0.05, 0.0, np.abs(c.noise((70, 12), 3, 0.55, seed=6))) * smoothstep(0.1, 0.5, c.noise((50, 16), 2, seed=7))
+    shake = smoothstep(0.05, 0.0, np.abs(c.noise((70, 12), 3, 0.55, seed=6))) * smoothstep(
+        0.1, 0.5, c.noise((50, 16), 2, seed=7)
+    )
     c.height -= 0.9 * shake
     c.paint("271a12", 0.75 * shake)
     c.wear("b99a74", 0.35, 2.0, 0.2)
@@ -141,8 +148,12 @@ def crate_a(width: int, height: int) -> Surface:
     _overlay_board(c, brace, PINE, 9)
     joint = np.abs(np.abs(c.x - 32) - np.abs(c.y - 32))
     c.height -= 0.8 * smoothstep(0.7, 0.2, joint) * (outer < 9)
-    _nails(c, [(x, y) for x in (4.5, 59.5) for y in (4.5, 59.5)] + [(x, y) for x in (4.5, 59.5) for y in (20, 32, 44)]
-           + [(x, y) for y in (4.5, 59.5) for x in (20, 32, 44)])
+    _nails(
+        c,
+        [(x, y) for x in (4.5, 59.5) for y in (4.5, 59.5)]
+        + [(x, y) for x in (4.5, 59.5) for y in (20, 32, 44)]
+        + [(x, y) for y in (4.5, 59.5) for x in (20, 32, 44)],
+    )
     c.grime("4a321c", 0.45, 2.0)
     c.wear("f0dcb0", 0.3, 2.0, 0.25)
     return c.surface()

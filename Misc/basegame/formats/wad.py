@@ -66,6 +66,8 @@ def write_miptex(name: str, levels: list[np.ndarray]) -> bytes:
 def read_miptex(data: bytes) -> tuple[str, list[np.ndarray]]:
     """A texture's name and its four levels of palette indices."""
     name, width, height, *offsets = struct.unpack_from("<16sII4I", data)
-    levels = [np.frombuffer(data, np.uint8, (width >> i) * (height >> i), offset).reshape(height >> i, width >> i)
-              for i, offset in enumerate(offsets)]
+    levels = [
+        np.frombuffer(data, np.uint8, (width >> i) * (height >> i), offset).reshape(height >> i, width >> i)
+        for i, offset in enumerate(offsets)
+    ]
     return name.split(b"\0")[0].decode("ascii"), levels
