@@ -43,6 +43,12 @@ BlockRuns make_runs(const Scene& scene, Rng& rng, std::uint32_t runs = kRuns) {
   return result;
 }
 
+// Drawn one after the other: the order of a call's arguments is the compiler's.
+ZTest compare(const Scene& reference, const Scene& test, Rng& rng, std::uint32_t runs = kRuns) {
+  const BlockRuns tested = make_runs(test, rng, runs);
+  return z_test(make_runs(reference, rng, runs), tested);
+}
+
 // A picture with a bright and a dim half, as rooms have.
 Light room(std::uint32_t x, std::uint32_t) { return {x < kWidth / 2 ? 2.0 : 0.6, x < kWidth / 2 ? 3.0 : 0.2}; }
 
@@ -53,7 +59,7 @@ Alarms count_alarms(const Scene& reference, const Scene& test, double alpha, int
   Alarms alarms;
   Rng rng(seed);
   for (int i = 0; i < repetitions; ++i) {
-    const ZTest r = z_test(make_runs(reference, rng), make_runs(test, rng));
+    const ZTest r = compare(reference, test, rng);
     alarms.any += r.p < alpha;
     alarms.block += r.p_block < alpha;
     alarms.spread += r.p_spread < alpha;
@@ -157,7 +163,7 @@ TEST(ZTest, FindsTwoPercentEverywhere) {
   Rng rng(21);
   int found = 0, predicted = 0;
   for (int i = 0; i < 20; ++i) {
-    const ZTest r = z_test(make_runs(fair, rng, 48), make_runs(brighter, rng, 48));
+    const ZTest r = compare(fair, brighter, rng, 48);
     found += r.p < 1e-3;
     predicted += r.detectable(1e-3) < 0.02;
     EXPECT_LT(r.energy.low, 0.02);
@@ -176,7 +182,7 @@ TEST(ZTest, FindsWhatIsWrongInOneBlock) {
   Rng rng(22);
   int found = 0;
   for (int i = 0; i < 20; ++i) {
-    const ZTest r = z_test(make_runs(room, rng), make_runs(spot, rng));
+    const ZTest r = compare(room, spot, rng);
     found += r.p < 1e-3 && r.worst == 2 * r.blocks_x + 1 && r.holm_rejected(1e-3) >= 1 && r.max_z > 0;
   }
   EXPECT_GE(found, 15);
@@ -192,7 +198,7 @@ TEST(ZTest, FindsABiasThatCancelsOverThePicture) {
   Rng rng(23);
   int found = 0, by_spread = 0;
   for (int i = 0; i < 20; ++i) {
-    const ZTest r = z_test(make_runs(plain, rng), make_runs(chequered, rng));
+    const ZTest r = compare(plain, chequered, rng);
     found += r.p < 1e-3;
     by_spread += r.p_spread < 0.25e-3;
   }
@@ -207,7 +213,7 @@ TEST(ZTest, HearsDimBlocksBesideABrightOne) {
     };
   };
   Rng rng(24);
-  const ZTest r = z_test(make_runs(lamp(1.0), rng, 48), make_runs(lamp(0.97), rng, 48));
+  const ZTest r = compare(lamp(1.0), lamp(0.97), rng, 48);
   EXPECT_GT(r.p_energy, 1e-3) << "it drowns in the lamp";
   EXPECT_LT(r.p_relative, 1e-4);
   EXPECT_LT(r.relative.high, 0.0);
@@ -221,12 +227,12 @@ TEST(ZTest, PoolsWhatIsTooDimAndLeavesOutWhatIsBlack) {
     };
   };
   Rng rng(25);
-  const ZTest fair = z_test(make_runs(scene(1), rng), make_runs(scene(1), rng));
+  const ZTest fair = compare(scene(1), scene(1), rng);
   EXPECT_EQ(fair.pooled, 10u);
   EXPECT_EQ(fair.tested, 10u);
   EXPECT_TRUE(std::isnan(fair.z[0]));
   EXPECT_GT(fair.p, 0.01);
-  const ZTest dim = z_test(make_runs(scene(1), rng), make_runs(scene(2), rng));
+  const ZTest dim = compare(scene(1), scene(2), rng);
   EXPECT_LT(dim.p, 1e-3);
   EXPECT_EQ(dim.worst, dim.z.size());
 }

@@ -54,10 +54,13 @@ std::vector<std::uint32_t> welded(const Mdl& mdl) {
   return first;
 }
 
+// Scales of a broken file may be such that products of lengths are none.
+bool is_size(float length) { return length > 0.0f && std::isfinite(length); }
+
 float corner_angle(const vec3& at, const vec3& b, const vec3& c) {
   const vec3 u = b - at, v = c - at;
   const float lengths = glm::length(u) * glm::length(v);
-  return lengths > 0.0f ? std::acos(glm::clamp(glm::dot(u, v) / lengths, -1.0f, 1.0f)) : 0.0f;
+  return is_size(lengths) ? std::acos(glm::clamp(glm::dot(u, v) / lengths, -1.0f, 1.0f)) : 0.0f;
 }
 
 class NormalBuilder {
@@ -75,7 +78,7 @@ class NormalBuilder {
       for (std::size_t k = 0; k < 3; ++k) p[k] = position_in(mdl_, pose, triangle.vertices[k]);
       const vec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
       const float length = glm::length(cross);
-      if (!(length > 0.0f)) continue;
+      if (!is_size(length)) continue;
       for (std::size_t k = 0; k < 3; ++k) {
         own[triangle.vertices[k]] += cross / length * corner_angle(p[k], p[(k + 1) % 3], p[(k + 2) % 3]);
         any[triangle.vertices[k]] = cross / length;

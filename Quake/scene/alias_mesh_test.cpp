@@ -72,6 +72,15 @@ TEST(AliasMesh, NormalsAreSmoothAndOutward) {
     }
 }
 
+TEST(AliasMesh, NormalsAreDirectionsWhateverTheScale) {
+  for (const float scale : {1e-30f, 1e10f, 1e20f, 3e36f}) {
+    formats::Mdl mdl = box_model();
+    mdl.scale = vec3(scale);
+    const Mesh mesh = make_alias_mesh(mdl, "box");
+    for (std::uint32_t v = 0; v < 8; ++v) EXPECT_NEAR(glm::length(normal_at(mesh, 0, v)), 1.0f, 1e-3f) << scale;
+  }
+}
+
 TEST(AliasMesh, SeamMovesBackFacingCorners) {
   const formats::Mdl mdl = box_model();
   const Mesh mesh = make_alias_mesh(mdl, "box");
