@@ -41,7 +41,7 @@ def slime_a(width: int, height: int) -> Surface:
     bubbles = c.cells(9, 3, 1.0)
     radius = 0.14 + 0.24 * bubbles.random(4)
     ring = smoothstep(0.07, 0.0, np.abs(bubbles.nearest - radius)) * (bubbles.random(5) < 0.45)
-    c.color = c.ramp("2b2f10 4e5a1c 7f883a a4b44c d4dc84", 0.42 + 0.3 * flow + 0.35 * ring)
+    c.color = c.ramp("1b1f0a 2b2f10 525a20 7f883a b6bb6c", 0.45 + 0.36 * flow + 0.4 * ring)
     return Surface(c.color, palette=sorted(RAMPS["olive"] + RAMPS["yellow"]), dither=0.015)
 
 
@@ -49,7 +49,7 @@ def lava_a(width: int, height: int) -> Surface:
     """Slag from the furnaces: dark crust afloat on fire."""
     c = Canvas(64, 64, 134, scale=1)
     crust = c.cells(16, 1, 0.95, warp=6.0)
-    hot = 1.0 - smoothstep(0.02, 0.34, crust.edge() + 0.07 * c.noise(9, 3, seed=2))
+    hot = 1.0 - smoothstep(0.0, 0.24, crust.edge() + 0.07 * c.noise(9, 3, seed=2))
     heat = np.clip(0.1 + 0.78 * hot + 0.16 * c.noise(16, 3, seed=3), 0.0, 1.0)
     c.color = c.ramp("1c0402 3a0a02 7d1c03 c43c05 f26a0c ff9a24 ffc64e ffe894", heat)
     return Surface(c.color, glow=heat > 0.22, dither=0.01)
