@@ -72,8 +72,22 @@ def write_mdl(model: Mdl) -> bytes:
     edges = model.positions[0][model.triangles]
     areas = np.linalg.norm(np.cross(edges[:, 1] - edges[:, 0], edges[:, 2] - edges[:, 0]), axis=1)
     counts = (len(model.skins), width, height, points.shape[1], len(model.triangles), len(model.frames))
-    out = [_HEADER.pack(b"IDPO", 6, *scale, *low, radius, 0.0, 0.0, 0.0, *counts, int(model.random_start),
-                        model.flags, float(areas.mean() / 2.0))]
+    out = [
+        _HEADER.pack(
+            b"IDPO",
+            6,
+            *scale,
+            *low,
+            radius,
+            0.0,
+            0.0,
+            0.0,
+            *counts,
+            int(model.random_start),
+            model.flags,
+            float(areas.mean() / 2.0),
+        )
+    ]
     for skin in model.skins:
         out.append(struct.pack("<i", 0) + np.ascontiguousarray(skin, np.uint8).tobytes())
     texels = np.concatenate([np.zeros((len(model.texels), 1)), model.texels], axis=1)
@@ -138,6 +152,10 @@ def read_mdl(data: bytes) -> Mdl:
             reader.take(8)
             names.append(reader.take(16).split(b"\0")[0].decode("latin-1"))
             poses.append(reader.array("u1", vertices, 4))
-        named.append(Frame(names[0], list(range(len(poses) - count, len(poses))), names if group else [], float(times[0])))
+        named.append(
+            Frame(names[0], list(range(len(poses) - count, len(poses))), names if group else [], float(times[0]))
+        )
     packed = np.array(poses)
-    return Mdl(packed[..., :3] * scale + low, DIRECTIONS[packed[..., 3]], corners, texels, pictures, named, flags, bool(sync))
+    return Mdl(
+        packed[..., :3] * scale + low, DIRECTIONS[packed[..., 3]], corners, texels, pictures, named, flags, bool(sync)
+    )

@@ -1,4 +1,6 @@
-"""The weapons' shapes, shared by what the player holds and what lies on the ground: the grip at the origin, the muzzle at +x.
+"""The weapons' shapes, shared by what the player holds and what lies on the ground.
+
+The grip is at the origin, the muzzle at +x.
 
 Moving parts hang on bones of their own, which a pickup leaves at rest.
 """
@@ -7,8 +9,23 @@ from __future__ import annotations
 
 import numpy as np
 
-from models.kit.paint import Painter, band, both_of, bone, copper, glow, iron, layers, leather, plain, rib, rivets, steel, where, wood
-from models.kit.shapes import Patch, box, ellipsoid, flat_section, lathe, torus, tube
+from models.kit.paint import (
+    Painter,
+    band,
+    both_of,
+    copper,
+    glow,
+    iron,
+    layers,
+    leather,
+    plain,
+    rib,
+    rivets,
+    steel,
+    where,
+    wood,
+)
+from models.kit.shapes import Patch, box, ellipsoid, lathe, torus, tube
 
 X = (1.0, 0.0, 0.0)
 UP = (0.0, 0.0, 1.0)
@@ -18,48 +35,169 @@ GRIP = leather(0.45, "ochre")
 STOCK = wood(0.52, "brown", grain=(4.0, 0.7, 0.7))
 
 
-def _pipe(start, length: float, radius: float, paint: Painter, bone_name: str, sides: int = 8, bore: float = 0.72, lip: float = 0.12,
-          detail: float = 1.0) -> Patch:
+def pipe(
+    start,
+    length: float,
+    radius: float,
+    paint: Painter,
+    bone_name: str,
+    sides: int = 8,
+    bore: float = 0.72,
+    lip: float = 0.12,
+    detail: float = 1.0,
+) -> Patch:
     """A barrel with a lip and a bore that goes in."""
     r = radius
-    profile = [(0.0, r), (length - 1.6, r), (length - 1.4, r + lip), (length, r + lip), (length, r * bore), (length - 3.0, r * bore * 0.9)]
-    return lathe(profile, where(band("v", 0.74, 1.2), plain("grey", 0.12, 0.03), paint), bone_name, start, X, sides, caps=(None, 0.0), detail=detail)
+    profile = [
+        (0.0, r),
+        (length - 1.6, r),
+        (length - 1.4, r + lip),
+        (length, r + lip),
+        (length, r * bore),
+        (length - 3.0, r * bore * 0.9),
+    ]
+    return lathe(
+        profile,
+        where(band("v", 0.74, 1.2), plain("grey", 0.12, 0.03), paint),
+        bone_name,
+        start,
+        X,
+        sides,
+        caps=(None, 0.0),
+        detail=detail,
+    )
 
 
 def flash(at, size: float, bone_name: str = "flash", ramp: str = "fire", sides: int = 6) -> list[Patch]:
     """A muzzle's fire: a star with a tongue; its bone shows or hides it."""
     at = np.asarray(at, float)
-    tongue = lathe([(-0.6, 0.3), (0.8, 0.9), (2.4, 0.5)], glow(ramp, 0.95, 0.1), bone_name, at, X, sides, caps=(0.2, 1.6), detail=0.4)
+    tongue = lathe(
+        [(-0.6, 0.3), (0.8, 0.9), (2.4, 0.5)],
+        glow(ramp, 0.95, 0.1),
+        bone_name,
+        at,
+        X,
+        sides,
+        caps=(0.2, 1.6),
+        detail=0.4,
+    )
     tongue.grid = at + (tongue.grid - at) * size
     out = [tongue]
     for angle in np.radians([90, 210, 330]):
         tip = np.array([0.5, np.cos(angle), np.sin(angle)])
-        out.append(tube([at, at + tip * 1.1 * size, at + tip * 2.3 * size], [0.5 * size, 0.42 * size, 0.08 * size], glow(ramp, 0.8, 0.2), bone_name, 4, up=X, detail=0.3))
+        out.append(
+            tube(
+                [at, at + tip * 1.1 * size, at + tip * 2.3 * size],
+                [0.5 * size, 0.42 * size, 0.08 * size],
+                glow(ramp, 0.8, 0.2),
+                bone_name,
+                4,
+                up=X,
+                detail=0.3,
+            )
+        )
     return out
 
 
 def axe() -> list[Patch]:
-    haft = lathe([(-11, 0.55), (-10.2, 0.95), (-9.4, 0.6), (0.0, 0.62), (9.0, 0.66), (16.0, 0.6)],
-                 layers(wood(0.5, "brown", grain=(4.0, 0.6, 0.6)), (band("x", -4.0, 3.0), layers(leather(0.4, "sand"), (rib("x", 1.0, 0.28), leather(0.62, "sand")))), (band("x", 11.0, 20.0), iron(0.45, 0.2))),
-                 "gun", axis=X, sides=7, detail=0.9)
+    haft = lathe(
+        [(-11, 0.55), (-10.2, 0.95), (-9.4, 0.6), (0.0, 0.62), (9.0, 0.66), (16.0, 0.6)],
+        layers(
+            wood(0.5, "brown", grain=(4.0, 0.6, 0.6)),
+            (band("x", -4.0, 3.0), layers(leather(0.4, "sand"), (rib("x", 1.0, 0.28), leather(0.62, "sand")))),
+            (band("x", 11.0, 20.0), iron(0.45, 0.2)),
+        ),
+        "gun",
+        axis=X,
+        sides=7,
+        detail=0.9,
+    )
     cheek = box((13.2, 0, 0), (2.0, 4.0, 4.2), layers(OLD, (rivets(4, 2, 0.2), steel(0.8))), "gun", X, (0, 1, 0), 0.3)
     edge = layers(iron(0.5, 0.15), (band("v", 0.62, 1.1), steel(0.8)), (both_of(band("v", 0.28, 0.34)), BRASS))
     rows = [(1.5, 0.8, 1.7), (3.2, 0.6, 1.5), (5.2, 0.42, 2.4), (7.2, 0.26, 4.6), (7.9, 0.05, 5.4)]
-    blade = tube([(13.2 + 0.12 * (d - 1.5) * (1 if d > 5 else 0), 0, d) for d, _, _ in rows], [(t, w) for _, t, w in rows], edge, "gun", up=(0, 1, 0),
-                 section=np.array([(0, 1.0), (-1, 0.72), (-1, -0.72), (0, -1.0), (1, -0.72), (1, 0.72), (0, 1.0)]), detail=1.2)
-    beard = tube([(13.2, 0, -1.6), (13.4, 0, -3.6), (12.2, 0, -6.4)], [(0.7, 1.3), (0.5, 0.9), (0.06, 0.15)], iron(0.5, 0.1), "gun", 4, up=(0, 1, 0), detail=0.8)
+    blade = tube(
+        [(13.2 + 0.12 * (d - 1.5) * (1 if d > 5 else 0), 0, d) for d, _, _ in rows],
+        [(t, w) for _, t, w in rows],
+        edge,
+        "gun",
+        up=(0, 1, 0),
+        section=np.array([(0, 1.0), (-1, 0.72), (-1, -0.72), (0, -1.0), (1, -0.72), (1, 0.72), (0, 1.0)]),
+        detail=1.2,
+    )
+    beard = tube(
+        [(13.2, 0, -1.6), (13.4, 0, -3.6), (12.2, 0, -6.4)],
+        [(0.7, 1.3), (0.5, 0.9), (0.06, 0.15)],
+        iron(0.5, 0.1),
+        "gun",
+        4,
+        up=(0, 1, 0),
+        detail=0.8,
+    )
     ring = torus((16.2, 0, 0), X, 0.75, 0.28, BRASS, "gun", 8, 4, detail=0.6)
     return [haft, cheek, blade, beard, ring]
 
 
 def shotgun() -> list[Patch]:
-    barrel = _pipe((1.5, 0, 1.2), 21.0, 0.95, layers(iron(0.48, 0.08), (band("x", 12.0, 12.9), BRASS), (band("x", 3.0, 3.5), BRASS)), "gun", 9)
-    tubing = lathe([(0, 0.7), (13.2, 0.7), (13.8, 0.45)], layers(iron(0.4, 0.15), (band("v", 0.88, 1.1), BRASS)), "gun", (2.0, 0, -0.75), X, 7, caps=(None, 0.1))
-    body = box((0.0, 0, 0.2), (3.6, 2.3, 8.0), layers(BRASS, (rivets(4, 4, 0.16), steel(0.75)), (both_of(band("z", 0.2, 1.3), band("x", -1.0, 2.6)), iron(0.3, 0))), "gun", X, UP, 0.3, 1.2)
-    slide = lathe([(-2.6, 1.0), (-2.3, 1.3), (2.3, 1.3), (2.6, 1.0)], layers(STOCK, (rib("x", 0.8, 0.2), leather(0.24, "brown"))), "pump", (9.2, 0, -0.75), X, 8, caps=(0.0, 0.0))
-    stock = tube([(-3.5, 0, 0.1), (-6.5, 0, -0.9), (-11.5, 0, -2.6)], [(1.4, 0.95), (1.3, 0.9), (2.2, 1.05)], STOCK, "gun", 8, up=UP, detail=0.6)
-    gauge = lathe([(0, 0.9), (0.5, 0.9), (0.6, 0.65)], where(band("v", 0.7, 1.1), where(lambda s: (s.x - s.z * 0.6 > 0.3), plain("sand", 0.9, 0.02), plain("coral", 0.6, 0.02)), BRASS),
-                  "gun", (-1.2, 0.4, 1.8), (-0.35, 0.2, 1), 8, detail=1.2)
+    barrel = pipe(
+        (1.5, 0, 1.2),
+        21.0,
+        0.95,
+        layers(iron(0.48, 0.08), (band("x", 12.0, 12.9), BRASS), (band("x", 3.0, 3.5), BRASS)),
+        "gun",
+        9,
+    )
+    tubing = lathe(
+        [(0, 0.7), (13.2, 0.7), (13.8, 0.45)],
+        layers(iron(0.4, 0.15), (band("v", 0.88, 1.1), BRASS)),
+        "gun",
+        (2.0, 0, -0.75),
+        X,
+        7,
+        caps=(None, 0.1),
+    )
+    body = box(
+        (0.0, 0, 0.2),
+        (3.6, 2.3, 8.0),
+        layers(
+            BRASS, (rivets(4, 4, 0.16), steel(0.75)), (both_of(band("z", 0.2, 1.3), band("x", -1.0, 2.6)), iron(0.3, 0))
+        ),
+        "gun",
+        X,
+        UP,
+        0.3,
+        1.2,
+    )
+    slide = lathe(
+        [(-2.6, 1.0), (-2.3, 1.3), (2.3, 1.3), (2.6, 1.0)],
+        layers(STOCK, (rib("x", 0.8, 0.2), leather(0.24, "brown"))),
+        "pump",
+        (9.2, 0, -0.75),
+        X,
+        8,
+        caps=(0.0, 0.0),
+    )
+    stock = tube(
+        [(-3.5, 0, 0.1), (-6.5, 0, -0.9), (-11.5, 0, -2.6)],
+        [(1.4, 0.95), (1.3, 0.9), (2.2, 1.05)],
+        STOCK,
+        "gun",
+        8,
+        up=UP,
+        detail=0.6,
+    )
+    gauge = lathe(
+        [(0, 0.9), (0.5, 0.9), (0.6, 0.65)],
+        where(
+            band("v", 0.7, 1.1),
+            where(lambda s: (s.x - s.z * 0.6 > 0.3), plain("sand", 0.9, 0.02), plain("coral", 0.6, 0.02)),
+            BRASS,
+        ),
+        "gun",
+        (-1.2, 0.4, 1.8),
+        (-0.35, 0.2, 1),
+        8,
+        detail=1.2,
+    )
     bead = ellipsoid((21.6, 0, 2.4), (0.28, 0.28, 0.4), BRASS, "gun", 2, 5, detail=0.5)
     guard = torus((0.4, 0, -2.2), (0, 1, 0), 1.2, (0.2, 0.3), iron(0.4, 0.1), "gun", 8, 4, detail=0.5)
     return [barrel, tubing, body, slide, stock, gauge, bead, guard]
@@ -68,84 +206,121 @@ def shotgun() -> list[Patch]:
 def double_shotgun() -> list[Patch]:
     out = []
     for y in (1.05, -1.05):
-        out.append(_pipe((1.0, y, 1.0), 17.0, 1.0, layers(iron(0.5, 0.06), (band("x", 9.0, 9.8), BRASS), (band("x", 1.8, 3.4), OLD)), "barrels", 8))
+        out.append(
+            pipe(
+                (1.0, y, 1.0),
+                17.0,
+                1.0,
+                layers(iron(0.5, 0.06), (band("x", 9.0, 9.8), BRASS), (band("x", 1.8, 3.4), OLD)),
+                "barrels",
+                8,
+            )
+        )
     rib_ = box((9.2, 0, 1.9), (0.4, 0.7, 16.0), BRASS, "barrels", X, UP, 0.2, 0.5)
-    body = box((-0.8, 0, 0.4), (3.8, 4.0, 6.4), layers(OLD, (rivets(4, 3, 0.18), BRASS), (band("x", 1.6, 4.0), iron(0.4, 0.1))), "gun", X, UP, 0.35, 1.2)
-    forend = tube([(3.4, 0, -0.4), (7.0, 0, -0.5), (11.4, 0, 0.1)], [(1.3, 1.9), (1.3, 1.8), (0.6, 1.2)], STOCK, "barrels", 8, up=UP)
-    stock = tube([(-3.6, 0, 0.2), (-6.5, 0, -0.9), (-11.5, 0, -2.4)], [(1.6, 1.2), (1.4, 1.0), (2.3, 1.15)], STOCK, "gun", 8, up=UP, detail=0.6)
-    hammers = [tube([(-2.6, y, 2.0), (-3.4, y, 3.2), (-2.7, y, 3.9)], [0.5, 0.4, 0.25], iron(0.5, 0.1), "gun", 5, up=(0, 1, 0), detail=0.6) for y in (1.0, -1.0)]
+    body = box(
+        (-0.8, 0, 0.4),
+        (3.8, 4.0, 6.4),
+        layers(OLD, (rivets(4, 3, 0.18), BRASS), (band("x", 1.6, 4.0), iron(0.4, 0.1))),
+        "gun",
+        X,
+        UP,
+        0.35,
+        1.2,
+    )
+    forend = tube(
+        [(3.4, 0, -0.4), (7.0, 0, -0.5), (11.4, 0, 0.1)],
+        [(1.3, 1.9), (1.3, 1.8), (0.6, 1.2)],
+        STOCK,
+        "barrels",
+        8,
+        up=UP,
+    )
+    stock = tube(
+        [(-3.6, 0, 0.2), (-6.5, 0, -0.9), (-11.5, 0, -2.4)],
+        [(1.6, 1.2), (1.4, 1.0), (2.3, 1.15)],
+        STOCK,
+        "gun",
+        8,
+        up=UP,
+        detail=0.6,
+    )
+    hammers = [
+        tube(
+            [(-2.6, y, 2.0), (-3.4, y, 3.2), (-2.7, y, 3.9)],
+            [0.5, 0.4, 0.25],
+            iron(0.5, 0.1),
+            "gun",
+            5,
+            up=(0, 1, 0),
+            detail=0.6,
+        )
+        for y in (1.0, -1.0)
+    ]
     lever = tube([(-1.8, 0, 2.4), (-4.2, 0.4, 2.7)], [0.35, 0.5], BRASS, "gun", 5, detail=0.5)
     return out + [rib_, body, forend, stock, lever, *hammers]
 
 
 def nailgun() -> list[Patch]:
-    body = box((0.5, 0, 0.2), (4.2, 3.6, 10.0), layers(OLD, (rivets(8, 5, 0.16), BRASS), (both_of(band("z", -0.6, 1.0), band("x", -2.0, 3.4)), iron(0.32, 0.1))), "gun", X, UP, 0.35, 1.1)
+    body = box(
+        (0.5, 0, 0.2),
+        (4.2, 3.6, 10.0),
+        layers(
+            OLD, (rivets(8, 5, 0.16), BRASS), (both_of(band("z", -0.6, 1.0), band("x", -2.0, 3.4)), iron(0.32, 0.1))
+        ),
+        "gun",
+        X,
+        UP,
+        0.35,
+        1.1,
+    )
     out = [body]
     for y, name in ((1.15, "left"), (-1.15, "right")):
-        out.append(_pipe((5.0, y, 0.7), 13.0, 0.72, iron(0.5, 0.05), name, 7))
-        out.append(lathe([(0, 1.0), (0.4, 1.2), (1.0, 1.2), (1.4, 1.0)], BRASS, name, (11.0, y, 0.7), X, 7, caps=(None, None), detail=0.6))
+        out.append(pipe((5.0, y, 0.7), 13.0, 0.72, iron(0.5, 0.05), name, 7))
+        out.append(
+            lathe(
+                [(0, 1.0), (0.4, 1.2), (1.0, 1.2), (1.4, 1.0)],
+                BRASS,
+                name,
+                (11.0, y, 0.7),
+                X,
+                7,
+                caps=(None, None),
+                detail=0.6,
+            )
+        )
     shroud = box((8.0, 0, -0.9), (1.2, 3.0, 6.4), iron(0.4, 0.25), "gun", X, UP, 0.3, 0.8)
-    hopper = box((1.2, 0, 3.6), (6.0, 2.6, 3.4), layers(iron(0.44, 0.3), (rib("x", 1.1, 0.3), iron(0.25, 0))), "gun", (0, 0, 1), X, 0.25, 0.9, taper=1.25)
-    nails = [lathe([(0, 0.28), (1.1, 0.28), (1.15, 0.5)], steel(0.75), "gun", (x, 0.4 * (-1) ** i, 4.9), UP, 5, caps=(None, 0.1), detail=0.4) for i, x in enumerate((-0.6, 0.7, 2.0, 3.2))]
+    hopper = box(
+        (1.2, 0, 3.6),
+        (6.0, 2.6, 3.4),
+        layers(iron(0.44, 0.3), (rib("x", 1.1, 0.3), iron(0.25, 0))),
+        "gun",
+        (0, 0, 1),
+        X,
+        0.25,
+        0.9,
+        taper=1.25,
+    )
+    nails = [
+        lathe(
+            [(0, 0.28), (1.1, 0.28), (1.15, 0.5)],
+            steel(0.75),
+            "gun",
+            (x, 0.4 * (-1) ** i, 4.9),
+            UP,
+            5,
+            caps=(None, 0.1),
+            detail=0.4,
+        )
+        for i, x in enumerate((-0.6, 0.7, 2.0, 3.2))
+    ]
     handle = tube([(-2.0, 0, -1.5), (-3.4, 0, -4.4)], [(1.2, 0.9), (1.3, 1.0)], GRIP, "gun", 7, up=X, detail=0.5)
-    bottle = lathe([(-3.0, 0.8), (-2.2, 1.5), (2.2, 1.5), (3.0, 0.8)], copper(0.25, 2.5, 5), "gun", (-6.4, 0, 0.4), X, 8, caps=(0.2, 0.3))
+    bottle = lathe(
+        [(-3.0, 0.8), (-2.2, 1.5), (2.2, 1.5), (3.0, 0.8)],
+        copper(0.25, 2.5, 5),
+        "gun",
+        (-6.4, 0, 0.4),
+        X,
+        8,
+        caps=(0.2, 0.3),
+    )
     return out + [shroud, hopper, *nails, handle, bottle]
-
-
-def super_nailgun() -> list[Patch]:
-    out = []
-    for k in range(6):
-        a = np.radians(60 * k + 30)
-        out.append(_pipe((4.0, 1.55 * np.cos(a), 0.8 + 1.55 * np.sin(a)), 14.0, 0.55, iron(0.52, 0.05), "barrels", 5, detail=0.5))
-    for x in (8.0, 15.6):
-        out.append(lathe([(0, 1.4), (0.0, 2.45), (0.8, 2.45), (0.8, 1.4)], BRASS, "barrels", (x, 0, 0.8), X, 10, caps=(0, 0), detail=0.7))
-    body = lathe([(-5.4, 1.9), (-4.6, 2.9), (2.6, 2.9), (3.4, 3.3), (5.0, 3.3), (5.4, 2.7)], layers(OLD, (rivets(10, 6, 0.16), BRASS), (band("v", 0.62, 0.9), layers(iron(0.42, 0.2), (rivets(10, 8, 0.2), steel(0.7))))), "gun", (0, 0, 0.8), X, 10, caps=(0.4, -0.3), detail=1.1)
-    drum = lathe([(-2.6, 2.0), (-2.2, 2.8), (2.2, 2.8), (2.6, 2.0)], layers(iron(0.42, 0.3), (rib("x", 1.3, 0.3), BRASS)), "gun", (0.4, 3.6, -1.0), X, 9, caps=(0.1, 0.1), detail=0.9)
-    window = lathe([(0, 0.85), (0.5, 0.85), (0.55, 0.5)], where(band("v", 0.7, 1.1), glow("fire", 0.55, 0.2), BRASS), "gun", (-2.2, 0, 3.4), UP, 8, detail=0.9)
-    handle = torus((0.8, 0, 4.4), (0, 1, 0), 1.9, (0.4, 0.45), GRIP, "gun", 9, 5, squash=0.6, detail=0.5)
-    grip = tube([(-3.4, 0, -1.4), (-4.8, 0, -4.6)], [(1.3, 1.0), (1.4, 1.0)], GRIP, "gun", 7, up=X, detail=0.5)
-    return out + [body, drum, window, handle, grip]
-
-
-def grenade_launcher() -> list[Patch]:
-    tube_ = lathe([(2.0, 2.0), (9.0, 2.0), (9.3, 2.4), (12.6, 2.5), (13.0, 2.2), (13.0, 1.7), (8.0, 1.6)], where(band("v", 0.7, 1.2), plain("grey", 0.1, 0.03), layers(OLD, (rivets(8, 12, 0.16), BRASS))),
-                  "gun", (0, 0, 0.8), X, 11, caps=(None, 0))
-    drum = lathe([(-2.4, 2.6), (-2.1, 3.3), (2.1, 3.3), (2.4, 2.6)], layers(iron(0.44, 0.2), (lambda s: ((s.u * 6.0) % 1.0 - 0.5) ** 2 * 4 + (s.v - 0.5) ** 2 * 9 < 0.42, iron(0.24, 0)), (band("v", 0.16, 0.22), BRASS), (band("v", 0.78, 0.84), BRASS)), "drum",
-                 (0.2, 0, 0.2), X, 12, caps=(0, 0), detail=1.1)
-    back = box((-4.0, 0, 0.4), (4.0, 3.0, 3.6), layers(BRASS, (rivets(4, 2, 0.2), iron(0.4, 0))), "gun", X, UP, 0.35)
-    stock = tube([(-5.6, 0, 0.2), (-8.0, 0, -0.8), (-12.0, 0, -2.2)], [(1.5, 1.1), (1.3, 1.0), (2.2, 1.1)], STOCK, "gun", 8, up=UP, detail=0.6)
-    under = tube([(3.4, 0, -2.2), (9.6, 0, -2.0)], [(0.9, 1.2), (0.8, 1.1)], STOCK, "gun", 7, up=UP, detail=0.7)
-    sight = torus((11.0, 0, 4.0), X, 0.9, 0.18, iron(0.4, 0), "gun", 9, 4, detail=0.4)
-    return [tube_, drum, back, stock, under, sight]
-
-
-def rocket_launcher() -> list[Patch]:
-    tube_ = lathe([(-9.0, 1.6), (-8.4, 2.6), (-7.4, 2.2), (9.0, 2.2), (10.0, 2.5), (13.0, 3.6), (13.5, 3.5), (13.2, 2.9), (9.0, 1.8)],
-                  where(band("v", 0.8, 1.2), plain("grey", 0.1, 0.03), layers(iron(0.46, 0.15), (band("x", 8.6, 14.0), OLD), (band("x", -0.6, 0.4), BRASS), (band("x", -6.4, -5.6), BRASS))), "gun", (0, 0, 1.2), X, 12, caps=(0.0, 0))
-    boiler = lathe([(-3.0, 1.0), (-2.4, 1.7), (2.2, 1.7), (3.0, 1.0)], layers(OLD, (rivets(7, 6, 0.18), BRASS)), "gun", (-3.4, 0, 4.3), X, 9, caps=(0.2, 0.2), detail=1.5)
-    pipe = tube([(-0.6, 0, 4.4), (2.2, 0, 4.4), (3.6, 0, 3.6), (3.8, 0, 2.6)], [0.45] * 4, BRASS, "gun", 6, up=(0, 1, 0), detail=0.6)
-    teeth = [tube([(12.6, 3.3 * np.cos(a), 1.2 + 3.3 * np.sin(a)), (15.0, 2.9 * np.cos(a), 1.2 + 2.9 * np.sin(a))], [0.6, 0.1], bone(0.84), "gun", 5, up=UP, detail=0.4)
-             for a in np.radians([30, 90, 150, 210, 270, 330])]
-    eye = lathe([(0, 0.9), (0.6, 0.9), (0.7, 0.6)], where(band("v", 0.66, 1.1), glow("red_glow", 0.7, 0.2), BRASS), "gun", (8.0, 1.7, 2.6), (0, 1, 0.7), 7, detail=0.8)
-    handle = tube([(0.4, 0, -0.8), (-0.6, 0, -4.4)], [(1.2, 0.9), (1.3, 1.0)], GRIP, "gun", 7, up=X, detail=0.5)
-    fore = tube([(6.0, 0, -0.8), (5.8, 0, -3.6)], [(1.0, 0.8), (1.1, 0.9)], GRIP, "gun", 7, up=X, detail=0.5)
-    gauge = lathe([(0, 1.0), (0.4, 1.0), (0.5, 0.75)], where(band("v", 0.72, 1.1), where(lambda s: s.y > 0.2, plain("sand", 0.88, 0.02), plain("verdigris", 0.75, 0.02)), BRASS), "gun", (-5.4, 0, 4.0), (-0.6, 0, 1), 8)
-    return [tube_, boiler, pipe, eye, handle, fore, gauge, *teeth]
-
-
-def thunderbolt() -> list[Patch]:
-    core = lathe([(-6.4, 1.2), (-5.6, 2.2), (1.6, 2.2), (2.2, 2.7), (3.6, 2.7), (4.0, 2.0)], layers(OLD, (rivets(9, 6, 0.17), BRASS)), "gun", (0, 0, 0.6), X, 10, caps=(0.3, 0))
-    jar = lathe([(4.0, 1.5), (4.4, 1.75), (8.6, 1.75), (9.2, 1.4)], layers(glow("blue_glow", 0.25, 0.9, 1.6), (rib("x", 1.1, 0.26), BRASS)), "jar", (0, 0, 0.6), X, 9, caps=(None, None))
-    head = lathe([(9.0, 1.3), (9.2, 2.0), (10.6, 2.0), (11.4, 1.3)], BRASS, "gun", (0, 0, 0.6), X, 9, caps=(None, -0.2))
-    out = [core, jar, head]
-    for k in range(3):
-        a = np.radians(90 + 120 * k)
-        c = np.array([0, np.cos(a), np.sin(a)])
-        base = np.array([10.0, 0, 0.6]) + c * 1.7
-        out.append(tube([base, base + [3.0, 0, 0] + c * 1.3, base + [6.6, 0, 0] + c * 0.9, base + [9.4, 0, 0] - c * 0.9], [0.62, 0.5, 0.42, 0.12], OLD, "gun", 6, up=c, detail=0.6))
-        out.append(ellipsoid(base + [9.2, 0, 0] - c * 0.8, (0.5, 0.5, 0.55), glow("blue_glow", 0.9, 0.2), "gun", 2, 5, detail=0.4))
-    for x in (-4.0, -2.0, 0.0):
-        out.append(torus((x, 0, 0.6), X, 2.45, 0.5, copper(0.0, 2.0, metal="brown"), "gun", 10, 5, detail=0.5))
-    handle = tube([(-3.6, 0, -1.4), (-4.8, 0, -4.4)], [(1.2, 0.9), (1.3, 1.0)], GRIP, "gun", 7, up=X, detail=0.5)
-    cable = tube([(-5.8, 0, 2.2), (-7.4, 0.6, 3.2), (-9.6, 1.2, 1.4), (-11.5, 1.4, -2.0)], [0.55] * 4, iron(0.3, 0), "gun", 5, up=(0, 1, 0), detail=0.5)
-    return out + [handle, cable]

@@ -1,15 +1,29 @@
-"""What lies about to be taken: armour, keys, sigils, powers, the suit, a pack. All of it turns on the spot."""
+"""What lies about to be taken: armour, powers, the suit, a pack. All of it turns on the spot."""
 
 from __future__ import annotations
-
-import functools
 
 import numpy as np
 
 from formats.mdl import ROTATE, Mdl
 from models.kit.figure import build
-from models.kit.paint import Painter, band, both_of, canvas, copper, flesh, glow, iron, layers, leather, plain, rib, rivets, spot, steel, wax, where
-from models.kit.shapes import Patch, both, box, ellipsoid, flat_section, lathe, mirrored, moved, round_section, torus, tube
+from models.kit.paint import (
+    Painter,
+    band,
+    both_of,
+    canvas,
+    copper,
+    flesh,
+    glow,
+    iron,
+    layers,
+    leather,
+    plain,
+    rivets,
+    spot,
+    steel,
+    where,
+)
+from models.kit.shapes import Patch, both, box, ellipsoid, lathe, torus, tube
 from models.player import helmet
 
 UP = (0.0, 0.0, 1.0)
@@ -17,7 +31,7 @@ Y = (0.0, 1.0, 0.0)
 X = (1.0, 0.0, 0.0)
 
 
-def _item(patches: list[Patch], skin=(200, 128), skins: int = 1) -> Mdl:
+def item(patches: list[Patch], skin=(200, 128), skins: int = 1) -> Mdl:
     return build(patches, None, ["frame1"], skin=skin, skins=skins, flags=ROTATE)
 
 
@@ -31,123 +45,208 @@ def armor() -> Mdl:
     trim = _by_skin(copper(0.1), copper(0.95, 3.0), copper(0.0))
     gem = _by_skin(glow("white_glow", 0.2, 0.2), glow("gold_glow", 0.8, 0.2), glow("red_glow", 0.8, 0.2))
     ridge = lambda s: (np.abs(s.y) < 0.7) & (s.x > 0)
-    shell = tube([(0, 0, 3), (0, 0, 8), (0.4, 0, 14), (0.6, 0, 20), (0, 0, 25), (-0.4, 0, 28)], [(6.0, 8.2), (5.4, 7.2), (6.6, 8.4), (7.4, 9.6), (6.0, 8.6), (4.2, 5.4)],
-                 layers(plate, (ridge, trim), (band("z", 2.9, 4.6), trim), (band("z", 26.6, 29), trim), (both_of(rivets(16, 9, 0.16), lambda s: s.v < 0.3), steel(0.8)), (spot((8.0, 0, 19.0), 1.7), gem)), sides=14, caps=(-1.6, -3.0))
+    shell = tube(
+        [(0, 0, 3), (0, 0, 8), (0.4, 0, 14), (0.6, 0, 20), (0, 0, 25), (-0.4, 0, 28)],
+        [(6.0, 8.2), (5.4, 7.2), (6.6, 8.4), (7.4, 9.6), (6.0, 8.6), (4.2, 5.4)],
+        layers(
+            plate,
+            (ridge, trim),
+            (band("z", 2.9, 4.6), trim),
+            (band("z", 26.6, 29), trim),
+            (both_of(rivets(16, 9, 0.16), lambda s: s.v < 0.3), steel(0.8)),
+            (spot((8.0, 0, 19.0), 1.7), gem),
+        ),
+        sides=14,
+        caps=(-1.6, -3.0),
+    )
     collar = torus((-0.4, 0, 28.0), UP, 4.8, 0.8, trim, around=12, sides=5, squash=1.25)
-    pad = lathe([(-3.4, 5.0), (-2.6, 5.2), (0.4, 4.2), (2.2, 2.2)], layers(plate, (band("v", 0.0, 0.24), trim), (both_of(rivets(10, 5, 0.2), band("v", 0.0, 0.24)), steel(0.8))), at=(-0.2, 11.2, 24.6), axis=(0, 0.5, 1), sides=9, caps=(0.0, 0.4))
+    pad = lathe(
+        [(-3.4, 5.0), (-2.6, 5.2), (0.4, 4.2), (2.2, 2.2)],
+        layers(plate, (band("v", 0.0, 0.24), trim), (both_of(rivets(10, 5, 0.2), band("v", 0.0, 0.24)), steel(0.8))),
+        at=(-0.2, 11.2, 24.6),
+        axis=(0, 0.5, 1),
+        sides=9,
+        caps=(0.0, 0.4),
+    )
     tassets = box((1.0, 4.4, 0.9), (7.0, 6.0, 5.4), layers(plate, (band("v", 0.0, 0.3), trim)), bevel=0.35, taper=0.86)
-    return _item([shell, collar] + both(pad, tassets), (256, 160), 3)
-
-
-def _metal(gold: bool) -> Painter:
-    return copper(0.04, 3.0, 51) if gold else steel(0.76)
-
-
-def _stone(gold: bool) -> str:
-    return "fire" if gold else "blue_glow"
-
-
-def medieval_key(gold: bool) -> Mdl:
-    """An old church key: a trefoil bow with a gem, a fluted shank, a bit of four wards."""
-    metal = _metal(gold)
-    shank = lathe([(0, 1.3), (0.8, 1.5), (1.4, 0.9), (10, 0.9), (10.6, 1.4), (11.6, 1.4), (12.2, 1.0)], metal, at=(0, 0, 2.0), sides=8, caps=(0.3, 0))
-    bows = [torus((0, y, z), X, 2.5, 0.75, metal, around=12, sides=6) for y, z in ((0, 20.4), (3.3, 16.4), (-3.3, 16.4))]
-    gem = ellipsoid((0, 0, 17.8), (1.5, 1.7, 1.9), glow(_stone(gold), 0.6, 0.3), rings=3, sides=7, detail=0.8)
-    wards = [box((0, 2.6, 3.0 + 2.0 * i), (1.3, 4.0 - 1.1 * (i % 2), 1.2), metal, detail=0.8) for i in range(4)]
-    wards.append(box((0, 1.2, 6.0), (1.0, 1.4, 8.0), metal, detail=0.8))
-    return _item([shank, *bows, gem, *wards], (160, 96))
-
-
-def rune_key(gold: bool) -> Mdl:
-    """A slab of slate bound in metal; the rune cut into it glows."""
-    metal = _metal(gold)
-    rune = lambda s: (np.abs(s.x) > 1.2) & ((np.abs(s.y) < 0.55) | (np.abs(np.abs(s.y) - (s.z - 12.0) * 0.55) < 0.55) & (s.z > 12) | (np.abs(s.z - 7.5 - np.abs(s.y) * 0.6) < 0.6) & (np.abs(s.y) < 4)) & (s.z > 4.5) & (s.z < 20.5)
-    slab = tube([(0, 0, 1.0), (0, 0, 2.4), (0, 0, 12), (0, 0, 21), (0, 0, 24)], [(1.4, 3.4), (2.0, 5.0), (2.2, 5.8), (2.0, 5.0), (1.2, 2.6)], layers(plain("slate", 0.5, 0.16, 3.0), (rune, glow(_stone(gold), 0.7, 0.25))), section=round_section(10), caps=(0.4, 0.6), detail=1.4)
-    bands = [tube([(0, 0, z - 0.9), (0, 0, z + 0.9)], [(2.6, 5.9), (2.6, 5.9)], layers(metal, (rivets(10, 1, 0.25), iron(0.4, 0.2))), section=round_section(10), caps=(0.0, 0.0)) for z in (3.4, 22.0)]
-    ring = torus((0, 0, 26.0), X, 2.2, 0.6, metal, around=10, sides=5)
-    return _item([slab, *bands, ring], (160, 96))
-
-
-def base_key(gold: bool) -> Mdl:
-    """A punched brass plate for the works' locks, with a glowing stripe."""
-    metal = _metal(gold)
-    holes = lambda s: (((s.y * 0.55) % 1.0 - 0.5) ** 2 + ((s.z * 0.55) % 1.0 - 0.5) ** 2 < 0.07) & (np.abs(s.x) > 0.4) & (s.z > 4.0) & (s.z < 15.0) & (np.abs(s.y) < 4.6)
-    stripe = lambda s: (np.abs(s.z - 17.4) < 0.9) & (np.abs(s.y) < 4.8) & (np.abs(s.x) > 0.4)
-    card = box((0, 0, 10.6), (1.5, 12.0, 18.0), layers(metal, (holes, iron(0.2, 0.0)), (stripe, glow(_stone(gold), 0.75, 0.15))), bevel=0.3, detail=1.3)
-    clip = torus((0, 0, 20.8), X, 1.7, 0.5, iron(0.45, 0.1), around=9, sides=5)
-    tooth = box((0, 3.4, 1.4), (1.1, 2.0, 2.4), metal, detail=0.8)
-    return _item([card, clip, tooth, mirrored(tooth)], (160, 96))
-
-
-def sigil(kind: int) -> Mdl:
-    """One of four runes of glowing iron in the round: earth, black, hell, elder."""
-    ramp = ("fire", "blue_glow", "red_glow", "white_glow")[kind]
-    core = layers(iron(0.36, 0.1), (lambda s: np.abs(s.x) > 1.15, glow(ramp, 0.6, 0.35)))
-    bar = lambda a, b, r=1.2: tube([a, (np.add(a, b) / 2), b], [(1.5, r), (1.7, r * 1.15), (1.5, r)], core, up=X, sides=6, caps=(0.3, 0.3))
-    shapes = [
-        [bar((0, 0, 1), (0, 0, 23)), bar((0, -6, 8), (0, 0, 16)), bar((0, 6, 8), (0, 0, 16)), bar((0, -5, 3), (0, 5, 3))],
-        [torus((0, 0, 12), X, 7.0, (1.3, 1.6), core, around=16, sides=6), bar((0, 0, 1), (0, 0, 23)), bar((0, -4, 12), (0, 4, 12))],
-        [bar((0, -7, 2), (0, 0, 22)), bar((0, 7, 2), (0, 0, 22)), bar((0, -4, 9), (0, 4, 9)), bar((0, 0, 9), (0, 0, 1))],
-        [bar((0, -6, 1), (0, 6, 12)), bar((0, 6, 12), (0, -6, 23)), bar((0, 6, 1), (0, -6, 12)), bar((0, -6, 12), (0, 6, 23))],
-    ][kind]
-    return _item(shapes, (160, 96))
+    return item([shell, collar] + both(pad, tassets), (256, 160), 3)
 
 
 def invisibl() -> Mdl:
     """The ring of shadows: a brass ring with coral thorns and one pale eye."""
-    ring = torus((0, 0, 10), X, 7.2, (1.2, 1.6), layers(copper(0.5, 2.0), (lambda s: (s.u * 40) % 1.0 < 0.2, copper(0.0))), around=20, sides=6)
+    ring = torus(
+        (0, 0, 10),
+        X,
+        7.2,
+        (1.2, 1.6),
+        layers(copper(0.5, 2.0), (lambda s: (s.u * 40) % 1.0 < 0.2, copper(0.0))),
+        around=20,
+        sides=6,
+    )
     seat = lathe([(0, 2.6), (1.6, 3.0), (2.4, 2.6)], copper(0.1, 2.0), at=(0, 0, 17.6), sides=9, caps=(0.4, 0))
-    eye = ellipsoid((0, 0, 20.6), (2.4, 2.4, 2.0), layers(glow("white_glow", 0.3, 0.2), (lambda s: np.abs(s.y) < 0.55, plain("grey", 0.05, 0.0))), rings=4, sides=8)
-    thorns = [tube([(0, np.cos(a) * 8.0, 10 + np.sin(a) * 8.0), (0, np.cos(a) * 11.0, 10 + np.sin(a) * 11.0)], [0.9, 0.1], flesh(0.6), sides=5) for a in np.radians([0, 45, 135, 180, 225, 270, 315])]
-    return _item([ring, seat, eye, *thorns], (160, 112))
+    eye = ellipsoid(
+        (0, 0, 20.6),
+        (2.4, 2.4, 2.0),
+        layers(glow("white_glow", 0.3, 0.2), (lambda s: np.abs(s.y) < 0.55, plain("grey", 0.05, 0.0))),
+        rings=4,
+        sides=8,
+    )
+    thorns = [
+        tube(
+            [(0, np.cos(a) * 8.0, 10 + np.sin(a) * 8.0), (0, np.cos(a) * 11.0, 10 + np.sin(a) * 11.0)],
+            [0.9, 0.1],
+            flesh(0.6),
+            sides=5,
+        )
+        for a in np.radians([0, 45, 135, 180, 225, 270, 315])
+    ]
+    return item([ring, seat, eye, *thorns], (160, 112))
 
 
 def invulner() -> Mdl:
     """The pentagram: five bars of red glass in an iron ring that hovers."""
     z0, r = 24.0, 13.0
     corner = [np.array([0, np.sin(a) * r, z0 + np.cos(a) * r]) for a in np.radians(np.arange(5) * 144.0)]
-    bars = [tube([corner[i], corner[(i + 1) % 5]], [0.9, 0.9], glow("red_glow", 0.65, 0.3, 3.0), sides=5, up=X, detail=0.6) for i in range(5)]
-    ring = torus((0, 0, z0), X, r + 0.6, (1.0, 1.5), layers(iron(0.42, 0.2), (lambda s: (s.u * 20) % 1.0 < 0.12, copper(0.1))), around=25, sides=6)
+    bars = [
+        tube([corner[i], corner[(i + 1) % 5]], [0.9, 0.9], glow("red_glow", 0.65, 0.3, 3.0), sides=5, up=X, detail=0.6)
+        for i in range(5)
+    ]
+    ring = torus(
+        (0, 0, z0),
+        X,
+        r + 0.6,
+        (1.0, 1.5),
+        layers(iron(0.42, 0.2), (lambda s: (s.u * 20) % 1.0 < 0.12, copper(0.1))),
+        around=25,
+        sides=6,
+    )
     knobs = [ellipsoid(c, (1.8, 1.8, 1.8), copper(0.2, 2.0), rings=3, sides=6) for c in corner]
-    return _item([ring, *bars, *knobs], (200, 128))
+    return item([ring, *bars, *knobs], (200, 128))
 
 
 def quaddama() -> Mdl:
     """Four blades of blue crystal turned about a golden hub: a Q from every side."""
     z0 = 24.0
-    hoop = torus((0, 0, z0), X, 9.0, (1.8, 2.2), layers(glow("blue_glow", 0.35, 0.5, 3.0), (lambda s: (s.u * 12) % 1.0 < 0.16, copper(0.0))), around=20, sides=6)
-    tail = tube([(0, -3.0, z0 - 4), (0, -7.0, z0 - 9), (0, -11.5, z0 - 13.0)], [1.6, 1.9, 0.5], glow("blue_glow", 0.5, 0.4), up=X, sides=6, caps=(0.3, 0.8))
+    hoop = torus(
+        (0, 0, z0),
+        X,
+        9.0,
+        (1.8, 2.2),
+        layers(glow("blue_glow", 0.35, 0.5, 3.0), (lambda s: (s.u * 12) % 1.0 < 0.16, copper(0.0))),
+        around=20,
+        sides=6,
+    )
+    tail = tube(
+        [(0, -3.0, z0 - 4), (0, -7.0, z0 - 9), (0, -11.5, z0 - 13.0)],
+        [1.6, 1.9, 0.5],
+        glow("blue_glow", 0.5, 0.4),
+        up=X,
+        sides=6,
+        caps=(0.3, 0.8),
+    )
     hub = ellipsoid((0, 0, z0), (2.4, 2.4, 2.4), copper(0.0), rings=4, sides=8)
-    spokes = [tube([(0, 0, z0), (0, np.cos(a) * 9, z0 + np.sin(a) * 9)], [0.6, 0.5], copper(0.1), sides=5, up=X) for a in np.radians([45, 135, 225, 315])]
-    flames = [tube([(0, np.cos(a) * 9.6, z0 + np.sin(a) * 9.6), (0, np.cos(a + 0.15) * 12, z0 + np.sin(a + 0.15) * 12), (0, np.cos(a + 0.4) * 14.0, z0 + np.sin(a + 0.4) * 14.0)], [1.3, 1.0, 0.2], glow("blue_glow", 0.7, 0.3), up=X, sides=5) for a in np.radians(np.arange(8) * 45.0)]
-    return _item([hoop, tail, hub, *spokes, *flames], (200, 128))
+    spokes = [
+        tube([(0, 0, z0), (0, np.cos(a) * 9, z0 + np.sin(a) * 9)], [0.6, 0.5], copper(0.1), sides=5, up=X)
+        for a in np.radians([45, 135, 225, 315])
+    ]
+    flames = [
+        tube(
+            [
+                (0, np.cos(a) * 9.6, z0 + np.sin(a) * 9.6),
+                (0, np.cos(a + 0.15) * 12, z0 + np.sin(a + 0.15) * 12),
+                (0, np.cos(a + 0.4) * 14.0, z0 + np.sin(a + 0.4) * 14.0),
+            ],
+            [1.3, 1.0, 0.2],
+            glow("blue_glow", 0.7, 0.3),
+            up=X,
+            sides=5,
+        )
+        for a in np.radians(np.arange(8) * 45.0)
+    ]
+    return item([hoop, tail, hub, *spokes, *flames], (200, 128))
 
 
 def suit() -> Mdl:
     """A diving suit hung up to dry: helmet, canvas, boots."""
-    cloth = layers(canvas(0.62, "sand"), (band("z", 17.0, 18.8), leather(0.34)), (lambda s: np.abs(s.y) < 0.4, leather(0.4)))
-    trunk = tube([(0, 0, 14), (0, 0, 18), (0.2, 0, 24), (0.2, 0, 30), (0, 0, 33.6)], [(3.6, 5.0), (3.8, 5.2), (4.4, 6.0), (4.8, 7.0), (3.2, 4.4)], cloth, sides=10)
+    cloth = layers(
+        canvas(0.62, "sand"), (band("z", 17.0, 18.8), leather(0.34)), (lambda s: np.abs(s.y) < 0.4, leather(0.4))
+    )
+    trunk = tube(
+        [(0, 0, 14), (0, 0, 18), (0.2, 0, 24), (0.2, 0, 30), (0, 0, 33.6)],
+        [(3.6, 5.0), (3.8, 5.2), (4.4, 6.0), (4.8, 7.0), (3.2, 4.4)],
+        cloth,
+        sides=10,
+    )
     leg = tube([(0, 2.8, 16), (0, 3.2, 9), (0.2, 3.2, 3)], [3.2, 2.9, 2.6], canvas(0.58, "sand"), sides=7, caps=(0, 0))
-    boot = tube([(-2.4, 3.3, 1.9), (0, 3.3, 2.2), (3.0, 3.4, 1.5), (5.4, 3.4, 1.1)], [(1.6, 1.9), (2.1, 2.3), (1.5, 2.3), (1.0, 1.8)], iron(0.42, 0.3), sides=7, up=UP, caps=(0.3, 0.5))
+    boot = tube(
+        [(-2.4, 3.3, 1.9), (0, 3.3, 2.2), (3.0, 3.4, 1.5), (5.4, 3.4, 1.1)],
+        [(1.6, 1.9), (2.1, 2.3), (1.5, 2.3), (1.0, 1.8)],
+        iron(0.42, 0.3),
+        sides=7,
+        up=UP,
+        caps=(0.3, 0.5),
+    )
     arm = tube([(0, 6.4, 31), (0.2, 9.0, 25), (0.8, 9.8, 19)], [2.4, 2.3, 2.1], canvas(0.62, "sand"), sides=7)
     glove = ellipsoid((1.0, 9.9, 16.6), (1.8, 1.5, 2.4), leather(0.42, "ochre"), rings=3, sides=6)
-    collar = lathe([(-1.6, 5.6), (-0.8, 6.2), (0.6, 5.4), (1.4, 4.6)], layers(copper(0.3), (rivets(10, 2, 0.3), steel(0.75))), at=(0, 0, 33.6), sides=10, caps=(0, 0), squash=1.1)
-    return _item([trunk, collar] + helmet((0.3, 0, 39.4), bone="root", glass=glow("white_glow", 0.1, 0.1)) + both(leg, boot, arm, glove), (256, 160))
+    collar = lathe(
+        [(-1.6, 5.6), (-0.8, 6.2), (0.6, 5.4), (1.4, 4.6)],
+        layers(copper(0.3), (rivets(10, 2, 0.3), steel(0.75))),
+        at=(0, 0, 33.6),
+        sides=10,
+        caps=(0, 0),
+        squash=1.1,
+    )
+    return item(
+        [trunk, collar]
+        + helmet((0.3, 0, 39.4), bone="root", glass=glow("white_glow", 0.1, 0.1))
+        + both(leg, boot, arm, glove),
+        (256, 160),
+    )
 
 
 def backpack() -> Mdl:
     """What the dead leave: a canvas pack with straps and a lantern hung on it."""
-    body = box((0, 0, 9.6), (10.0, 14.0, 16.0), layers(canvas(0.56, "olive"), (lambda s: np.abs(np.abs(s.y) - 3.8) < 0.9, leather(0.36, "ochre")), (lambda s: (np.abs(np.abs(s.y) - 3.8) < 0.7) & (np.abs(s.z - 8.0) < 1.1), steel(0.75))), bevel=0.4)
-    flap = box((0.6, 0, 18.2), (11.6, 15.0, 3.4), layers(leather(0.42, "sand"), (lambda s: np.abs(np.abs(s.y) - 3.8) < 0.9, leather(0.3, "ochre"))), bevel=0.5)
-    roll = lathe([(-8.6, 1.4), (-8.2, 2.5), (8.2, 2.5), (8.6, 1.4)], layers(canvas(0.6, "verdigris"), (lambda s: np.abs(np.abs(s.y) - 5.0) < 0.6, leather(0.34, "ochre"))), at=(-0.4, 0, 22.0), axis=Y, sides=9)
-    lamp = lathe([(-2.4, 1.2), (-2.0, 1.7), (-1.8, 1.3), (1.4, 1.3), (1.6, 1.8), (2.6, 0.5)], where(band("v", 0.36, 0.66), glow("fire", 0.88, 0.15), copper(0.3)), at=(6.4, 0, 6.4), sides=7, caps=(0, 0.3))
-    pocket = box((1.2, 8.0, 6.6), (5.6, 3.0, 8.0), layers(canvas(0.5, "olive"), (band("z", 8.0, 9.0), leather(0.36))), bevel=0.4)
-    return _item([body, flap, roll, lamp] + both(pocket), (200, 128))
+    body = box(
+        (0, 0, 9.6),
+        (10.0, 14.0, 16.0),
+        layers(
+            canvas(0.56, "olive"),
+            (lambda s: np.abs(np.abs(s.y) - 3.8) < 0.9, leather(0.36, "ochre")),
+            (lambda s: (np.abs(np.abs(s.y) - 3.8) < 0.7) & (np.abs(s.z - 8.0) < 1.1), steel(0.75)),
+        ),
+        bevel=0.4,
+    )
+    flap = box(
+        (0.6, 0, 18.2),
+        (11.6, 15.0, 3.4),
+        layers(leather(0.42, "sand"), (lambda s: np.abs(np.abs(s.y) - 3.8) < 0.9, leather(0.3, "ochre"))),
+        bevel=0.5,
+    )
+    roll = lathe(
+        [(-8.6, 1.4), (-8.2, 2.5), (8.2, 2.5), (8.6, 1.4)],
+        layers(canvas(0.6, "verdigris"), (lambda s: np.abs(np.abs(s.y) - 5.0) < 0.6, leather(0.34, "ochre"))),
+        at=(-0.4, 0, 22.0),
+        axis=Y,
+        sides=9,
+    )
+    lamp = lathe(
+        [(-2.4, 1.2), (-2.0, 1.7), (-1.8, 1.3), (1.4, 1.3), (1.6, 1.8), (2.6, 0.5)],
+        where(band("v", 0.36, 0.66), glow("fire", 0.88, 0.15), copper(0.3)),
+        at=(6.4, 0, 6.4),
+        sides=7,
+        caps=(0, 0.3),
+    )
+    pocket = box(
+        (1.2, 8.0, 6.6), (5.6, 3.0, 8.0), layers(canvas(0.5, "olive"), (band("z", 8.0, 9.0), leather(0.36))), bevel=0.4
+    )
+    return item([body, flap, roll, lamp] + both(pocket), (200, 128))
 
 
-MODELS = {"armor": armor, "invisibl": invisibl, "invulner": invulner, "quaddama": quaddama, "suit": suit, "backpack": backpack}
-for _letter, _key in (("m", medieval_key), ("w", rune_key), ("b", base_key)):
-    MODELS[f"{_letter}_s_key"] = functools.partial(_key, False)
-    MODELS[f"{_letter}_g_key"] = functools.partial(_key, True)
-for _kind in range(4):
-    MODELS[f"end{_kind + 1}"] = functools.partial(sigil, _kind)
+MODELS = {
+    "armor": armor,
+    "invisibl": invisibl,
+    "invulner": invulner,
+    "quaddama": quaddama,
+    "suit": suit,
+    "backpack": backpack,
+}

@@ -44,7 +44,15 @@ class Format(unittest.TestCase):
         corners = np.array([[[0, 0, 0], [10, 0, 0], [0, 20, 0], [0, 0, 30.0]]] * 2)
         normals = np.zeros((2, 4, 3)) + [0, 0, 1.0]
         skin = np.arange(32, dtype=np.uint8).reshape(4, 8)
-        source = Mdl(corners, normals, np.array([[0, 2, 1], [0, 1, 3]]), np.array([[0, 0], [7, 0], [0, 3], [7, 3]]), [skin], [Frame("run1", [0]), Frame("run2", [1])], 8)
+        source = Mdl(
+            corners,
+            normals,
+            np.array([[0, 2, 1], [0, 1, 3]]),
+            np.array([[0, 0], [7, 0], [0, 3], [7, 3]]),
+            [skin],
+            [Frame("run1", [0]), Frame("run2", [1])],
+            8,
+        )
         back = read_mdl(write_mdl(source))
         np.testing.assert_allclose(back.positions, corners, atol=0.1)
         np.testing.assert_array_equal(back.triangles, source.triangles)
@@ -105,7 +113,9 @@ class Models(unittest.TestCase):
                 height, width = m.skins[0].shape
                 self.assertTrue(((m.texels >= 0) & (m.texels < [width, height])).all())
                 corner = m.positions[:, m.triangles]
-                area = np.linalg.norm(np.cross(corner[:, :, 1] - corner[:, :, 0], corner[:, :, 2] - corner[:, :, 0]), axis=2).max(axis=0)
+                area = np.linalg.norm(
+                    np.cross(corner[:, :, 1] - corner[:, :, 0], corner[:, :, 2] - corner[:, :, 0]), axis=2
+                ).max(axis=0)
                 self.assertLess((area < 1e-6).mean(), 0.04, "triangles without area in every frame")
 
     def test_meshes_are_nearly_closed(self):
@@ -113,7 +123,9 @@ class Models(unittest.TestCase):
             with self.subTest(model=name):
                 # Seams part vertices, so edges are told by places in all frames.
                 places = {}
-                number = [places.setdefault(m.positions[:, v].tobytes(), len(places)) for v in range(m.positions.shape[1])]
+                number = [
+                    places.setdefault(m.positions[:, v].tobytes(), len(places)) for v in range(m.positions.shape[1])
+                ]
                 edges = collections.Counter()
                 for a, b, c in m.triangles:
                     for u, v in ((a, b), (b, c), (c, a)):
@@ -127,7 +139,9 @@ class Models(unittest.TestCase):
                 continue
             with self.subTest(model=name):
                 m = model(name)
-                first = next((i for i, f in enumerate(m.frames) if f.name.startswith(("stand", "walk", "hover", "swim"))), 0)
+                first = next(
+                    (i for i, f in enumerate(m.frames) if f.name.startswith(("stand", "walk", "hover", "swim"))), 0
+                )
                 low, high = m.positions[first].min(axis=0), m.positions[first].max(axis=0)
                 self.assertGreater(low[2], -24.5 if name not in ("fish", "wizard") else -30.0)
                 self.assertLess(high[2], height - 24.0 + 4.0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from models.kit.skeleton import Posing, Skeleton
-from models.kit.turn import about, apply, euler, limb
+from models.kit.turn import about, apply, limb
 
 
 def add_chain(skeleton: Skeleton, name: str, parent: str, points) -> list[str]:
@@ -17,9 +17,13 @@ def add_chain(skeleton: Skeleton, name: str, parent: str, points) -> list[str]:
     return names
 
 
-def wave(posing: Posing, chain: list[str], axis: str, phase: np.ndarray, amount, lag: float, bias=0.0, growth: float = 0.0) -> None:
-    """Bends a chain about an axis by a running sine: `phase` (F) in turns, `amount` and `bias` degrees a bone, each bone
-    `lag` turns later."""
+def wave(
+    posing: Posing, chain: list[str], axis: str, phase: np.ndarray, amount, lag: float, bias=0.0, growth: float = 0.0
+) -> None:
+    """Bends a chain about an axis by a running sine.
+
+    `phase` (F) is in turns, `amount` and `bias` are degrees a bone, each bone is `lag` turns later.
+    """
     for i, bone in enumerate(chain):
         angle = np.asarray(bias) + np.asarray(amount) * (1.0 + growth * i) * np.sin(2 * np.pi * (phase - lag * i))
         turn_about(posing, bone, axis, np.broadcast_to(angle, (posing.frames,)))
@@ -42,7 +46,17 @@ def add_leg(skeleton: Skeleton, name: str, parent: str, hip, upper: float, lower
     skeleton.add(f"{name}_foot", f"{name}_lower", hip - [0, 0, upper + lower])
 
 
-def reach(posing: Posing, name: str, parent: str, target: np.ndarray, pole, upper: float, lower: float, pitch: np.ndarray, follow: np.ndarray | float = 0.0) -> None:
+def reach(
+    posing: Posing,
+    name: str,
+    parent: str,
+    target: np.ndarray,
+    pole,
+    upper: float,
+    lower: float,
+    pitch: np.ndarray,
+    follow: np.ndarray | float = 0.0,
+) -> None:
     """Puts a leg's foot at `target` (F, 3), the knee towards `pole` in the parent's axes. Where `follow` is 1 the foot
     turns with the parent."""
     turn, at = posing.of(parent)

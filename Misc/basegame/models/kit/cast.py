@@ -14,7 +14,7 @@ from models.kit.skeleton import Skeleton
 
 
 def sequence_clips(name: str, clips: dict[str, Clip]) -> list[tuple[Clip, int]]:
-    """The clips in the conventions' order, each with its length. Raises ValueError where one is missing or too short."""
+    """The clips in the conventions' order, each with its length. Raises ValueError where one does not fit."""
     wanted = SEQUENCES[name]
     if set(clips) != {sequence for sequence, _ in wanted}:
         raise ValueError(f"{name}: clips {sorted(clips)} where {sorted(s for s, _ in wanted)} are wanted")
@@ -25,8 +25,19 @@ def sequence_clips(name: str, clips: dict[str, Clip]) -> list[tuple[Clip, int]]:
     return [(clips[sequence], count) for sequence, count in wanted]
 
 
-def humanoid_model(name: str, body: humanoid.Build, skeleton: Skeleton, patches: list[Patch], clips: dict[str, Clip], rest: dict | None = None,
-                   left_grip=None, posture: dict | None = None, shrink: dict[str, str] | None = None, floor: float = -23.9, **options) -> Mdl:
+def humanoid_model(
+    name: str,
+    body: humanoid.Build,
+    skeleton: Skeleton,
+    patches: list[Patch],
+    clips: dict[str, Clip],
+    rest: dict | None = None,
+    left_grip=None,
+    posture: dict | None = None,
+    shrink: dict[str, str] | None = None,
+    floor: float = -23.9,
+    **options,
+) -> Mdl:
     """A humanoid's model. `rest` changes controls' rest values; bones named in `shrink` vanish where the control it
     gives for them is 0. `posture` is added to controls while the body does not lie: how it holds itself."""
     base = {**humanoid.REST, **(rest or {})}

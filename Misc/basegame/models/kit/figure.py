@@ -15,7 +15,11 @@ def _faces(grid: np.ndarray, first: int) -> list[tuple[int, int, int]]:
     rings, columns = grid.shape[:2]
     point = np.ptp(grid, axis=1).max(axis=1) < 1e-6  # a ring that is one point has one vertex, its middle column's
     index = lambda r, c: first + r * columns + (columns // 2 if point[r] else c)
-    quads = [(index(r, c), index(r, c + 1), index(r + 1, c + 1), index(r + 1, c)) for r in range(rings - 1) for c in range(columns - 1)]
+    quads = [
+        (index(r, c), index(r, c + 1), index(r + 1, c + 1), index(r + 1, c))
+        for r in range(rings - 1)
+        for c in range(columns - 1)
+    ]
     triangles = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
     points = grid.reshape(-1, 3)
     corner = points[np.array(triangles) - first] - points.mean(axis=0)
@@ -50,8 +54,16 @@ def still(bone: str = "root") -> Posing:
     return Posing(Skeleton({bone: ("", (0, 0, 0))}), 1)
 
 
-def build(patches: list[Patch], posing: Posing | None = None, frames: list[Frame] | list[str] | None = None, skin=(256, 192),
-          skins: int = 1, flags: int = 0, floor: float | None = None, random_start: bool = False) -> Mdl:
+def build(
+    patches: list[Patch],
+    posing: Posing | None = None,
+    frames: list[Frame] | list[str] | None = None,
+    skin=(256, 192),
+    skins: int = 1,
+    flags: int = 0,
+    floor: float | None = None,
+    random_start: bool = False,
+) -> Mdl:
     """The model. `frames` are names, one a pose, or Frames; nothing sinks below `floor` (units)."""
     posing = posing or still()
     points = np.concatenate([p.grid.reshape(-1, 3) for p in patches])
@@ -71,4 +83,13 @@ def build(patches: list[Patch], posing: Posing | None = None, frames: list[Frame
     names = frames or ["frame1"]
     listed = [Frame(name, [i]) if isinstance(name, str) else name for i, name in enumerate(names)]
     pictures = [paint_skin(patches, places, width, height, k) for k in range(skins)]
-    return Mdl(positions, _normals(positions, triangles, weld.reshape(-1)), triangles, skin_places[used], pictures, listed, flags, random_start)
+    return Mdl(
+        positions,
+        _normals(positions, triangles, weld.reshape(-1)),
+        triangles,
+        skin_places[used],
+        pictures,
+        listed,
+        flags,
+        random_start,
+    )

@@ -1,9 +1,10 @@
 """The body of everything that walks on two legs and has two arms: its bones, and poses from few controls.
 
 Controls are relative to the body's own size, so that one clip serves bodies of every build: `root` and `foot_*` are in
-leg lengths, `hand_*` in arm lengths. `root` moves the hips, `foot_*` is an ankle's distance from where it stands at rest
-(in the world, or with `loose` 1 in the hips' axes, for bodies that lie), `hand_*` is a hand's place from its shoulder in
-the chest's axes. Legs and arms follow by inverse kinematics. The ground is at z = -24, the front +x, the left +y.
+leg lengths, `hand_*` in arm lengths. `root` moves the hips, `foot_*` is an ankle's distance from where it stands at
+rest (in the world, or with `loose` 1 in the hips' axes, for bodies that lie), `hand_*` is a hand's place from its
+shoulder in the chest's axes. Legs and arms follow by inverse kinematics. The ground is at z = -24, the front +x, the
+left +y.
 """
 
 from __future__ import annotations
@@ -55,10 +56,27 @@ class Build:
 
 # Every control, at rest: standing, arms hanging.
 REST: dict[str, tuple[float, ...]] = {
-    "root": (0, 0, 0), "hips": (0, 0, 0), "belly": (0, 0, 0), "chest": (0, 0, 0), "head": (0, 0, 0), "jaw": (0,),
-    "foot_l": (0, 0, 0), "foot_r": (0, 0, 0), "toe_l": (0, 0), "toe_r": (0, 0), "loose": (0,),
-    "hand_l": (0.1, 0.15, -0.93), "hand_r": (0.1, -0.15, -0.93), "elbow_l": (0,), "elbow_r": (0,),
-    "grip": (0, 0, 0), "grip_l": (0, 0, 0), "hold": (0,), "aim": (1,), "extra": (0,), "fade": (1,),
+    "root": (0, 0, 0),
+    "hips": (0, 0, 0),
+    "belly": (0, 0, 0),
+    "chest": (0, 0, 0),
+    "head": (0, 0, 0),
+    "jaw": (0,),
+    "foot_l": (0, 0, 0),
+    "foot_r": (0, 0, 0),
+    "toe_l": (0, 0),
+    "toe_r": (0, 0),
+    "loose": (0,),
+    "hand_l": (0.1, 0.15, -0.93),
+    "hand_r": (0.1, -0.15, -0.93),
+    "elbow_l": (0,),
+    "elbow_r": (0,),
+    "grip": (0, 0, 0),
+    "grip_l": (0, 0, 0),
+    "hold": (0,),
+    "aim": (1,),
+    "extra": (0,),
+    "fade": (1,),
 }
 
 
@@ -66,11 +84,16 @@ def bones(b: Build) -> Skeleton:
     """The bones at rest: legs straight below the hips, arms straight down. `weapon` is in the right hand."""
     hip = b.hip
     stand = GROUND + b.ankle
-    skeleton = Skeleton({
-        "root": ("", (0, 0, 0)), "hips": ("root", (0, 0, hip)), "belly": ("hips", (0, 0, hip + b.belly)),
-        "chest": ("belly", (0, 0, hip + b.chest)), "head": ("chest", (b.neck_forward, 0, hip + b.chest + b.neck)),
-        "jaw": ("head", (b.neck_forward, 0, hip + b.chest + b.neck)),
-    })
+    skeleton = Skeleton(
+        {
+            "root": ("", (0, 0, 0)),
+            "hips": ("root", (0, 0, hip)),
+            "belly": ("hips", (0, 0, hip + b.belly)),
+            "chest": ("belly", (0, 0, hip + b.chest)),
+            "head": ("chest", (b.neck_forward, 0, hip + b.chest + b.neck)),
+            "jaw": ("head", (b.neck_forward, 0, hip + b.chest + b.neck)),
+        }
+    )
     chest = skeleton.rest["chest"]
     for side, sign in SIDES:
         thigh = np.array([0.0, sign * b.hip_width, stand + b.leg])
@@ -86,8 +109,11 @@ def bones(b: Build) -> Skeleton:
 
 
 def pose(b: Build, skeleton: Skeleton, c: Clip, left_grip=None) -> Posing:
-    """The bones' places for the controls `c` (every control of REST). `left_grip` is where the left hand holds the right
-    hand's weapon, in units of the weapon's own axes; the control `hold` says how much it does."""
+    """The bones' places for the controls `c` (every control of REST).
+
+    `left_grip` is where the left hand holds the right hand's weapon, in units of the weapon's own axes; the control
+    `hold` says how much it does.
+    """
     frames = len(c["root"])
     p = Posing(skeleton, frames)
     hips = euler(c["hips"])
@@ -149,7 +175,9 @@ def _arm(b: Build, p: Posing, c: Clip, side: str, sign: float, held: np.ndarray 
         target = target + (held - target) * c["hold"]
     angle = np.radians(c["elbow" + side][:, 0])
     # At 0 the elbow points back and down, a little outwards; positive angles raise it outwards.
-    pole = np.stack([-0.55 * np.ones_like(angle), sign * (0.35 * np.cos(angle) + np.sin(angle)), -0.75 * np.cos(angle)], axis=1)
+    pole = np.stack(
+        [-0.55 * np.ones_like(angle), sign * (0.35 * np.cos(angle) + np.sin(angle)), -0.75 * np.cos(angle)], axis=1
+    )
     upper, lower, elbow, hand = limb(start, target, apply(chest, pole), b.upper, b.lower, (-1, 0, 0))
     p.place("upper" + side, upper, start)
     p.place("lower" + side, lower, elbow)
@@ -161,5 +189,8 @@ def grown(build: Build, size: float, **changes) -> Build:
     """A build `size` times as large, with some of its proportions changed afterwards."""
     keep = ("crouch", "knees")
     values = {f.name: getattr(build, f.name) for f in dataclasses.fields(build)}
-    scaled = {k: v if k in keep else tuple(x * size for x in v) if isinstance(v, tuple) else v * size for k, v in values.items()}
+    scaled = {
+        k: v if k in keep else tuple(x * size for x in v) if isinstance(v, tuple) else v * size
+        for k, v in values.items()
+    }
     return Build(**{**scaled, **changes})

@@ -1,7 +1,7 @@
 """Motion as numbers over time: a clip gives each control an array (frames, k). Ten frames are a second.
 
-Keys are interpolated by monotone cubics (Fritsch and Carlson 1980), which never overshoot a key: what stands still between
-two equal keys stays still.
+Keys are interpolated by monotone cubics (Fritsch and Carlson 1980), which never overshoot a key: what stands still
+between two equal keys stays still.
 """
 
 from __future__ import annotations

@@ -19,9 +19,13 @@ def held(arms: dict, count: int) -> Clip:
     return {name: np.repeat(np.atleast_2d(np.asarray(value, float)), count, axis=0) for name, value in arms.items()}
 
 
-def stand(count: int, arms: dict, low: float = 0.03, breath: float = 1.0, look: float = 6.0, spread: float = 0.08) -> Clip:
+def stand(
+    count: int, arms: dict, low: float = 0.03, breath: float = 1.0, look: float = 6.0, spread: float = 0.08
+) -> Clip:
     """Breathing, the weight from one leg to the other, a look around."""
-    root = np.concatenate([sway(count, 0.02, 0.012), sway(count, 0.0, 0.015, 0.3), sway(count, -low, 0.012 * breath, 0.25)], axis=1)
+    root = np.concatenate(
+        [sway(count, 0.02, 0.012), sway(count, 0.0, 0.015, 0.3), sway(count, -low, 0.012 * breath, 0.25)], axis=1
+    )
     chest = np.concatenate([sway(count, 2.0, 2.0 * breath), sway(count, 0.0, 1.5, 0.4), sway(count, 0.0, 0.6)], axis=1)
     head = np.concatenate([sway(count, -1.0, 1.5, 0.2), sway(count, 0.0, look, 0.1), sway(count, 0.0, 1.0)], axis=1)
     feet = {"foot_l": (0.07, spread, 0.0), "foot_r": (-0.07, -spread, 0.0), "toe_l": (0, 16), "toe_r": (0, -16)}
@@ -41,13 +45,29 @@ def _step(phase: np.ndarray, stride: float, lift: float, stance: float, heel: fl
     x = np.where(down, stride * (1.0 - 2.0 * a), stride * (-1.0 + 2.0 * ease))
     rise = np.clip((a - 0.65) / 0.35, 0.0, 1.0)
     z = np.where(down, 0.09 * rise**2 * heel, 0.09 * heel * (1.0 - b) + lift * np.sin(np.pi * b))
-    pitch = np.where(down, 35.0 * heel * rise - 14.0 * np.clip(1.0 - a * 4.0, 0.0, 1.0), 55.0 * heel * (1.0 - b) - 14.0 * b)
+    pitch = np.where(
+        down, 35.0 * heel * rise - 14.0 * np.clip(1.0 - a * 4.0, 0.0, 1.0), 55.0 * heel * (1.0 - b) - 14.0 * b
+    )
     return np.stack([x, np.zeros_like(x), z], axis=1), pitch
 
 
-def gait(count: int, arms: dict, stride: float = 0.36, lift: float = 0.14, stance: float = 0.6, drop: float = 0.06, bob: float = 0.025,
-         lean: float = 5.0, twist: float = 8.0, swing: float = 0.0, heel: float = 1.0, spread: float = 0.0, sway_side: float = 0.03,
-         offset: float = 0.0, cycles: int = 1) -> Clip:
+def gait(
+    count: int,
+    arms: dict,
+    stride: float = 0.36,
+    lift: float = 0.14,
+    stance: float = 0.6,
+    drop: float = 0.06,
+    bob: float = 0.025,
+    lean: float = 5.0,
+    twist: float = 8.0,
+    swing: float = 0.0,
+    heel: float = 1.0,
+    spread: float = 0.0,
+    sway_side: float = 0.03,
+    offset: float = 0.0,
+    cycles: int = 1,
+) -> Clip:
     """Walking or running in place, `cycles` times two steps; feet move back at an even pace while they bear weight.
     `swing` lets empty hands swing by so many arm lengths."""
     phase = (cycle(count) * cycles + offset) % 1.0
@@ -79,13 +99,45 @@ def scaled(count: int, keys: dict[float, dict], start: dict) -> Clip:
     return keyed(count, {share * (count - 1): controls for share, controls in keys.items()}, start=start)
 
 
-def hit(count: int, arms: dict, chest=(-14, 20, 0), head=(-10, 10, 0), back: float = 0.06, drop: float = 0.08, hands: dict | None = None) -> Clip:
+def hit(
+    count: int,
+    arms: dict,
+    chest=(-14, 20, 0),
+    head=(-10, 10, 0),
+    back: float = 0.06,
+    drop: float = 0.08,
+    hands: dict | None = None,
+) -> Clip:
     """A blow: the body gives way at once and recovers."""
     feet = {"foot_l": (0.07, 0.08, 0), "foot_r": (-0.07, -0.08, 0), "toe_l": (0, 16), "toe_r": (0, -16)}
-    start = {**arms, **feet, "root": (0, 0, -0.03), "chest": (0, 0, 0), "head": (0, 0, 0), "hips": (0, 0, 0), "belly": (0, 0, 0)}
+    start = {
+        **arms,
+        **feet,
+        "root": (0, 0, -0.03),
+        "chest": (0, 0, 0),
+        "head": (0, 0, 0),
+        "hips": (0, 0, 0),
+        "belly": (0, 0, 0),
+    }
     half = tuple(v * 0.5 for v in chest)
-    struck = {"root": (-back, 0, -drop), "chest": chest, "head": head, "hips": tuple(v * 0.3 for v in chest), "belly": half, **(hands or {})}
-    return scaled(count, {0.0: {**start, "chest": half, "head": head}, 0.3: struck, 0.55: {k: v for k, v in struck.items() if k != "chest"}, 1.0: start}, start)
+    struck = {
+        "root": (-back, 0, -drop),
+        "chest": chest,
+        "head": head,
+        "hips": tuple(v * 0.3 for v in chest),
+        "belly": half,
+        **(hands or {}),
+    }
+    return scaled(
+        count,
+        {
+            0.0: {**start, "chest": half, "head": head},
+            0.3: struck,
+            0.55: {k: v for k, v in struck.items() if k != "chest"},
+            1.0: start,
+        },
+        start,
+    )
 
 
 def _lying(b: Build, thick: float) -> float:
@@ -97,18 +149,70 @@ def fall_back(b: Build, count: int, arms: dict, thick: float = 4.5, turn: float 
     """Struck from the front: a step back, knees give way, flat on the back with arms thrown out."""
     z = _lying(b, thick)
     start = {**arms, "foot_l": (0.07, 0.08, 0), "foot_r": (-0.07, -0.08, 0), "aim": 1, "loose": 0, **_UPRIGHT}
-    flat = {"root": (-0.55, 0, z), "hips": (-90, turn, 0), "belly": (2, 0, 0), "chest": (4, 0, 0), "head": (-6, 28, 0), "loose": 1,
-            "foot_l": (0.06, 0.22, 0.02), "foot_r": (0.12, -0.16, 0.1), "toe_l": (35, 25), "toe_r": (35, -25),
-            "hand_l": (-0.08, 0.88, 0.3), "hand_r": (-0.1, -0.9, 0.15), "hold": 0, "aim": 0, "grip": (0, 0, 0), "elbow_l": 20, "elbow_r": 20}
-    return scaled(count, {
-        0.14: {"root": (-0.08, 0, -0.06), "hips": (-10, 6, 0), "chest": (-24, -12, 0), "head": (20, 0, 0), "hand_l": (0.5, 0.5, 0.1), "hold": 0},
-        0.34: {"root": (-0.2, 0, -0.22), "hips": (-26, 4, 0), "chest": (-14, 6, 0), "head": (24, 0, 0), "foot_r": (-step, -0.1, 0), "loose": 0,
-               "hand_l": (0.45, 0.75, 0.35), "hand_r": (0.4, -0.75, 0.2), "toe_l": (-10, 10)},
-        0.56: {"root": (-0.42, 0, -0.66), "hips": (-58, turn * 0.5, 0), "chest": (4, 0, 0), "head": (26, 0, 0), "loose": 0.5, "foot_l": (0.22, 0.14, 0.05),
-               "foot_r": (0.0, -0.14, 0), "hand_l": (0.3, 0.85, 0.5), "hand_r": (0.2, -0.9, 0.4)},
-        0.74: {**flat, "root": (-0.55, 0, z + 0.05), "head": (8, 10, 0), "foot_l": (0.22, 0.2, 0.1), "hand_l": (0.25, 0.8, 0.55)},
-        0.86: {**flat, "root": (-0.55, 0, z + 0.02)},
-        1.0: flat}, start)
+    flat = {
+        "root": (-0.55, 0, z),
+        "hips": (-90, turn, 0),
+        "belly": (2, 0, 0),
+        "chest": (4, 0, 0),
+        "head": (-6, 28, 0),
+        "loose": 1,
+        "foot_l": (0.06, 0.22, 0.02),
+        "foot_r": (0.12, -0.16, 0.1),
+        "toe_l": (35, 25),
+        "toe_r": (35, -25),
+        "hand_l": (-0.08, 0.88, 0.3),
+        "hand_r": (-0.1, -0.9, 0.15),
+        "hold": 0,
+        "aim": 0,
+        "grip": (0, 0, 0),
+        "elbow_l": 20,
+        "elbow_r": 20,
+    }
+    return scaled(
+        count,
+        {
+            0.14: {
+                "root": (-0.08, 0, -0.06),
+                "hips": (-10, 6, 0),
+                "chest": (-24, -12, 0),
+                "head": (20, 0, 0),
+                "hand_l": (0.5, 0.5, 0.1),
+                "hold": 0,
+            },
+            0.34: {
+                "root": (-0.2, 0, -0.22),
+                "hips": (-26, 4, 0),
+                "chest": (-14, 6, 0),
+                "head": (24, 0, 0),
+                "foot_r": (-step, -0.1, 0),
+                "loose": 0,
+                "hand_l": (0.45, 0.75, 0.35),
+                "hand_r": (0.4, -0.75, 0.2),
+                "toe_l": (-10, 10),
+            },
+            0.56: {
+                "root": (-0.42, 0, -0.66),
+                "hips": (-58, turn * 0.5, 0),
+                "chest": (4, 0, 0),
+                "head": (26, 0, 0),
+                "loose": 0.5,
+                "foot_l": (0.22, 0.14, 0.05),
+                "foot_r": (0.0, -0.14, 0),
+                "hand_l": (0.3, 0.85, 0.5),
+                "hand_r": (0.2, -0.9, 0.4),
+            },
+            0.74: {
+                **flat,
+                "root": (-0.55, 0, z + 0.05),
+                "head": (8, 10, 0),
+                "foot_l": (0.22, 0.2, 0.1),
+                "hand_l": (0.25, 0.8, 0.55),
+            },
+            0.86: {**flat, "root": (-0.55, 0, z + 0.02)},
+            1.0: flat,
+        },
+        start,
+    )
 
 
 def fall_front(b: Build, count: int, arms: dict, thick: float = 4.0, turn: float = 0.0) -> Clip:
@@ -116,37 +220,135 @@ def fall_front(b: Build, count: int, arms: dict, thick: float = 4.0, turn: float
     z = _lying(b, thick)
     start = {**arms, "foot_l": (0.07, 0.08, 0), "foot_r": (-0.07, -0.08, 0), "aim": 1, "loose": 0, **_UPRIGHT}
     knees = -(b.thigh + b.shin * 0.0) / b.leg + 0.28
-    flat = {"root": (0.3, 0, z), "hips": (90, turn, 0), "belly": (-4, 0, 0), "chest": (-4, 0, 0), "head": (-16, 38, 0), "loose": 1,
-            "foot_l": (-0.04, 0.12, 0.02), "foot_r": (-0.1, -0.1, 0.14), "toe_l": (50, 20), "toe_r": (50, -20),
-            "hand_l": (0.14, 0.55, 0.62), "hand_r": (0.14, -0.72, 0.3), "hold": 0, "aim": 0, "grip": (0, 0, 0), "elbow_l": 60, "elbow_r": 60}
-    return scaled(count, {
-        0.15: {"root": (0.02, 0, -0.12), "hips": (4, 0, 0), "chest": (26, 8, 0), "head": (18, 0, 0), "hand_l": (0.42, 0.05, -0.35), "hold": 0},
-        0.4: {"root": (0.1, 0, knees), "hips": (-8, 0, 0), "chest": (16, 0, 6), "head": (26, 0, 8), "foot_l": (-0.42, 0.08, 0.05), "foot_r": (-0.5, -0.08, 0.05),
-              "toe_l": (75, 8), "toe_r": (75, -8), "loose": 0, "hand_l": (0.4, 0.05, -0.5), "hand_r": (0.25, -0.3, -0.8)},
-        0.58: {"root": (0.12, 0, knees - 0.02), "hips": (14, 0, 0), "chest": (24, 0, 4), "head": (24, 0, 0), "loose": 0.1},
-        0.78: {**flat, "root": (0.3, 0, z + 0.06), "hips": (84, turn, 0), "foot_l": (-0.1, 0.12, 0.2), "head": (-26, 10, 0)},
-        1.0: flat}, start)
+    flat = {
+        "root": (0.3, 0, z),
+        "hips": (90, turn, 0),
+        "belly": (-4, 0, 0),
+        "chest": (-4, 0, 0),
+        "head": (-16, 38, 0),
+        "loose": 1,
+        "foot_l": (-0.04, 0.12, 0.02),
+        "foot_r": (-0.1, -0.1, 0.14),
+        "toe_l": (50, 20),
+        "toe_r": (50, -20),
+        "hand_l": (0.14, 0.55, 0.62),
+        "hand_r": (0.14, -0.72, 0.3),
+        "hold": 0,
+        "aim": 0,
+        "grip": (0, 0, 0),
+        "elbow_l": 60,
+        "elbow_r": 60,
+    }
+    return scaled(
+        count,
+        {
+            0.15: {
+                "root": (0.02, 0, -0.12),
+                "hips": (4, 0, 0),
+                "chest": (26, 8, 0),
+                "head": (18, 0, 0),
+                "hand_l": (0.42, 0.05, -0.35),
+                "hold": 0,
+            },
+            0.4: {
+                "root": (0.1, 0, knees),
+                "hips": (-8, 0, 0),
+                "chest": (16, 0, 6),
+                "head": (26, 0, 8),
+                "foot_l": (-0.42, 0.08, 0.05),
+                "foot_r": (-0.5, -0.08, 0.05),
+                "toe_l": (75, 8),
+                "toe_r": (75, -8),
+                "loose": 0,
+                "hand_l": (0.4, 0.05, -0.5),
+                "hand_r": (0.25, -0.3, -0.8),
+            },
+            0.58: {
+                "root": (0.12, 0, knees - 0.02),
+                "hips": (14, 0, 0),
+                "chest": (24, 0, 4),
+                "head": (24, 0, 0),
+                "loose": 0.1,
+            },
+            0.78: {
+                **flat,
+                "root": (0.3, 0, z + 0.06),
+                "hips": (84, turn, 0),
+                "foot_l": (-0.1, 0.12, 0.2),
+                "head": (-26, 10, 0),
+            },
+            1.0: flat,
+        },
+        start,
+    )
 
 
 def fall_side(b: Build, count: int, arms: dict, thick: float = 5.5, side: float = 1.0) -> Clip:
     """Spun round by the blow, crumples on one side (`side` 1: the left)."""
     z = _lying(b, thick)
     start = {**arms, "foot_l": (0.07, 0.08, 0), "foot_r": (-0.07, -0.08, 0), "aim": 1, "loose": 0, **_UPRIGHT}
-    flat = {"root": (-0.1, 0.35 * side, z), "hips": (0, 50 * side, -88 * side), "belly": (12, 0, 0), "chest": (14, 0, 0), "head": (16, 0, -14 * side), "loose": 1,
-            "foot_l": (0.34, 0.0, 0.2), "foot_r": (0.18, 0.04, 0.34), "toe_l": (30, 0), "toe_r": (30, 0),
-            "hand_l": (0.62, 0.3 * side, 0.2), "hand_r": (0.6, 0.2 * side, -0.4), "hold": 0, "aim": 0, "grip": (0, 0, 0)}
-    return scaled(count, {
-        0.16: {"root": (-0.03, 0, -0.1), "hips": (0, 24 * side, 0), "chest": (-8, 36 * side, 0), "head": (0, 30 * side, 0), "hold": 0},
-        0.4: {"root": (-0.08, 0.1 * side, -0.34), "hips": (8, 44 * side, -24 * side), "chest": (16, 20 * side, -8 * side), "head": (14, 0, 0), "loose": 0,
-              "hand_l": (0.5, 0.3, -0.4), "hand_r": (0.5, -0.3, -0.4), "foot_l": (0.05, 0.02, 0)},
-        0.66: {"root": (-0.1, 0.28 * side, z * 0.86), "hips": (4, 50 * side, -66 * side), "loose": 0.7, "foot_l": (0.25, 0, 0.1), "foot_r": (0.1, 0, 0.1)},
-        0.8: {**flat, "head": (4, 0, 16 * side)},
-        1.0: flat}, start)
+    flat = {
+        "root": (-0.1, 0.35 * side, z),
+        "hips": (0, 50 * side, -88 * side),
+        "belly": (12, 0, 0),
+        "chest": (14, 0, 0),
+        "head": (16, 0, -14 * side),
+        "loose": 1,
+        "foot_l": (0.34, 0.0, 0.2),
+        "foot_r": (0.18, 0.04, 0.34),
+        "toe_l": (30, 0),
+        "toe_r": (30, 0),
+        "hand_l": (0.62, 0.3 * side, 0.2),
+        "hand_r": (0.6, 0.2 * side, -0.4),
+        "hold": 0,
+        "aim": 0,
+        "grip": (0, 0, 0),
+    }
+    return scaled(
+        count,
+        {
+            0.16: {
+                "root": (-0.03, 0, -0.1),
+                "hips": (0, 24 * side, 0),
+                "chest": (-8, 36 * side, 0),
+                "head": (0, 30 * side, 0),
+                "hold": 0,
+            },
+            0.4: {
+                "root": (-0.08, 0.1 * side, -0.34),
+                "hips": (8, 44 * side, -24 * side),
+                "chest": (16, 20 * side, -8 * side),
+                "head": (14, 0, 0),
+                "loose": 0,
+                "hand_l": (0.5, 0.3, -0.4),
+                "hand_r": (0.5, -0.3, -0.4),
+                "foot_l": (0.05, 0.02, 0),
+            },
+            0.66: {
+                "root": (-0.1, 0.28 * side, z * 0.86),
+                "hips": (4, 50 * side, -66 * side),
+                "loose": 0.7,
+                "foot_l": (0.25, 0, 0.1),
+                "foot_r": (0.1, 0, 0.1),
+            },
+            0.8: {**flat, "head": (4, 0, 16 * side)},
+            1.0: flat,
+        },
+        start,
+    )
 
 
 def acted(count: int, arms: dict, keys: dict[float, dict], low: float = 0.05, loop: bool = False) -> Clip:
     """Keys at shares 0..1 of a clip on a body that stands."""
-    start = {**arms, **_UPRIGHT, "root": (0, 0, -low), "foot_l": (0.07, 0.08, 0), "foot_r": (-0.07, -0.08, 0), "toe_l": (0, 16), "toe_r": (0, -16)}
+    start = {
+        **arms,
+        **_UPRIGHT,
+        "root": (0, 0, -low),
+        "foot_l": (0.07, 0.08, 0),
+        "foot_r": (-0.07, -0.08, 0),
+        "toe_l": (0, 16),
+        "toe_r": (0, -16),
+    }
     moving = scaled(count, {1.0: start, **keys} if not loop else keys, start)
     return merge(held({k: v for k, v in start.items()}, count), moving)
 

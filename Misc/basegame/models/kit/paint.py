@@ -47,7 +47,9 @@ def iron(value: float = 0.42, rust: float = 0.25, size: float = 5.0, seed: int =
 
 def steel(value: float = 0.68, seed: int = 4) -> Painter:
     """Scratched bright metal."""
-    return lambda s: s.ramp("slate", value + 0.14 * (s.noise(3.0, seed, 4) - 0.5) + 0.10 * (s.noise(0.8, seed + 1, 1) - 0.5))
+    return lambda s: s.ramp(
+        "slate", value + 0.14 * (s.noise(3.0, seed, 4) - 0.5) + 0.10 * (s.noise(0.8, seed + 1, 1) - 0.5)
+    )
 
 
 def leather(value: float = 0.45, ramp: str = "sand", seed: int = 5) -> Painter:
@@ -80,7 +82,9 @@ def wax(value: float = 0.8, seed: int = 8) -> Painter:
 
     def paint(s: Surface) -> np.ndarray:
         runs = s.noise(3.0, seed, 3)
-        return np.where(runs > 0.56, s.ramp("tan", value + 0.1 - 0.3 * (runs - 0.5)), s.ramp("sand", value + 0.2 * (runs - 0.5)))
+        return np.where(
+            runs > 0.56, s.ramp("tan", value + 0.1 - 0.3 * (runs - 0.5)), s.ramp("sand", value + 0.2 * (runs - 0.5))
+        )
 
     return paint
 

@@ -58,8 +58,17 @@ def ring_bones(bones: str | Weights | Sequence, count: int) -> list[Weights]:
     return [{b: 1.0} if isinstance(b, str) else b for b in bones]
 
 
-def tube(path: Sequence[Vec], radii: Sequence, paint: Callable, bones="root", sides: int = 8, up: Vec = (1, 0, 0),
-         section: np.ndarray | None = None, caps: tuple[float | None, float | None] = (0.0, 0.0), detail: float = 1.0) -> Patch:
+def tube(
+    path: Sequence[Vec],
+    radii: Sequence,
+    paint: Callable,
+    bones="root",
+    sides: int = 8,
+    up: Vec = (1, 0, 0),
+    section: np.ndarray | None = None,
+    caps: tuple[float | None, float | None] = (0.0, 0.0),
+    detail: float = 1.0,
+) -> Patch:
     """A loft along `path`: at each point a ring of `radii` (one number, or along `up` and across it).
 
     `caps` close the ends with a point that stands out by so many units; None leaves an end open.
@@ -82,9 +91,19 @@ def tube(path: Sequence[Vec], radii: Sequence, paint: Callable, bones="root", si
     return Patch(np.array(rings), paint, names, detail)
 
 
-def lathe(profile: Sequence[tuple[float, float]], paint: Callable, bones="root", at: Vec = (0, 0, 0), axis: Vec = (0, 0, 1),
-          sides: int = 10, up: Vec = (1, 0, 0), caps: tuple[float | None, float | None] = (0.0, 0.0), detail: float = 1.0,
-          squash: float = 1.0, section: np.ndarray | None = None) -> Patch:
+def lathe(
+    profile: Sequence[tuple[float, float]],
+    paint: Callable,
+    bones="root",
+    at: Vec = (0, 0, 0),
+    axis: Vec = (0, 0, 1),
+    sides: int = 10,
+    up: Vec = (1, 0, 0),
+    caps: tuple[float | None, float | None] = (0.0, 0.0),
+    detail: float = 1.0,
+    squash: float = 1.0,
+    section: np.ndarray | None = None,
+) -> Patch:
     """A turned shape: `profile` lists (distance along the axis, radius); `squash` scales the radius across `up`."""
     axis = unit(axis)
     if abs(np.dot(axis, unit(up))) > 0.9:
@@ -106,8 +125,17 @@ def lathe(profile: Sequence[tuple[float, float]], paint: Callable, bones="root",
     return Patch(np.array(rings), paint, names, detail)
 
 
-def ellipsoid(at: Vec, radii: Vec, paint: Callable, bones="root", rings: int = 5, sides: int = 8, axis: Vec = (0, 0, 1),
-              up: Vec = (1, 0, 0), detail: float = 1.0) -> Patch:
+def ellipsoid(
+    at: Vec,
+    radii: Vec,
+    paint: Callable,
+    bones="root",
+    rings: int = 5,
+    sides: int = 8,
+    axis: Vec = (0, 0, 1),
+    up: Vec = (1, 0, 0),
+    detail: float = 1.0,
+) -> Patch:
     """`radii` are along `up`, across it and along the axis."""
     axis = unit(axis)
     if abs(np.dot(axis, unit(up))) > 0.9:
@@ -119,9 +147,18 @@ def ellipsoid(at: Vec, radii: Vec, paint: Callable, bones="root", rings: int = 5
     return tube(path, sizes, paint, bones, sides, up, None, (out, out), detail)
 
 
-def box(at: Vec, size: Vec, paint: Callable, bones="root", axis: Vec = (0, 0, 1), up: Vec = (1, 0, 0), bevel: float = 0.18,
-        detail: float = 1.0, taper: float = 1.0) -> Patch:
-    """A bevelled block; `size` are its full lengths along `up`, across and along the axis, `taper` its far end's scale."""
+def box(
+    at: Vec,
+    size: Vec,
+    paint: Callable,
+    bones="root",
+    axis: Vec = (0, 0, 1),
+    up: Vec = (1, 0, 0),
+    bevel: float = 0.18,
+    detail: float = 1.0,
+    taper: float = 1.0,
+) -> Patch:
+    """A bevelled block of full lengths `size` along `up`, across and along the axis; `taper` scales its far end."""
     axis = unit(axis)
     if abs(np.dot(axis, unit(up))) > 0.9:
         up = (0, 0, 1)
@@ -135,8 +172,19 @@ def box(at: Vec, size: Vec, paint: Callable, bones="root", axis: Vec = (0, 0, 1)
     return tube(path, sizes, paint, bones, up=up, section=box_section(bevel), detail=detail)
 
 
-def torus(at: Vec, axis: Vec, radius: float, thick: float | tuple[float, float], paint: Callable, bones="root",
-          around: int = 12, sides: int = 5, up: Vec = (1, 0, 0), squash: float = 1.0, detail: float = 1.0) -> Patch:
+def torus(
+    at: Vec,
+    axis: Vec,
+    radius: float,
+    thick: float | tuple[float, float],
+    paint: Callable,
+    bones="root",
+    around: int = 12,
+    sides: int = 5,
+    up: Vec = (1, 0, 0),
+    squash: float = 1.0,
+    detail: float = 1.0,
+) -> Patch:
     """A ring; `thick` is the radius of its body (or out of the axis, along it)."""
     axis = unit(axis)
     if abs(np.dot(axis, unit(up))) > 0.9:
@@ -148,7 +196,12 @@ def torus(at: Vec, axis: Vec, radius: float, thick: float | tuple[float, float],
     for angle in np.linspace(0.0, 2.0 * np.pi, around + 1):
         direction = first * np.cos(angle) + across * np.sin(angle) * squash
         section = round_section(sides)
-        rings.append(np.asarray(at, float) + direction * radius + section[:, :1] * out * unit(direction) + section[:, 1:] * along * axis)
+        rings.append(
+            np.asarray(at, float)
+            + direction * radius
+            + section[:, :1] * out * unit(direction)
+            + section[:, 1:] * along * axis
+        )
     return Patch(np.array(rings), paint, ring_bones(bones, around + 1), detail)
 
 

@@ -32,7 +32,7 @@ class Posing:
         self.places[bone] = at
 
     def turn(self, bone: str, angles=None, matrix: np.ndarray | None = None, shift=None) -> None:
-        """Turns a bone by degrees (F, 3) or (F, 3, 3) relative to its parent, after moving it by `shift` in its parent's axes."""
+        """Turns a bone by degrees (F, 3) or by (F, 3, 3), after moving it by `shift`, both in its parent's axes."""
         turn, at = self.of(bone)
         parent_turn, _ = self.of(self.skeleton.parents[bone])
         if shift is not None:

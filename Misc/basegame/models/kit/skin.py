@@ -122,7 +122,9 @@ def paint_skin(patches: list[Patch], places: list[Place], width: int, height: in
             continue
         done.add((place.x, place.y))
         surface = Surface(patch, place.width, place.height, skin)
-        rows, columns = slice(place.y - _PAD, place.y + place.height + _PAD), slice(place.x - _PAD, place.x + place.width + _PAD)
+        rows, columns = slice(place.y - _PAD, place.y + place.height + _PAD), slice(
+            place.x - _PAD, place.x + place.width + _PAD
+        )
         picture[rows, columns] = patch.paint(surface)
     return picture
 

@@ -45,8 +45,9 @@ def _basis(along: np.ndarray, pole: np.ndarray) -> np.ndarray:
     return np.stack([along, hinge, np.cross(along, hinge)], axis=-1)
 
 
-def limb(start: np.ndarray, target: np.ndarray, pole: np.ndarray, upper: float, lower: float, rest_pole
-         ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+def limb(
+    start: np.ndarray, target: np.ndarray, pole: np.ndarray, upper: float, lower: float, rest_pole
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Two bones that at rest hang down and now reach from `start` (F, 3) towards `target`, bending towards `pole`.
 
     Returns the upper and lower bones' rotations (F, 3, 3), the joint's and the end's places (F, 3). What is out of
