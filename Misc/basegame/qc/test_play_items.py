@@ -32,6 +32,13 @@ class ItemsTest(PlayCase):
                     self.assertEqual(got, small * (1 + big))
                     self.assertEqual(session["after"].one(classname=f"item_{name}").get("solid", "0"), "0")
 
+    def test_box_in_a_wall_comes_out_beside_it(self):
+        self.game.write_map("test", [START, {"classname": "item_shells", "origin": "300 1000 -230"}], [])  # the wall is at 1024
+        session = self.game.play(["0.6", "see after"])
+        x, y, z = session["after"].place(session["after"].one(classname="item_shells"))
+        self.assertTrue(abs(x - 300) < 33 and 960 <= y <= 1000 - 8, (x, y, z))
+        self.assertAlmostEqual(z, -256, delta=1)
+
     def test_weapons(self):
         weapons = [("supershotgun", 2, "shells", 5), ("nailgun", 4, "nails", 30), ("supernailgun", 8, "nails", 30)]
         weapons += [("grenadelauncher", 16, "rockets", 5), ("rocketlauncher", 32, "rockets", 5), ("lightning", 64, "cells", 15)]
