@@ -31,7 +31,7 @@ def _view(
 ) -> Mdl:
     """A weapon's model: `patches` on the bone `gun` and on `bones` (name -> place) that hang on it.
 
-    `kick` (frames, 2): units back and degrees up. `moves`: bone -> (shift (F, 3), turn (F, 3)); 
+    `kick` (frames, 2): units back and degrees up. `moves`: bone -> (shift (F, 3), turn (F, 3));
     `flashes`: bone -> size (F).
     """
     names = frame_names(name)
