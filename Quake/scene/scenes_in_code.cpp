@@ -118,8 +118,10 @@ FrameSnapshot many_lights(std::uint32_t count, std::uint64_t seed) {
   snapshot.instances.push_back(make_instance(kIdWorld, room_mesh));
   Rng rng(seed);
   for (std::uint32_t i = 0; i < count; ++i) {
-    const vec3 position(rng.uniform(-500, 500), rng.uniform(-500, 500), rng.uniform(10, 246));
-    const vec3 color(rng.uniform(0.2f, 1.0f), rng.uniform(0.2f, 1.0f), rng.uniform(0.2f, 1.0f));
+    // One by one: the order of a call's arguments is the compiler's, and the scene is to be the same by all.
+    const float z = rng.uniform(10, 246), y = rng.uniform(-500, 500), x = rng.uniform(-500, 500);
+    const float blue = rng.uniform(0.2f, 1.0f), green = rng.uniform(0.2f, 1.0f), red = rng.uniform(0.2f, 1.0f);
+    const vec3 position(x, y, z), color(red, green, blue);
     snapshot.instances.push_back(glowing(kIdEntityLight + i, sphere, light, position, vec3(4.0f), color * 100.0f));
   }
   return snapshot;

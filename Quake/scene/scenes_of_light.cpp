@@ -39,7 +39,8 @@ std::array<Candle, kCandles> candle_places() {
     c.height = rng.uniform(6.0f, 16.0f);
     if (i % 2 == 1) {
       const float side = i % 4 == 1 ? 1.0f : -1.0f;
-      c.foot = pillar + vec3(rng.uniform(-10, 10), side * (kPillarHalf + 4.0f), rng.uniform(50, 120));
+      const float up = rng.uniform(50, 120), along = rng.uniform(-10, 10);
+      c.foot = pillar + vec3(along, side * (kPillarHalf + 4.0f), up);
     }
     c.strength = 12.0f * std::pow(30.0f, rng.uniform());
     c.speed = rng.uniform(5.0f, 11.0f);
