@@ -33,7 +33,7 @@ ACTORS = [
     ("army", "soldier", {"target": "switch"}), ("ogre", "ogre", {}), ("knight", "knight", {}), ("knight", "knight2", {}),
     ("army", "soldier2", {}), ("zombie", "risen", {}), ("army", "seer", {}), ("army", "friend", {}),
     ("army", "ambush", {"spawnflags": "1"}), ("knight", "walker", {}), ("demon1", "jumper", {}), ("ogre_marksman", "spare", {}),
-    ("hell_knight", "caster", {}), ("shalrath", "vore", {}),
+    ("hell_knight", "caster", {}), ("shalrath", "vore", {}), ("knight", "watcher", {}),
 ]
 PEN = ((-1024, 384, -256), (1024, 400, 1024))
 SCREEN = ((-278, -1024, -256), (-262, -172, 1024))
@@ -68,7 +68,7 @@ def things() -> list[dict[str, str]]:
 def crowd() -> list[dict[str, str]]:
     """Everybody waits in the pen, in rows."""
     cast = [(kind, part, {}) for part in ("first", "second") for kind in KINDS] + ACTORS
-    place = [f"{-420 + 150 * (i % 10)} {470 + 140 * (i // 10)} -231" for i in range(len(cast))]
+    place = [f"{-440 + 135 * (i % 11)} {470 + 140 * (i // 11)} -231" for i in range(len(cast))]
     return [entity(f"monster_{k}", targetname=n, origin=o, **keys) for (k, n, keys), o in zip(cast, place)]
 
 
@@ -171,6 +171,9 @@ class MonstersTest(MonstersCase):
 
     def test_zombie_lies_down_gets_up_and_ends_by_one_hard_hit(self):
         self.assert_play("zombie", down_solid=0, down_health=60, up_solid=3, up_health=60, survives=1, bursts=1)
+
+    def test_notices_whom_it_may(self):
+        self.assert_play("notice", ring=0, notarget=0, seen=1, forgets=1, used=1)
 
     def test_alarm_wakes_who_sees_it_but_not_an_ambush(self):
         self.assert_play("alarm", seer=1, friend_before=0, friend=1, ambush=0)

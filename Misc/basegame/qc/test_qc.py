@@ -39,6 +39,13 @@ class ProgsTest(unittest.TestCase):
     def test_header_is_quakes(self):
         self.assertEqual(struct.unpack_from("<2i", self.progs), (6, 5927))
 
+    def test_no_name_of_a_function_twice(self):
+        """Saved games keep functions by their names, so what is static to a file may not share one either."""
+        texts = [path.read_text(encoding="ascii") for path in HERE.rglob("*.qc") if not path.name.startswith("test_")]
+        names = [name for text in texts for name in re.findall(r"^(?:static )?\w+\([^;=]*\) (\w+) = \{", text, re.M)]
+        self.assertGreater(len(names), 500)
+        self.assertEqual(sorted({name for name in names if names.count(name) > 1}), [])
+
     def test_same_bytes_twice(self):
         self.assertEqual(self.progs, compile_progs())
 
