@@ -10,7 +10,7 @@ from models.kit import bodies, humanoid, moves
 from models.kit.cast import humanoid_model
 from models.kit.motion import Clip, keyed, merge, sway
 from models.kit.paint import band, both_of, copper, glow, iron, layers, magma, rivets
-from models.kit.shapes import Patch, both, ellipsoid, lathe, tube
+from models.kit.shapes import Patch, both, disc, ellipsoid, lathe, tube
 from models.kit.skeleton import Skeleton
 
 BODY = humanoid.Build(
@@ -80,7 +80,7 @@ def _head(at) -> list[Patch]:
         (4, 12, -6),
         0.8,
     )
-    return [skull, melt, jaw] + both(horn, *teeth)
+    return [skull, disc(melt), jaw] + both(horn, *teeth)
 
 
 def _body(s: Skeleton) -> list[Patch]:

@@ -196,12 +196,7 @@ def suit() -> Mdl:
         caps=(0, 0),
         squash=1.1,
     )
-    return item(
-        [trunk, collar]
-        + helmet((0.3, 0, 39.4), bone="root", glass=glow("white_glow", 0.1, 0.1))
-        + both(leg, boot, arm, glove),
-        (256, 160),
-    )
+    return item([trunk, collar] + helmet((0.3, 0, 39.4), bone="root") + both(leg, boot, arm, glove), (256, 160))
 
 
 def backpack() -> Mdl:

@@ -27,7 +27,7 @@ from models.kit.paint import (
     steel,
     where,
 )
-from models.kit.shapes import Patch, both, box, ellipsoid, lathe, torus, tube
+from models.kit.shapes import Patch, both, box, disc, ellipsoid, lathe, torus, tube
 from models.kit.skeleton import Skeleton
 from models.soldier import severed
 
@@ -84,7 +84,7 @@ def head(at, bone: str = "head") -> list[Patch]:
         ),
         bone,
         at,
-        sides=9,
+        sides=8,
         caps=(-0.2, 0.5),
     )
     jaw = box(
@@ -201,7 +201,7 @@ def _body(s: Skeleton) -> list[Patch]:
         3,
         7,
     )
-    return [trunk, collar, strap, pipe, cap, apron, pad] + both(arm, leg, boot, *bodies.mitt(s, SKIN, 1.35))
+    return [trunk, disc(collar), strap, pipe, cap, apron, pad] + both(arm, leg, boot, *bodies.mitt(s, SKIN, 1.35))
 
 
 def _saw(s: Skeleton) -> list[Patch]:

@@ -16,7 +16,7 @@ from models.kit.figure import build
 from models.kit.motion import Clip, cycle, joined, sway
 from models.kit.noise import fbm
 from models.kit.paint import band, bone, flesh, glow, layers, plain
-from models.kit.shapes import Patch, ellipsoid, lathe, new_sheet, torus, tube
+from models.kit.shapes import Patch, disc, ellipsoid, lathe, new_sheet, torus, tube
 from models.kit.skeleton import Posing, Skeleton
 from models.kit.turn import euler
 
@@ -172,13 +172,13 @@ def _patches(s: Skeleton) -> list[Patch]:
             [(4, 8), (3, 26), (1.5, 34)],
             plain("coral", 0.66, 0.2, 10.0),
             "low",
-            5,
+            4,
             up=(x, y, 0),
             detail=0.7,
         )
         for x, y, z in ((-110, 60, 30), (-120, -50, 24), (20, 122, 20), (30, -124, 16))
     ]
-    return [_mound(), lips, throat, *teeth, *eyes, *arms, *fans]
+    return [_mound(), lips, disc(throat), *teeth, *eyes, *arms, *fans]
 
 
 def _pose(s: Skeleton, c: Clip) -> Posing:

@@ -12,7 +12,7 @@ from models.kit import bodies, humanoid, moves
 from models.kit.cast import humanoid_model
 from models.kit.motion import keyed, merge
 from models.kit.paint import band, both_of, canvas, copper, iron, layers, leather, plain, rivets, steel, where
-from models.kit.shapes import Patch, both, box, ellipsoid, flat_section, lathe, tube
+from models.kit.shapes import Patch, both, box, disc, ellipsoid, flat_section, lathe, tube
 from models.kit.skeleton import Skeleton
 from models.soldier import severed
 
@@ -48,22 +48,30 @@ def helmet(
     glass = glass or plain("blue", 0.62, 0.1, 1.5)
     shell = lathe(
         [(h * s, r * s) for h, r in ((-4.6, 4.3), (-4.0, 5.2), (-1.8, 5.6), (0.8, 5.5), (3.0, 4.4), (4.4, 2.6))],
-        layers(metal, (band("z", z - 4.3 * s, z - 3.5 * s), copper(0.7, 3.0)), (rivets(14, 7, 0.2), copper(0.05, 3.0))),
+        layers(
+            metal,
+            (band("z", z - 4.3 * s, z - 3.5 * s), copper(0.7, 3.0)),
+            (rivets(14, 7, 0.2), plain("ochre", 0.86, 0.05)),
+        ),
         bone,
         at,
         sides=10,
         caps=(0.0, 0.7 * s),
     )
     window = lathe(
-        [(0.0, 2.9 * s), (1.0 * s, 2.9 * s), (1.15 * s, 2.2 * s), (0.7 * s, 2.0 * s)],
-        where(band("v", 0.72, 1.1), glass, copper(0.12, 3.0)),
+        [(0.0, 3.1 * s), (1.5 * s, 3.0 * s), (1.7 * s, 2.4 * s), (1.5 * s, 2.2 * s)],
+        where(
+            band("v", 0.6, 1.1),
+            where(lambda t: (np.abs(t.y - y) < 0.3 * s) | (np.abs(t.z - z + 0.3 * s) < 0.3 * s), copper(0.1), glass),
+            copper(0.12, 3.0),
+        ),
         bone,
-        (x + 4.4 * s, y, z - 0.4 * s),
+        (x + 4.5 * s, y, z - 0.4 * s),
         (1, 0, 0.06),
         8,
         caps=(None, 0.25 * s),
     )
-    out = [shell, window]
+    out = [shell, disc(window)]
     if side_windows:
         pane = lathe(
             [(0.0, 1.9 * s), (0.8 * s, 1.9 * s), (0.9 * s, 1.35 * s)],
@@ -138,7 +146,7 @@ def _gear(skeleton: Skeleton) -> list[Patch]:
         layers(BRASS, (rivets(8, 2, 0.3), steel(0.72))),
         "chest",
         head + [-0.2, 0, -0.6],
-        sides=9,
+        sides=8,
         caps=(None, None),
         squash=1.18,
     )
@@ -191,7 +199,7 @@ def _gun(skeleton: Skeleton) -> list[Patch]:
         "weapon",
         at + [4.0, 0, -0.8],
         (0, 1, 0),
-        6,
+        5,
         detail=0.8,
     )
     return [barrel, stock, drum]

@@ -12,7 +12,7 @@ from models.kit.cast import sequence_clips
 from models.kit.figure import build
 from models.kit.motion import Clip, cycle, joined, keyed
 from models.kit.paint import band, bone, copper, flesh, glow, iron, layers, plain, rivets
-from models.kit.shapes import Patch, both, ellipsoid, lathe, new_sheet, torus, tube
+from models.kit.shapes import Patch, both, disc, ellipsoid, lathe, new_sheet, torus, tube
 from models.kit.skeleton import Posing, Skeleton
 from models.kit.turn import apply, euler, limb
 from models.soldier import severed
@@ -133,7 +133,7 @@ def head(at, bone_name: str = "head", jaw: str = "jaw") -> list[Patch]:
         )
         for a in np.radians([18, 90, 162, 234, 306])
     ]
-    return [dome, rim, maw, *eyes, *feelers, *teeth]
+    return [dome, rim, disc(maw), *eyes, *feelers, *teeth]
 
 
 def _body(s: Skeleton) -> list[Patch]:

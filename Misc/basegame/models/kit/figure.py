@@ -10,11 +10,11 @@ from models.kit.skeleton import Posing, Skeleton
 from models.kit.skin import pack, paint_skin, texels
 
 
-def _faces(grid: np.ndarray, first: int) -> list[tuple[int, int, int]]:
+def _faces(grid: np.ndarray, first: int, fan: bool = False) -> list[tuple[int, int, int]]:
     """Triangles of a patch's grid, counter-clockwise from outside; none where a ring is a point."""
     rings, columns = grid.shape[:2]
     point = np.ptp(grid, axis=1).max(axis=1) < 1e-6  # a ring that is one point has one vertex, its middle column's
-    index = lambda r, c: first + r * columns + (columns // 2 if point[r] else c)
+    index = lambda r, c: first + r * columns + (columns // 2 if point[r] and not fan else c)
     quads = [
         (index(r, c), index(r, c + 1), index(r + 1, c + 1), index(r + 1, c))
         for r in range(rings - 1)
@@ -69,7 +69,7 @@ def build(
     points = np.concatenate([p.grid.reshape(-1, 3) for p in patches])
     shares = [ring for p in patches for ring in p.bones for _ in range(p.grid.shape[1])]
     firsts = np.cumsum([0] + [p.grid.shape[0] * p.grid.shape[1] for p in patches])
-    triangles = np.array([t for p, first in zip(patches, firsts) for t in _faces(p.grid, int(first))])
+    triangles = np.array([t for p, first in zip(patches, firsts) for t in _faces(p.grid, int(first), p.fan)])
     width, height = skin
     places = pack(patches, width, height)
     skin_places = np.concatenate([texels(p, place).reshape(-1, 2) for p, place in zip(patches, places)])

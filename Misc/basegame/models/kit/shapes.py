@@ -23,6 +23,7 @@ class Patch:
     paint: Callable  # Surface -> palette indices
     bones: list[Weights]  # per ring
     detail: float = 1.0  # texels per unit, relative to the model's
+    fan: bool = False  # ends have a vertex for each column, so that what is painted on a disc is not drawn together
     sheet: int = -1  # patches of one sheet share their place in the skin; -1: its own
 
 
@@ -220,6 +221,11 @@ def mirrored(patch: Patch) -> Patch:
 
 def _swap(bone: str) -> str:
     return bone[:-2] + {"_l": "_r", "_r": "_l"}[bone[-2:]] if bone[-2:] in ("_l", "_r") else bone
+
+
+def disc(patch: Patch) -> Patch:
+    """The patch with flat ends that show what is painted on them."""
+    return dataclasses.replace(patch, fan=True)
 
 
 def both(*patches: Patch) -> list[Patch]:
