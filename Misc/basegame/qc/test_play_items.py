@@ -19,12 +19,21 @@ QUAD, SUIT, PENTAGRAM, RING = 4194304, 2097152, 1048576, 524288
 class ItemsTest(PlayCase):
     def take(self, item: dict[str, str], before: tuple[str, ...] = (), setup: str = "", extra=(), boxes=()):
         """The player's state after walking over one item at PLACE."""
-        origin = "284 -16 -230" if item["classname"].startswith(("item_health", "item_s", "item_c", "item_r")) else "300 0 -230"
+        origin = (
+            "284 -16 -230"
+            if item["classname"].startswith(("item_health", "item_s", "item_c", "item_r"))
+            else "300 0 -230"
+        )
         self.game.write_map("test", [START, {**item, "origin": origin}, *extra], list(boxes))
         return self.game.play(["0.6", *before, "see before", f"at {PLACE}", "0.3", "see after"], setup)
 
     def test_ammunition(self):
-        for name, kind, small in [("shells", "shells", 20), ("spikes", "nails", 25), ("rockets", "rockets", 5), ("cells", "cells", 6)]:
+        for name, kind, small in [
+            ("shells", "shells", 20),
+            ("spikes", "nails", 25),
+            ("rockets", "rockets", 5),
+            ("cells", "cells", 6),
+        ]:
             for big in (0, 1):
                 with self.subTest(name, big=big):
                     session = self.take({"classname": f"item_{name}", "spawnflags": str(big)})
@@ -33,7 +42,9 @@ class ItemsTest(PlayCase):
                     self.assertEqual(session["after"].one(classname=f"item_{name}").get("solid", "0"), "0")
 
     def test_box_in_a_wall_comes_out_beside_it(self):
-        self.game.write_map("test", [START, {"classname": "item_shells", "origin": "300 1000 -230"}], [])  # the wall is at 1024
+        self.game.write_map(
+            "test", [START, {"classname": "item_shells", "origin": "300 1000 -230"}], []
+        )  # the wall is at 1024
         session = self.game.play(["0.6", "see after"])
         x, y, z = session["after"].place(session["after"].one(classname="item_shells"))
         self.assertTrue(abs(x - 300) < 33 and 960 <= y <= 1000 - 8, (x, y, z))
@@ -41,7 +52,11 @@ class ItemsTest(PlayCase):
 
     def test_weapons(self):
         weapons = [("supershotgun", 2, "shells", 5), ("nailgun", 4, "nails", 30), ("supernailgun", 8, "nails", 30)]
-        weapons += [("grenadelauncher", 16, "rockets", 5), ("rocketlauncher", 32, "rockets", 5), ("lightning", 64, "cells", 15)]
+        weapons += [
+            ("grenadelauncher", 16, "rockets", 5),
+            ("rocketlauncher", 32, "rockets", 5),
+            ("lightning", 64, "cells", 15),
+        ]
         for name, bit, kind, ammo in weapons:
             with self.subTest(name):
                 session = self.take({"classname": f"weapon_{name}"})
@@ -80,7 +95,9 @@ class ItemsTest(PlayCase):
         self.assertEqual(session["after"].one(classname="item_health")["solid"], "1.000000")
 
     def test_mega_health_fades_after_five_seconds(self):
-        self.game.write_map("test", [START, {"classname": "item_health", "spawnflags": "2", "origin": "284 -16 -230"}], [])
+        self.game.write_map(
+            "test", [START, {"classname": "item_health", "spawnflags": "2", "origin": "284 -16 -230"}], []
+        )
         session = self.game.play(["0.6", f"at {PLACE}", "0.3", "see got", "4.4", "see still", "3", "see fading"])
         self.assertEqual(session["got"].number("health"), 200)
         self.assertEqual(session["still"].number("health"), 200)
@@ -101,7 +118,9 @@ class ItemsTest(PlayCase):
             with self.subTest(name):
                 item = {"classname": f"item_artifact_{name}", "origin": "300 0 -200"}
                 self.game.write_map("test", [START, item], [])
-                session = self.game.play(["0.6", f"at {PLACE}", "0.2", "see got", "sv_run 29", "see late", "sv_run 2", "see over"])
+                session = self.game.play(
+                    ["0.6", f"at {PLACE}", "0.2", "see got", "sv_run 29", "see late", "sv_run 2", "see over"]
+                )
                 got = session["got"]
                 self.assertTrue(int(got.number("items")) & bit)
                 self.assertAlmostEqual(got.number(field) - got.time, 29.9, delta=0.3)
@@ -113,7 +132,9 @@ class ItemsTest(PlayCase):
         item = {"classname": "item_artifact_invulnerability", "origin": "300 0 -200"}
         ring = {"classname": "item_artifact_invisibility", "origin": "300 -200 -200"}
         self.game.write_map("test", [START, item, ring, hurt], HURT_BOX)
-        session = self.game.play(["0.6", "see before", f"at {PLACE}", "0.2", "at 0 450 -231", "0.5", "at 300 -200 -231", "0.3", "see after"])
+        session = self.game.play(
+            ["0.6", "see before", f"at {PLACE}", "0.2", "at 0 450 -231", "0.5", "at 300 -200 -231", "0.3", "see after"]
+        )
         self.assertEqual(session["after"].number("health"), 100)
         self.assertNotEqual(session["after"].number("modelindex"), session["before"].number("modelindex"))
 
@@ -125,7 +146,19 @@ class ItemsTest(PlayCase):
         item = {"classname": "item_shells", "origin": "64 -16 -230"}
         start = {"classname": "info_player_deathmatch", "origin": "0 0 -230"}
         self.game.write_map("test", [START, start, item], [])
-        script = ["0.6", "+forward", "0.5", "-forward", "0.1", "see taken", "+back", "0.5", "-back", "sv_run 31", "see back"]
+        script = [
+            "0.6",
+            "+forward",
+            "0.5",
+            "-forward",
+            "0.1",
+            "see taken",
+            "+back",
+            "0.5",
+            "-back",
+            "sv_run 31",
+            "see back",
+        ]
         for mode, back in (("1", "1.000000"), ("2", "0")):
             session = self.game.play(script, f"deathmatch {mode}")
             self.assertEqual(session["taken"].one(classname="item_shells").get("solid", "0"), "0")

@@ -23,8 +23,11 @@ class MoversTest(PlayCase):
     def test_door_opens_waits_and_closes(self):
         door = {"classname": "func_door", "model": "*1", "angle": "-1"}
         walk = ["at 160 0 -231", "0.1", "at 0 0 -231"]
-        session = self.session([door], [DOOR_BOX], [*walk, "0.7", "see up", "1.2", "see open", "2.1", "see still", "1.2", "see down",
-                                                    "1.5", "see closed"])
+        session = self.session(
+            [door],
+            [DOOR_BOX],
+            [*walk, "0.7", "see up", "1.2", "see open", "2.1", "see still", "1.2", "see down", "1.5", "see closed"],
+        )
         self.assertTrue(40 < self.height(session["up"]) < 110, self.height(session["up"]))
         self.assertEqual(self.height(session["open"]), 148)
         self.assertEqual(self.height(session["still"]), 148)  # 3 seconds
@@ -42,7 +45,18 @@ class MoversTest(PlayCase):
         door = {"classname": "func_door", "model": "*1", "angle": "-1", "targetname": "d", "wait": "-1"}
         button = {"classname": "func_button", "model": "*2", "angle": "0", "target": "d"}
         boxes = [DOOR_BOX, ((60, 190, -256), (70, 210, -180))]
-        script = ["at 150 0 -231", "1", "see before", "at 20 200 -231", "0.2", "+forward", "0.5", "-forward", "0.1", "see pressed"]
+        script = [
+            "at 150 0 -231",
+            "1",
+            "see before",
+            "at 20 200 -231",
+            "0.2",
+            "+forward",
+            "0.5",
+            "-forward",
+            "0.1",
+            "see pressed",
+        ]
         session = self.session([door, button], boxes, [*script, "1", "see released", "6", "see long"])
         self.assertEqual(self.height(session["before"]), 0)
         pressed = session["pressed"]
@@ -53,8 +67,11 @@ class MoversTest(PlayCase):
     def test_shot_button(self):
         door = {"classname": "func_door", "model": "*1", "angle": "-1", "targetname": "d", "wait": "-1"}
         button = {"classname": "func_button", "model": "*2", "angle": "0", "target": "d", "health": "1"}
-        session = self.session([door, button], [((600, -50, -256), (616, 50, -100)), ((300, -50, -256), (316, 50, -100))],
-                               ["+attack", "0.05", "-attack", "3", "see end"])
+        session = self.session(
+            [door, button],
+            [((600, -50, -256), (616, 50, -100)), ((300, -50, -256), (316, 50, -100))],
+            ["+attack", "0.05", "-attack", "3", "see end"],
+        )
         self.assertEqual(self.height(session["end"]), 148)
 
     def test_toggled_door_stays_until_it_is_used_again(self):
@@ -98,9 +115,13 @@ class MoversTest(PlayCase):
 
     def test_train_goes_round_and_waits(self):
         corners = [("a", "b", "300 300 -256", "0"), ("b", "c", "500 300 -256", "2"), ("c", "a", "500 500 -256", "0")]
-        path = [{"classname": "path_corner", "targetname": n, "target": t, "origin": o, "wait": w} for n, t, o, w in corners]
+        path = [
+            {"classname": "path_corner", "targetname": n, "target": t, "origin": o, "wait": w} for n, t, o, w in corners
+        ]
         train = {"classname": "func_train", "model": "*1", "target": "a", "speed": "200"}
-        session = self.session([*path, train], [((0, 0, 0), (64, 64, 64))], ["0.9", "see at_b", "1.3", "see waits", "1.3", "see on"])
+        session = self.session(
+            [*path, train], [((0, 0, 0), (64, 64, 64))], ["0.9", "see at_b", "1.3", "see waits", "1.3", "see on"]
+        )
         at = [session[s].place(session[s].one(model="*1")) for s in ("at_b", "waits", "on")]
         self.assertEqual(at[0], (500, 300, -256))
         self.assertEqual(at[1], at[0])
@@ -110,7 +131,9 @@ class MoversTest(PlayCase):
         door = {"classname": "func_door_secret", "model": "*1", "angle": "0", "speed": "100", "wait": "1"}
         box = ((300, -50, -256), (332, 50, -100))
         # 100 to the side (its width), a second, 32 along; a second; and back.
-        session = self.session([door], [box], ["+attack", "0.05", "-attack", "0.6", "see side", "2.3", "see end", "4.5", "see home"])
+        session = self.session(
+            [door], [box], ["+attack", "0.05", "-attack", "0.6", "see side", "2.3", "see end", "4.5", "see home"]
+        )
         side, end, home = (session[s].place(session[s].one(model="*1")) for s in ("side", "end", "home"))
         self.assertLess(side[1], 0)
         self.assertEqual(side[0], 0)
@@ -127,11 +150,35 @@ class MoversTest(PlayCase):
         self.assertGreater(session["end"].number("health"), 60)
 
     def test_gates_of_episodes(self):
-        gates = [{"classname": "func_episodegate", "model": "*1", "spawnflags": "1"}, {"classname": "func_bossgate", "model": "*2"}]
+        gates = [
+            {"classname": "func_episodegate", "model": "*1", "spawnflags": "1"},
+            {"classname": "func_bossgate", "model": "*2"},
+        ]
         self.game.write_map("test", [START, *gates], [DOOR_BOX, DOOR_BOX])
-        session = self.game.play(["0.5", "see none", "impulse 11", "0.2", "changelevel test", "1", "see first", "impulse 11", "0.2", "impulse 11",
-                                  "0.2", "impulse 11", "0.2", "changelevel test", "1", "see all"])
-        there = [[e["model"] for e in session[s].edicts.values() if e.get("model", "").startswith("*")] for s in ("none", "first", "all")]
+        session = self.game.play(
+            [
+                "0.5",
+                "see none",
+                "impulse 11",
+                "0.2",
+                "changelevel test",
+                "1",
+                "see first",
+                "impulse 11",
+                "0.2",
+                "impulse 11",
+                "0.2",
+                "impulse 11",
+                "0.2",
+                "changelevel test",
+                "1",
+                "see all",
+            ]
+        )
+        there = [
+            [e["model"] for e in session[s].edicts.values() if e.get("model", "").startswith("*")]
+            for s in ("none", "first", "all")
+        ]
         self.assertEqual(there, [["*2"], ["*1", "*2"], ["*1"]])
 
 

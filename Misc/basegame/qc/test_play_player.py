@@ -62,6 +62,20 @@ class PlayerTest(PlayCase):
         session = self.session([f"at {WATER}", "0.2", "+jump", "1", "-jump", "see up"])
         self.assertGreater(session["up"].place()[2], -231 + 50)
 
+    def test_climbs_out_of_water(self):
+        ledge = {"classname": "func_wall", "model": "*1"}
+        times = [f"at_{i}" for i in range(12)]
+        script = [
+            "at -700 -590 -40",
+            "0.2",
+            "+forward",
+            "+jump",
+            *(line for name in times for line in ("0.2", f"see {name}")),
+        ]
+        session = self.session(script, [ledge], [((-640, -640, -256), (-540, -540, 8))])
+        heights = [session[name].place()[2] for name in times if -656 <= session[name].place()[0] <= -524]
+        self.assertTrue(any(h >= 8 + 24 for h in heights), [session[name].place() for name in times])
+
     def test_gibs(self):
         hurt = {"classname": "trigger_hurt", "model": "*1", "dmg": "200"}
         session = self.session(["at 0 450 -231", "0.3", "see dead"], [hurt], [((-64, 400, -256), (64, 500, -100))])
@@ -75,14 +89,29 @@ class PlayerTest(PlayCase):
     def test_exit_keeps_what_he_carries(self):
         exit_ = {"classname": "trigger_changelevel", "model": "*1", "map": "test"}
         camera = {"classname": "info_intermission", "origin": "10 20 300", "mangle": "10 90 0"}
-        script = ["impulse 9", "0.2", "impulse 255", "at 0 450 -231", "0.5", "see tally", "2.2", "+attack", "0.2", "-attack", "1.5", "see next"]
+        script = [
+            "impulse 9",
+            "0.2",
+            "impulse 255",
+            "at 0 450 -231",
+            "0.5",
+            "see tally",
+            "2.2",
+            "+attack",
+            "0.2",
+            "-attack",
+            "1.5",
+            "see next",
+        ]
         session = self.session(script, [exit_, camera], [((-64, 400, -256), (64, 500, -100))])
         tally = session["tally"]
         self.assertEqual(float(tally.globals["intermission_running"]), 1)
         self.assertEqual(tally.place(), (10, 20, 300))
         after = session["next"]
         self.assertLess(after.time, 5)
-        self.assertEqual([after.number(n) for n in ("ammo_rockets", "ammo_nails", "weapon", "health")], [100, 200, 32, 100])
+        self.assertEqual(
+            [after.number(n) for n in ("ammo_rockets", "ammo_nails", "weapon", "health")], [100, 200, 32, 100]
+        )
         self.assertEqual(int(after.number("items")) & (131072 | 262144 | 4194304), 0)  # neither keys nor powers
 
     def test_tally_waits_two_seconds(self):
@@ -134,14 +163,40 @@ class PlayerTest(PlayCase):
         self.assertEqual(begun.one(classname="item_key1")["solid"], "1.000000")  # for the others
         self.assertEqual(again.number("health"), 100)
         self.assertGreaterEqual(again.number("ammo_shells"), 25)  # and perhaps the backpack that he left
-        self.assertNotIn("Server spawned: test", session.said.split("Server spawned: test", 1)[1])  # nobody else begins anew
+        self.assertNotIn(
+            "Server spawned: test", session.said.split("Server spawned: test", 1)[1]
+        )  # nobody else begins anew
 
     def test_a_saved_game_goes_on(self):
         door = {"classname": "func_door", "model": "*1", "angle": "-1"}
-        script = ["impulse 9", "0.2", "at 160 0 -231", "0.2", "at 0 0 -231", "0.5", "impulse 7", "+attack", "0.1", "-attack", "see saved",
-                  "save s", "6", "see closed", "load s", "0.5", "see loaded", "2", "see open", "5", "see closed_again"]
+        script = [
+            "impulse 9",
+            "0.2",
+            "at 160 0 -231",
+            "0.2",
+            "at 0 0 -231",
+            "0.5",
+            "impulse 7",
+            "+attack",
+            "0.1",
+            "-attack",
+            "see saved",
+            "save s",
+            "6",
+            "see closed",
+            "load s",
+            "0.5",
+            "see loaded",
+            "2",
+            "see open",
+            "5",
+            "see closed_again",
+        ]
         session = self.session(script, [door], [((200, -50, -256), (216, 50, -100))])
-        height = {s: session[s].place(session[s].one(model="*1"))[2] for s in ("saved", "closed", "loaded", "open", "closed_again")}
+        height = {
+            s: session[s].place(session[s].one(model="*1"))[2]
+            for s in ("saved", "closed", "loaded", "open", "closed_again")
+        }
         self.assertTrue(0 < height["saved"] < height["loaded"] < 148, height)
         self.assertEqual([height["closed"], height["open"], height["closed_again"]], [0, 148, 0])
         self.assertEqual(session["loaded"].number("ammo_rockets"), session["saved"].number("ammo_rockets"))

@@ -25,7 +25,13 @@ class TriggersTest(PlayCase):
 
     def test_relay_waits_its_delay(self):
         once = {"classname": "trigger_once", "model": "*1", "target": "r"}
-        relay = {"classname": "trigger_relay", "targetname": "r", "target": "d", "delay": "1", "message": "a word of the relay"}
+        relay = {
+            "classname": "trigger_relay",
+            "targetname": "r",
+            "target": "d",
+            "delay": "1",
+            "message": "a word of the relay",
+        }
         session = self.session([once, relay, DOOR], [INSIDE, "0.9", "see early", "0.5", "see late"])
         self.assertFalse(self.is_open(session["early"]))
         self.assertTrue(self.is_open(session["late"]))
@@ -34,18 +40,24 @@ class TriggersTest(PlayCase):
     def test_counter(self):
         multiple = {"classname": "trigger_multiple", "model": "*1", "target": "c", "wait": "0.5"}
         counter = {"classname": "trigger_counter", "targetname": "c", "target": "d", "count": "3"}
-        session = self.session([multiple, counter, DOOR], [INSIDE, "0.2", "see one", "0.5", "see two", "0.7", "see three"])
+        session = self.session(
+            [multiple, counter, DOOR], [INSIDE, "0.2", "see one", "0.5", "see two", "0.7", "see three"]
+        )
         self.assertEqual([self.is_open(session[s]) for s in ("one", "two", "three")], [False, False, True])
 
     def test_killtarget_removes_and_sets_off_nothing(self):
         once = {"classname": "trigger_once", "model": "*1", "killtarget": "k", "target": "d"}
-        session = self.session([once, {"classname": "info_notnull", "targetname": "k"}, DOOR], [INSIDE, "1", "see after"])
+        session = self.session(
+            [once, {"classname": "info_notnull", "targetname": "k"}, DOOR], [INSIDE, "1", "see after"]
+        )
         self.assertEqual(session["after"].all("info_notnull"), [])
         self.assertFalse(self.is_open(session["after"]))
 
     def test_secret_counts_once(self):
         secret = {"classname": "trigger_secret", "model": "*1"}
-        session = self.session([secret, DOOR], ["see before", INSIDE, "0.3", OUTSIDE, "0.2", INSIDE, "0.3", "see after"])
+        session = self.session(
+            [secret, DOOR], ["see before", INSIDE, "0.3", OUTSIDE, "0.2", INSIDE, "0.3", "see after"]
+        )
         self.assertEqual(float(session["before"].globals["total_secrets"]), 1)
         self.assertEqual(float(session["before"].globals.get("found_secrets", "0")), 0)
         self.assertEqual(float(session["after"].globals["found_secrets"]), 1)
@@ -102,7 +114,13 @@ class TriggersTest(PlayCase):
         self.assertEqual([session[s].number("spawnflags", session[s].all("light")[0]) for s in ("off", "on")], [1, 0])
 
     def test_spike_trap(self):
-        trap = {"classname": "trap_spikeshooter", "targetname": "s", "origin": "400 450 -215", "angle": "180", "spawnflags": "1"}
+        trap = {
+            "classname": "trap_spikeshooter",
+            "targetname": "s",
+            "origin": "400 450 -215",
+            "angle": "180",
+            "spawnflags": "1",
+        }
         once = {"classname": "trigger_once", "model": "*1", "target": "s"}
         session = self.session([trap, once, DOOR], [INSIDE, "0.3", "see flying", "1", "see hit"])
         self.assertEqual(len(session["flying"].all("spike")), 1)
@@ -110,7 +128,11 @@ class TriggersTest(PlayCase):
 
     def test_explosive_box(self):
         box = {"classname": "misc_explobox", "origin": "300 -16 -250"}
-        session = self.session([box, DOOR], ["see before", "+attack", "0.05", "-attack", "1.5", "see after"], (BOX, ((0, 600, 0), (9, 609, 9))))
+        session = self.session(
+            [box, DOOR],
+            ["see before", "+attack", "0.05", "-attack", "1.5", "see after"],
+            (BOX, ((0, 600, 0), (9, 609, 9))),
+        )
         self.assertEqual(len(session["before"].all("misc_explobox")), 1)
         self.assertEqual(session["after"].all("misc_explobox"), [])
 
@@ -131,7 +153,9 @@ class TriggersTest(PlayCase):
     def test_everything_else_spawns(self):
         """One of each thing that only stands or sounds, and the game goes on."""
         names = "light_fluoro light_fluorospark light_globe light_torch_small_walltorch light_flame_large_yellow"
-        names += " light_flame_small_yellow light_flame_small_white air_bubbles event_lightning viewthing ambient_suck_wind"
+        names += (
+            " light_flame_small_yellow light_flame_small_white air_bubbles event_lightning viewthing ambient_suck_wind"
+        )
         names += " ambient_drone ambient_flouro_buzz ambient_drip ambient_comp_hum ambient_thunder ambient_light_buzz"
         names += " ambient_swamp1 ambient_swamp2 info_null misc_noisemaker trap_shooter misc_explobox2 item_weapon"
         things = [{"classname": n, "origin": "-800 -600 -100", "spawnflags": "1"} for n in names.split()]

@@ -19,7 +19,18 @@ class WeaponsTest(PlayCase):
     def shoot(self, number: int, distance: int, seconds: str = "0.05", before: tuple[str, ...] = ()):
         """Fires weapon `number` at the wall; returns (damage, states before and after)."""
         self.game.write_map("test", [{"classname": "info_player_start", "origin": "0 0 -230"}, WALL], wall_at(distance))
-        script = ["0.5", *before, "impulse 9", "0.2", f"impulse {number}", "0.2", "see before", "+attack", seconds, "-attack"]
+        script = [
+            "0.5",
+            *before,
+            "impulse 9",
+            "0.2",
+            f"impulse {number}",
+            "0.2",
+            "see before",
+            "+attack",
+            seconds,
+            "-attack",
+        ]
         session = self.game.play([*script, "1", "see after"])
         health = [session[s].number("health", session[s].one(model="*1")) for s in ("before", "after")]
         return health[0] - health[1], session["before"], session["after"]
@@ -76,7 +87,20 @@ class WeaponsTest(PlayCase):
 
     def test_grenade_goes_off_after_two_and_a_half_seconds(self):
         self.game.write_map("test", [{"classname": "info_player_start", "origin": "0 0 -230"}], [])
-        script = ["0.5", "impulse 9", "0.2", "impulse 6", "0.2", "+attack", "0.1", "-attack", "2.1", "see before", "0.5", "see after"]
+        script = [
+            "0.5",
+            "impulse 9",
+            "0.2",
+            "impulse 6",
+            "0.2",
+            "+attack",
+            "0.1",
+            "-attack",
+            "2.1",
+            "see before",
+            "0.5",
+            "see after",
+        ]
         session = self.game.play(script)
         self.assertEqual(len(session["before"].all("grenade")), 1)
         self.assertEqual(session["before"].one(classname="grenade")["model"], "progs/grenade.mdl")
@@ -85,7 +109,12 @@ class WeaponsTest(PlayCase):
 
     def test_pace(self):
         """Shots in the first three seconds of a held button."""
-        for number, kind, each, shots in [(2, "shells", 1, 6), (3, "shells", 2, 5), (6, "rockets", 1, 5), (7, "rockets", 1, 4)]:
+        for number, kind, each, shots in [
+            (2, "shells", 1, 6),
+            (3, "shells", 2, 5),
+            (6, "rockets", 1, 5),
+            (7, "rockets", 1, 4),
+        ]:
             with self.subTest(number):
                 _, before, after = self.shoot(number, 900, "2.9")
                 self.assertAlmostEqual(self.spent(before, after, kind) / each, shots, delta=0.5 if number != 2 else 1)
@@ -105,7 +134,9 @@ class WeaponsTest(PlayCase):
 
     def test_lightning_under_water(self):
         self.game.write_map("test", [{"classname": "info_player_start", "origin": "-800 -600 -200"}], [])
-        session = self.game.play(["0.5", "impulse 9", "0.2", "impulse 8", "0.2", "+attack", "0.1", "-attack", "0.3", "see end"])
+        session = self.game.play(
+            ["0.5", "impulse 9", "0.2", "impulse 8", "0.2", "+attack", "0.1", "-attack", "0.3", "see end"]
+        )
         self.assertEqual(session["end"].number("ammo_cells"), 0)
         self.assertLess(session["end"].number("health"), 1)
 

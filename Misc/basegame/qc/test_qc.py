@@ -58,7 +58,11 @@ class ProgsTest(unittest.TestCase):
             for name in re.findall(r'^\s*"classname"\s+"(\w+)"', path.read_text(encoding="latin-1"), re.M):
                 used[name] = path.name
         # What the map's compiler takes away.
-        kept = {name: where for name, where in used.items() if not name.startswith(("func_group", "func_detail", "misc_external"))}
+        kept = {
+            name: where
+            for name, where in used.items()
+            if not name.startswith(("func_group", "func_detail", "misc_external"))
+        }
         self.assertEqual({n: w for n, w in kept.items() if self.functions.get(n, 0) <= 0}, {})
 
     def test_only_quakes_builtins(self):

@@ -1,6 +1,8 @@
 """The classnames that maps for Quake use (what its progs could spawn): each needs a function of its name."""
 
-WORLD = "worldspawn light light_fluoro light_fluorospark light_globe light_torch_small_walltorch light_flame_large_yellow"
+WORLD = (
+    "worldspawn light light_fluoro light_fluorospark light_globe light_torch_small_walltorch light_flame_large_yellow"
+)
 WORLD += " light_flame_small_yellow light_flame_small_white air_bubbles event_lightning viewthing"
 WORLD += " ambient_suck_wind ambient_drone ambient_flouro_buzz ambient_drip ambient_comp_hum ambient_thunder"
 WORLD += " ambient_light_buzz ambient_swamp1 ambient_swamp2"
@@ -8,7 +10,9 @@ PLACES = "info_player_start info_player_start2 info_player_deathmatch info_playe
 PLACES += " info_intermission info_teleport_destination path_corner"
 MOVERS = "func_door func_door_secret func_button func_plat func_train func_wall func_illusionary func_episodegate"
 MOVERS += " func_bossgate misc_teleporttrain"
-TRIGGERS = "trigger_multiple trigger_once trigger_relay trigger_secret trigger_counter trigger_teleport trigger_changelevel"
+TRIGGERS = (
+    "trigger_multiple trigger_once trigger_relay trigger_secret trigger_counter trigger_teleport trigger_changelevel"
+)
 TRIGGERS += " trigger_setskill trigger_onlyregistered trigger_hurt trigger_push trigger_monsterjump"
 ITEMS = "item_health item_armor1 item_armor2 item_armorInv item_shells item_spikes item_rockets item_cells item_weapon"
 ITEMS += " item_key1 item_key2 item_sigil item_artifact_invulnerability item_artifact_envirosuit"

@@ -85,7 +85,17 @@ class Game:
         self._write("setup.cfg", (setup + "\n").encode("ascii"))
         user = self.folder / "user"
         command = [self.engine, "-headless", "-size", "32x24", "-seed", "1", "-basedir", str(self.folder)]
-        command += ["-userdir", str(user), *arguments, "+exec", "setup.cfg", "+host_framerate", str(TICK), "+host_maxfps", "1000"]
+        command += [
+            "-userdir",
+            str(user),
+            *arguments,
+            "+exec",
+            "setup.cfg",
+            "+host_framerate",
+            str(TICK),
+            "+host_maxfps",
+            "1000",
+        ]
         command += ["+map", "test", "+exec", "script.cfg"]
         done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
         return Session(done.stdout + done.stderr, user / "id1")

@@ -44,9 +44,7 @@ class _Tree:
         number = len(self.nodes)
         self.nodes.append(b"")
         children = [side() if callable(side) else self.leaf(side) for side in (front, back)]
-        self.nodes[number] = struct.pack(
-            "<i2h6hHH", self.plane(axis, distance), *children, *ROOM_LOW, *ROOM_HIGH, 0, 0
-        )
+        self.nodes[number] = struct.pack("<i2h6hHH", self.plane(axis, distance), *children, *ROOM_LOW, *ROOM_HIGH, 0, 0)
         return number
 
     def clip(self, axis: int, distance: float, front, back) -> int:
@@ -71,9 +69,7 @@ class _Tree:
 
 def _pool(tree: _Tree):
     def liquid() -> int:
-        return tree.node(
-            1, POOL_LAVA, LAVA, lambda: tree.node(1, POOL_SLIME, SLIME, WATER)
-        )
+        return tree.node(1, POOL_LAVA, LAVA, lambda: tree.node(1, POOL_SLIME, SLIME, WATER))
 
     return tree.node(0, POOL_EAST, EMPTY, lambda: tree.node(2, POOL_TOP, EMPTY, liquid))
 
@@ -103,7 +99,12 @@ def write_level(entities: list[dict[str, str]], boxes: list[Box]) -> bytes:
     if not entities or entities[0].get("classname") != "worldspawn":
         entities = [{"classname": "worldspawn"}, *entities]
     text = "".join("{\n" + "".join(f'"{k}" "{v}"\n' for k, v in e.items()) + "}\n" for e in entities)
-    lumps = {0: text.encode("latin-1") + b"\0", 1: b"".join(tree.planes), 2: struct.pack("<i", 0), 5: b"".join(tree.nodes)}
+    lumps = {
+        0: text.encode("latin-1") + b"\0",
+        1: b"".join(tree.planes),
+        2: struct.pack("<i", 0),
+        5: b"".join(tree.nodes),
+    }
     lumps |= {9: b"".join(tree.clips), 10: b"".join(tree.leafs), 14: b"".join(models)}
     return _file(lumps)
 
