@@ -18,6 +18,7 @@ from models import conventions  # noqa: E402
 from models.catalogue import MODELS  # noqa: E402
 from models.kit.motion import keyed  # noqa: E402
 from models.kit.turn import limb  # noqa: E402
+from models.preview import sheet  # noqa: E402
 
 MOST_VERTICES = 1024  # what Quake's own programs have room for
 
@@ -132,6 +133,19 @@ class Models(unittest.TestCase):
                         edges[number[u], number[v]] += 1
                 alone = sum(count for (u, v), count in edges.items() if u != v and edges[v, u] == 0)
                 self.assertLess(alone / (3 * len(m.triangles)), 0.12, "open edges")
+
+    def test_triangles_face_outwards(self):
+        for name, m in self.each():
+            with self.subTest(model=name):
+                a, b, c = np.moveaxis(m.positions[0][m.triangles] - m.positions[0].mean(axis=0), 1, 0)
+                self.assertGreater((a * np.cross(b, c)).sum(), 0.0, "the volume inside")
+
+    def test_a_preview_shows_the_model(self):
+        picture = sheet(model("soldier"), [0, 3], [30.0], 48, 0, False)
+        self.assertEqual(picture.shape, (48, 96, 3))
+        background = picture[0, 0]
+        for half in (picture[:, :48], picture[:, 48:]):
+            self.assertGreater((half != background).any(axis=2).mean(), 0.05)
 
     def test_bodies_stand_in_their_hulls(self):
         for name, (half, height) in conventions.HULLS.items():
