@@ -233,7 +233,7 @@ def v_rock2() -> Mdl:
         patches,
         {"flash": (13.6, 0, 1.2)},
         kick,
-        hold=(15.0, -5.4, -10.4),
+        hold=(16.5, -6.6, -11.6),
         flashes={"flash": _flash(n, f1=1.0, f2=0.3)},
     )
 
