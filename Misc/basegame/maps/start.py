@@ -247,8 +247,8 @@ def furnish(world: Map) -> None:
         world.add(hanging_lamp(40), (-448, y, 224))
         world.add(hanging_lamp(40), (448, y, 224))
     for side in (-1, 1):
-        for k, y in enumerate((-560, -500, -440)):
-            world.add(pew(128), (side * 200, y, 0))
+        for y in (-340, -280, -220):
+            world.add(pew(128), (side * 448, y, 0))
         world.add(candle_stand(20 + side), (side * 290, 352, 0))
         world.add(candle_stand(30 + side, 40), (side * 210, 470, 0))
         for k, y in enumerate((-384, 128)):

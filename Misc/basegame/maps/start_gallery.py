@@ -5,7 +5,7 @@ from __future__ import annotations
 from kit import Group, Map, fit
 from pieces import hanging_lamp, slipgate
 
-# Map and what its name is in words, north side first, from the nave on.
+# Scene (its map is lab_NAME) and its name in words, north side first, from the nave on.
 SCENES = [("cbox", "The Cornell box"), ("furnace", "The furnace"), ("ajar", "The door ajar"), ("tears", "The cavern of tears"),
           ("azad", "The hall of candles"), ("portal", "The portal"), ("many", "Many lights"), ("torus", "The torus"),
           ("pool", "The pool"), ("shafts", "Shafts of light"), ("rocket", "The rocket"), ("lightsout", "Lights out"),
@@ -53,7 +53,7 @@ def alcove(world: Map, x: float, side: int, scene: str, title: str) -> None:
               turn=0 if side > 0 else 180)
     near, far = sorted((side * (HALF + 34), side * (HALF + 38)))
     world.part("func_illusionary").box((x - 20, near, 0), (x + 20, far, 96), "*teleport")
-    world.part("trigger_changelevel", map=scene, spawnflags=1).box((x - 20, near, 0), (x + 20, far, 96), "trigger")
+    world.part("trigger_changelevel", map=f"lab_{scene}", spawnflags=1).box((x - 20, near, 0), (x + 20, far, 96), "trigger")
     a, b = sorted((y - side * 40, y))
     world.part("trigger_multiple", message=title, wait=3).box((x - 28, a, 0), (x + 28, b, 96), "trigger")
     for edge in (-40, 36):
