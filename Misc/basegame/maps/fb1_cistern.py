@@ -18,8 +18,8 @@ def rooms(walls: Group) -> None:
     x0, x1, y0, y1 = WELL
     tunnel = {"side": "rock_a", "bottom": "rock_b", "top": "rock_a"}
     walls.room((x0, y0, TUNNEL_BED), (x1, y1, -32), {"side": "brick_dark", "bottom": "rock_b", "top": "stone_a"}, wall=32)
-    walls.room((x1, y0, TUNNEL_BED), (704, y1, TUNNEL_TOP), tunnel, wall=32)
-    walls.room((608, NORTH + 32, TUNNEL_BED), (704, y0, TUNNEL_TOP), tunnel, wall=32)
+    walls.room((x1 + 32, y0, TUNNEL_BED), (704, y1, TUNNEL_TOP), tunnel, wall=32)
+    walls.room((608, NORTH + 32, TUNNEL_BED), (704, y0 - 32, TUNNEL_TOP), tunnel, wall=32)
     walls.room((WEST, SOUTH, BED), (EAST, NORTH, TOP), {"side": "tile_teal", "bottom": "tile_teal", "top": "brick_dark"},
                wall=32)
     walls.room((EAST + 32, 160, BED), (EAST + 128, 256, BED + 96), "rock_a")
@@ -58,7 +58,7 @@ def furnish(world: Map) -> None:
     button.box((WEST, 304, 40), (WEST + 8, 336, 72), {"all": "metal_trim", "east": fit("+0button")})
     part.box((WEST, 296, 28), (WEST + 5, 344, 40), "copper_trim")
     part.box((WEST, 296, 72), (WEST + 5, 344, 84), "copper_trim")
-    for x, y, z in ((300, y0 + 20, TUNNEL_BED), (520, y1 - 20, TUNNEL_BED), (630, 1100, TUNNEL_BED), (680, 940, TUNNEL_BED),
+    for x, y, z in ((300, y0 + 20, TUNNEL_BED), (520, y1 - 20, TUNNEL_BED), (618, 1100, TUNNEL_BED), (694, 940, TUNNEL_BED),
                     (230, y0 + 24, TUNNEL_BED)):
         part.cylinder((x, y), 9, z, z + 30, "crystal_blue", sides=6, top_radius=3)
     for x, y in ((620, 820), (1180, 200), (1190, 820), (800, 330), (1000, 700), (640, 240)):
@@ -74,7 +74,7 @@ def island(world: Map) -> None:
     for lo, hi in (((x0 - 24, y0 - 24), (x1 + 24, y0)), ((x0 - 24, y1), (x1 + 24, y1 + 24)), ((x0 - 24, y0), (x0, y1)),
                    ((x1, y0), (x1 + 24, y1))):
         part.box((*lo, BED), (*hi, -44), {"all": "stone_a", "top": "stone_trim"})
-    part.box((888, 536, -28), (920, 568, -8), {"all": "copper_plate", "top": fit("rune_b")})
+    part.box((888, 536, -28), (920, 568, -14), {"all": "copper_plate", "top": fit("rune_b")})
     for x in (x0 + 12, x1 - 12):
         for y in (y0 + 12, y1 - 12):
             part.cylinder((x, y), 5, -28, 60, "marble_black", sides=6)
@@ -112,8 +112,8 @@ def people(world: Map) -> None:
     monster(world, "fish", 1120, 640, -240, 180, skill=1)
     monster(world, "fish", 660, 1200, -290, 90, skill=2)
     monster(world, "wizard", 1100, 600, 30, 180, skill=1)
-    monster(world, "enforcer", 592, 220, 0, 60)
-    item(world, "key2", 904, 552, -8)
+    monster(world, "enforcer", 618, 480, 0, 200)
+    item(world, "key2", 904, 552, -14)
     item(world, "weapon_supernailgun", 592, 170, 0)
     item(world, "spikes", 620, 400, 0)
     item(world, "health", 600, 520, 0)

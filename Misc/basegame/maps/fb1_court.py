@@ -15,7 +15,6 @@ def rooms(walls: Group) -> None:
     walls.room((-X - 192, -416, 0), (-X - 64, -288, 96), {"side": "rock_a", "bottom": "dirt", "top": "rock_a"}, wall=32)
     # The channel's bed below the court's floor.
     walls.room((-X, -480, -96), (X, -384, -32), {"side": "tile_teal", "bottom": "dirt", "top": "stone_a"}, wall=32)
-    walls.room((-72, NORTH + 32, 0), (72, 0, 176), {"side": "stone_b", "bottom": "stone_floor", "top": "stone_b"}, wall=32)
     walls.room((-64, SOUTH - 128, 0), (64, SOUTH - 32, 160), {"side": "stone_b", "bottom": "stone_floor", "top": "stone_b"})
 
 
@@ -107,10 +106,10 @@ def people(world: Map) -> None:
     world.entity("info_player_deathmatch", (-240, -200, 28), angle=315)
     world.entity("info_player_deathmatch", (256, -700, 28), angle=90)
     world.entity("info_intermission", (-270, -760, 300), mangle=(22, 62, 0))
-    monster(world, "dog", 120, -260, 0, 270)
+    monster(world, "dog", 120, -260, 0, 90)
     monster(world, "dog", -140, -240, 0, 270, skill=1)
-    monster(world, "army", 0, -120, 0, 270)
-    monster(world, "army", 180, -300, 0, 250)
+    monster(world, "army", -104, -150, 0, 90)
+    monster(world, "army", 180, -300, 0, 80)
     monster(world, "army", -200, -560, 0, 60, skill=2)
     item(world, "shells", -280, -700, 0)
     item(world, "health", 280, -740, 0)

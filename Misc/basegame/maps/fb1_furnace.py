@@ -3,6 +3,8 @@ button that opens the catwalk back. Secret: a ledge round the corner of the near
 
 from __future__ import annotations
 
+import random
+
 from kit import Group, Map, Tex, fit
 from people import item, monster, secret, trigger
 from pieces import bell, crates, hanging_lamp, hollow, pipe_run
@@ -46,6 +48,7 @@ def furnish(world: Map) -> None:
             part.box((x, a, 34), (x + 6, b, 40), "metal_trim")
             for y in range(a, b, 48):
                 part.box((x, y, 0), (x + 6, y + 6, 36), "metal_trim")
+    crust(world)
     catwalk(world)
     train(world)
     mouths(world)
@@ -71,6 +74,21 @@ def furnish(world: Map) -> None:
     trigger(world, "multiple", (-580, 144, 0), (-540, 240, 96), target="corridor_spikes", wait=1)
 
 
+def crust(world: Map) -> None:
+    """Cooled plates that float on the lake: the glow is what is between them."""
+    chance = random.Random(21)
+    for x in range(FAR + 8, NEAR - 8, 80):
+        for y in range(SOUTH + 8, NORTH - 8, 80):
+            if chance.random() < 0.25:
+                continue
+            a, b = x + chance.randint(0, 14), y + chance.randint(0, 14)
+            c, d = x + chance.randint(58, 78), y + chance.randint(58, 78)
+            cut = [chance.randint(6, 18) for _ in range(4)]
+            plate = [(a + cut[0], b), (c - cut[1], b), (c, b + cut[1]), (c, d - cut[2]), (c - cut[2], d), (a + cut[3], d),
+                     (a, d - cut[3]), (a, b + cut[0])]
+            world.detail.prism(plate, LAVA - 24, LAVA + chance.choice((2, 3, 5)), "rock_b")
+
+
 def catwalk(world: Map) -> None:
     """Along the north wall, closed by a gate that the far button opens."""
     part = world.detail
@@ -84,9 +102,9 @@ def catwalk(world: Map) -> None:
     part.box((NEAR - 20, 444, 0), (NEAR, 460, 128), "metal_rivet")
     part.box((NEAR - 20, 444, 112), (NEAR, NORTH, 136), "metal_rivet")
     button = world.part("func_button", angle=180, target="catwalk_gate", speed=40, wait=-1, lip=2, sounds=0)
-    button.box((WEST, 440, 40), (WEST + 8, 472, 72), {"all": "metal_trim", "east": fit("+0button")})
-    part.box((WEST, 432, 32), (WEST + 4, 480, 40), "copper_trim")
-    part.box((WEST, 432, 72), (WEST + 4, 480, 80), "copper_trim")
+    button.box((WEST, 468, 40), (WEST + 8, 500, 72), {"all": "metal_trim", "east": fit("+0button")})
+    part.box((WEST, 460, 32), (WEST + 4, 508, 40), "copper_trim")
+    part.box((WEST, 460, 72), (WEST + 4, 508, 80), "copper_trim")
 
 
 def train(world: Map) -> None:
@@ -98,8 +116,8 @@ def train(world: Map) -> None:
         body.box((x + a, y, 0), (x + a + 8, y + 8, 30), "metal_trim")
         body.box((x + a, y + 88, 0), (x + a + 8, y + 96, 30), "metal_trim")
     # A train's corner comes to the corners of its way.
-    world.entity("path_corner", (x, y, -20), targetname="lake_near", target="lake_far", wait=3)
-    world.entity("path_corner", (FAR + 8, y, -20), targetname="lake_far", target="lake_near", wait=3)
+    world.entity("path_corner", (x, y, -20), targetname="lake_near", target="lake_far", wait=4)
+    world.entity("path_corner", (FAR + 8, y, -20), targetname="lake_far", target="lake_near", wait=4)
 
 
 def mouths(world: Map) -> None:
@@ -118,7 +136,7 @@ def mouths(world: Map) -> None:
 def people(world: Map) -> None:
     world.entity("info_player_deathmatch", (-704, 460, 28), angle=225)
     world.entity("info_player_deathmatch", (-1336, 0, 28), angle=45)
-    monster(world, "ogre", -1336, 300, 0, 0)
+    monster(world, "ogre", -1370, 330, 0, 0)
     monster(world, "ogre", -1320, 40, 0, 0, skill=1)
     monster(world, "enforcer", -700, 400, 0, 270)
     monster(world, "wizard", -1000, 300, 80, 0, skill=1)
@@ -128,8 +146,8 @@ def people(world: Map) -> None:
     item(world, "health", -1370, -30, 0)
     # The key, and who comes when it is gone.
     part = world.detail
-    part.box((-1352, 196, 0), (-1304, 244, 20), {"all": "copper_plate", "top": fit("rune_a")})
-    item(world, "key1", -1328, 220, 20, target="key_trap")
+    part.box((-1352, 196, 0), (-1304, 244, 14), {"all": "copper_plate", "top": fit("rune_a")})
+    item(world, "key1", -1328, 220, 14, target="key_trap")
     door = world.part("func_door", angle=-2, targetname="key_trap", lip=4, speed=120, sounds=4, wait=-1)
     door.box((FAR - 40, NORTH + 4, 0), (FAR + 40, NORTH + 24, 112), "metal_rust")
     monster(world, "demon1", FAR, NORTH + 100, 0, 270)

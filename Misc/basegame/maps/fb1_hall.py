@@ -118,7 +118,7 @@ def windows_and_roof(world: Map) -> None:
     for z in (300, 332):
         world.add(pipe_run(560, 9), (-X + 14, 10, z), turn=90)
     world.add(crates(8), (-380, 60, 0))
-    world.add(crates(9), (392, 250, 0), turn=90)
+    world.add(crates(9), (404, 116, 0), turn=90)
     world.add(candle_stand(61), (-90, 730, 0))
     world.add(candle_stand(62), (90, 730, 0))
     for side in (-1, 1):
@@ -178,7 +178,7 @@ def people(world: Map) -> None:
     monster(world, "wizard", -200, 160, 240, 90, skill=2)
     monster(world, "ogre", 0, 640, GALLERY, 270, skill=2)
     item(world, "health", -380, 160, 0)
-    item(world, "shells", 380, 60, 0)
+    item(world, "shells", 340, 60, 0)
     item(world, "shells", -340, 560, 0)
     item(world, "armor1", 0, 700, 0)
     item(world, "spikes", 180, 700, GALLERY)

@@ -67,11 +67,11 @@ def furnish(world: Map) -> None:
 def people(world: Map) -> None:
     world.entity("info_player_deathmatch", (-1000, 848, FLOOR + 28), angle=0)
     world.entity("info_intermission", (-640, 640, FLOOR + 260), mangle=(20, 130, 0))
-    monster(world, "demon1", -832, 1000, FLOOR, 270)
+    monster(world, "demon1", -940, 960, FLOOR, 290)
     monster(world, "demon1", -1000, 760, FLOOR, 330, skill=1)
     monster(world, "shambler", -832, 960, FLOOR, 270, skill=2)
     monster(world, "ogre", -680, 1010, FLOOR, 240)
-    monster(world, "hell_knight", -980, 960, FLOOR, 300, skill=1)
+    monster(world, "hell_knight", -700, 940, FLOOR, 300, skill=1)
     item(world, "rockets", -640, 700, FLOOR)
     item(world, "health", -1000, 700, FLOOR)
     item(world, "health", -640, 960, FLOOR, flags=1)
