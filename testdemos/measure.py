@@ -1,0 +1,161 @@
+#!/usr/bin/env python3
+"""Measures pt on the laboratory's scenes, and makes their small references and pictures.
+
+    measure.py references|errors|pictures [--build build] [--basedir DIR] [--spp N] [--device NAME] [NAME ...]
+    measure.py table                      errors.csv as a table for Misc/docs/scenes.md
+
+references  pt, 96x54, --spp samples (2048): references/NAME.exr, colours in halves and the variance of their mean
+errors      pt with 1, 16 and 256 samples, four runs (of 256: one) of other seeds each, against these: a line in errors.csv
+pictures    mcpg, unbiased, 384x216, --spp samples (256): Misc/docs/pictures/scenes/NAME.jpg (by ImageMagick)
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+from exr import read, write
+from scenes import HERE, lab_args, load, names
+
+ROOT = HERE.parent
+REFERENCES, ERRORS = HERE / "references", HERE / "errors.csv"
+PICTURES = ROOT / "Misc/docs/pictures/scenes"
+SIZE, RUNS = "96x54", {1: 4, 16: 4, 256: 1}  # runs by samples
+COLUMNS = ["scene", "spp", "mse", "mse_low", "mse_high", "relmse", "relmse_low", "relmse_high", "reference_spp",
+           "reference_mse", "reference_relmse"]
+LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
+
+
+class Lab:
+    def __init__(self, options) -> None:
+        self.program = options.build / "fullbright-lab"
+        self.common = (["--basedir", options.basedir] if options.basedir else []) + ["--quiet"]
+        self.common += ["--device", options.device] if options.device else []
+
+    def run(self, command: str, *args) -> str:
+        said = subprocess.run([self.program, command, *map(str, args)], capture_output=True, text=True, check=False)
+        if said.returncode != 0:
+            raise RuntimeError(f"fullbright-lab {command}: {said.stderr.strip()[-800:]}")
+        return said.stdout
+
+    def reference(self, name: str, out: Path, **options) -> None:
+        frame = load(name).get("frame", 0)
+        args = [a for key, value in options.items() for a in (f"--{key}", value)]
+        self.run("reference", *self.common, *lab_args(name), "--set", "r_jitter=1", "--frame", frame, "--out", out, *args)
+
+
+def make_reference(lab: Lab, name: str, spp: int) -> None:
+    REFERENCES.mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory() as scratch:
+        whole = Path(scratch) / "whole.exr"
+        lab.reference(name, whole, spp=spp, size=SIZE)
+        planes, header = read(whole)
+        kept = {n: p for n, p in planes.items() if n in "RGB" or n.startswith("variance.")}
+        write(REFERENCES / f"{name}.exr", kept, header)
+
+
+def errors_of(lab: Lab, name: str) -> list[dict]:
+    """A row for each number of samples. The reference's own error is the mean of its variance."""
+    reference = REFERENCES / f"{name}.exr"
+    planes, header = read(reference)
+    color = np.stack([planes[c] for c in "RGB"]).astype(float)
+    variance = np.stack([planes[f"variance.{c}"] for c in "RGB"]).astype(float)
+    rows = []
+    with tempfile.TemporaryDirectory() as scratch:
+        for spp, runs in RUNS.items():
+            tests = [Path(scratch) / f"{spp}_{k}.exr" for k in range(runs)]
+            for k, path in enumerate(tests):
+                lab.run("reference", *lab.common, *lab_args(name), "--set", "r_jitter=1", "--set", f"r_seed={100 * spp + k + 1}",
+                        "--frame", load(name).get("frame", 0), "--spp", spp, "--size", SIZE, "--out", path)
+            found = json.loads(lab.run("compare", "--no-flip", "--json", "-", reference, *tests))
+            rows.append({"scene": name, "spp": spp} | figures(found) | {
+                "reference_mse": f"{variance.mean():.3g}", "reference_relmse": f"{(variance / (color**2 + 0.01)).mean():.3g}"})
+    return rows
+
+
+def figures(found: dict) -> dict:
+    result = {}
+    for key in ("mse", "relmse"):
+        values = [run[f"{key}_corrected"] for run in found["files"]]
+        result |= {key: f"{np.mean(values):.3g}", f"{key}_low": f"{min(values):.3g}", f"{key}_high": f"{max(values):.3g}"}
+    return result
+
+
+def save_errors(rows: list[dict]) -> None:
+    """Replaces these scenes' rows in errors.csv."""
+    old = list(csv.DictReader(ERRORS.open())) if ERRORS.exists() else []
+    kept = [row for row in old if row["scene"] not in {r["scene"] for r in rows}] + rows
+    with ERRORS.open("w", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n", extrasaction="ignore")
+        writer.writeheader()
+        writer.writerows(sorted(kept, key=lambda row: (row["scene"], int(row["spp"]))))
+
+
+def make_picture(lab: Lab, name: str, spp: int) -> None:
+    """Exposed so that the middle of what is not black is grey, rolled off towards white."""
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as scratch:
+        out, raw = Path(scratch) / "picture.exr", Path(scratch) / "picture.ppm"
+        lab.reference(name, out, spp=spp, size="384x216", estimator="mcpg")
+        planes, _ = read(out)
+        light = np.maximum(np.stack([planes[c] for c in "RGB"], axis=-1).astype(float), 0.0)
+        bright = light @ LUMINANCE
+        shown = bright[bright > 1e-4 * bright.max()]
+        light *= 0.16 / max(np.exp(np.log(shown).mean()), 1e-9)
+        peak = light.max(axis=-1, keepdims=True)
+        light = light / np.maximum(peak, 1e-9) * (1.0 - np.exp(-1.1 * peak)) ** 0.9
+        srgb = np.where(light <= 0.0031308, light * 12.92, 1.055 * np.maximum(light, 1e-9) ** (1 / 2.4) - 0.055)
+        pixels = np.round(np.clip(srgb, 0, 1) * 255).astype(np.uint8)
+        raw.write_bytes(b"P6 %d %d 255\n" % pixels.shape[1::-1] + pixels.tobytes())
+        subprocess.run(["convert", raw, "-quality", "88", PICTURES / f"{name}.jpg"], check=True)
+
+
+def table() -> str:
+    """relMSE (and MSE in brackets) by samples; the reference's own."""
+    rows = list(csv.DictReader(ERRORS.open()))
+    lines = ["| scene | 1 spp | 16 spp | 256 spp | reference's own |", "| --- | --- | --- | --- | --- |"]
+    for name in sorted({row["scene"] for row in rows}):
+        of = {int(row["spp"]): row for row in rows if row["scene"] == name}
+        cells = [f"{of[n]['relmse']} ({of[n]['mse']})" for n in RUNS if n in of]
+        own = next(iter(of.values()))
+        lines.append(f"| `{name}` | " + " | ".join(cells) + f" | {own['reference_relmse']} ({own['reference_mse']}) |")
+    return "\n".join(lines)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("what", choices=["references", "errors", "pictures", "table"])
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    parser.add_argument("--build", type=Path, default=ROOT / "build")
+    parser.add_argument("--basedir")
+    parser.add_argument("--device")
+    parser.add_argument("--spp", type=int)
+    options = parser.parse_intermixed_args()
+    if options.what == "table":
+        print(table())
+        return 0
+    lab = Lab(options)
+    try:
+        for name in options.names or names():
+            if options.what == "references":
+                make_reference(lab, name, options.spp or 2048)
+            elif options.what == "pictures":
+                make_picture(lab, name, options.spp or 256)
+            else:
+                save_errors(errors_of(lab, name))
+            print(f"{options.what}: {name}", flush=True)
+    except (RuntimeError, ValueError) as error:
+        print(f"measure.py: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

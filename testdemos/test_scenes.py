@@ -1,0 +1,81 @@
+"""Holds the laboratory's scenes together: settings, maps, demos, references; and what the demos show to what is expected.
+
+FULLBRIGHT_BUILD names the build folder (../build)."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import exr  # noqa: E402
+from make_demos import positions, record, timedemo_frames  # noqa: E402
+from scenes import HERE, demo_of, lab_args, load, names  # noqa: E402
+
+BUILD = Path(os.environ.get("FULLBRIGHT_BUILD", HERE.parent / "build"))
+MAPS = HERE.parent / "Misc/basegame/maps/lab"
+has_game = (BUILD / "game/id1/progs.dat").exists() and (BUILD / "fullbright-lab").exists()
+
+
+class Settings(unittest.TestCase):
+    def test_every_scene_has_its_map_and_demo(self):
+        self.assertGreaterEqual(len(names()), 16)
+        for name in names():
+            scene = load(name)
+            for path in (MAPS / f"{scene['map']}.bsp", demo_of(name), HERE / f"expected/{name}.csv"):
+                self.assertTrue(path.exists(), f"{path} is missing")
+            self.assertTrue({"--map", "--demo"} & set(lab_args(name)), name)
+
+    def test_a_wrong_key_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "there is no scene 'nowhere'"):
+            load("nowhere")
+
+    def test_references_are_small_and_say_their_variance(self):
+        total = 0
+        for path in sorted((HERE / "references").glob("*.exr")):
+            total += path.stat().st_size
+            planes, _ = exr.read(path)
+            self.assertEqual(sorted(planes), ["B", "G", "R", "variance.B", "variance.G", "variance.R"], path)
+            self.assertTrue(all((plane >= 0).all() for plane in planes.values()), path)
+        self.assertLess(total, 2_000_000)
+
+    def test_exr_files_read_back(self):
+        planes, header = exr.read(HERE / "references/rocket.exr")
+        with tempfile.TemporaryDirectory() as scratch:
+            again = Path(scratch) / "again.exr"
+            exr.write(again, planes, header)
+            for name, plane in exr.read(again)[0].items():
+                self.assertTrue((plane == planes[name]).all(), name)
+
+
+@unittest.skipUnless(has_game, "the base game is not built")
+class Demos(unittest.TestCase):
+    def test_players_are_where_they_were(self):
+        for name in names():
+            with self.subTest(name):
+                self.assertEqual(positions(demo_of(name), BUILD), (HERE / f"expected/{name}.csv").read_text())
+
+    def test_frames_are_as_many_as_expected(self):
+        expected = dict(re.findall(r"(\S+) (\d+)\n", (HERE / "expected/frames.txt").read_text()))
+        self.assertEqual(sorted(expected), names())
+        for name in ("horde", "rocket", "far"):  # the busy ones, and another protocol
+            with self.subTest(name):
+                self.assertEqual(timedemo_frames(demo_of(name), BUILD, None), int(expected[name]))
+
+    def test_a_script_played_again_gives_the_same_walk(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            for name in ("tears", "far"):
+                again = record(name, BUILD, None, Path(scratch))
+                said = subprocess.run([BUILD / "fullbright-lab", "track", demo_of(name), again, "--tolerance", "0"],
+                                      capture_output=True, text=True, check=False)
+                self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
