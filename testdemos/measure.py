@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Measures pt on the laboratory's scenes, and makes their small references and pictures.
 
-    measure.py references|errors|pictures [--build build] [--basedir DIR] [--spp N] [--device NAME] [NAME ...]
+    measure.py references|errors|pictures|views [--build build] [--basedir DIR] [--spp N] [--device NAME] [NAME ...]
     measure.py table                      errors.csv as a table for Misc/docs/scenes.md
 
 references  pt, 96x54, --spp samples (2048): references/NAME.exr, colours in halves and the variance of their mean
 errors      pt with 1, 16 and 256 samples, four runs (of 256: one) of other seeds each, against these: a line in errors.csv
 pictures    mcpg, unbiased, 384x216, --spp samples (256): Misc/docs/pictures/scenes/NAME.jpg (by ImageMagick)
+views       the same quickly: the last of 24 denoised frames of --spp samples (2), as the game would show it
 """
 
 from __future__ import annotations
@@ -27,9 +28,11 @@ from scenes import HERE, lab_args, load, names
 ROOT = HERE.parent
 REFERENCES, ERRORS = HERE / "references", HERE / "errors.csv"
 PICTURES = ROOT / "Misc/docs/pictures/scenes"
+PICTURE = "384x216"
 SIZE, RUNS = "96x54", {1: 4, 16: 4, 256: 1}  # runs by samples
-COLUMNS = ["scene", "spp", "mse", "mse_low", "mse_high", "relmse", "relmse_low", "relmse_high", "reference_spp",
-           "reference_mse", "reference_relmse"]
+COLUMNS = ["scene", "spp", "mse", "mse_low", "mse_high", "relmse", "relmse_low", "relmse_high", "reference_mse",
+           "reference_relmse"]
+CENTRES = "r_jitter=0"  # rays through the centres of pixels: edges are no error of an estimator
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 
 
@@ -45,17 +48,18 @@ class Lab:
             raise RuntimeError(f"fullbright-lab {command}: {said.stderr.strip()[-800:]}")
         return said.stdout
 
-    def reference(self, name: str, out: Path, **options) -> None:
+    def reference(self, name: str, out: Path, *sets: str, **options) -> None:
         frame = load(name).get("frame", 0)
         args = [a for key, value in options.items() for a in (f"--{key}", value)]
-        self.run("reference", *self.common, *lab_args(name), "--set", "r_jitter=1", "--frame", frame, "--out", out, *args)
+        self.run("reference", *self.common, *lab_args(name), "--frame", frame, "--out", out, *args,
+                 *[a for cvar in sets for a in ("--set", cvar)])
 
 
 def make_reference(lab: Lab, name: str, spp: int) -> None:
     REFERENCES.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
         whole = Path(scratch) / "whole.exr"
-        lab.reference(name, whole, spp=spp, size=SIZE)
+        lab.reference(name, whole, CENTRES, spp=spp, size=SIZE)
         planes, header = read(whole)
         kept = {n: p for n, p in planes.items() if n in "RGB" or n.startswith("variance.")}
         write(REFERENCES / f"{name}.exr", kept, header)
@@ -72,8 +76,7 @@ def errors_of(lab: Lab, name: str) -> list[dict]:
         for spp, runs in RUNS.items():
             tests = [Path(scratch) / f"{spp}_{k}.exr" for k in range(runs)]
             for k, path in enumerate(tests):
-                lab.run("reference", *lab.common, *lab_args(name), "--set", "r_jitter=1", "--set", f"r_seed={100 * spp + k + 1}",
-                        "--frame", load(name).get("frame", 0), "--spp", spp, "--size", SIZE, "--out", path)
+                lab.reference(name, path, CENTRES, f"r_seed={100 * spp + k + 1}", spp=spp, size=SIZE)
             found = json.loads(lab.run("compare", "--no-flip", "--json", "-", reference, *tests))
             rows.append({"scene": name, "spp": spp} | figures(found) | {
                 "reference_mse": f"{variance.mean():.3g}", "reference_relmse": f"{(variance / (color**2 + 0.01)).mean():.3g}"})
@@ -103,7 +106,7 @@ def make_picture(lab: Lab, name: str, spp: int) -> None:
     PICTURES.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
         out, raw = Path(scratch) / "picture.exr", Path(scratch) / "picture.ppm"
-        lab.reference(name, out, spp=spp, size="384x216", estimator="mcpg")
+        lab.reference(name, out, "r_jitter=1", spp=spp, size=PICTURE, estimator="mcpg")
         planes, _ = read(out)
         light = np.maximum(np.stack([planes[c] for c in "RGB"], axis=-1).astype(float), 0.0)
         bright = light @ LUMINANCE
@@ -115,6 +118,19 @@ def make_picture(lab: Lab, name: str, spp: int) -> None:
         pixels = np.round(np.clip(srgb, 0, 1) * 255).astype(np.uint8)
         raw.write_bytes(b"P6 %d %d 255\n" % pixels.shape[1::-1] + pixels.tobytes())
         subprocess.run(["convert", raw, "-quality", "88", PICTURES / f"{name}.jpg"], check=True)
+
+
+VIEW_FRAMES = 24
+
+
+def make_view(lab: Lab, name: str, spp: int) -> None:
+    last = max(load(name).get("frame", 0), VIEW_FRAMES - 1)
+    with tempfile.TemporaryDirectory() as scratch:
+        lab.run("render", *lab.common, *lab_args(name), "--estimator", "mcpg", "--denoised", "--spp", spp, "--size", PICTURE,
+                "--frames", f"{last - VIEW_FRAMES + 1}:{last}", "--out", scratch)
+        PICTURES.mkdir(parents=True, exist_ok=True)
+        subprocess.run(["convert", Path(scratch) / f"frame_{last:06d}.png", "-quality", "88", PICTURES / f"{name}.jpg"],
+                       check=True)
 
 
 def table() -> str:
@@ -131,7 +147,7 @@ def table() -> str:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("what", choices=["references", "errors", "pictures", "table"])
+    parser.add_argument("what", choices=["references", "errors", "pictures", "views", "table"])
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--build", type=Path, default=ROOT / "build")
     parser.add_argument("--basedir")
@@ -148,6 +164,8 @@ def main() -> int:
                 make_reference(lab, name, options.spp or 2048)
             elif options.what == "pictures":
                 make_picture(lab, name, options.spp or 256)
+            elif options.what == "views":
+                make_view(lab, name, options.spp or 2)
             else:
                 save_errors(errors_of(lab, name))
             print(f"{options.what}: {name}", flush=True)

@@ -4,7 +4,7 @@ whatever one looks at has radiance e (1 + a + a^2 + ...), one term a reflection.
 from kit import Group, Map
 from scene_parts import furnish, lathe, stand, torus
 
-GLOW = "lab_light_dim"  # colour a; e is a times what fullbright texels emit
+GLOW = "lab_light_warm"  # colour a; e is a times what fullbright texels emit
 
 
 def build() -> Map:

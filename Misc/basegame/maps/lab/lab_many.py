@@ -6,7 +6,7 @@ import math
 from kit import Group, Map
 from scene_parts import furnish, lathe, stand
 
-COLORS = ("lab_light", "lab_light_warm", "lab_light_dim", "lab_light_warm")
+LAMP = "lab_light_warm"
 
 
 def build() -> Map:
@@ -23,7 +23,7 @@ def build() -> Map:
             x, y = -475 + 50 * i, -475 + 50 * j
             z = 128 + 44 * math.sin(x / 120.0) * math.cos(y / 140.0) + 22 * math.sin(0.9 * i * j)
             x, y, z = x + 8 * (j % 3) - 8, y + 8 * (i % 3) - 8, round(z)
-            lamps.detail.box((x, y, z), (x + 4, y + 4, z + 5), COLORS[(i * 7 + j * 3) % 4])
+            lamps.detail.box((x, y, z), (x + 4, y + 4, z + 5), LAMP)
             count += 1
     assert count == 400
     furnish(world, lamps, solid=False)

@@ -64,8 +64,12 @@ def furnish(world: Map, group: Group, solid: bool = True) -> None:
 
 def candle(height: float, wax: float = 2.0, flame: str = "lab_light_warm") -> Group:
     """A candle whose foot is at 0 0 0: wax of that height (units) and half-width, and a flame that glows."""
-    group = lathe([(0, wax), (height, wax)], "candle_wax", 5)
-    return group.add(lathe([(height + 1, 0), (height + 3, 1.5), (height + 8, 0)], flame, 4))
+    group = Group()
+    group.detail.box((-wax, -wax, 0), (wax, wax, height), "candle_wax")
+    rim = [(1.5, 0.0, height + 3.0), (0.0, 1.5, height + 3.0), (-1.5, 0.0, height + 3.0), (0.0, -1.5, height + 3.0)]
+    ends = (0.0, 0.0, height + 1.0), (0.0, 0.0, height + 8.0)
+    group.detail.brush(polyhedron([[rim[k], rim[(k + 1) % 4], end] for end in ends for k in range(4)], flame))
+    return group
 
 
 def lantern(glow: str, half: float = 6.0) -> Group:
