@@ -18,6 +18,7 @@ if [[ $found == no ]]; then
   echo "make bench: build/ holds no benchmark program; Google Benchmark was missing when it was configured" >&2
   exit 1
 fi
+Misc/bench_game.py "$out"
 lab=build/fullbright-lab
 estimators=$("$lab" estimators | cut -d' ' -f1 | paste -sd,)
 for scene in one_light cbox strips candles many lava; do
