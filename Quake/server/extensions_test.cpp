@@ -3,6 +3,7 @@
 #include "server/skin_contents.h"
 #include "server/test_level.h"
 #include "server/test_server.h"
+#include "server/test_things.h"
 #include "server/user.h"
 
 namespace fb::sv {
@@ -12,36 +13,7 @@ using testing::LevelTest;
 using testing::MapBuilder;
 
 constexpr const char* kThings = R"(
-entity arm, rider, player, volume;
-void() say_blocked = { puts("blocked"); pute(self); pute(other); };
-entity(string model, vector org) make_model = {
-  local entity e;
-  e = spawn();
-  e.solid = SOLID_BSP;
-  e.movetype = MOVETYPE_PUSH;
-  setmodel(e, model);
-  setorigin(e, org);
-  e.nextthink = 1000;
-  e.blocked = say_blocked;
-  return e;
-};
-entity(float kind, vector org) make = {
-  local entity e;
-  e = spawn();
-  e.movetype = kind;
-  e.solid = SOLID_SLIDEBOX;
-  setsize(e, '-16 -16 -24', '16 16 32');
-  setorigin(e, org);
-  return e;
-};
-void() enter = {
-  player = nextent(world);
-  player.movetype = MOVETYPE_WALK;
-  player.solid = SOLID_SLIDEBOX;
-  player.health = 100;
-  player.view_ofs = '0 0 22';
-  setsize(player, '-16 -16 -24', '16 16 32');
-};
+entity arm, rider, volume;
 )";
 
 // "*1" is a bar of 384 by 64 units, 16 high, about its middle; "*2" a box of 128 units.
@@ -51,7 +23,7 @@ class ExtensionsTest : public LevelTest {
     MapBuilder map(vec3(-512, -512, 0), vec3(512, 512, 512));
     map.model(vec3(-192, -32, 0), vec3(192, 32, 16));
     map.model(vec3(-64, -64, 0), vec3(64, 64, 128));
-    start_level(kThings + source, map);
+    start_level(testing::kThingsSource + (kThings + source), map);
   }
   void ask() { level().asked = {.rotating_pushers = true, .skin_contents = true}; }
   // How far a point gets.
@@ -62,7 +34,7 @@ class ExtensionsTest : public LevelTest {
 
 TEST_F(ExtensionsTest, WhatIsTurnedBlocksAsItLooksIfTheModHasAsked) {
   start_with(
-      "void() main = { arm = make_model(\"*1\", '0 0 100'); arm.angles = '0 90 0'; setorigin(arm, '0 0 100'); };");
+      "void() main = { arm = make_pusher(\"*1\", '0 0 100'); arm.angles = '0 90 0'; setorigin(arm, '0 0 100'); };");
   EXPECT_NEAR(line(vec3(150, 0, 200), vec3(150, 0, 50)).end_pos.z, 116.0f, 0.1f) << "as QuakeSpasm: never turned";
   EXPECT_FLOAT_EQ(line(vec3(0, 150, 200), vec3(0, 150, 50)).fraction, 1.0f);
   ask();
@@ -87,8 +59,8 @@ TEST_F(ExtensionsTest, WhatIsTurnedBlocksAsItLooksIfTheModHasAsked) {
 
 TEST_F(ExtensionsTest, PushersTurnByAvelocityAndCarryWhoStandsOnThem) {
   const char* source = R"(void() main = {
-    arm = make_model("*1", '0 0 100'); arm.avelocity = '0 90 0';
-    rider = make(MOVETYPE_STEP, '100 0 141'); self = rider; droptofloor(); self = world; };)";
+    arm = make_pusher("*1", '0 0 100'); arm.avelocity = '0 90 0';
+    rider = make_man(MOVETYPE_STEP, '100 0 141'); self = rider; droptofloor(); self = world; };)";
   start_with(source);
   tick(0.05, 20);
   EXPECT_EQ(named("arm").get(fields::angles), vec3(0.0f)) << "not asked for: as QuakeSpasm";
@@ -107,8 +79,8 @@ TEST_F(ExtensionsTest, PushersTurnByAvelocityAndCarryWhoStandsOnThem) {
 
 TEST_F(ExtensionsTest, TurningPushersPushAndAreBlocked) {
   start_with(R"(void() main = {
-    arm = make_model("*1", '0 0 24'); arm.avelocity = '0 90 0';
-    rider = make(MOVETYPE_STEP, '150 80 24.03125'); rider.flags = FL_ONGROUND; };)");
+    arm = make_pusher("*1", '0 0 24'); arm.avelocity = '0 90 0';
+    rider = make_man(MOVETYPE_STEP, '150 80 24.03125'); rider.flags = FL_ONGROUND; };)");
   ask();
   tick(0.05, 10);
   EXPECT_NEAR(named("arm").get(fields::angles).y, 45.0f, 0.01f);
@@ -116,9 +88,9 @@ TEST_F(ExtensionsTest, TurningPushersPushAndAreBlocked) {
   EXPECT_FALSE(in_solid(level(), named("rider").id()));
   // One that cannot give way stops it, and everything is as it was.
   start_with(R"(void() main = {
-    arm = make_model("*1", '0 0 24'); arm.avelocity = '0 90 0';
-    rider = make(MOVETYPE_NONE, '150 110 24.03125'); setsize(rider, '-200 -16 -24', '200 16 32'); setorigin(rider, rider.origin);
-    rider = make(MOVETYPE_STEP, '150 60 24.03125'); rider.flags = FL_ONGROUND; };)");
+    arm = make_pusher("*1", '0 0 24'); arm.avelocity = '0 90 0';
+    rider = make_man(MOVETYPE_NONE, '150 110 24.03125'); setsize(rider, '-200 -16 -24', '200 16 32'); setorigin(rider, rider.origin);
+    rider = make_man(MOVETYPE_STEP, '150 60 24.03125'); rider.flags = FL_ONGROUND; };)");
   ask();
   tick(0.05, 40);
   EXPECT_NE(output().find("blocked"), std::string::npos);
@@ -129,8 +101,8 @@ TEST_F(ExtensionsTest, TurningPushersPushAndAreBlocked) {
 }
 
 TEST_F(ExtensionsTest, SkinsMakeWaterOfBrushModels) {
-  start_with(R"(void() main = { volume = make_model("*2", '100 0 0'); volume.skin = -3; enter();
-    setorigin(player, '100 0 24.03125'); };)");
+  start_with(
+      R"(void() main = { volume = make_pusher("*2", '100 0 0'); volume.skin = -3; make_player('100 0 24.03125'); };)");
   EXPECT_EQ(point_contents(level(), vec3(100, 0, 50)), formats::kContentsEmpty);
   EXPECT_LT(line(vec3(0, 50, 50), vec3(200, 50, 50)).fraction, 1.0f) << "not asked for: solid";
   ask();
@@ -154,8 +126,7 @@ TEST_F(ExtensionsTest, SkinsMakeWaterOfBrushModels) {
 
 TEST_F(ExtensionsTest, LaddersAreClimbedAndHungOn) {
   start_with(R"(void() main = { volume = spawn(); volume.solid = SOLID_TRIGGER; volume.skin = -16;
-    setsize(volume, '-32 -32 0', '32 32 200'); setorigin(volume, '100 0 0'); enter();
-    setorigin(player, '100 0 24.03125'); };)");
+    setsize(volume, '-32 -32 0', '32 32 200'); setorigin(volume, '100 0 0'); make_player('100 0 24.03125'); };)");
   const EdictId id = named("player").id();
   const auto climb = [&](float forward, float pitch, int ticks) {
     named("player").set(fields::v_angle, vec3(pitch, 0, 0));

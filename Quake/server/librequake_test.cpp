@@ -10,6 +10,7 @@
 #include "base/log.h"
 #include "fs/filesystem.h"
 #include "server/server.h"
+#include "server/test_librequake.h"
 #include "server/test_rules.h"
 
 namespace fb::sv {
@@ -28,6 +29,7 @@ void(float step) movetogoal = #67;
 void(entity e) makestatic = #69;
 void(vector o, string sample, float volume, float attenuation) ambientsound = #74;
 void(vector o, vector d, float color, float count) particle = #48;
+float() first_delay = { return random() * 0.5; };
 void() monster_think = {
   local entity near;
   self.nextthink = time + 0.1;
@@ -46,50 +48,6 @@ void() monster_think = {
   if (checkclient()) self.frags = self.frags + 1;
   if (self.health < 0) { self.think = SUB_Remove; self.solid = SOLID_NOT; }
 };
-void() monster_start = {
-  droptofloor();
-  self.yaw_speed = 20;
-  self.goalentity = world;
-  self.think = monster_think;
-  self.nextthink = time + 0.1;
-};
-void() monster = {
-  self.solid = SOLID_SLIDEBOX;
-  self.movetype = 4;
-  self.takedamage = 2;
-  self.health = 60;
-  setmodel(self, "progs/player.mdl");
-  setsize(self, '-16 -16 -24', '16 16 40');
-  self.flags = self.flags | 32;
-  self.think = monster_start;
-  self.nextthink = time + 0.1 + random() * 0.5;
-};
-void() monster_army = { monster(); };
-void() monster_dog = { monster(); };
-void() monster_knight = { monster(); };
-void() monster_ogre = { monster(); };
-void() monster_zombie = { monster(); };
-void() monster_wizard = { monster(); self.flags = self.flags | 1; };
-void() monster_fish = { monster(); self.flags = self.flags | 2; };
-void() monster_shambler = { monster(); };
-void() monster_demon1 = { monster(); };
-void() monster_hell_knight = { monster(); };
-void() item_start = { self.movetype = MOVETYPE_TOSS; self.velocity = '0 0 0'; if (!droptofloor()) remove(self); };
-void() item_touch = { if (other.flags & 32) { other.health = other.health + 10; remove(self); } };
-void() item = {
-  precache_model("maps/b_bh25.bsp");
-  setmodel(self, "maps/b_bh25.bsp");
-  setsize(self, '0 0 0', '32 32 56');
-  self.solid = SOLID_TRIGGER;
-  self.touch = item_touch;
-  self.nextthink = time + 0.2;
-  self.think = item_start;
-};
-void() item_health = { item(); };
-void() item_shells = { item(); };
-void() item_spikes = { item(); };
-void() item_rockets = { item(); };
-void() item_armor1 = { item(); };
 void() light = { remove(self); };
 void() barrel_explode = { remove(self); };
 void() light_torch_small_walltorch = { precache_model("progs/flame.mdl"); setmodel(self, "progs/flame.mdl");
@@ -100,17 +58,12 @@ class LibreQuake : public ::testing::Test {
  protected:
   void SetUp() override {
     set_log_level(LogLevel::kError);
-    const char* variable = std::getenv("FULLBRIGHT_TEST_DATA");
-    fs::FsOptions options;
-    options.base_dir = variable != nullptr ? variable : "../shared/librequake";
-    options.user_dir = "";
-    if (!std::filesystem::exists(options.base_dir / "id1" / "pak1.pak"))
-      GTEST_SKIP() << "no LibreQuake data in " << options.base_dir;
-    auto opened = fs::FileSystem::open(options);
+    if (const std::string lacks = testing::game_data_lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
+    auto opened = fs::FileSystem::open(testing::game_data_options());
     ASSERT_TRUE(opened.ok()) << opened.error().message;
     files_.emplace(std::move(*opened));
     if (!progs::testing::compile("void() main = {};").has_compiler) GTEST_SKIP() << progs::testing::no_compiler();
-    static const Bytes rules = testing::compile_rules(kMonsters);
+    static const Bytes rules = testing::compile_rules(std::string(kMonsters) + testing::kInhabitants);
     ASSERT_FALSE(rules.empty()) << "testdemos/rules do not compile";
     written_["progs.dat"] = rules;
   }

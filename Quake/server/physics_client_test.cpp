@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "server/test_level.h"
+#include "server/test_things.h"
 #include "server/user.h"
 
 namespace fb::sv {
@@ -14,7 +15,6 @@ using testing::MapBuilder;
 constexpr float kGap = 1.0f / 32.0f;
 
 constexpr const char* kPlayer = R"(
-entity player;
 float jump;
 void() PlayerPreThink = {
   if (jump) if (self.flags - (self.flags & FL_ONGROUND) != self.flags) {
@@ -23,16 +23,6 @@ void() PlayerPreThink = {
     jump = 0;
   }
 };
-void(vector org) make_player = {
-  player = nextent(world);
-  player.movetype = MOVETYPE_WALK;
-  player.solid = SOLID_SLIDEBOX;
-  player.health = 100;
-  player.flags = FL_CLIENT;
-  player.view_ofs = '0 0 22';
-  setsize(player, '-16 -16 -24', '16 16 32');
-  setorigin(player, org);
-};
 )";
 
 class PlayerTest : public LevelTest {
@@ -40,7 +30,8 @@ class PlayerTest : public LevelTest {
   static MapBuilder room() { return MapBuilder(vec3(-1024, -1024, 0), vec3(1024, 1024, 1024)); }
   // A player that stands at (0, 0), or at `where`.
   void start_in(const MapBuilder& map, const std::string& where = "0 0 24.03125") {
-    start_level(kPlayer + fmt::format("void() main = {{ make_player('{}'); }};", where), map);
+    start_level(testing::kThingsSource + (kPlayer + fmt::format("void() main = {{ make_player('{}'); }};", where)),
+                map);
   }
   void frame(const UserCommand& command, double seconds) {
     level().frame_time = seconds;

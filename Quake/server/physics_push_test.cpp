@@ -1,5 +1,6 @@
 // Doors and lifts: whom they carry, push and crush, and what stops them.
 #include "server/test_level.h"
+#include "server/test_things.h"
 
 namespace fb::sv {
 namespace {
@@ -9,29 +10,13 @@ using testing::MapBuilder;
 
 constexpr const char* kPushers = R"(
 entity lift, rider, thing;
-void() say_blocked = { puts("blocked"); pute(self); pute(other); };
 entity(vector org, vector speed) make_lift = {
   local entity e;
-  e = spawn();
-  e.solid = SOLID_BSP;
-  e.movetype = MOVETYPE_PUSH;
-  setmodel(e, "*1");
-  setorigin(e, org);
+  e = make_pusher("*1", org);
   e.velocity = speed;
-  e.nextthink = 1000;
-  e.blocked = say_blocked;
   return e;
 };
-entity(float kind, vector org) make = {
-  local entity e;
-  e = spawn();
-  e.movetype = kind;
-  e.solid = SOLID_BBOX;
-  setsize(e, '-16 -16 -24', '16 16 32');
-  setorigin(e, org);
-  return e;
-};
-void(entity e) drop = { self = e; droptofloor(); self = world; };
+entity(float kind, vector org) make = { return make_man(kind, org); };
 )";
 
 class PushTest : public LevelTest {
@@ -40,25 +25,19 @@ class PushTest : public LevelTest {
   void start_with(const std::string& source) {
     MapBuilder map(vec3(-512, -512, 0), vec3(512, 512, 512));
     map.model(vec3(-64, -64, 0), vec3(64, 64, 16));
-    start_level(kPushers + source, map);
+    start_level(testing::kThingsSource + (kPushers + source), map);
   }
 };
 
 TEST_F(PushTest, LiftsCarryWhoStandsOnThem) {
   start_with(R"(
-entity player;
 void() main = {
   lift = make_lift('0 0 0', '0 0 40');
   rider = make(MOVETYPE_STEP, '0 0 60');
   drop(rider);
   thing = make(MOVETYPE_TOSS, '48 48 60');
   drop(thing);
-  player = nextent(world);
-  player.movetype = MOVETYPE_WALK;
-  player.solid = SOLID_SLIDEBOX;
-  player.health = 100;
-  setsize(player, '-16 -16 -24', '16 16 32');
-  setorigin(player, '-40 -40 40.03125');
+  make_player('-40 -40 40.03125');
 };)");
   EXPECT_EQ(named("rider").get(fields::groundentity), named("lift").id());
   tick(0.1, 10);

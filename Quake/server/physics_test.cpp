@@ -3,6 +3,7 @@
 
 #include "server/physics_moves.h"
 #include "server/test_level.h"
+#include "server/test_things.h"
 
 namespace fb::sv {
 namespace {
@@ -16,21 +17,15 @@ MapBuilder room() { return MapBuilder(vec3(-1024, -1024, 0), vec3(1024, 1024, 20
 
 constexpr const char* kThing = R"(
 entity thing;
-entity(float kind, vector org) make = {
-  local entity e;
-  e = spawn();
-  e.movetype = kind;
-  e.solid = SOLID_BBOX;
-  setsize(e, '-8 -8 -8', '8 8 8');
-  setorigin(e, org);
-  return e;
-};
+entity(float kind, vector org) make = { return make_box(kind, org, '-8 -8 -8', '8 8 8'); };
 )";
 
 class PhysicsTest : public LevelTest {
  protected:
   void start_with(const std::string& source) { start_with(source, room()); }
-  void start_with(const std::string& source, const MapBuilder& map) { start_level(kThing + source, map); }
+  void start_with(const std::string& source, const MapBuilder& map) {
+    start_level(testing::kThingsSource + (kThing + source), map);
+  }
 };
 
 TEST(ClipVelocity, LessThanATenthOfAUnitASecondIsNone) {

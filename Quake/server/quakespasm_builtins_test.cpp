@@ -103,21 +103,11 @@ void() one_frame = {
   else step();
 };
 
-void() main = {};
 void() worldspawn = { precache_model("progs/player.mdl"); };
-void() barrel_explode = {};
 void() StartFrame = {
   if (frames < 60) { dprint("BEGIN\n"); one_frame(); dprint("END\n"); }
   else localcmd("quit\n");
 };
-void() PlayerPreThink = {};
-void() PlayerPostThink = {};
-void() ClientKill = {};
-void() ClientConnect = {};
-void() PutClientInServer = {};
-void() ClientDisconnect = {};
-void() SetNewParms = {};
-void() SetChangeParms = {};
 )";
 
 // What stands between lines of BEGIN and END.
@@ -142,7 +132,7 @@ class QuakeSpasmBuiltins : public progs::testing::QcTest {
 
 TEST_F(QuakeSpasmBuiltins, ComputeAndPrintTheSame) {
   if (const std::string lacks = testing::quakespasm_lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
-  const std::string source = std::string(progs::testing::kBuiltinSource).append(kSource);
+  const std::string source = std::string(progs::testing::kBuiltinSource) + testing::kIdleMod + kSource;
   services_.print = services_.developer_print = [this](std::string_view text) { printed_ += text; };
   ASSERT_TRUE(start(source));
   vm_->edicts().start_level(4);

@@ -14,22 +14,7 @@ namespace {
 // Things at places chosen by arithmetic that is exact in floats; nothing asks the clock or for random numbers.
 constexpr const char* kScene = R"(
 .float number, yaw;
-float seed, frames, count;
-float(float low) random_from = {
-  seed = seed * 109 + 1021;
-  seed = seed - floor(seed / 65536) * 65536;
-  return low + seed / 16;
-};
-void(float f) say = {
-  local float whole, rest, part;
-  whole = floor(f);
-  rest = (f - whole) * 4096;
-  part = floor(rest);
-  dprint(" "); dprint(ftos(whole));
-  dprint(" "); dprint(ftos(part));
-  dprint(" "); dprint(ftos(floor((rest - part) * 65536)));
-};
-void(vector v) say3 = { say(v_x); say(v_y); say(v_z); };
+float frames, count;
 vector() open_point = {
   local vector v;
   v_x = random_from(-1400); v_y = random_from(-1400); v_z = random_from(-2048);
@@ -148,16 +133,6 @@ void() StartFrame = {
   else localcmd("quit\n");
 };
 void() worldspawn = { precache_model("progs/player.mdl"); localcmd("host_framerate 0.05\n"); };
-void() barrel_explode = {};
-void() main = {};
-void() PlayerPreThink = {};
-void() PlayerPostThink = {};
-void() ClientKill = {};
-void() ClientConnect = {};
-void() PutClientInServer = {};
-void() ClientDisconnect = {};
-void() SetNewParms = {};
-void() SetChangeParms = {};
 )";
 
 std::vector<std::string> lines_of_things(const std::string& text) {
@@ -172,10 +147,7 @@ class QuakeSpasmPhysics : public testing::LevelTest {};
 
 TEST_F(QuakeSpasmPhysics, MovesTheSameToTheBit) {
   if (const std::string lacks = testing::quakespasm_lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
-  fs::FsOptions options;
-  options.base_dir = testing::game_data();
-  options.user_dir = "";
-  const auto files = fs::FileSystem::open(options);
+  const auto files = fs::FileSystem::open(testing::game_data_options());
   ASSERT_TRUE(files.ok());
   const auto bytes = files->load("maps/lq_e1m7.bsp");
   ASSERT_TRUE(bytes.ok());
@@ -186,9 +158,9 @@ TEST_F(QuakeSpasmPhysics, MovesTheSameToTheBit) {
   std::string printed;
   services_.print = services_.developer_print = [&printed](std::string_view text) { printed += text; };
   const std::string declarations = "string(string s) precache_model = #20;\n";
-  start_level(declarations + kScene, std::make_shared<formats::Bsp>(std::move(*bsp)));
-  const std::string source =
-      std::string(progs::testing::kBuiltinSource) + testing::kLevelSource + declarations + kScene;
+  const std::string scene = declarations + testing::kIdleMod + testing::kExactNumbers + kScene;
+  start_level(scene, std::make_shared<formats::Bsp>(std::move(*bsp)));
+  const std::string source = std::string(progs::testing::kBuiltinSource) + testing::kLevelSource + scene;
   const std::string output = testing::run_quakespasm(progs::testing::compile(source).progs, "lq_e1m7");
   const std::vector<std::string> theirs = lines_of_things(output);
   ASSERT_GT(theirs.size(), 10000u) << output.substr(output.size() - std::min<std::size_t>(output.size(), 2000));

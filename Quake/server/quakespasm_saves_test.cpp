@@ -58,6 +58,7 @@ void() throw_thing = {
   thing.think = SUB_Remove;
   thing.nextthink = time + 1 + chance(3);
 };
+float() first_delay = { return chance(10) * 0.05; };
 void() monster_think = {
   local entity near;
   self.nextthink = time + 0.1;
@@ -76,47 +77,6 @@ void() monster_think = {
   }
   if (self.health < 0) { self.think = SUB_Remove; self.solid = SOLID_NOT; }
 };
-void() monster_start = {
-  droptofloor();
-  self.yaw_speed = 20;
-  self.think = monster_think;
-  self.nextthink = time + 0.1;
-};
-void() monster = {
-  self.solid = SOLID_SLIDEBOX;
-  self.movetype = 4;
-  self.takedamage = 2;
-  self.health = 60;
-  setmodel(self, "progs/player.mdl");
-  setsize(self, '-16 -16 -24', '16 16 40');
-  self.flags = self.flags | 32;
-  self.think = monster_start;
-  self.nextthink = time + 0.1 + chance(10) * 0.05;
-};
-void() monster_army = { monster(); };
-void() monster_dog = { monster(); };
-void() monster_enforcer = { monster(); };
-void() monster_knight = { monster(); };
-void() monster_hell_knight = { monster(); };
-void() monster_ogre = { monster(); };
-void() monster_zombie = { monster(); };
-void() monster_wizard = { monster(); self.flags = self.flags | 1; };
-void() monster_shambler = { monster(); };
-void() monster_demon1 = { monster(); };
-void() item_start = { self.movetype = MOVETYPE_TOSS; self.velocity = '0 0 0'; if (!droptofloor()) remove(self); };
-void() item_touch = { if (other.flags & 32) { other.health = other.health + 10; remove(self); } };
-void() item = {
-  precache_model("maps/b_bh25.bsp");
-  setmodel(self, "maps/b_bh25.bsp");
-  self.solid = SOLID_TRIGGER;
-  self.touch = item_touch;
-  self.nextthink = time + 0.2;
-  self.think = item_start;
-};
-void() item_health = { item(); };
-void() item_shells = { item(); setsize(self, '0 0 0', '32 32 56'); };
-void() item_spikes = { item(); };
-void() item_rockets = { item(); };
 )qc";
 
 std::string text_of(const stdfs::path& path) {
@@ -220,7 +180,7 @@ TEST_P(QuakeSpasmSaves, LoadHereAndThere) {
 
 TEST_P(QuakeSpasmSaves, TenSecondsLater) {
   const std::string map = GetParam();
-  ASSERT_NO_FATAL_FAILURE(put_rules(kMonsters));
+  ASSERT_NO_FATAL_FAILURE(put_rules(std::string(kMonsters) + testing::kInhabitants));
   ASSERT_NO_FATAL_FAILURE(run_quakespasm(fmt::format("+sys_ticrate 0.001 +host_framerate 0.05 +map {}", map)));
   const std::string theirs = text_of(saves_ / "later.sav");
   ASSERT_NE(theirs.find("\"finished\" \"1.000000\""), std::string::npos) << theirs;

@@ -158,10 +158,7 @@ class QuakeSpasmSignon : public ::testing::TestWithParam<int> {
   void SetUp() override {
     if (const std::string lacks = testing::quakespasm_lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
     set_log_level(LogLevel::kError);
-    fs::FsOptions options;
-    options.base_dir = testing::game_data();
-    options.user_dir = "";
-    auto opened = fs::FileSystem::open(options);
+    auto opened = fs::FileSystem::open(testing::game_data_options());
     ASSERT_TRUE(opened.ok()) << opened.error().message;
     files_.emplace(std::move(*opened));
     if (!progs::testing::compile("void() main = {};").has_compiler) GTEST_SKIP() << progs::testing::no_compiler();

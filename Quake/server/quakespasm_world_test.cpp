@@ -16,7 +16,7 @@
 namespace fb::sv {
 namespace {
 
-constexpr const char* kSource = R"(
+constexpr const char* kDeclarations = R"(
 void(entity e, vector o) setorigin = #2;
 void(entity e, vector min, vector max) setsize = #4;
 entity() spawn = #14;
@@ -29,26 +29,12 @@ float() droptofloor = #34;
 float(float v) floor = #37;
 float(vector v) pointcontents = #41;
 void(string s) localcmd = #46;
+)";
 
-void() main = {};
+constexpr const char* kSource = R"(
 void() worldspawn = { precache_model("progs/player.mdl"); };
-void() barrel_explode = {};
-void() PlayerPreThink = {};
-void() PlayerPostThink = {};
-void() ClientKill = {};
-void() ClientConnect = {};
-void() PutClientInServer = {};
-void() ClientDisconnect = {};
-void() SetNewParms = {};
-void() SetChangeParms = {};
-
-float seed, frames, stage, at;
+float frames, stage, at;
 entity mover;
-float(float low) random_from = {
-  seed = seed * 109 + 1021;
-  seed = seed - floor(seed / 65536) * 65536;
-  return low + seed / 16;
-};
 vector() random_point = {
   local vector v;
   v_x = random_from(LOW_X);
@@ -56,16 +42,6 @@ vector() random_point = {
   v_z = random_from(LOW_Z);
   return v;
 };
-void(float f) say = {
-  local float whole, rest, part;
-  whole = floor(f);
-  rest = (f - whole) * 4096;
-  part = floor(rest);
-  dprint(" "); dprint(ftos(whole));
-  dprint(" "); dprint(ftos(part));
-  dprint(" "); dprint(ftos(floor((rest - part) * 65536)));
-};
-void(vector v) say3 = { say(v_x); say(v_y); say(v_z); };
 
 void() lines = {
   local vector a, b;
@@ -198,7 +174,7 @@ class QuakeSpasmWorld : public ::testing::TestWithParam<MapCase> {
  protected:
   void SetUp() override {
     if (const std::string lacks = testing::quakespasm_lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
-    std::string source = kSource;
+    std::string source = std::string(kDeclarations) + testing::kIdleMod + testing::kExactNumbers + kSource;
     const vec3 low = GetParam().low;
     for (const auto& [name, value] : {std::pair("LOW_X", low.x), {"LOW_Y", low.y}, {"LOW_Z", low.z}})
       source.replace(source.find(name), 5, fmt::format("{}", value));
@@ -215,10 +191,7 @@ class QuakeSpasmWorld : public ::testing::TestWithParam<MapCase> {
         said_.push_back(line);
     ASSERT_GE(said_.size(), static_cast<std::size_t>(5 * kEach)) << "QuakeSpasm said too little";
 
-    fs::FsOptions options;
-    options.base_dir = testing::game_data();
-    options.user_dir = "";
-    const auto files = fs::FileSystem::open(options);
+    const auto files = fs::FileSystem::open(testing::game_data_options());
     ASSERT_TRUE(files.ok());
     const auto bytes = files->load(fmt::format("maps/{}.bsp", GetParam().name));
     ASSERT_TRUE(bytes.ok());

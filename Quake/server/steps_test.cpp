@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "server/test_level.h"
+#include "server/test_things.h"
 
 namespace fb::sv {
 namespace {
@@ -15,13 +16,10 @@ constexpr const char* kMonster = R"(
 entity ogre, goal;
 entity(vector org, float how) make = {
   local entity e;
-  e = spawn();
-  e.movetype = MOVETYPE_STEP;
+  e = make_man(MOVETYPE_STEP, org);
   e.solid = SOLID_SLIDEBOX;
   e.flags = FL_MONSTER + how;
   e.yaw_speed = 20;
-  setsize(e, '-16 -16 -24', '16 16 32');
-  setorigin(e, org);
   return e;
 };
 )";
@@ -30,7 +28,7 @@ class StepsTest : public LevelTest {
  protected:
   static MapBuilder room() { return MapBuilder(vec3(-1024, -1024, 0), vec3(1024, 1024, 512)); }
   void start_in(const MapBuilder& map, const std::string& main = "ogre = make('0 0 24.03125', FL_ONGROUND);") {
-    start_level(kMonster + fmt::format("void() main = {{ {} }};", main), map);
+    start_level(testing::kThingsSource + (kMonster + fmt::format("void() main = {{ {} }};", main)), map);
   }
   EdictId ogre() { return named("ogre").id(); }
   bool walk(float yaw, float distance) { return walkmove(level(), ogre(), yaw, distance); }

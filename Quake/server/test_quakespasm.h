@@ -15,13 +15,43 @@
 #include <string>
 
 #include "base/bytes.h"
+#include "server/test_librequake.h"
 
 namespace fb::sv::testing {
 
-inline std::filesystem::path game_data() {
-  const char* variable = std::getenv("FULLBRIGHT_TEST_DATA");
-  return variable != nullptr ? variable : "../shared/librequake";
-}
+// A mod in which nobody plays and nothing of a map is alive; it lacks worldspawn.
+constexpr const char* kIdleMod = R"(
+void() main = {};
+void() barrel_explode = {};
+void() PlayerPreThink = {};
+void() PlayerPostThink = {};
+void() ClientKill = {};
+void() ClientConnect = {};
+void() PutClientInServer = {};
+void() ClientDisconnect = {};
+void() SetNewParms = {};
+void() SetChangeParms = {};
+)";
+
+// Numbers by arithmetic that is exact in floats, from `seed` on; and numbers said whole, in three integers.
+constexpr const char* kExactNumbers = R"(
+float seed;
+float(float low) random_from = {
+  seed = seed * 109 + 1021;
+  seed = seed - floor(seed / 65536) * 65536;
+  return low + seed / 16;
+};
+void(float f) say = {
+  local float whole, rest, part;
+  whole = floor(f);
+  rest = (f - whole) * 4096;
+  part = floor(rest);
+  dprint(" "); dprint(ftos(whole));
+  dprint(" "); dprint(ftos(part));
+  dprint(" "); dprint(ftos(floor((rest - part) * 65536)));
+};
+void(vector v) say3 = { say(v_x); say(v_y); say(v_z); };
+)";
 
 // The program; empty where it is not installed.
 inline std::string quakespasm_program() {
@@ -33,9 +63,7 @@ inline std::string quakespasm_program() {
 // What is missing for run_quakespasm, for GTEST_SKIP; empty if nothing is.
 inline std::string quakespasm_lacks() {
   if (quakespasm_program().empty()) return "quakespasm is not installed";
-  if (!std::filesystem::exists(game_data() / "id1" / "pak1.pak"))
-    return "no LibreQuake data in " + game_data().string();
-  return {};
+  return game_data_lacks();
 }
 
 // A port that other tests on this machine, at the same time, hardly have.
