@@ -259,6 +259,7 @@ void Client::build_snapshot(scene::FrameSnapshot& snapshot) {
 }
 
 const Hud& Client::hud() const { return impl_->session.state.hud; }
+MusicTracks Client::music() const { return impl_->session.state.music; }
 Fog Client::fog() const { return fog_at(impl_->session.state.fog, impl_->session.state.time); }
 vec3 Client::view_angles() const { return impl_->session.state.view_angles; }
 vec3 Client::player_origin() const {

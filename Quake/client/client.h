@@ -71,6 +71,11 @@ struct Fog {
   float density = 0.0f;  // QuakeSpasm's unit: fog 1 hides what is 64 units away, about
   vec3 color{0.3f};
 };
+// svc_cdtrack: what plays, and what goes on when that is over. 0: silence.
+struct MusicTracks {
+  int track = 0, loop = 0;
+  bool operator==(const MusicTracks&) const = default;
+};
 enum class Intermission { kNone, kLevel, kFinale, kCutscene };
 struct Hud {
   std::array<std::int32_t, 32> stats{};  // Stat
@@ -165,6 +170,7 @@ class Client {
   void build_snapshot(scene::FrameSnapshot& snapshot);
 
   const Hud& hud() const;
+  MusicTracks music() const;
   Fog fog() const;
   vec3 view_angles() const;    // degrees: where the player looks
   vec3 player_origin() const;  // of the view entity; 0 before it is known

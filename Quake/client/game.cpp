@@ -73,6 +73,8 @@ Status Client::Impl::connect_to(std::string_view server) {
   error.reset();
   asked_server = server;
   attempt = std::make_unique<net::ConnectAttempt>(*network, *address);
+  if (const con::Cvar* timeout = console.find_cvar("net_messagetimeout"))
+    attempt->set_timeout(static_cast<double>(timeout->value()));
   log_info("Connecting to {} ...", address->to_string());
   return ok_status();
 }

@@ -100,7 +100,10 @@ struct Apply {
   }
   std::string operator()(const net::svc::StopSound&) const { return {}; }
   std::string operator()(const net::svc::SpawnStaticSound&) const { return {}; }
-  std::string operator()(const net::svc::CdTrack&) const { return {}; }
+  std::string operator()(const net::svc::CdTrack& m) const {
+    state.music = {m.track, m.loop_track};
+    return {};
+  }
   std::string operator()(const net::svc::SellScreen&) const { return {}; }
   std::string operator()(const net::svc::Time& m) const {
     if (std::abs(m.time) > kLastTime) return fmt::format("the time is {} seconds", m.time);

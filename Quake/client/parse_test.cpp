@@ -186,6 +186,13 @@ TEST(Parse, FogFades) {
   EXPECT_FLOAT_EQ(fog_at(s.state.fog, 12.0).density, 0.0f);
 }
 
+TEST(Parse, MusicIsKeptForWhoPlaysIt) {
+  ToldSession s;
+  EXPECT_EQ(s.state.music, MusicTracks{});
+  s.tell({svc::CdTrack{4, 5}});
+  EXPECT_EQ(s.state.music, (MusicTracks{4, 5}));
+}
+
 TEST(Parse, LightStyles) {
   EXPECT_FLOAT_EQ(light_style_value("", 1.0), 1.0f);
   EXPECT_FLOAT_EQ(light_style_value("m", 1.0), 1.0f);

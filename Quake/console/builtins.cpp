@@ -113,7 +113,7 @@ void Console::exec(const std::string& name) {
   std::string text(script->begin(), script->end());
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   std::replace(text.begin(), text.end(), '\0', ' ');
-  insert(text);
+  insert(text, CommandBuffer::Origin::kFile);
 }
 
 void Console::list_names(std::string_view part, bool in_help_too) const {

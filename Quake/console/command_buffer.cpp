@@ -36,6 +36,7 @@ std::optional<std::string> CommandBuffer::next() {
   bytes_ -= after - chunk.position;
   chunk.position = after;
   depth_ = chunk.depth;
+  origin_ = chunk.origin;
   if (chunk.position == chunk.text.size()) chunks_.pop_front();
   return command;
 }
@@ -47,7 +48,7 @@ void CommandBuffer::forget_depth() {
 
 void CommandBuffer::drop(Origin origin) {
   const auto dropped = [&](const Chunk& chunk) {
-    return chunk.origin == Origin::kAlias || (origin == Origin::kScript && chunk.origin == Origin::kScript);
+    return chunk.origin == Origin::kAlias || (origin == Origin::kScript && chunk.origin != Origin::kAppended);
   };
   for (const Chunk& chunk : chunks_) {
     if (dropped(chunk)) bytes_ -= chunk.text.size() - chunk.position;

@@ -17,7 +17,8 @@ class CommandBuffer {
   // Inserted text that inserts text that inserts text ... without a wait between.
   static constexpr int kMaxDepth = 128;
 
-  enum class Origin { kAppended, kScript, kAlias };
+  // kFile: a script's own text; kScript: what else is inserted.
+  enum class Origin { kAppended, kFile, kScript, kAlias };
 
   // Both return false, and take nothing, when the buffer is full.
   // Text without a newline at its end goes on in what is appended next, as in Quake.
@@ -26,9 +27,11 @@ class CommandBuffer {
   bool insert(std::string_view text, Origin origin);
   // Takes the next command off; nullopt when there is none.
   std::optional<std::string> next();
+  // Where the command came from that next() gave last.
+  Origin origin() const { return origin_; }
   // After `wait`, nesting starts anew: an alias that waits may call itself for ever.
   void forget_depth();
-  // Against what runs away: drops what aliases inserted (kAlias), or what scripts did, too (kScript). What was appended
+  // Against what runs away: drops what aliases inserted (kAlias), or all that was inserted (kScript). What was appended
   // stays.
   void drop(Origin origin);
   void clear();
@@ -44,6 +47,7 @@ class CommandBuffer {
   std::deque<Chunk> chunks_;
   std::size_t bytes_ = 0;
   int depth_ = 0;  // of the command that next() gave last
+  Origin origin_ = Origin::kAppended;
 };
 
 // The commands of a command line, each in a line of its own: what stands between an argument that begins with '+' and

@@ -106,8 +106,10 @@ void Console::append(std::string_view text) {
   if (!buffer_.append(text)) log_warning("The command buffer is full; {} bytes of commands are dropped.", text.size());
 }
 
-void Console::insert(std::string_view text) {
-  if (buffer_.insert(text, CommandBuffer::Origin::kScript)) return;
+void Console::insert(std::string_view text) { insert(text, CommandBuffer::Origin::kScript); }
+
+void Console::insert(std::string_view text, CommandBuffer::Origin origin) {
+  if (buffer_.insert(text, origin)) return;
   log_warning("Scripts run scripts without end (or the command buffer is full): all of them are dropped.");
   buffer_.drop(CommandBuffer::Origin::kScript);
 }
@@ -161,7 +163,8 @@ void Console::run(const Args& args) {
     show_or_set(*cvar, args);
     return;
   }
-  log_info("Unknown command \"{}\"", name);
+  const bool quiet = scripts_may_name_nothing_ && executing_ && buffer_.origin() == CommandBuffer::Origin::kFile;
+  log_line(quiet ? LogLevel::kDebug : LogLevel::kInfo, fmt::format("Unknown command \"{}\"", name));
 }
 
 void Console::show_or_set(Cvar& cvar, const Args& args) {

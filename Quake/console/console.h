@@ -83,11 +83,15 @@ class Console {
   // One command, now, without the buffer.
   void execute_line(std::string_view line);
   bool buffer_empty() const;
+  // What waits is not executed any more: the program ends.
+  void forget_commands() { buffer_.clear(); }
   // The last execute() ended at a `wait`.
   bool waiting() const { return wait_; }
 
   // Where `exec` gets its scripts; without one it says that there are none.
   void set_file_loader(FileLoader loader);
+  // Whether a script's lines that name nothing are told of; a server's configuration is mostly a player's.
+  void set_scripts_may_name_nothing(bool may) { scripts_may_name_nothing_ = may; }
   // What `stuffcmds` executes: the program's arguments without its name.
   void set_command_line(std::vector<std::string> arguments);
 
@@ -115,6 +119,7 @@ class Console {
   void add_cvar_builtins();  // cvar_builtins.cpp
   void run(const Args& args);
   void exec(const std::string& name);
+  void insert(std::string_view text, CommandBuffer::Origin origin);
   void show_or_set(Cvar& cvar, const Args& args);
   // One sentence to the log where there is no such cvar.
   Cvar* cvar_or_sentence(const std::string& name);
@@ -127,7 +132,7 @@ class Console {
   std::map<std::string, std::unique_ptr<Cvar>, NameLess> cvars_;
   std::map<std::string, std::string, NameLess> aliases_;
   CommandBuffer buffer_;
-  bool executing_ = false, wait_ = false;
+  bool executing_ = false, wait_ = false, scripts_may_name_nothing_ = false;
   FileLoader files_;
   std::vector<std::string> command_line_;
   std::vector<std::function<std::string()>> config_sections_;

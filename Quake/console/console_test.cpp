@@ -52,6 +52,25 @@ TEST_F(ConsoleTest, UnknownCommandsAreOneSentence) {
   EXPECT_THAT(said(" ; ;; // nothing"), IsEmpty());
 }
 
+TEST_F(ConsoleTest, ScriptsAloneMayNameNothing) {
+  scripts["player.cfg"] = "crosshair 1\nalias later frobnicate\ndo script\n";
+  EXPECT_THAT(said("exec player.cfg"), Contains("Unknown command \"crosshair\""));
+  console.set_scripts_may_name_nothing(true);
+  EXPECT_THAT(said("exec player.cfg"), ElementsAre("execing player.cfg"));
+  EXPECT_THAT(done, ElementsAre("script", "script"));
+  EXPECT_THAT(said("frobnicate"), ElementsAre("Unknown command \"frobnicate\""));
+  EXPECT_THAT(said("later"), ElementsAre("Unknown command \"frobnicate\""));
+  console.set_command_line({"+frobnicate"});
+  EXPECT_THAT(said("exec player.cfg; stuffcmds"), Contains("Unknown command \"frobnicate\""));
+}
+
+TEST_F(ConsoleTest, WhatWaitsMayBeForgotten) {
+  console.add_command("stop", "", [&](const Args&) { console.forget_commands(); });
+  console.execute("do a; stop; do b\ndo c");
+  EXPECT_THAT(done, ElementsAre("a"));
+  EXPECT_TRUE(console.buffer_empty());
+}
+
 TEST_F(ConsoleTest, AliasesRunBeforeWhatFollows) {
   console.execute("alias two \"do 1; do 2\"; two; do 3");
   EXPECT_THAT(done, ElementsAre("1", "2", "3"));

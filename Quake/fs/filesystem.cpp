@@ -233,6 +233,20 @@ std::optional<Bytes> FileSystem::read(std::string_view name) const {
   return std::nullopt;
 }
 
+std::optional<Bytes> FileSystem::read_own(std::string_view raw_name) const {
+  const auto name = normalise(raw_name);
+  if (!name) return std::nullopt;
+  const int last = impl_->places.front().game_index;
+  for (const Place& place : impl_->places) {
+    if (place.pak || place.game_index != last || !is_file(place.directory / *name)) continue;
+    auto data = read_whole_file(place.directory / *name);
+    if (data) return *std::move(data);
+    log_warning("{}", data.error().message);
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 bool FileSystem::exists(std::string_view name) const { return impl_->locate(name).has_value(); }
 
 std::string FileSystem::source_of(std::string_view name) const {

@@ -46,6 +46,9 @@ class FileSystem {
   std::optional<Bytes> read(std::string_view name) const;
   // The same with the cause.
   Result<Bytes> load(std::string_view name) const;
+  // Only from the last gamedir's loose files, the user's before the base directory's: what a game has written itself
+  // (saves). Nullopt as above.
+  std::optional<Bytes> read_own(std::string_view name) const;
   bool exists(std::string_view name) const;
   // Where read() finds it: "id1/pak0.pak", "id1" for a loose file, "user/id1" and "user/id1/pak0.pak" below the user
   // directory, "basegame/id1" in the base game beneath other data; empty where it does not.

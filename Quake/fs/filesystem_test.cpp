@@ -179,6 +179,27 @@ TEST(FileSystem, WritesBelowTheUserDirectoryAndFindsThemAgain) {
   EXPECT_FALSE(files.write_path("../x"));
 }
 
+TEST(FileSystem, OwnFilesAreLooseOnesOfTheLastGame) {
+  const TestDirectory base, user;
+  base.put("id1/old.sav", "id1");
+  base.put("ad/base.sav", "ad");
+  base.put("ad/both.sav", "ad");
+  base.put("ad/pak0.pak", make_pak({{"packed.sav", "pak"}}));
+  user.put("ad/both.sav", "user");
+  user.put("id1/user.sav", "user id1");
+  FsOptions options = options_for(base, {"ad"});
+  options.user_dir = user.path();
+  const FileSystem files = open(options);
+  const auto own = [&](std::string_view name) {
+    const auto data = files.read_own(name);
+    return data ? as_text(*data) : "(none)";
+  };
+  EXPECT_EQ(own("both.sav"), "user");
+  EXPECT_EQ(own("base.sav"), "ad") << "what QuakeSpasm has saved there";
+  for (const char* name : {"old.sav", "user.sav", "packed.sav", "../id1/old.sav", ""})
+    EXPECT_EQ(own(name), "(none)") << name;
+}
+
 TEST(FileSystem, WritesBelowTheBaseWhereThereIsNoUserDirectory) {
   const TestDirectory base;
   base.put("id1/x", "");

@@ -3,11 +3,9 @@
 #include <csignal>
 
 #include "base/log.h"
-#include "console/bindings.h"
 #include "host/engine.h"
 #include "host/terminal.h"
 #include "platform/clock.h"
-#include "platform/keys.h"
 
 namespace fb::host {
 namespace {
@@ -28,12 +26,14 @@ Result<int> run_dedicated(const GameOptions& options) {
 
   bool quit = false;
   console.add_cvar({"sys_ticrate", "0.05", "seconds of a tick of a dedicated server", con::kCvarPlain, 0.001f, 0.1f});
-  console.add_command("quit", "ends the program", [&quit](const con::Args&) { quit = true; });
+  console.add_command("quit", "ends the program", [&](const con::Args&) {
+    quit = true;
+    console.forget_commands();
+  });
   // What a player's configuration says besides is nothing to a server.
-  con::Bindings bindings(
-      console, [](std::string_view name) { return platform::key_from_name(name); },
-      [](int key) { return platform::key_name(key); });
-  console.add_command("startdemos", "nothing: a server plays no demos", [](const con::Args&) {});
+  for (const char* name : {"bind", "unbind", "unbindall", "startdemos"})
+    console.add_command(name, "nothing: a server has no keys and plays no demos", [](const con::Args&) {});
+  console.set_scripts_may_name_nothing(true);
   engine.queue_configuration(options.arguments);
 
   std::signal(SIGINT, on_signal);
@@ -54,7 +54,7 @@ Result<int> run_dedicated(const GameOptions& options) {
     if (console.buffer_empty() || console.waiting()) platform::sleep_seconds(next - platform::now_seconds());
   }
   engine.server().shutdown();
-  return engine.server().last_error() ? 1 : 0;
+  return engine.went_wrong() ? 1 : 0;
 }
 
 }  // namespace fb::host

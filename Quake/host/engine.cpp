@@ -32,8 +32,14 @@ Result<std::unique_ptr<Engine>> Engine::create(const std::vector<std::string>& a
 }
 
 Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::vector<std::string>& arguments)
-    : files_(std::move(files)), library_(files_.loader()), rng_(options.seed), network_(net::system_network()) {
+    : files_(std::move(files)),
+      library_(files_.loader()),
+      rng_(options.seed),
+      network_(net::system_network()),
+      server_list_(console_, *network_) {
   console_.set_file_loader(files_.loader());
+  console_.add_cvar({"net_messagetimeout", "300", "seconds of silence that end a connection; for those to come",
+                     con::kCvarPlain, 1.0f, 86400.0f});
   register_time_cvars(console_);
   if (options.server) make_server(options, arguments);
   if (options.client) make_client();
@@ -46,6 +52,7 @@ Engine::~Engine() {
 void Engine::make_server(const EngineOptions& options, const std::vector<std::string>& arguments) {
   sv::ServerServices services;
   services.read_file = files_.loader();
+  services.read_save = [this](std::string_view name) { return files_.read_own(name); };
   services.game_index_of = [this](std::string_view name) { return files_.game_index_of(name); };
   services.write_file = [this](std::string_view name, ByteView data) { return files_.write(name, data); };
   services.rng = &rng_;
@@ -98,6 +105,8 @@ void Engine::execute_commands(double now) {
 
 void Engine::frame(const FramePlan& plan, const vec2& mouse, double now) {
   now_ = now;
+  server_list_.poll(now);
+  if (listener_) listener_->set_timeout(static_cast<double>(console_.cvar("net_messagetimeout").value()));
   if (client_) {
     client_->set_in_step(plan.in_step);
     client_->look(plan.seconds, mouse);
@@ -111,8 +120,10 @@ void Engine::frame(const FramePlan& plan, const vec2& mouse, double now) {
 }
 
 bool Engine::busy() {
-  if (!console_.buffer_empty() || (server_ && server_->active())) return true;
+  if (!console_.buffer_empty() || server_list_.searching() || (server_ && server_->active())) return true;
   return client_ && (client_->playing() || client_->connected() || client_->connecting());
 }
+
+bool Engine::went_wrong() const { return (client_ && client_->last_error()) || (server_ && server_->last_error()); }
 
 }  // namespace fb::host

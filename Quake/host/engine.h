@@ -14,6 +14,7 @@
 #include "fs/filesystem.h"
 #include "host/frame_timer.h"
 #include "host/options.h"
+#include "host/server_list.h"
 #include "net/datagram_listener.h"
 #include "net/loopback.h"
 #include "net/network.h"
@@ -60,8 +61,10 @@ class Engine {
   // One frame of the game: the player looks, ticks go by, the client hears of them. mouse: counts to the right and
   // downwards.
   void frame(const FramePlan& plan, const vec2& mouse, double now);
-  // Is there a game, a demo, a connection under way, or a command to come?
+  // Is there a game, a demo, a connection or a search for servers under way, or a command to come?
   bool busy();
+  // The last game or demo ended by itself, or did not begin, for something that went wrong.
+  bool went_wrong() const;
 
  private:
   Engine(fs::FileSystem files, const EngineOptions& options, const std::vector<std::string>& arguments);
@@ -74,6 +77,7 @@ class Engine {
   scene::ModelLibrary library_;
   Rng rng_;
   std::unique_ptr<net::Network> network_;
+  ServerList server_list_;
   net::LoopbackListener loopback_;
   std::unique_ptr<net::DatagramListener> listener_;
   std::unique_ptr<sv::Server> server_;

@@ -113,7 +113,14 @@ void Game::fit_to_window() {
 void Game::register_commands() {
   con::Console& console = engine_->console();
   register_host_cvars(console);
-  console.add_command("quit", "ends the program", [this](const con::Args&) { quit_ = true; });
+  console.add_command("quit", "ends the program", [this](const con::Args&) {
+    quit_ = true;
+    engine_->console().forget_commands();
+  });
+  if (options_.headless) {  // nobody watches, and it would never end
+    console.remove_command("startdemos");
+    console.add_command("startdemos", "nothing: without a window no demos are shown in turn", [](const con::Args&) {});
+  }
   console.add_command("viewmap", "viewmap <map>: shows a map's world from its first player start, without a game",
                       [this](const con::Args& args) {
                         if (args.size() != 2) {
@@ -247,11 +254,9 @@ int Game::run() {
     report_timing();
     const bool drawn = draw_frame();
     if (drawn && client.timing()) pass_report_.add(renderer_->pass_times());
-    if (options_.headless && !engine_->busy()) {
-      if (client.last_error() || engine_->server().last_error()) exit_status_ = 1;
-      break;
-    }
+    if (options_.headless && !engine_->busy()) break;
   }
+  if (options_.headless && engine_->went_wrong()) exit_status_ = 1;
   set_reproduction_hint(nullptr);
   if (window_) save_config();
   return exit_status_;

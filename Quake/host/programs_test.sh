@@ -47,6 +47,12 @@ if [[ -e $data/id1/pak0.pak ]] && command -v fteqcc >/dev/null; then
       -userdir "$scratch/user" >"$scratch/log" 2>&1 && grep -q '^typed' "$scratch/log"
   }
   check "a dedicated server obeys its terminal" terminal_is_obeyed
+  check "a player's configuration is nothing to a server" bash -c "! grep -q 'Unknown command\|valid key' '$scratch/log'"
+  no_such_map() {  # no_such_map OPTION...: says so, and fails
+    ! timeout 60 "$build/fullbright" "$@" -basedir "$data" -userdir "$scratch/user" +map nowhere +quit +echo behind \
+      >"$scratch/log" 2>&1 </dev/null && grep -q 'maps/nowhere.bsp' "$scratch/log" && ! grep -q '^behind' "$scratch/log"
+  }
+  check "a map that is none is an error of a server" no_such_map -dedicated 1 -port $((20000 + RANDOM))
 else
   echo "skipped: servers, for want of LibreQuake's data or fteqcc"
 fi
@@ -54,6 +60,11 @@ fi
 if ! "$build/fullbright" -listdevices >"$scratch/devices" 2>&1; then
   echo "skipped: no Vulkan device: $(cat "$scratch/devices")"
   exit $((failures > 0 ? 1 : 77))
+fi
+if [[ -e $data/id1/pak0.pak && -e $scratch/user/id1/progs.dat ]]; then
+  check "a map that is none is an error without a window" no_such_map -headless -size 16x16
+  check "and where nothing else is to be done" bash -c "! timeout 60 '$build/fullbright' -headless -size 16x16 -basedir '$data' \
+    -userdir '$scratch/user' +map nowhere >'$scratch/log' 2>&1"
 fi
 check "a device would be chosen" grep -q '^\* 0\|^\* [0-9]' "$scratch/devices"
 

@@ -18,6 +18,8 @@ class ConnectAttempt {
   ConnectAttempt(Network& network, const Address& server);
 
   State poll(double now);
+  // Of the connection to come: net_messagetimeout.
+  void set_timeout(double seconds) { timeout_ = seconds; }
   // Once connected.
   std::unique_ptr<Connection> take() { return std::move(connection_); }
   // Once failed, for people: "no response", the server's own words, what the system said.
@@ -32,6 +34,7 @@ class ConnectAttempt {
   std::unique_ptr<Socket> socket_;
   State state_ = State::kTrying;
   int tries_ = 0;
+  double timeout_ = kDefaultTimeout;
   double next_try_ = 0.0;
   std::string failure_;
   std::unique_ptr<Connection> connection_;

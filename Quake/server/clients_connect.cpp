@@ -111,7 +111,11 @@ void Clients::drop(ServerClient& client, bool crashed, double now) {
       vm.set(globals::self, self);
     }
   }
-  log_info("{} has left ({})", client.name, client.connection->address());
+  // Who has not come into the game has no name yet, nor was anybody told of its coming.
+  if (client.stage >= ServerClient::Stage::kInLevel)
+    log_info("{} has left ({})", client.name, client.connection->address());
+  else
+    log_debug("client {} is gone", client.connection->address());
   client.connection->close();
   ServerClient gone;
   gone.slot = client.slot;

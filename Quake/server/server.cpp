@@ -67,7 +67,15 @@ Status Server::set_max_clients(int count) {
 
 // --- levels ---
 
-Status Server::map(std::string_view typed) {
+// Where nothing runs that goes on all the same, that is why nothing does.
+Status Server::note_failure(Status status) {
+  if (!status && !active()) last_error_ = status.error();
+  return status;
+}
+
+Status Server::map(std::string_view name) { return note_failure(map_game(name)); }
+
+Status Server::map_game(std::string_view typed) {
   const auto name = map_name_of(typed);
   if (!name) return name.error();
   const auto loaded = load_map(level_files(), *name);

@@ -39,6 +39,8 @@ struct ServerServices {
   // Game files by name, as FileSystem::read, and which game they are from, as FileSystem::game_index_of (may be
   // absent).
   FileReader read_file;
+  // Saves: those of the game that is played alone, as FileSystem::read_own. Absent: read_file.
+  FileReader read_save;
   std::function<int(std::string_view name)> game_index_of;
   // Saves and what QuakeC writes: FileSystem::write, whole or not at all.
   std::function<Status(std::string_view name, ByteView data)> write_file;
@@ -87,7 +89,7 @@ class Server {
   Status set_max_clients(int count);
   // Called when `map` or `load` has begun a game, for a client in the same program to connect.
   void set_local_start(std::function<void()> start) { local_start_ = std::move(start); }
-  // Why the last game ended or did not begin; nothing after a level has begun well.
+  // Why the last game ended, or `map` or `load` began none; nothing after a level has begun well.
   const std::optional<Error>& last_error() const { return last_error_; }
   // Every edict's fields, the globals and the time as text, which is the same for the same game.
   std::string dump();
@@ -108,6 +110,9 @@ class Server {
   void set_level_globals(const LoadedMap& map);
   Status begin(const LoadedMap& map);  // spawn_server, then clients are told
   Status end_level(const Error& why);
+  Status load_game(std::string_view name);
+  Status map_game(std::string_view name);
+  Status note_failure(Status status);
   void run_frame(double seconds);
   void run_physics(double seconds);
   bool stands_still() const;

@@ -53,11 +53,13 @@ Status Server::save(std::string_view typed) {
   return services_.write_file(*name, ByteView(bytes, text.size()));
 }
 
-Status Server::load(std::string_view typed) {
+Status Server::load(std::string_view name) { return note_failure(load_game(name)); }
+
+Status Server::load_game(std::string_view typed) {
   const auto name = save_file_name(typed);
   if (!name) return name.error();
   if (options_.max_clients != 1) return Error{"a saved game is for one player: set maxplayers to 1"};
-  const auto bytes = services_.read_file(*name);
+  const auto bytes = services_.read_save ? services_.read_save(*name) : services_.read_file(*name);
   if (!bytes) return Error{fmt::format("{}: no such saved game", *name)};
   const auto save = parse_save({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, *name);
   if (!save) return save.error();

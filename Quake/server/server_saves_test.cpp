@@ -143,6 +143,7 @@ TEST_F(ServerSavesTest, MalformedSavesLeaveTheGameRunning) {
   EXPECT_THAT(error_of_load(many), HasSubstr("beyond the 32000"));
   EXPECT_THAT(server_->load("none").error().message, HasSubstr("none.sav: no such saved game"));
   EXPECT_FALSE(server_->load("../good").ok());
+  EXPECT_TRUE(server_->active() || server_->last_error().has_value()) << "why nothing runs";
   EXPECT_EQ(server_->dump(), state);
   EXPECT_EQ(error_of_load(good), "");
 }
