@@ -12,9 +12,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).resolve().parents[1] / "Misc/basegame")]
 
 import exr  # noqa: E402
+from art.palette import PALETTE, hex_to_srgb, nearest  # noqa: E402
 from make_demos import positions, record, timedemo_frames  # noqa: E402
 from scenes import HERE, demo_of, lab_args, load, names  # noqa: E402
 
@@ -24,11 +25,12 @@ has_game = (BUILD / "game/id1/progs.dat").exists() and (BUILD / "fullbright-lab"
 
 
 class Settings(unittest.TestCase):
-    def test_every_scene_has_its_map_and_demo(self):
+    def test_every_scene_has_its_map_demo_reference_and_picture(self):
         self.assertGreaterEqual(len(names()), 16)
         for name in names():
             scene = load(name)
-            for path in (MAPS / f"{scene['map']}.bsp", demo_of(name), HERE / f"expected/{name}.csv"):
+            for path in (MAPS / f"{scene['map']}.bsp", demo_of(name), HERE / f"expected/{name}.csv",
+                         HERE / f"references/{name}.exr", HERE.parent / f"Misc/docs/pictures/scenes/{name}.jpg"):
                 self.assertTrue(path.exists(), f"{path} is missing")
             self.assertTrue({"--map", "--demo"} & set(lab_args(name)), name)
 
@@ -38,15 +40,25 @@ class Settings(unittest.TestCase):
 
     def test_references_are_small_and_say_their_variance(self):
         total = 0
-        for path in sorted((HERE / "references").glob("*.exr")):
+        for name in names():
+            path = HERE / f"references/{name}.exr"
             total += path.stat().st_size
             planes, _ = exr.read(path)
-            self.assertEqual(sorted(planes), ["B", "G", "R", "variance.B", "variance.G", "variance.R"], path)
-            self.assertTrue(all((plane >= 0).all() for plane in planes.values()), path)
+            self.assertEqual(sorted(planes), ["B", "G", "R", "variance.B", "variance.G", "variance.R"], name)
+            self.assertTrue(all((plane >= 0).all() for plane in planes.values()), name)
         self.assertLess(total, 2_000_000)
 
+    def test_the_furnace_is_of_one_radiance(self):
+        """e (1 + a + a^2) at two reflections: a is the texture's colour, e that times r_emit_fullbright, 6."""
+        planes, _ = exr.read(HERE / "references/furnace.exr")
+        color = PALETTE[nearest(hex_to_srgb("ffc64e"), glow=True)]  # lab_light_warm
+        for channel, value in zip("RGB", color):
+            a = ((value / 255 + 0.055) / 1.055) ** 2.4
+            closed = 6 * a * (1 + a + a * a)
+            self.assertLess(abs(planes[channel] - closed).max(), 0.002 * closed, channel)
+
     def test_exr_files_read_back(self):
-        planes, header = exr.read(HERE / "references/rocket.exr")
+        planes, header = exr.read(HERE / f"references/{names()[0]}.exr")
         with tempfile.TemporaryDirectory() as scratch:
             again = Path(scratch) / "again.exr"
             exr.write(again, planes, header)

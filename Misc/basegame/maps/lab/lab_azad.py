@@ -1,4 +1,4 @@
-"""A hall of candles by night: seventy flames of unlike worth among pillars, sparks in the air, and a great window whose
+"""A hall of candles by night: eighty-seven flames of unlike worth among pillars, sparks in the air, and a great window whose
 border glows behind a ledge, so that its light comes by way of the reveal alone."""
 
 import math
