@@ -1,0 +1,61 @@
+"""Plays the script of a way through the level, and reads where it came by; skipped where no built game is named
+(FULLBRIGHT_BUILD, the folder that holds `fullbright` and game/id1)."""
+
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+BUILD = Path(os.environ.get("FULLBRIGHT_BUILD", "nowhere"))
+GAME = Path(os.environ.get("FULLBRIGHT_GAME", BUILD / "game"))
+SILVER = 1 << 17  # a bit of `items`
+
+
+def edicts(text: str) -> list[dict[str, str]]:
+    blocks = re.findall(r"\nedict \d+\n\{(.*?)\n\}", text, re.S)
+    return [dict(re.findall(r'"([^"]+)" "([^"]*)"', block)) for block in blocks]
+
+
+@unittest.skipUnless((BUILD / "fullbright").exists() and (GAME / "id1/progs.dat").exists(), "no built game")
+class TheWayThroughTheLevel(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as user:
+            folder = Path(user) / "id1"
+            folder.mkdir()
+            (folder / "walk.cfg").write_bytes((HERE / "walk_fb1.cfg").read_bytes())
+            run = subprocess.run([BUILD / "fullbright", "-headless", "-size", "16x16", "-seed", "1", "-basedir", GAME,
+                                  "-userdir", user, "+host_framerate", "0.05", "+skill", "0", "+map", "fb1", "+exec",
+                                  "walk.cfg"], capture_output=True, text=True, timeout=900)
+            cls.said = run.stdout + run.stderr
+            cls.marks = {path.stem: path.read_text(encoding="latin-1") for path in folder.glob("walk_*.txt")}
+
+    def player(self, mark: str) -> dict[str, str]:
+        self.assertIn(mark, self.marks, self.said[-2000:])
+        return edicts(self.marks[mark])[1]
+
+    def items(self, mark: str) -> int:
+        return int(float(self.player(mark)["items"]))
+
+    def origin(self, mark: str) -> list[float]:
+        return [float(c) for c in self.player(mark)["origin"].split()]
+
+    def test_the_train_brings_one_to_the_silver_key(self):
+        self.assertFalse(self.items("walk_hall") & SILVER)
+        self.assertTrue(self.items("walk_silver") & SILVER)
+        self.assertLess(self.origin("walk_silver")[0], -1264)  # beyond the lava
+
+    def test_the_silver_door_takes_the_key_and_opens(self):
+        self.assertFalse(self.items("walk_under_water") & SILVER)
+        self.assertGreater(self.origin("walk_under_water")[1], 800)
+
+    def test_the_well_leads_under_water(self):
+        self.assertGreaterEqual(float(self.player("walk_under_water").get("waterlevel", "0")), 3)
+        self.assertLess(self.origin("walk_under_water")[2], -192)
+
+
+if __name__ == "__main__":
+    unittest.main()
