@@ -16,6 +16,7 @@ constexpr ModCvar kModCvars[] = {
     {"timelimit", "0", "minutes that end a level of deathmatch; 0: none do"},
     {"samelevel", "0", "1: levels of deathmatch are followed by themselves"},
     {"noexit", "0", "1: players cannot leave a level of deathmatch by its exit; 2: but for the start"},
+    {"developer", "0", "1: shows what mods print for those who make them (dprint)"},
     {"pr_checkextension", "1", "0: mods that ask this are not to use extensions of QuakeC"},
     {"gamecfg", "0", kForMods},
     {"temp1", "0", kForMods},
