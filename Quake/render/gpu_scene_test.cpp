@@ -386,8 +386,8 @@ TEST_F(GpuSceneTest, KeepsItsPrecisionFarOut) {
   }
   std::vector<ListRay> rays = random_rays(2000, 300, 37);
   for (ListRay& ray : rays) ray.origin += far;
-  // Out there floats are 1/512 apart: a triangle and a ray's origin are each up to sqrt(3)/1024 from where they should be.
-  // How a driver takes rays into instances is its own business.
+  // Out there floats are 1/512 apart: a triangle and a ray's origin are each up to sqrt(3)/1024 from where they should
+  // be. How a driver takes rays into instances is its own business.
   expect_all_agree(c, rays, false, 2e-3, 4e-3, 2e-2);
 }
 
