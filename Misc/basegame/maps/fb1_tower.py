@@ -32,10 +32,11 @@ def openings(walls: Group) -> None:
 def furnish(world: Map) -> None:
     part = world.detail
     part.arch((EAST, 632, FLOOR + 88), (-448, 728, FLOOR + 128), "stone_trim", axis="x", segments=8, pointed=True)
-    # An octagon: the corners are walls.
+    # An octagon: the corners are walls; that beside the door leaves it free.
     for x, sx in ((WEST, 1), (EAST, -1)):
         for y, sy in ((SOUTH, 1), (NORTH, -1)):
-            part.prism([(x, y), (x + sx * 96, y), (x, y + sy * 96)], FLOOR, TOP, "stone_b")
+            side = 32 if (x, y) == (EAST, SOUTH) else 96
+            part.prism([(x, y), (x + sx * side, y), (x, y + sy * side)], FLOOR, TOP, "stone_b")
     for y in (720, 976):
         world.add(lancet(80, 192, "window_a", 24), (WEST, y, FLOOR + 96), turn=90)
     for x in (-992, -672):

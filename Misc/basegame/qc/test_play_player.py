@@ -6,6 +6,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 
+from qc.make import HERE  # noqa: E402
 from qc.testing.case import PlayCase  # noqa: E402
 
 START = {"classname": "info_player_start", "origin": "0 0 -230"}
@@ -81,10 +82,6 @@ class PlayerTest(PlayCase):
         session = self.session(["at 0 450 -231", "0.3", "see dead"], [hurt], [((-64, 400, -256), (64, 500, -100))])
         self.assertEqual(session["dead"].player["model"], "progs/h_player.mdl")
         self.assertEqual(len(session["dead"].all("gib")), 3)
-
-    def test_who_died_begins_the_level_again(self):
-        session = self.session(["kill", "0.5"])  # "restart" comes after all that the script says
-        self.assertEqual(session.said.count("Server spawned: test"), 2)
 
     def test_exit_keeps_what_he_carries(self):
         exit_ = {"classname": "trigger_changelevel", "model": "*1", "map": "test"}
@@ -206,6 +203,20 @@ class PlayerTest(PlayCase):
         other = {"classname": "info_player_start2", "origin": "400 0 -230"}
         session = self.session(["impulse 11", "0.2", "changelevel test", "1", "see back"], [other])
         self.assertEqual(session["back"].place()[0], 400)
+
+
+class AgainTest(PlayCase):
+    extra = (HERE / "testing" / "quitter.qc",)
+
+    def levels(self, script) -> int:
+        self.game.write_map("test", [START, {"classname": "test_quitter"}], [])
+        return self.game.play(["0.6", *script], quits=False).said.count("Server spawned: test")
+
+    def test_who_died_begins_the_level_again(self):
+        self.assertEqual(self.levels(["kill", "0.5"]), 2)
+
+    def test_who_lives_does_not(self):
+        self.assertEqual(self.levels(["0.5"]), 1)
 
 
 if __name__ == "__main__":

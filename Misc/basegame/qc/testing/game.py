@@ -68,9 +68,9 @@ class Game:
     def write_map(self, name: str, entities: list[dict[str, str]], boxes: list[Box]) -> None:
         self._write(f"maps/{name}.bsp", write_level(entities, boxes))
 
-    def play(self, script: list[str], setup: str = "", arguments: tuple[str, ...] = ()) -> "Session":
+    def play(self, script: list[str], setup: str = "", arguments: tuple[str, ...] = (), quits: bool = True) -> "Session":
         """Plays the map `test`. A line is a console command, or a number of seconds to wait, `see NAME`, which keeps the
-        level's state under that name, or `at X Y Z`, which puts the player there."""
+        level's state under that name, or `at X Y Z`, which puts the player there. Without `quits` the game itself has to."""
         lines: list[str] = []
         for line in script:
             if re.fullmatch(r"[\d.]+", line):
@@ -81,7 +81,7 @@ class Game:
                 lines += [f"setpos {line[3:]}", "noclip"]  # setpos lets him float
             else:
                 lines.append(line)
-        self._write("script.cfg", ("\n".join(lines) + "\nquit\n").encode("ascii"))
+        self._write("script.cfg", ("\n".join([*lines, "quit" if quits else ""]) + "\n").encode("ascii"))
         self._write("setup.cfg", (setup + "\n").encode("ascii"))
         user = self.folder / "user"
         command = [self.engine, "-headless", "-size", "32x24", "-seed", "1", "-basedir", str(self.folder)]
