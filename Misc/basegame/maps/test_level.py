@@ -8,10 +8,12 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from walker import UNSEEN
+
 HERE = Path(__file__).resolve().parent
 BUILD = Path(os.environ.get("FULLBRIGHT_BUILD", "nowhere"))
 GAME = Path(os.environ.get("FULLBRIGHT_GAME", BUILD / "game"))
-SILVER = 1 << 17  # a bit of `items`
+SILVER, GOLD = 1 << 17, 1 << 18  # bits of `items`
 
 
 def edicts(text: str) -> list[dict[str, str]]:
@@ -28,7 +30,7 @@ class TheWayThroughTheLevel(unittest.TestCase):
             folder.mkdir()
             (folder / "walk.cfg").write_bytes((HERE / "walk_fb1.cfg").read_bytes())
             run = subprocess.run([BUILD / "fullbright", "-headless", "-size", "16x16", "-seed", "1", "-basedir", GAME,
-                                  "-userdir", user, "+host_framerate", "0.05", "+skill", "0", "+map", "fb1", "+exec",
+                                  "-userdir", user, *UNSEEN, "+host_framerate", "0.05", "+skill", "0", "+map", "fb1", "+exec",
                                   "walk.cfg"], capture_output=True, text=True, timeout=900)
             cls.said = run.stdout + run.stderr
             cls.marks = {path.stem: path.read_text(encoding="latin-1") for path in folder.glob("walk_*.txt")}
@@ -55,6 +57,22 @@ class TheWayThroughTheLevel(unittest.TestCase):
     def test_the_well_leads_under_water(self):
         self.assertGreaterEqual(float(self.player("walk_under_water").get("waterlevel", "0")), 3)
         self.assertLess(self.origin("walk_under_water")[2], -192)
+
+    def test_the_island_has_the_gold_key(self):
+        self.assertFalse(self.items("walk_under_water") & GOLD)
+        self.assertTrue(self.items("walk_gold") & GOLD)
+
+    def test_the_lift_goes_up_to_the_gallery(self):
+        self.assertLess(self.origin("walk_cistern_door")[2], 30)
+        self.assertGreater(self.origin("walk_lift")[2], 200)
+
+    def test_the_gold_door_takes_the_key_and_opens(self):
+        self.assertFalse(self.items("walk_tower") & GOLD)
+        self.assertLess(self.origin("walk_tower")[0], -576)  # behind it
+
+    def test_the_exit_leads_back_to_the_hub(self):
+        self.assertEqual(edicts(self.marks["walk_tower"])[0]["model"], "maps/fb1.bsp")
+        self.assertEqual(edicts(self.marks["walk_exit"])[0]["model"], "maps/start.bsp")
 
 
 if __name__ == "__main__":

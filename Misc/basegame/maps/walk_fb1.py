@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes walk_fb1.cfg: a player on the way through the level, from the start on, as far as the legs below bring one; where a leg
-fails, the script ends before it and the exit status is 1.
+"""Writes walk_fb1.cfg: a player on the way through the level, from the start to the exit; where a leg fails, the script ends
+before it and the exit status is 1.
 
     walk_fb1.py PROGRAM BASEDIR [USERDIR]      the program `fullbright`, the folder that holds id1/
 
@@ -138,6 +138,7 @@ def lift_and_out(walk: Walker) -> None:
     walk.to(-620, 680)
     walk.to(-832, 800)
     walk.to(-832, 1060)
+    walk.mark("walk_tower")
     walk.turn(90)
     walk.hold("forward", 40)
     walk.stand(140)
