@@ -206,7 +206,7 @@ class PlayerTest(PlayCase):
 
 
 class AgainTest(PlayCase):
-    extra = (HERE / "testing" / "quitter.qc",)
+    extra = (HERE / "testing" / "test_quitter.qc",)
 
     def levels(self, script) -> int:
         self.game.write_map("test", [START, {"classname": "test_quitter"}], [])
