@@ -10,6 +10,7 @@ usage: Misc/basegame/maps/compile.sh [--wad FILE] [--fast] [--keep] FILE.map ...
   --fast      no visibility and no lightmaps: to look at a map while it is being made
   --keep      leaves the tools' files (FILE.log, .prt, .pts) in a folder that is named
 PYTHON names a Python that has numpy (python3). ERICW_ROOT names where the tools are unpacked; by default ${XDG_CACHE_HOME:-~/.cache}/fullbright/ericw.
+ERICW_MIRROR names the Debian mirror that sid is fetched from; by default the one that apt uses.
 A map that leaks, lacks a texture or outgrows Quake's limits is an error. Beside FILE.bsp comes FILE.bsp.src, by which
 check.py tells whether it is up to date.
 TEXT
@@ -36,11 +37,15 @@ done
 # signature is good all the same.
 unpack_tools() {
   command -v mmdebstrap >/dev/null || { echo "compile.sh: needs Debian's mmdebstrap" >&2; exit 1; }
+  # Sid lies on the mirror that serves this machine's own release.
+  local mirror=${ERICW_MIRROR:-$(apt-get indextargets --format '$(REPO_URI) $(COMPONENT)' 'Created-By: Packages' |
+    sed -n '/security/d; s/ main$//p' | head -1)}
+  [[ -n $mirror ]] || { echo "compile.sh: apt's sources name no mirror; ERICW_MIRROR=URL does" >&2; exit 1; }
   echo "compile.sh: unpacking ericw-tools of Debian sid into $root"
   rm -rf "$root.part"
   mkdir -p "$(dirname "$root")"
   mmdebstrap --quiet --variant=extract --include=ericw-tools,libc6 --aptopt='Acquire::Check-Valid-Until "false"' \
-    sid "$root.part" "${ERICW_MIRROR:-http://deb.debian.org/debian}"
+    sid "$root.part" "$mirror"
   mv "$root.part" "$root"
 }
 [[ -d $root ]] || unpack_tools
