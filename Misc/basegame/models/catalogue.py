@@ -3,54 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib import import_module
 
 from formats.mdl import Mdl
-from models import (
-    boss,
-    demon,
-    dog,
-    enforcer,
-    fire,
-    fish,
-    hell_knight,
-    items,
-    keys,
-    knight,
-    missiles,
-    ogre,
-    oldone,
-    player,
-    shalrath,
-    shambler,
-    soldier,
-    tarbaby,
-    weapons,
-    wizard,
-    zombie,
-)
+
+FILES = """
+boss demon dog enforcer fire fish hell_knight items keys knight missiles ogre oldone player shalrath shambler
+soldier tarbaby weapons wizard zombie
+""".split()
 
 MODELS: dict[str, Callable[[], Mdl]] = {}
-for _module in (
-    boss,
-    demon,
-    dog,
-    enforcer,
-    fire,
-    fish,
-    hell_knight,
-    items,
-    keys,
-    knight,
-    missiles,
-    ogre,
-    oldone,
-    player,
-    shalrath,
-    shambler,
-    soldier,
-    tarbaby,
-    weapons,
-    wizard,
-    zombie,
-):
-    MODELS.update(_module.MODELS)
+for _file in FILES:
+    MODELS.update(import_module(f"models.{_file}").MODELS)
