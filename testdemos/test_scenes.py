@@ -15,7 +15,7 @@ from pathlib import Path
 sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).resolve().parents[1] / "Misc/basegame")]
 
 import exr  # noqa: E402
-from art.palette import PALETTE, hex_to_srgb, nearest  # noqa: E402
+from art.palette import LAMP, PALETTE, heat, hex_to_srgb, nearest  # noqa: E402
 from make_demos import positions, record, timedemo_frames  # noqa: E402
 from scenes import HERE, demo_of, lab_args, load, names  # noqa: E402
 
@@ -51,7 +51,7 @@ class Settings(unittest.TestCase):
     def test_the_furnace_is_of_one_radiance(self):
         """e (1 + a + a^2) at two reflections: a is the texture's colour, e that times r_emit_fullbright, 6."""
         planes, _ = exr.read(HERE / "references/furnace.exr")
-        color = PALETTE[nearest(hex_to_srgb("ffc64e"), glow=True)]  # lab_light_warm
+        color = PALETTE[nearest(hex_to_srgb(heat(LAMP)), glow=True)]  # lab_light_warm
         for channel, value in zip("RGB", color):
             a = ((value / 255 + 0.055) / 1.055) ** 2.4
             closed = 6 * a * (1 + a + a * a)

@@ -14,7 +14,7 @@ import numpy as np
 
 from art import noise
 from art.noise import Cells, blur, hash01, smoothstep
-from art.palette import gradient, hex_to_srgb, linear_from_srgb, srgb_from_linear
+from art.palette import BAYER, gradient, hex_to_srgb, linear_from_srgb, srgb_from_linear
 from art.surface import Surface
 
 Field = np.ndarray
@@ -111,6 +111,11 @@ class Canvas:
     def tint(self, factor: Field) -> None:
         """Multiplies reflectance (linear light) by a factor, such as each block's own."""
         self.color = srgb_from_linear(linear_from_srgb(self.color) * np.asarray(factor)[..., None])
+
+    def pattern(self) -> Field:
+        """An ordered pattern of 4x4 pixels, -0.5..0.5, that mixes a ramp's colours where the palette has few."""
+        height, width = self.x.shape
+        return np.tile(BAYER, (-(-height // 4), -(-width // 4)))[:height, :width]
 
     def mask(self, distance: Field, soft: float = 0.0) -> Field:
         """1 inside of a figure, with an edge one pixel (or `soft` texels) wide."""

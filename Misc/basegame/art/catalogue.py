@@ -7,18 +7,18 @@ from collections.abc import Callable
 import numpy as np
 
 from art import tex_box, tex_doors, tex_fine, tex_glow, tex_grown, tex_liquid, tex_metal, tex_stone, tex_wood
-from art.palette import hex_to_srgb
+from art.palette import LAMP, heat, hex_to_srgb
 from art.surface import Surface
 
 Painter = Callable[[int, int], Surface]
 
 
-def flat(color: str, glow: bool = False) -> Painter:
-    """One colour all over, `rrggbb`; a light if it glows."""
+def flat(color: str, glow: bool = False, exact: bool = False) -> Painter:
+    """One colour all over, `rrggbb`; a light if it glows. Exact ones keep it in a PNG, others have the palette's nearest."""
 
     def paint(width: int, height: int) -> Surface:
         rgb = np.broadcast_to(hex_to_srgb(color), (height, width, 3)).copy()
-        return Surface(rgb, glow=np.full((height, width), True) if glow else None, dither=0.0)
+        return Surface(rgb, glow=np.full((height, width), True) if glow else None, exact=exact, dither=0.0)
 
     return paint
 
@@ -117,14 +117,19 @@ for _name, _color in {"skip": "b04a9c", "clip": "a8782c", "trigger": "7a4ab0", "
 add("lab_white", (64, 64), flat("d8d8d8"))
 add("lab_grey", (64, 64), flat("888888"))
 add("lab_black", (64, 64), flat("1d1d1f"))
-add("lab_red", (64, 64), flat("a92726"))
-add("lab_green", (64, 64), flat("525a20"))
+add("lab_red", (64, 64), flat("d23f3f", exact=True))  # the Cornell box's walls as they are mostly drawn: 0.65 0.05 0.05
+add("lab_green", (64, 64), flat("61b36c", exact=True))  # and 0.12 0.45 0.15
 add("lab_blue", (64, 64), flat("1a56a8"))
 add("lab_yellow", (64, 64), flat("e6b53c"))
 add("lab_light", (64, 64), flat("ffffff", glow=True))
-add("lab_light_warm", (64, 64), flat("ffc64e", glow=True))
+add("lab_light_warm", (64, 64), flat(heat(LAMP), glow=True))
 add("lab_chrome", (64, 64), flat("d9d9d8"))
 add("lab_steel", (64, 64), flat("9a9b9f"))
 add("lab_marble", (64, 64), flat("c8c8c8"))
 add("lab_check", (64, 64), tex_box.lab_check)
 add("lab_light_dim", (64, 64), tex_box.lab_light_dim)
+
+# Pictures that stand in for a texture in one map, textures/MAP/NAME.png: where everybody knows how a place is lit.
+OF_MAPS: dict[str, tuple[int, int, Painter]] = {
+    "lab_cbox/lab_light_warm": (64, 64, flat(heat(3600), glow=True, exact=True)),
+}

@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterator
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-from art.catalogue import TEXTURES  # noqa: E402
+from art.catalogue import OF_MAPS, TEXTURES  # noqa: E402
 from art.hud import hud_files  # noqa: E402
 from art.menus import menu_pictures  # noqa: E402
 from art.pages import page_pictures  # noqa: E402
@@ -37,7 +37,7 @@ def palette_files() -> Files:
 
 def paint(name: str) -> Surface:
     """The named texture's surface."""
-    width, height, painter = TEXTURES[name]
+    width, height, painter = (TEXTURES | OF_MAPS)[name]
     surface = painter(width, height)
     expected = (height * surface.scale, width * surface.scale, 3)
     if surface.color.shape != expected:
@@ -50,14 +50,15 @@ def texture_files(pattern: str) -> Files:
     wad_wanted = fnmatch.fnmatch("basegame.wad", pattern)
     out: Files = {}
     lumps = []
-    for name in TEXTURES:
+    for name in [*TEXTURES, *OF_MAPS]:
         stem = f"textures/{name.replace('*', '#')}"
         if not wad_wanted and not any(
             fnmatch.fnmatch(f"{stem}{kind}.png", pattern) for kind in ("", "_norm", "_gloss", "_luma")
         ):
             continue
         surface = paint(name)
-        lumps.append(Lump(name, TYPE_MIPTEX, miptex(name, surface)))
+        if name in TEXTURES:
+            lumps.append(Lump(name, TYPE_MIPTEX, miptex(name, surface)))
         out |= files(name, surface)
     if wad_wanted:
         out["basegame.wad"] = write_wad(lumps)

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from art.noise import fractal_noise, smoothstep
-from art.palette import RAMPS, TRANSPARENT, gradient, nearest
+from art.palette import FIRE, RAMPS, TRANSPARENT, gradient, nearest
 from formats.spr import PARALLEL, Frame, Sprite, write_spr
 
-FIRE = [*RAMPS["fire"], *RAMPS["white_glow"]]
+FLAMES = [*RAMPS["fire"], *RAMPS["white_glow"]]
 
 
 def _grid(size: int) -> tuple[np.ndarray, np.ndarray]:
@@ -44,9 +44,9 @@ def explosion(frame: int) -> np.ndarray:
     edge = 1.0 - radius / size + 0.26 * push + 0.08 * fine
     heat = np.clip(edge * 1.5, 0.0, 1.0) * (1.15 - 0.75 * age) + 0.16 * push * (1.0 - 0.4 * age)
     open_ = edge - smoothstep(0.35, 1.0, age) * (0.06 + 1.1 * np.clip(fine + 0.25, 0, 1) * smoothstep(1.1, 0.3, radius))
-    rgb = gradient("3a0a02 7d1c03 c43c05 f26a0c ff9a24 ffc64e ffe894 ffffff", heat)
+    rgb = gradient(f"{FIRE} ffffff", heat)
     seen = (open_ > 0.04) & (radius < 0.98)
-    return np.where(seen, nearest(rgb, among=FIRE), TRANSPARENT).astype(np.uint8)
+    return np.where(seen, nearest(rgb, among=FLAMES), TRANSPARENT).astype(np.uint8)
 
 
 def light() -> np.ndarray:
@@ -55,8 +55,8 @@ def light() -> np.ndarray:
     radius = np.hypot(x, y)
     star = np.maximum(np.abs(x), np.abs(y)) * 4.5 * np.minimum(np.abs(x), np.abs(y)) + 0.3 * radius
     heat = np.clip(1.0 - 1.15 * np.minimum(radius * 1.6, star + 0.35), 0.0, 1.0)
-    rgb = gradient("7d1c03 f26a0c ffc64e fff0a0 ffffff", heat)
-    return np.where(heat > 0.06, nearest(rgb, among=FIRE), TRANSPARENT).astype(np.uint8)
+    rgb = gradient(f"{FIRE} ffffff", heat)
+    return np.where(heat > 0.06, nearest(rgb, among=FLAMES), TRANSPARENT).astype(np.uint8)
 
 
 def sprite_files(pattern: str) -> dict[str, bytes]:

@@ -28,6 +28,7 @@ class Surface:
     shine: float = 1.0  # light of what glows as a share of a lamp's; below 1 hues are kept, where a lamp's burn out
     holes: np.ndarray | None = None  # bool: nothing is here
     open_sky: np.ndarray | None = None  # bool: index 0, where a sky's near layer shows the far one
+    exact: bool = False  # a PNG keeps the colour, which the palette has not
     scale: int = 1
     palette: list[int] | None = None  # the only indices that texels without glow may have
     dither: float = 0.0
@@ -85,8 +86,9 @@ def _bytes(values: np.ndarray) -> np.ndarray:
 
 
 def files(name: str, surface: Surface) -> dict[str, bytes]:
-    """The PNG files beside a texture: none for a surface without height, gloss and finer texels."""
-    if surface.height is None and surface.gloss is None and surface.luma is None and surface.scale == 1:
+    """The PNG files beside a texture: none for a surface without height, gloss, finer texels or a colour of its own."""
+    plain = surface.height is None and surface.gloss is None and surface.luma is None
+    if plain and not surface.exact and surface.scale == 1:
         return {}
     stem = "textures/" + name.replace("*", "#")
     color = _bytes(surface.color)

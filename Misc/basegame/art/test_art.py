@@ -12,7 +12,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 from art import make  # noqa: E402
 from art.palette import GLOW_FIRST, PALETTE, RAMPS, colormap, linear_from_srgb, nearest, oklab_from_srgb  # noqa: E402
-from art.catalogue import TEXTURES  # noqa: E402
+from art.blackbody import light_of, off_the_locus, xyz_of_heat  # noqa: E402
+from art.catalogue import OF_MAPS, TEXTURES  # noqa: E402
 from art.surface import files, miptex  # noqa: E402
 from formats import lmp, png, spr, wad  # noqa: E402
 
@@ -117,6 +118,59 @@ SAMPLE = [
 ]
 
 
+# What lights fall on: no measures of the laboratory, tools, liquids, lamps or gems, which are as dark as they like.
+REFLECTORS = sorted(
+    name
+    for name in TEXTURES
+    if not name.startswith(("lab_", "*", "sky_", "light_", "lamp_", "crystal_", "window_", "rune_"))
+    and name not in ("skip", "clip", "trigger", "origin", "hint")
+)
+WARM_LAMPS = ["light_warm", "lamp_round", "light_strip", "lab_light_warm", *OF_MAPS]
+MAPS = pathlib.Path(__file__).resolve().parents[1] / "maps"
+# By how much the hue of a warm lamp may miss a black body's (Duv; lamps sold as white keep within 0.006).
+MISS = 0.004
+
+
+class WarmLight(unittest.TestCase):
+    """What is to look hot has a black body's hue: not olive, not pink."""
+
+    def test_black_bodies(self):
+        for temperature, x, y in ((2855.5, 0.4476, 0.4074), (5000.0, 0.3451, 0.3516)):  # CIE illuminant A, and the tables'
+            found = xyz_of_heat(temperature) / xyz_of_heat(temperature).sum()
+            self.assertLess(max(abs(found[0] - x), abs(found[1] - y)), 0.003)
+            distance, nearest_one = off_the_locus(light_of(xyz_of_heat(temperature)))
+            self.assertLess(abs(distance), 0.0005)
+            self.assertLess(abs(nearest_one / temperature - 1.0), 0.01)
+        self.assertGreater(off_the_locus(np.array([0.5, 1.0, 0.5]))[0], 0.01)
+        self.assertLess(off_the_locus(np.array([1.0, 0.4, 0.6]))[0], -0.01)
+
+    def test_palette(self):
+        for index in [*RAMPS["fire"][9:], *RAMPS["gold_glow"], 252, 253]:
+            distance, temperature = off_the_locus(linear_from_srgb(PALETTE[index] / 255.0))
+            self.assertLess(abs(distance), MISS, f"index {index}, {PALETTE[index]}")
+            self.assertTrue(1700 < temperature < 6000, f"index {index}: {temperature:.0f} K")
+
+    def test_lamps(self):
+        for name in WARM_LAMPS:
+            surface = make.paint(name)
+            distance, temperature = off_the_locus(linear_from_srgb(surface.color)[surface.glow].mean(axis=0))
+            self.assertLess(abs(distance), MISS, name)
+            self.assertTrue(2200 < temperature < 5500, f"{name}: {temperature:.0f} K")
+
+    def test_pictures_of_one_map(self):
+        for name in OF_MAPS:
+            level, texture = name.split("/")
+            self.assertIn(texture, TEXTURES)
+            self.assertTrue(list(MAPS.rglob(f"{level}.bsp")), name)
+            self.assertEqual(sorted(files(name, make.paint(name))), [f"textures/{name}.png", f"textures/{name}_luma.png"])
+
+    def test_lamps_have_their_hue_in_maps_too(self):
+        for name in WARM_LAMPS[:4]:
+            indices = wad.read_miptex(miptex(name, make.paint(name)))[1][0]
+            lit = indices[(indices >= GLOW_FIRST) & (indices < 255)]
+            self.assertLess(abs(off_the_locus(linear_from_srgb(PALETTE[lit] / 255.0).mean(axis=0))[0]), MISS, name)
+
+
 class Palette(unittest.TestCase):
     def test_ramps_rise(self):
         lightness = oklab_from_srgb(PALETTE / 255.0)[:, 0]
@@ -194,9 +248,20 @@ class Textures(unittest.TestCase):
         self.assertFalse((indices[:, 128:] == 0).any())
 
     def test_reflectance(self):
-        for name in ["stone_a", "stone_b", "copper_plate", "tile_white", "wood_plank", "brick_red", "plaster"]:
-            mean = linear_from_srgb(make.paint(name).color).mean()
-            self.assertTrue(0.12 < mean < 0.65, f"{name} reflects {mean:.2f}")
+        for name in REFLECTORS:
+            surface = make.paint(name)
+            kept = np.ones(surface.color.shape[:2], bool)
+            for layer in (surface.glow, surface.holes):
+                kept &= True if layer is None else ~layer
+            mean = linear_from_srgb(surface.color)[kept].mean()
+            self.assertTrue(0.15 <= mean <= 0.6, f"{name} reflects {mean:.3f}")
+
+    def test_walls_of_the_cornell_box(self):
+        red, green = (png.read_png(files(name, make.paint(name))[f"textures/{name}.png"]) for name in ("lab_red", "lab_green"))
+        for picture, strongest in ((red, 0), (green, 1)):
+            light = linear_from_srgb(picture[0, 0] / 255.0)
+            self.assertEqual(int(light.argmax()), strongest)
+            self.assertGreater(light[strongest], 3.0 * np.delete(light, strongest).max())
 
     def test_edges_meet(self):
         for name in ["stone_a", "copper_plate", "brick_red", "rock_a"]:

@@ -103,7 +103,7 @@ def _marble(c: Canvas, ramp: str, vein: str, fine: str) -> None:
 def marble_white(width: int, height: int) -> Surface:
     """White marble, grey and gold veins."""
     c = Canvas(width, height, 74)
-    _marble(c, "c2beb4 d6d2c8 e4e0d8 efece6", "8a8d92", "b89a5c")
+    _marble(c, "bebab0 d2cec4 e1ddd5 ece9e3", "8a8d92", "b89a5c")
     return c.surface()
 
 
@@ -138,7 +138,7 @@ def carpet_red(width: int, height: int) -> Surface:
     c = Canvas(width, height, 77)
     weave = np.sin(c.x * np.pi) * np.sin(c.y * np.pi)
     pile = c.noise(3, 2, 0.7, seed=1)
-    c.color = c.ramp("6c1a1c 8c2426 a83232 bc4440", 0.5 + 0.16 * c.noise(40, 4, seed=2) + 0.1 * pile)
+    c.color = c.ramp("782022 9a2a2c b63a38 c84c46", 0.5 + 0.16 * c.noise(40, 4, seed=2) + 0.1 * pile)
     lx, ly = (c.x % 64) - 32, (c.y % 64) - 32
     lozenge = np.abs(lx) + np.abs(ly)
     star = shapes.star(np.abs(lx), np.abs(ly), 0.0, 0.0, 8, 12.0, 7.0)

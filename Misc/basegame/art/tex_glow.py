@@ -1,6 +1,8 @@
 """Textures with light of their own: lamps, stained windows, runes, crystals, buttons, plates, signs.
 
 What glows has in the paletted texture one of the indices 224-254; the `_luma` picture beside it may have any colour.
+What is to look hot has a black body's hue (`palette.heat`). `shine` with `light` below 1 deepens a colour as a glass would,
+so that such parts are named some 1500 K hotter than their light is.
 """
 
 from __future__ import annotations
@@ -13,7 +15,7 @@ from art import shapes
 from art.canvas import Canvas
 from art.letters import Pen, text_distance, text_width
 from art.noise import smoothstep
-from art.palette import hex_to_srgb
+from art.palette import LAMP, heat, hex_to_srgb
 from art.surface import Surface
 from art.tex_doors import GOLD, STONE_INDICES, engrave, inlay, rune_sign
 from art.tex_metal import COPPER, IRON, frame_spots, rivets, rust, sheet, verdigris
@@ -59,7 +61,7 @@ def light_warm(width: int, height: int) -> Surface:
     c.height = np.where(inside > 0, 1.5 * smoothstep(0.5, -0.6, bar), c.height)
     lx, ly = (c.x - 7) % cell - cell / 2, (c.y - 7) % cell - cell / 2
     pale = np.exp(-(lx**2 + ly**2) / 30.0)
-    shine(c, c.mask(-np.minimum(inside, bar)), c.ramp("ffb43c ffc65a ffdc8c", pale))
+    shine(c, c.mask(-np.minimum(inside, bar)), c.ramp(f"{heat(2400)} {heat(LAMP)} {heat(3400)}", pale))
     rivets(c, [(3.6, 3.6), (60.4, 3.6), (3.6, 60.4), (60.4, 60.4)], 1.7, 1.2)
     return c.surface()
 
@@ -101,7 +103,7 @@ def _caged(seed: int, glass: str, core: str, luma: str) -> Callable[[int, int], 
 
 
 light_red = _caged(114, "8c0a14 e8262a ff4a40", "ff4a40", "")
-light_green = _caged(115, "2f7a70 68b5a2 c4ead8", "dff8ff", "62ff9c")
+light_green = _caged(115, "0f5a2c 2aa050 8fe6a4", "dff8ff", "3cff6e")
 
 
 def light_strip(width: int, height: int) -> Surface:
@@ -113,7 +115,7 @@ def light_strip(width: int, height: int) -> Surface:
     c.height += 1.4 * smoothstep(6.0, 7.4, np.abs(c.y - 8)) + 2.4 * smoothstep(-0.6, 0.6, cap)
     band = np.abs(c.x - 32) - 1.6
     glass = np.maximum(np.maximum(tube, cap), -band)
-    shine(c, c.mask(glass), "fff8d4")
+    shine(c, c.mask(glass), heat(5000))
     c.height = np.where(glass < 0, 2.0 * np.sqrt(np.clip(1 - ((c.y - 8) / 5.0) ** 2, 0, 1)), c.height)
     rivets(c, [(3.5, 8.0), (60.5, 8.0)], 1.4, 1.0)
     return c.surface()
@@ -134,7 +136,7 @@ def lamp_round(width: int, height: int) -> Surface:
     glass = np.where(radius < 7.2, -1.0, np.maximum(-lead, radius - 21.0))
     c.color = np.where((radius < 21.5)[..., None], hex_to_srgb("5a4634"), c.color)
     c.height = np.where(radius < 21.5, 0.8 * (glass > 0) + 1.4 * np.sqrt(np.clip(1 - (radius / 24.0) ** 2, 0, 1)), c.height)
-    shine(c, c.mask(glass), c.ramp("ffe894 ffc64e ff9a24", radius / 22.0))
+    shine(c, c.mask(glass), c.ramp(f"{heat(3600)} {heat(3000)} {heat(2400)}", radius / 22.0))
     return c.surface()
 
 
@@ -156,7 +158,7 @@ def _rune(seed: int, color: str, which: int) -> Callable[[int, int], Surface]:
     return paint
 
 
-rune_a = _rune(118, "ffc64e", 8)
+rune_a = _rune(118, heat(3800), 8)
 rune_b = _rune(119, "5fb8ff", 5)
 
 
@@ -182,11 +184,11 @@ def _crystal(seed: int, glow_ramp: str, dark: str) -> Callable[[int, int], Surfa
 
 crystal_blue = _crystal(120, "5fb8ff 7cc8ff 9fdcff dff8ff", "103668 1a56a8 3a86e0")
 crystal_red = _crystal(121, "8c0a14 bf1420 e8262a ff4a40", "3c090b 741518 a92726")
-crystal_gold = _crystal(122, "b0761e e6bf44 ffe47c", "5a3a10 8c5e1c c48c34")
+crystal_gold = _crystal(122, "b0701e eaa83a ffd468", "5a3a10 8c5e1c c48c34")
 
 
-_GLASS_WARM = ["ffc64e", "ff9a24", "e8262a", "ffe894", "c43c05", "fff8d4", "9fdcff"]
-_GLASS_COOL = ["5fb8ff", "9fdcff", "dff8ff", "e6bf44", "5fb8ff", "bf1420", "9fdcff"]
+_GLASS_WARM = [heat(3000), "ff9a24", "e8262a", heat(4200), "c43c05", heat(5400), "9fdcff"]
+_GLASS_COOL = ["5fb8ff", "9fdcff", "dff8ff", heat(3600, 0.8), "5fb8ff", "bf1420", "9fdcff"]
 
 
 def _window(
@@ -230,7 +232,7 @@ def _window(
 
 
 def _sun_over_waves(x: np.ndarray, y: np.ndarray) -> list[tuple[np.ndarray, str]]:
-    panes = [(shapes.star(x, y, 32, 46, 12, 23.0, 14.0), "ffc64e"), (shapes.circle(x, y, 32, 46, 11.0), "fff8d4")]
+    panes = [(shapes.star(x, y, 32, 46, 12, 23.0, 14.0), heat(3000)), (shapes.circle(x, y, 32, 46, 11.0), heat(5400))]
     for i in range(4):
         top = 82.0 + 10.0 * i + 2.6 * np.sin((x + 5.0 * i) * 2 * np.pi / 18.0)
         panes.append((np.maximum(top - y, y - top - 9.2), ["dff8ff", "9fdcff", "5fb8ff", "9fdcff"][i]))
@@ -244,9 +246,9 @@ def _chalice(x: np.ndarray, y: np.ndarray) -> list[tuple[np.ndarray, str]]:
     halo = shapes.circle(x, y, 32, 42, 19.0)
     return [
         (halo, "5fb8ff"),
-        (bowl, "e6bf44"),
-        (stem, "c99a2e"),
-        (flame, "ffe894"),
+        (bowl, heat(3600, 0.8)),
+        (stem, heat(3000, 0.58)),
+        (flame, heat(4600)),
         (shapes.circle(x, y, 32, 47, 3.4), "ff9a24"),
     ]
 
@@ -277,7 +279,7 @@ def _button(seed: int, rim: str, core: str, pressed: bool) -> Callable[[int, int
 
 button_0 = _button(125, "8c0a14", "e8262a", False)
 button_1 = _button(125, "bf1420", "ff4a40", False)
-button_a = _button(125, "c99a2e", "fff0a0", True)
+button_a = _button(125, heat(3200, 0.58), heat(4400), True)
 
 
 def _plate(frame: int) -> Callable[[int, int], Surface]:
@@ -294,9 +296,9 @@ def _plate(frame: int) -> Callable[[int, int], Surface]:
             c.tint(1.0 - 0.3 * np.exp(-(((radius - 7.2) / 0.8) ** 2)))
             behind = (frame - i) % 4
             if behind == 0:
-                shine(c, c.mask(radius - 5.0), c.ramp("fff8d4 ffe47c e6bf44", radius / 5.0), 0.5)
+                shine(c, c.mask(radius - 5.0), c.ramp(f"{heat(5400)} {heat(4400)} {heat(3600, 0.8)}", radius / 5.0), 0.5)
             elif behind == 1:
-                shine(c, c.mask(radius - 5.0), c.ramp("c99a2e b0761e", radius / 5.0), 0.5)
+                shine(c, c.mask(radius - 5.0), c.ramp(f"{heat(3400, 0.58)} {heat(3000, 0.43)}", radius / 5.0), 0.5)
             else:
                 c.paint("3c2c1c", c.mask(radius - 5.0))
                 c.gloss = np.where(radius < 5.0, 0.8, c.gloss)
@@ -312,7 +314,7 @@ plates = [_plate(frame) for frame in range(4)]
 def _sign(seed: int, width: int, height: int) -> Canvas:
     c, inside = _housing(seed, width, height, COPPER, 3.5)
     verdigris(c, 0.35, 30, 0.0)
-    c.color = np.where((inside > 0)[..., None], c.ramp("1c2c2e 28403f", 0.5 + 0.3 * c.noise(16, 3, seed=40)), c.color)
+    c.color = np.where((inside > 0)[..., None], c.ramp("3a5c58 54807a", 0.5 + 0.3 * c.noise(16, 3, seed=40)), c.color)
     c.height = np.where(inside > 0, 0.0, c.height)
     c.gloss = np.where(inside > 0, 0.75, c.gloss)
     return c
@@ -323,7 +325,7 @@ def sign_exit(width: int, height: int) -> Surface:
     c = _sign(127, width, height)
     left = 0.5 * (width - text_width("EXIT", 17.0, 0.22))
     letters = text_distance(c.x, c.y, "EXIT", left, 7.5, 17.0, Pen(0.11, 0.07, 30.0), 0.22)
-    shine(c, c.mask(letters), "fff0a0", 0.5)
+    shine(c, c.mask(letters), heat(4400), 0.5)
     return c.surface()
 
 
@@ -335,5 +337,5 @@ def sign_arrow(width: int, height: int) -> Surface:
         shapes.strokes(c.x, c.y, [(8, 16), (17, 16)], 2.4),
         shapes.strokes(c.x, c.y, [(23, 16), (39, 16)], 2.4),
     )
-    shine(c, c.mask(arrow), "fff0a0", 0.5)
+    shine(c, c.mask(arrow), heat(4400), 0.5)
     return c.surface()

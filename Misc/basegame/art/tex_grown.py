@@ -12,7 +12,7 @@ from art.surface import Surface
 CORAL = "6e2a34 9c4648 c4685e e08c7a f2b49c"
 MEMBRANE = "54263e 7c3c54 a85a68 cc8480 e8b4a4"
 BONE = "7c6a4c a8946c cbb88e e4d6b2 f2ead2"
-LEAF = "2c4a1c 44682a 648a3a 8eae56"
+LEAF = "3c6226 58843a 7aa44c a4c66c"
 
 
 def flesh_a(width: int, height: int) -> Surface:

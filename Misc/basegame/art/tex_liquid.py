@@ -6,8 +6,11 @@ import numpy as np
 
 from art.canvas import Canvas
 from art.noise import blur, smoothstep
-from art.palette import RAMPS
+from art.palette import RAMPS, heat
 from art.surface import Surface
+
+# Slag is no flame: it stays below what a lamp has.
+LAVA = " ".join(["3a0a02", "7d1c03", "c43c05", heat(1600), heat(2000), heat(2500), heat(3000)])
 
 
 def _web(c: Canvas, size: float, seed: int, warp: float) -> np.ndarray:
@@ -50,9 +53,9 @@ def lava_a(width: int, height: int) -> Surface:
     c = Canvas(64, 64, 134, scale=1)
     crust = c.cells(16, 1, 0.95, warp=6.0)
     hot = 1.0 - smoothstep(0.0, 0.24, crust.edge() + 0.07 * c.noise(9, 3, seed=2))
-    heat = np.clip(0.1 + 0.78 * hot + 0.16 * c.noise(16, 3, seed=3), 0.0, 1.0)
-    c.color = c.ramp("1c0402 3a0a02 7d1c03 c43c05 f26a0c ff9a24 ffc64e ffe894", heat)
-    return Surface(c.color, glow=heat > 0.22, dither=0.01)
+    hotness = np.clip(0.1 + 0.78 * hot + 0.16 * c.noise(16, 3, seed=3), 0.0, 1.0)
+    c.color = c.ramp(f"1c0402 {LAVA}", hotness)
+    return Surface(c.color, glow=hotness > 0.22, dither=0.01)
 
 
 def teleport(width: int, height: int) -> Surface:
@@ -103,13 +106,16 @@ def sky_night(width: int, height: int) -> Surface:
 
 
 def sky_dusk(width: int, height: int) -> Surface:
-    """A low sun behind haze: cream light, umber clouds."""
+    """A low sun behind haze: apricot and cream in long streaks, a few thin clouds, cream at the rim and slate at heart."""
     c = _layer(144)
-    far = c.ramp("c89f80 deb99c f3d9bd f6ecd2", 0.5 + 0.42 * _clouds(c, 80, 1))
+    streaks = c.noise((128, 32), 4, 0.5, seed=1, warp=8.0 * c.noise(64, 2, seed=2))
+    # The palette's steps between these hues are wide: mixing them by a pattern hides their borders.
+    far = c.ramp("f8b673 ffc993 f3d9bd", 0.68 + 0.4 * streaks + 0.1 * c.noise(64, 3, seed=3) + 0.3 * c.pattern())
     d = _layer(145)
-    cloud = _clouds(d, 64, 5)
-    near = d.ramp("c89f80 ae8568 946b51 744f3a", 1.1 * cloud)
-    return _sky(far, near, cloud, "tan")
+    drift = d.noise((64, 32), 5, 0.5, seed=9, warp=9.0 * d.noise(32, 3, seed=6)) + 0.35 * d.noise(128, 2, seed=7)
+    cloud = drift - 0.15 + 0.1 * d.pattern()
+    near = d.ramp("f3d9bd dccbbe bdbcbc a3abb8 8e9cb0", 0.95 * cloud + 0.12 * d.pattern())
+    return _sky(far, near, cloud, "tan ember grey slate")
 
 
 def sky_storm(width: int, height: int) -> Surface:

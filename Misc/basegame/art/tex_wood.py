@@ -11,7 +11,7 @@ from art.surface import Surface
 from art.tex_metal import IRON, SOOT, grid, rivets, rust
 
 OAK = "5c3a22 7a5030 96683e b08350 c9a06c"
-BOG = "4a3628 6a4e3a 866850 a2846a c0a488"
+BOG = "5a4332 7e604a 9c7b60 b89a7e d2b89c"
 PINE = "8a6236 a67c48 bf965c d4b076 e6ca98"
 
 
@@ -202,7 +202,7 @@ def barrel_top(width: int, height: int) -> Surface:
     return c.surface(tiles=False)
 
 
-_BINDINGS = ["74312c", "2f6a62", "8c6a34", "44506a", "6a3c5e", "9c8458", "35563c", "a8563c", "5a5450"]
+_BINDINGS = ["963c34", "3c8478", "a88042", "56688c", "865078", "b89c6a", "487450", "c06848", "787068"]
 
 
 def bookshelf(width: int, height: int) -> Surface:
@@ -210,7 +210,7 @@ def bookshelf(width: int, height: int) -> Surface:
     c = Canvas(width, height, 58)
     shelf_high = 32.0
     down = c.y % shelf_high
-    c.color = np.broadcast_to(np.array([0.13, 0.09, 0.07]), c.color.shape).copy()
+    c.color = np.broadcast_to(np.array([0.34, 0.27, 0.21]), c.color.shape).copy()
     c.height -= 3.0
     for level in range(4):
         x, book = 3.0, 0
