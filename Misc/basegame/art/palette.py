@@ -103,7 +103,7 @@ _ROWS: list[tuple[str, list[str]]] = [
 ]
 # Three steps each: what cools, a flame's body, a lamp (index 236) and the hottest of a fire.
 FIRE = " ".join(["3a0a02", "8b2203", "d64e08", heat(1950), heat(LAMP), heat(4200)])
-_GOLDS = [heat(2300, 0.43), heat(2600, 0.58), heat(3000, 0.79), heat(3600)]
+_GOLDS = [heat(2100, 0.43), heat(2300, 0.58), heat(2500, 0.79), heat(3000)]
 _PALE_YELLOWS = [heat(4400), heat(5400)]
 _LAST = [
     *_GOLDS,

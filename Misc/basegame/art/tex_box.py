@@ -10,7 +10,7 @@ from art import shapes
 from art.canvas import Canvas
 from art.letters import Pen, text_distance, text_width
 from art.noise import smoothstep
-from art.palette import heat, hex_to_srgb
+from art.palette import hex_to_srgb
 from art.surface import Surface
 from art.tex_doors import inlay
 from art.tex_glow import shine
@@ -66,7 +66,7 @@ def mega_figure(x: Field, y: Field) -> Figure:
     """A heart in rays."""
     heart = health_figure(x * 1.25, (y + 0.5) * 1.25)[0][0]
     rays = shapes.cut(shapes.star(x, y, 0, 0, 12, 15.5, 11.5), shapes.circle(x, y, 0, 0, 11.0))
-    return [(rays, heat(3600, 0.8)), (heart, "ff4a40")]
+    return [(rays, "e6b53c"), (heart, "ff4a40")]
 
 
 def _case(

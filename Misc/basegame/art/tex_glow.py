@@ -187,8 +187,8 @@ crystal_red = _crystal(121, "8c0a14 bf1420 e8262a ff4a40", "3c090b 741518 a92726
 crystal_gold = _crystal(122, "b0701e eaa83a ffd468", "5a3a10 8c5e1c c48c34")
 
 
-_GLASS_WARM = [heat(3000), "ff9a24", "e8262a", heat(4200), "c43c05", heat(5400), "9fdcff"]
-_GLASS_COOL = ["5fb8ff", "9fdcff", "dff8ff", heat(3600, 0.8), "5fb8ff", "bf1420", "9fdcff"]
+_GLASS_WARM = ["ffc258", "ff9a24", "e8262a", heat(4200), "c43c05", heat(5400), "9fdcff"]
+_GLASS_COOL = ["5fb8ff", "9fdcff", "dff8ff", "f2b64a", "5fb8ff", "bf1420", "9fdcff"]
 
 
 def _window(
@@ -232,7 +232,7 @@ def _window(
 
 
 def _sun_over_waves(x: np.ndarray, y: np.ndarray) -> list[tuple[np.ndarray, str]]:
-    panes = [(shapes.star(x, y, 32, 46, 12, 23.0, 14.0), heat(3000)), (shapes.circle(x, y, 32, 46, 11.0), heat(5400))]
+    panes = [(shapes.star(x, y, 32, 46, 12, 23.0, 14.0), "ffc258"), (shapes.circle(x, y, 32, 46, 11.0), heat(5400))]
     for i in range(4):
         top = 82.0 + 10.0 * i + 2.6 * np.sin((x + 5.0 * i) * 2 * np.pi / 18.0)
         panes.append((np.maximum(top - y, y - top - 9.2), ["dff8ff", "9fdcff", "5fb8ff", "9fdcff"][i]))
@@ -246,8 +246,8 @@ def _chalice(x: np.ndarray, y: np.ndarray) -> list[tuple[np.ndarray, str]]:
     halo = shapes.circle(x, y, 32, 42, 19.0)
     return [
         (halo, "5fb8ff"),
-        (bowl, heat(3600, 0.8)),
-        (stem, heat(3000, 0.58)),
+        (bowl, "f2b64a"),
+        (stem, "d08c2c"),
         (flame, heat(4600)),
         (shapes.circle(x, y, 32, 47, 3.4), "ff9a24"),
     ]
@@ -279,7 +279,7 @@ def _button(seed: int, rim: str, core: str, pressed: bool) -> Callable[[int, int
 
 button_0 = _button(125, "8c0a14", "e8262a", False)
 button_1 = _button(125, "bf1420", "ff4a40", False)
-button_a = _button(125, heat(3200, 0.58), heat(4400), True)
+button_a = _button(125, "d9952e", heat(4400), True)
 
 
 def _plate(frame: int) -> Callable[[int, int], Surface]:
@@ -296,7 +296,7 @@ def _plate(frame: int) -> Callable[[int, int], Surface]:
             c.tint(1.0 - 0.3 * np.exp(-(((radius - 7.2) / 0.8) ** 2)))
             behind = (frame - i) % 4
             if behind == 0:
-                shine(c, c.mask(radius - 5.0), c.ramp(f"{heat(5400)} {heat(4400)} {heat(3600, 0.8)}", radius / 5.0), 0.5)
+                shine(c, c.mask(radius - 5.0), c.ramp(f"{heat(5400)} {heat(4400)} {heat(3200, 0.8)}", radius / 5.0), 0.5)
             elif behind == 1:
                 shine(c, c.mask(radius - 5.0), c.ramp(f"{heat(3400, 0.58)} {heat(3000, 0.43)}", radius / 5.0), 0.5)
             else:
