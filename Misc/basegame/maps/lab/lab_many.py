@@ -1,5 +1,5 @@
 """Hundreds of lamps of one size and brightness in a pillared cistern: no few directions hold them, and none is worth more than
-another. Shared states that each know one light are too few."""
+another. Shared states that each know one light are too few. Shallow water doubles them."""
 
 import math
 
@@ -12,6 +12,7 @@ LAMP = "lab_light_warm"
 def build() -> Map:
     world = Map("Four hundred lamps")
     world.room((-512, -512, -16), (512, 512, 288), {"side": "brick_dark", "bottom": "marble_black", "top": "stone_b"})
+    world.box((-512, -512, -16), (512, 512, -4), "*water_a")  # mirrors them
     pillars, lamps = Group(), Group()
     for x in range(-384, 385, 256):
         for y in range(-384, 385, 256):
@@ -30,5 +31,5 @@ def build() -> Map:
     pillars.add(lathe([(0, 96), (8, 96), (8, 88), (16, 88)], "stone_trim", 16), (0, 0, -16))
     pillars.add(lathe([(0, 20), (40, 12), (48, 30), (60, 34), (62, 30)], "copper_plate", 16), (0, 0, 0))
     furnish(world, pillars)
-    stand(world, -230, -256, -16, 48)
+    stand(world, -36, -430, -16, 86)
     return world

@@ -16,11 +16,10 @@ def pylon() -> Group:
 def build() -> Map:
     world = Map("The gate")
     things = Group()
-    world.room((-352, -320, 0), (352, 320, 320), {"side": "brick_dark", "bottom": "metal_floor", "top": "steel_wall"})
+    world.room((-352, -320, 0), (352, 320, 320), {"side": "stone_a", "bottom": "tile_check", "top": "stone_b"})
     # Ledge (16 deep), then the recess, larger by `lip` on every side; the strips stand on the ledge's back.
     half, low, high, lip, y = 128, 24, 264, 24, 320
-    world.room((-half, y + 16, low), (half, y + 80, high), {"side": "tile_teal", "top": "tile_teal", "bottom": "tile_teal",
-                                                           "north": "copper_plate", "south": "plaster"})
+    world.room((-half, y + 16, low), (half, y + 80, high), {"all": "plaster", "bottom": "marble_white", "north": "tile_teal"})
     world.cut((-half + lip, y, low), (half - lip, y + 16, high - lip))
     world.cut((-half + lip, y, low), (half - lip, y + 17, high - lip))
     for x0, x1 in ((-half + 1, -half + 6), (half - 6, half - 1)):

@@ -19,9 +19,9 @@ def rib(width: float) -> Group:
 
 def build() -> Map:
     world = Map("The corridor")
-    steel = {"side": "steel_wall", "bottom": "metal_floor", "top": "metal_plate"}
-    world.room((-HALF, -256, 0), (HALF, 768, HIGH), steel)
-    world.room((HALF + 16, 608, 0), (832, 768, HIGH), steel)
+    walls = {"side": "brick_red", "bottom": "metal_floor", "top": "metal_plate"}
+    world.room((-HALF, -256, 0), (HALF, 768, HIGH), walls)
+    world.room((HALF + 16, 608, 0), (832, 768, HIGH), walls)
     world.cut((HALF, 608, 0), (HALF + 16, 768, HIGH))
     for y in range(-192, 600, 128):
         world.add(rib(HALF), (0, y, 0))

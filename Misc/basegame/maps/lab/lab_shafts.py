@@ -6,7 +6,7 @@ from scene_parts import candle, furnish, lathe, stand
 
 
 def build() -> Map:
-    world = Map("Shafts of light", fog="0.03 0.75 0.8 0.85", _sunlight=420, _sun_mangle=(152, -54, 0),
+    world = Map("Shafts of light", fog="0.03 0.75 0.8 0.85", _sunlight=420, _sun_mangle=(152, -40, 0),
                 _sunlight_color="1 0.86 0.62", _sunlight_penumbra=9, _sunlight2=30)
     things = Group()
     world.room((-224, -416, 0), (224, 416, 352), {"side": "stone_b", "bottom": "stone_floor", "top": "wood_plank"})
@@ -35,5 +35,5 @@ def build() -> Map:
     world.detail.box((-28, 408, 96), (28, 416, 208), Tex("window_a", align="fit"))
     things.add(lathe([(0, 26), (8, 26), (12, 18), (60, 17)], "marble_white", 12), (-120, 190, 0))
     furnish(world, things)
-    stand(world, -150, -372, 0, 74)
+    stand(world, -6, -376, 0, 86)
     return world

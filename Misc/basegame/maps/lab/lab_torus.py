@@ -25,7 +25,7 @@ def build() -> Map:
     # Two rings, one through the other, and a chrome ring before the block that throws light on the floor.
     rings.add(torus(34, 10, "lab_yellow", 20, 8), (-16, 0, 89))
     rings.add(upright(torus(34, 10, "lab_red", 20, 8)), (16, 0, 89))
-    rings.add(torus(58, 8, "lab_chrome", 28, 8), (136, -96, 9))
+    rings.add(torus(46, 8, "lab_chrome", 28, 8), (-66, -138, 9))
     furnish(world, rings)
     glass = world.part("func_wall", alpha=0.2)
     glass.box((-64, -52, 41), (64, 52, 137), fit("glass_teal", (4, 3)))

@@ -51,5 +51,5 @@ def build() -> Map:
     things.add(candle(12, 2.5), (-310, -20, 34))
     world.detail.box((-420, -100, 0), (-414, 60, 120), fit("bookshelf", (2, 1)))
     furnish(world, things)
-    stand(world, 70, -280, 0, 100)
+    stand(world, -372, -150, 0, 34)
     return world
