@@ -134,6 +134,29 @@ TEST(Skins, GroupsHolesAndReplacements) {
   EXPECT_EQ(replaced.emission_kind, EmissionKind::kNone);
 }
 
+TEST(Skins, GlossAndReliefGoWithTheSkinsOwnColours) {
+  test::TestFiles files;
+  files.add_palette();
+  files.add_tga("progs/box.mdl_0_gloss.tga", 4, 4, {200, 200, 200});
+  files.add_tga("progs/box.mdl_0_norm.tga", 4, 4, {128, 128, 255});
+  files.add_tga("progs/box.mdl_0_luma.tga", 4, 4, {255, 255, 255});  // belongs to an image that is not there
+  AssetBuilder builder(files.loader());
+  formats::Mdl mdl = box_model();
+  mdl.skins.push_back(mdl.skins[0]);
+  const std::vector<std::uint32_t> skins = make_skin_materials(builder, mdl, "progs/box.mdl");
+  const Material& coated = builder.assets().materials[skins[0]];
+  const TextureSet& set = coated.frames[0];
+  EXPECT_EQ(builder.assets().images[set.base].encoding, ImageEncoding::kPalette);
+  ASSERT_NE(set.gloss, kNone);
+  ASSERT_NE(set.normal, kNone);
+  EXPECT_EQ(set.luma, kNone);
+  EXPECT_EQ(builder.assets().images[set.gloss].texels[0], 200);
+  EXPECT_FLOAT_EQ(coated.specular, 0.04f);
+  const Material& plain = builder.assets().materials[skins[1]];
+  EXPECT_EQ(plain.frames[0].gloss, kNone);
+  EXPECT_FLOAT_EQ(plain.specular, 0.0f);
+}
+
 TEST(Sprites, ReadRightlyFromTheFront) {
   test::TestFiles files;
   files.add_palette();

@@ -68,15 +68,21 @@ std::uint32_t AssetBuilder::image_file(std::string_view stem, ImageEncoding enco
 
 TextureSet AssetBuilder::replacement(const std::vector<std::string>& stems) {
   TextureSet set;
+  const auto read_detail = [&](const std::string& stem) {
+    set.normal = image_file(stem + "_norm", ImageEncoding::kLinearRgba);
+    set.gloss = image_file(stem + "_gloss", ImageEncoding::kLinearRgba);
+    return set.normal != kNone || set.gloss != kNone;
+  };
   for (const std::string& stem : stems) {
     set.base = image_file(stem, ImageEncoding::kSrgba);
     if (set.base == kNone) continue;
     set.luma = image_file(stem + "_luma", ImageEncoding::kSrgba);
     if (set.luma == kNone) set.luma = image_file(stem + "_glow", ImageEncoding::kSrgba);
-    set.normal = image_file(stem + "_norm", ImageEncoding::kLinearRgba);
-    set.gloss = image_file(stem + "_gloss", ImageEncoding::kLinearRgba);
-    break;
+    read_detail(stem);
+    return set;
   }
+  for (const std::string& stem : stems)
+    if (read_detail(stem)) break;
   return set;
 }
 

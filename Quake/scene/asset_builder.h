@@ -31,7 +31,8 @@ class AssetBuilder {
   // The image in `stem` + .png, .tga or .pcx, the first that is there; kNone if none is, or it is malformed (then one
   // logged sentence). `*` in the stem is `#` in file names.
   std::uint32_t image_file(std::string_view stem, ImageEncoding encoding);
-  // The first stem that has an image, with what stands beside it: _luma or else _glow, _norm, _gloss.
+  // The first stem that has an image, with what stands beside it: _luma or else _glow, _norm, _gloss. The last two also
+  // without an image, for a skin that must stay paletted since players' colours change it: then `base` is kNone.
   TextureSet replacement(const std::vector<std::string>& stems);
 
  private:

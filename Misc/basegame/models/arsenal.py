@@ -69,11 +69,12 @@ def pipe(
 
 
 def flash(at, size: float, bone_name: str = "flash", ramp: str = "fire", sides: int = 6) -> list[Patch]:
-    """A muzzle's fire: a star with a tongue; its bone shows or hides it."""
+    """A muzzle's fire: a star with a tongue; its bone shows or hides it. Deep in colour and small: it fills the view of
+    who fires, and what lights the room is the game's own flash."""
     at = np.asarray(at, float)
     tongue = lathe(
         [(-0.6, 0.3), (0.8, 0.9), (2.4, 0.5)],
-        glow(ramp, 0.95, 0.1),
+        glow(ramp, 0.62, 0.2),
         bone_name,
         at,
         X,
@@ -89,7 +90,7 @@ def flash(at, size: float, bone_name: str = "flash", ramp: str = "fire", sides: 
             tube(
                 [at, at + tip * 1.1 * size, at + tip * 2.3 * size],
                 [0.5 * size, 0.42 * size, 0.08 * size],
-                glow(ramp, 0.8, 0.2),
+                glow(ramp, 0.42, 0.2),
                 bone_name,
                 4,
                 up=X,
@@ -189,7 +190,7 @@ def shotgun() -> list[Patch]:
         [(0, 0.9), (0.5, 0.9), (0.6, 0.65)],
         where(
             band("v", 0.7, 1.1),
-            where(lambda s: (s.x - s.z * 0.6 > 0.3), plain("sand", 0.9, 0.02), plain("coral", 0.6, 0.02)),
+            where(lambda s: (s.x - s.z * 0.6 > 0.3), plain("sand", 0.9, 0.02, gloss=0.85), plain("coral", 0.6, 0.02, gloss=0.85)),
             BRASS,
         ),
         "gun",

@@ -187,7 +187,7 @@ def rocket_launcher() -> list[Patch]:
         [(0, 1.0), (0.4, 1.0), (0.5, 0.75)],
         where(
             band("v", 0.72, 1.1),
-            where(lambda s: s.y > 0.2, plain("sand", 0.88, 0.02), plain("verdigris", 0.75, 0.02)),
+            where(lambda s: s.y > 0.2, plain("sand", 0.88, 0.02, gloss=0.85), plain("verdigris", 0.75, 0.02, gloss=0.85)),
             BRASS,
         ),
         "gun",

@@ -221,6 +221,7 @@ FLAGS: dict[str, int] = {
     "v_spike": 128,
 }
 SKINS: dict[str, int] = {"armor": 3}
+COLORED = ["player", "h_player"]  # drawn in a player's colours: rows 1 and 6 of the palette are his shirt and trousers
 STILL = [
     "bolt",
     "bolt2",

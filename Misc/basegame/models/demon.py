@@ -12,6 +12,7 @@ from models.kit.motion import merge
 from models.kit.paint import band, bone, flesh, glow, layers, plain
 from models.kit.shapes import Patch, both, tube
 from models.kit.skeleton import Skeleton
+from models.paces import PACES
 from models.soldier import severed
 
 BODY = humanoid.Build(
@@ -28,6 +29,8 @@ BODY = humanoid.Build(
     upper=13.0,
     lower=13.0,
     feet=-4.0,
+    toe=10.0,
+    heel=-6.0,
 )
 ARMS = {"hand_r": (0.42, -0.3, -0.52), "hand_l": (0.42, 0.3, -0.52), "hold": 0, "elbow_r": 50, "elbow_l": 50}
 POSTURE = {"hips": (16, 0, 0), "belly": (14, 0, 0), "chest": (14, 0, 0), "head": (-38, 0, 0)}
@@ -49,7 +52,7 @@ def head(at, bone_name: str = "head") -> list[Patch]:
         ],
         [(2.6, 3.0), (3.9, 4.8), (3.5, 4.4), (2.3, 3.1), (1.5, 2.2)],
         layers(
-            HIDE, (eyes, glow("fire", 0.75, 0.3)), (lambda s: (s.z < z - 1.0) & (s.x > x + 3), plain("red", 0.4, 0.1))
+            HIDE, (eyes, glow("fire", 0.75, 0.3)), (lambda s: (s.z < z - 1.0) & (s.x > x + 3), plain("red", 0.4, 0.1, gloss=0.68))
         ),
         bone_name,
         9,
@@ -59,7 +62,7 @@ def head(at, bone_name: str = "head") -> list[Patch]:
     jaw = tube(
         [(x + 0.5, y, z - 2.6), (x + 5.0, y, z - 4.4), (x + 9.4, y, z - 4.6)],
         [(1.6, 3.4), (1.3, 3.0), (0.9, 1.8)],
-        layers(HIDE, (lambda s: s.z > z - 3.8, plain("red", 0.45, 0.1))),
+        layers(HIDE, (lambda s: s.z > z - 3.8, plain("red", 0.45, 0.1, gloss=0.68))),
         jaw_bone,
         7,
         up=(0, 0, 1),
@@ -123,7 +126,7 @@ def _body(s: Skeleton) -> list[Patch]:
             wrist + [14.5, -0.4, -14.5],
         ],
         [(1.6, 1.6), (2.4, 1.5), (2.4, 1.0), (1.7, 0.6), (0.4, 0.2)],
-        layers(BONE, (band("v", 0, 0.2), HIDE), (band("v", 0.86, 1.1), plain("red", 0.4, 0.1))),
+        layers(BONE, (band("v", 0, 0.2), HIDE), (band("v", 0.86, 1.1), plain("red", 0.4, 0.1, gloss=0.68))),
         "hand_l",
         6,
         up=(0.8, 0, -0.6),
@@ -213,11 +216,11 @@ def _clips() -> dict:
         "foot_r": (0.05, -0.14, 0),
         "jaw": 10,
     }
-    run = dict(stride=0.62, lift=0.34, stance=0.36, drop=-0.02, bob=0.07, lean=16, twist=9, heel=0.5, swing=0.3)
+    run = dict(lift=0.34, stance=0.27, offset=0.55 / 6, drop=-0.02, bob=0.07, lean=16, twist=9, heel=0.5, swing=0.3)
     return {
         "stand": moves.stand(n["stand"], ARMS, 0.0, 2.0, 10),
-        "walk": moves.gait(n["walk"], ARMS, stride=0.4, lift=0.2, drop=0.02, heel=0.5, swing=0.12, lean=4),
-        "run": merge(moves.gait(n["run"], ARMS, **run), {"jaw": np.full((n["run"], 1), 16.0)}),
+        "walk": moves.gait(BODY, PACES["demon"]["walk"], ARMS, lift=0.2, drop=0.02, heel=0.5, swing=0.12, lean=4),
+        "run": merge(moves.gait(BODY, PACES["demon"]["run"], ARMS, **run), {"jaw": np.full((n["run"], 1), 16.0)}),
         "leap": moves.acted(
             n["leap"], ARMS, {0.2: crouch, 0.34: crouch, 0.46: spring, 0.6: fly, 0.76: fly, 0.9: land}, 0.0
         ),

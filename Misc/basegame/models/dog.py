@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from formats.mdl import Mdl
@@ -14,7 +16,9 @@ from models.kit.motion import Clip, cycle, joined, keyed, merge
 from models.kit.paint import bone, copper, flesh, glow, iron, layers, leather, plain, rivets, steel
 from models.kit.shapes import Patch, both, box, mirrored, torus, tube
 from models.kit.skeleton import Posing, Skeleton
+from models.kit.steps import foot
 from models.kit.turn import apply, euler
+from models.paces import PACES
 from models.soldier import severed
 
 UPPER, LOWER = 9.5, 9.0
@@ -84,7 +88,7 @@ def head(at, bone_name: str = "head", jaw_bone: str = "jaw") -> list[Patch]:
         [(x - 3.4, y, z), (x - 0.8, y, z + 0.5), (x + 2.6, y, z + 0.4), (x + 5.4, y, z - 0.6), (x + 9.0, y, z - 1.0)],
         [(2.6, 2.6), (3.3, 3.3), (2.7, 2.9), (1.7, 1.9), (1.2, 1.5)],
         layers(
-            HIDE, (eyes, glow("fire", 0.8, 0.25)), (lambda s: (s.z < z - 1.2) & (s.x > x + 2), plain("red", 0.4, 0.1))
+            HIDE, (eyes, glow("fire", 0.8, 0.25)), (lambda s: (s.z < z - 1.2) & (s.x > x + 2), plain("red", 0.4, 0.1, gloss=0.68))
         ),
         bone_name,
         8,
@@ -239,23 +243,22 @@ def _right(patch: Patch) -> Patch:
 
 
 def _gait(
-    count: int,
+    pace: Sequence[float],
     phases: dict[str, float],
-    stride: float,
     lift: float,
     stance: float,
     bob: float,
     bend: float,
     drop: float = 0.03,
     lope: float = 0.0,
+    cycles: int = 1,
 ) -> Clip:
-    phase = cycle(count)
+    count = len(pace)
+    phase = cycle(count) * cycles
     out: Clip = {}
     for leg, offset in phases.items():
-        t = (phase + offset) % 1.0
-        down, a, b = t < stance, t / stance, (t - stance) / (1 - stance)
-        x = np.where(down, stride * (1 - 2 * a), stride * (-1 + 2 * (b - np.sin(2 * np.pi * b) / (2 * np.pi) * 0.5)))
-        out[leg] = np.stack([x, np.zeros(count), np.where(down, 0.0, lift * np.sin(np.pi * np.clip(b, 0, 1)))], axis=1)
+        f = foot(pace, stance, offset, cycles)
+        out[leg] = np.stack([f.x / LEG, np.zeros(count), np.where(f.down, 0.0, lift * np.sin(np.pi * f.part))], axis=1)
     w = lambda k, o=0.0: np.sin(2 * np.pi * (k * phase + o))
     zero = np.zeros(count)
     out["body"] = np.stack([zero, 0.02 * w(1), -drop + bob * w(2 if not lope else 1, 0.1)], axis=1)
@@ -373,7 +376,7 @@ def _clips() -> dict[str, Clip]:
             },
         ),
         "run": merge(
-            _gait(n["run"], {"fl": 0.0, "fr": 0.12, "bl": 0.5, "br": 0.6}, 0.75, 0.42, 0.36, 0.1, 16.0, 0.06, 8.0),
+            _gait(PACES["dog"]["run"], {"fl": 0.175, "fr": 0.195, "bl": 0.675, "br": 0.695}, 0.42, 0.21, 0.1, 16.0, 0.06, 8.0, 2),
             {"jaw": np.full((n["run"], 1), 14.0)},
         ),
         "leap": key(
@@ -381,7 +384,7 @@ def _clips() -> dict[str, Clip]:
             {0.0: {}, 0.2: crouch, 0.36: spring, 0.6: fly, 0.8: {**crouch, "tilt": (10, 0, 0), "loose": 0}, 1.0: REST},
         ),
         "stand": wag,
-        "walk": _gait(n["walk"], {"fl": 0.0, "br": 0.08, "fr": 0.5, "bl": 0.58}, 0.36, 0.2, 0.6, 0.015, 0.0),
+        "walk": _gait(PACES["dog"]["walk"], {"fl": 0.0, "br": 0.08, "fr": 0.5, "bl": 0.58}, 0.2, 0.52, 0.015, 0.0, cycles=2),
     }
 
 

@@ -11,9 +11,10 @@ from models.kit.cast import humanoid_model
 from models.kit.paint import band, both_of, canvas, copper, glow, iron, layers, leather, plain, rib, rivets, where
 from models.kit.shapes import Patch, both, box, lathe, tube
 from models.kit.skeleton import Skeleton
+from models.paces import PACES
 from models.soldier import severed
 
-BODY = humanoid.grown(humanoid.Build(shoulder=(-0.3, 8.2, 6.6), hip_width=4.2), 1.07)
+BODY = humanoid.grown(humanoid.Build(shoulder=(-0.3, 8.2, 6.6), hip_width=4.2, toe=5.5), 1.07)
 ARMS = {
     "hand_r": (0.42, 0.02, -0.62),
     "hand_l": (0.72, -0.22, -0.5),
@@ -22,7 +23,7 @@ ARMS = {
     "elbow_r": 45,
     "elbow_l": 20,
 }
-ENAMEL = layers(plain("sand", 0.86, 0.05, 6.0, 91), (lambda s: s.noise(4.0, 92, 4) > 0.68, iron(0.45, 0.5)))
+ENAMEL = layers(plain("sand", 0.86, 0.05, 6.0, 91, gloss=0.74), (lambda s: s.noise(4.0, 92, 4) > 0.68, iron(0.45, 0.5)))
 
 
 def head(at, bone: str = "head") -> list[Patch]:
@@ -92,7 +93,7 @@ def _body(s: Skeleton) -> list[Patch]:
             ENAMEL,
             (band("z", hip - 9, hip + 5.4), under),
             (band("z", hip - 0.4, hip + 1.8), leather(0.3, "ochre")),
-            (mark, plain("yellow", 0.72, 0.05)),
+            (mark, plain("yellow", 0.72, 0.05, gloss=0.74)),
             (lambda t: (np.abs(t.y) < 0.4) & (t.x > 0) & (t.z > hip + 5), copper(0.1)),
         ),
         10,
@@ -120,7 +121,7 @@ def _body(s: Skeleton) -> list[Patch]:
     )
     pad = lathe(
         [(-2.6, 4.0), (-1.8, 4.2), (0.6, 3.6), (2.2, 1.8)],
-        layers(ENAMEL, (band("v", 0.0, 0.24), plain("yellow", 0.7, 0.06))),
+        layers(ENAMEL, (band("v", 0.0, 0.24), plain("yellow", 0.7, 0.06, gloss=0.74))),
         {"upper_l": 0.5, "chest": 0.5},
         s.rest["upper_l"] + [0, 1.2, 0.8],
         (0, 0.5, 1),
@@ -174,8 +175,8 @@ def _clips() -> dict:
     kick = {**aim, "hand_r": (0.38, 0.1, -0.18), "grip": (-7, 4, 0), "chest": (-5, -6, 0), "root": (-0.04, 0, -0.09)}
     return {
         "stand": moves.stand(n["stand"], ARMS),
-        "walk": moves.gait(n["walk"], ARMS, stride=0.34, lift=0.12),
-        "run": moves.gait(n["run"], ARMS, stride=0.5, lift=0.24, stance=0.45, drop=0.09, lean=12),
+        "walk": moves.gait(BODY, PACES["enforcer"]["walk"], ARMS, lift=0.12, stance=0.54),
+        "run": moves.gait(BODY, PACES["enforcer"]["run"], ARMS, lift=0.24, stance=0.265, offset=-0.95 / 8, drop=0.12, lean=12),
         "attack": moves.acted(n["attack"], ARMS, {0.25: aim, 0.4: aim, 0.5: kick, 0.62: aim, 0.72: kick, 0.85: aim}),
         "death": moves.fall_back(BODY, n["death"], ARMS, 5.5),
         "fdeath": moves.fall_front(BODY, n["fdeath"], ARMS, 5.5),

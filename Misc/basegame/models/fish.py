@@ -65,8 +65,8 @@ def _patches(s: Skeleton) -> list[Patch]:
         [(2.4, 4.0), (5.2, 6.4), (8.0, 7.6), (9.4, 7.4), (8.0, 5.8), (5.4, 3.8), (3.2, 2.0), (2.0, 0.9)],
         layers(
             SCALES,
-            (lambda t: (t.x > 13) & (t.z < 0.6), plain("red", 0.4, 0.12)),
-            (ring, plain("verdigris", 0.3, 0.05)),
+            (lambda t: (t.x > 13) & (t.z < 0.6), plain("red", 0.4, 0.12, gloss=0.68)),
+            (ring, plain("verdigris", 0.3, 0.05, gloss=0.6)),
             (eyes, glow("gold_glow", 0.6, 0.3)),
         ),
         bones,
@@ -77,7 +77,7 @@ def _patches(s: Skeleton) -> list[Patch]:
     jaw = tube(
         [(8.5, 0, -4.6), (13, 0, -6.2), (18, 0, -5.6), (21.5, 0, -4.0)],
         [(3.4, 5.6), (2.8, 6.0), (1.9, 4.8), (1.0, 2.6)],
-        layers(SCALES, (lambda t: t.z > -4.6, plain("red", 0.42, 0.12))),
+        layers(SCALES, (lambda t: t.z > -4.6, plain("red", 0.42, 0.12, gloss=0.68))),
         "jaw",
         9,
         up=(0, 0, 1),
@@ -93,7 +93,7 @@ def _patches(s: Skeleton) -> list[Patch]:
     tail = tube(
         [(-22, 0, 0.4), (-27, 0, 0.6), (-33, 0, 1.0)],
         [(2.0, 0.7), (6.0, 0.45), (11.0, 0.15)],
-        plain("coral", 0.6, 0.2, 3.0),
+        plain("coral", 0.6, 0.2, 3.0, gloss=0.6),
         ["spine3", "spine4", "spine4"],
         section=flat_section(),
         up=(0, 0, 1),
@@ -101,7 +101,7 @@ def _patches(s: Skeleton) -> list[Patch]:
     dorsal = tube(
         [(6, 0, 8.4), (0, 0, 11.0), (-7, 0, 9.6), (-12, 0, 5.6)],
         [(1.4, 0.7), (4.6, 0.5), (4.2, 0.4), (1.0, 0.2)],
-        layers(plain("coral", 0.56, 0.2, 3.0), (lambda t: (t.x % 3.0) < 0.7, bone(0.7))),
+        layers(plain("coral", 0.56, 0.2, 3.0, gloss=0.6), (lambda t: (t.x % 3.0) < 0.7, bone(0.7))),
         ["body", "spine0", "spine1", "spine2"],
         section=flat_section(),
         up=(0, 0, 1),
@@ -109,7 +109,7 @@ def _patches(s: Skeleton) -> list[Patch]:
     fin = tube(
         [(7, 6.4, -2.6), (4.5, 11.0, -4.6), (0.5, 15.5, -6.8)],
         [(2.2, 0.6), (3.4, 0.4), (2.6, 0.15)],
-        plain("coral", 0.6, 0.2, 3.0),
+        plain("coral", 0.6, 0.2, 3.0, gloss=0.6),
         "fin_l",
         section=flat_section(),
         up=(1, 0, 0),

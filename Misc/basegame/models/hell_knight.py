@@ -11,6 +11,7 @@ from models.kit.cast import humanoid_model
 from models.kit.paint import band, canvas, copper, glow, iron, layers, plain, rib, steel, wax
 from models.kit.shapes import Patch, lathe, tube
 from models.knight import ACROSS, OVER, armour, sword
+from models.paces import PACES
 from models.soldier import severed
 
 TALL = humanoid.grown(humanoid.Build(shoulder=(-0.3, 8.0, 7.2), upper=8.4, lower=8.4), 1.17)
@@ -86,7 +87,7 @@ def candle_helm(at, bone: str = "head", k: float = 1.1) -> list[Patch]:
 
 def _hell_clips() -> dict:
     n = lengths("hknight")
-    run = dict(stride=0.5, lift=0.24, stance=0.46, drop=0.1, bob=0.035, lean=15)
+    run = dict(lift=0.24, stance=0.19, offset=-1.55 / 8, drop=0.15, bob=0.035, lean=15)
     cast = {
         "hold": 0,
         "hand_l": (0.2, 0.75, 0.55),
@@ -121,17 +122,22 @@ def _hell_clips() -> dict:
     }
     return {
         "stand": moves.stand(n["stand"], TWO),
-        "walk": moves.gait(n["walk"], TWO, stride=0.34, lift=0.12, cycles=1),
-        "run": moves.gait(n["run"], TWO, **run),
+        "walk": moves.gait(TALL, PACES["hknight"]["walk"], TWO, lift=0.12, cycles=2),
+        "run": moves.gait(TALL, PACES["hknight"]["run"], TWO, **run),
         "pain": moves.hit(n["pain"], TWO),
         "death": moves.fall_back(TALL, n["death"], TWO, 5.0),
         "deathb": moves.fall_front(TALL, n["deathb"], TWO, 4.8),
         "char_a": moves.charge(
-            n["char_a"], TWO, upper({0.3: raised, 0.5: raised, 0.66: OVER[1], 0.8: OVER[1], 1.0: back}), cycles=2, **run
+            TALL,
+            PACES["hknight"]["run"] * 2,
+            TWO,
+            upper({0.3: raised, 0.5: raised, 0.66: OVER[1], 0.8: OVER[1], 1.0: back}),
+            cycles=2,
+            **run,
         ),
         "magica": moves.acted(n["magica"], TWO, {0.35: cast, 0.5: cast, 0.66: throw, 0.8: throw}),
         "magicb": moves.acted(n["magicb"], TWO, {0.35: raised, 0.5: raised, 0.66: point, 0.82: point}),
-        "char_b": moves.charge(n["char_b"], TWO, upper({0.0: raised, 0.5: point, 1.0: raised}), cycles=1, **run),
+        "char_b": moves.charge(TALL, [19.0] * n["char_b"], TWO, upper({0.0: raised, 0.5: point, 1.0: raised}), **run),
         "slice": moves.acted(n["slice"], TWO, {0.25: ACROSS[0], 0.4: ACROSS[0], 0.58: ACROSS[1], 0.75: ACROSS[1]}),
         "smash": moves.acted(n["smash"], TWO, {0.3: raised, 0.45: raised, 0.62: OVER[1], 0.78: OVER[1]}),
         "w_attack": moves.acted(n["w_attack"], TWO, flow),

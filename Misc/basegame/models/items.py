@@ -41,7 +41,7 @@ def _by_skin(*painters: Painter) -> Painter:
 
 def armor() -> Mdl:
     """A cuirass in verdigris, brass or red enamel, on nobody."""
-    plate = _by_skin(copper(0.9, 5.0, 41), copper(0.1, 4.0, 42), plain("red", 0.78, 0.08, 3.0, 43))
+    plate = _by_skin(copper(0.9, 5.0, 41), copper(0.1, 4.0, 42), plain("red", 0.78, 0.08, 3.0, 43, gloss=0.82))
     trim = _by_skin(copper(0.1), copper(0.95, 3.0), copper(0.0))
     gem = _by_skin(glow("white_glow", 0.2, 0.2), glow("gold_glow", 0.8, 0.2), glow("red_glow", 0.8, 0.2))
     ridge = lambda s: (np.abs(s.y) < 0.7) & (s.x > 0)
@@ -87,7 +87,7 @@ def invisibl() -> Mdl:
     eye = ellipsoid(
         (0, 0, 20.6),
         (2.4, 2.4, 2.0),
-        layers(glow("white_glow", 0.3, 0.2), (lambda s: np.abs(s.y) < 0.55, plain("grey", 0.05, 0.0))),
+        layers(glow("white_glow", 0.3, 0.2), (lambda s: np.abs(s.y) < 0.55, plain("grey", 0.05, 0.0, gloss=0.9))),
         rings=4,
         sides=8,
     )

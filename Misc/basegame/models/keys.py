@@ -55,7 +55,7 @@ def rune_key(gold: bool) -> Mdl:
     slab = tube(
         [(0, 0, 1.0), (0, 0, 2.4), (0, 0, 12), (0, 0, 21), (0, 0, 24)],
         [(1.4, 3.4), (2.0, 5.0), (2.2, 5.8), (2.0, 5.0), (1.2, 2.6)],
-        layers(plain("slate", 0.5, 0.16, 3.0), (rune, glow(_stone(gold), 0.7, 0.25))),
+        layers(plain("slate", 0.5, 0.16, 3.0, gloss=0.4), (rune, glow(_stone(gold), 0.7, 0.25))),
         section=round_section(10),
         caps=(0.4, 0.6),
         detail=1.4,

@@ -11,6 +11,7 @@ from models.kit.cast import humanoid_model
 from models.kit.paint import Painter, band, canvas, copper, glow, iron, layers, leather, rib, rivets, steel, where
 from models.kit.shapes import Patch, both, lathe, torus, tube
 from models.kit.skeleton import Skeleton
+from models.paces import PACES
 from models.soldier import severed
 
 BODY = humanoid.Build(shoulder=(-0.3, 7.4, 7.0), upper=8.2, lower=8.2)
@@ -186,7 +187,7 @@ ACROSS = blow((0.1, -0.8, 0.2), (0.75, 0.6, -0.15), (-40, -80, -60), (6, 70, 70)
 
 def _knight_clips() -> dict:
     n = lengths("knight")
-    run = dict(stride=0.5, lift=0.26, stance=0.44, drop=0.1, bob=0.04, lean=14)
+    run = dict(lift=0.26, stance=0.265, offset=-0.95 / 8, drop=0.13, bob=0.04, lean=14)
     kneel = {
         "root": (0, 0, -0.42),
         "foot_l": (0.28, 0.08, 0),
@@ -200,9 +201,10 @@ def _knight_clips() -> dict:
     }
     return {
         "stand": moves.stand(n["stand"], READY),
-        "runb": moves.gait(n["runb"], READY, **run),
+        "runb": moves.gait(BODY, PACES["knight"]["runb"], READY, **run),
         "runattack": moves.charge(
-            n["runattack"],
+            BODY,
+            [20.0] * n["runattack"],
             READY,
             {
                 share: {k: v for k, v in key.items() if k not in ("root", "foot_r")}
@@ -214,7 +216,6 @@ def _knight_clips() -> dict:
                     1.0: {**READY, "chest": (4, 0, 0), "head": (-4, 0, 0)},
                 }.items()
             },
-            cycles=1,
             **run,
         ),
         "pain": moves.hit(n["pain"], READY),
@@ -230,7 +231,7 @@ def _knight_clips() -> dict:
         "attackb": moves.acted(
             n["attackb"], READY, {0.25: ACROSS[0], 0.4: ACROSS[0], 0.58: ACROSS[1], 0.72: ACROSS[1]}
         ),
-        "walk": moves.gait(n["walk"], READY, stride=0.32, lift=0.12),
+        "walk": moves.gait(BODY, PACES["knight"]["walk"], READY, lift=0.12, stance=0.54, drop=0.09),
         "kneel": moves.acted(n["kneel"], READY, {1.0: kneel}),
         "standing": moves.acted(n["standing"], READY, {0.0: kneel}),
         "death": moves.fall_back(BODY, n["death"], READY),

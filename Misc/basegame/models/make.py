@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the base game's models: `make.py --out DIR [--only PATTERN] [--list]` puts them under DIR/progs."""
+"""Writes the base game's models and their images: `make.py --out DIR [--only PATTERN] [--list]` puts them under DIR/progs."""
 
 from __future__ import annotations
 
@@ -13,13 +13,15 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 
 from formats.mdl import write_mdl  # noqa: E402
 from models.catalogue import MODELS  # noqa: E402
+from models.conventions import COLORED  # noqa: E402
+from models.kit.images import images  # noqa: E402
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=pathlib.Path, help="the game's folder")
-    parser.add_argument("--only", default="*", help="a pattern of game paths, such as progs/v_*.mdl")
-    parser.add_argument("--list", action="store_true", help="names what would be written")
+    parser.add_argument("--only", default="*", help="a pattern of models' paths, such as progs/v_*.mdl")
+    parser.add_argument("--list", action="store_true", help="names the models that would be written")
     options = parser.parse_args()
     paths = {f"progs/{name}.mdl": make for name, make in MODELS.items()}
     chosen = [path for path in paths if fnmatch.fnmatch(path, options.only)]
@@ -32,9 +34,12 @@ def main() -> int:
         parser.error("--out DIR says where the models go")
     started = time.monotonic()
     for path in chosen:
-        target = options.out / path
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_bytes(write_mdl(paths[path]()))
+        figure = paths[path]()
+        files = {path: write_mdl(figure), **images(path, figure, pathlib.Path(path).stem in COLORED)}
+        for name, content in files.items():
+            target = options.out / name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(content)
     print(f"{len(chosen)} models in {time.monotonic() - started:.1f} s")
     return 0
 

@@ -33,7 +33,7 @@ def rough(patch: Patch, amount: float, size: float, seed: int) -> Patch:
 def missile() -> Mdl:
     body = lathe(
         [(-9, 1.2), (-8.6, 1.8), (2.0, 2.0), (5.0, 1.7), (7.4, 0.8)],
-        layers(iron(0.5, 0.15), (band("x", 1.6, 2.6), copper(0.1)), (band("x", 2.6, 9.0), plain("coral", 0.6, 0.06))),
+        layers(iron(0.5, 0.15), (band("x", 1.6, 2.6), copper(0.1)), (band("x", 2.6, 9.0), plain("coral", 0.6, 0.06, gloss=0.6))),
         at=(0, 0, 0),
         axis=X,
         sides=9,
@@ -228,7 +228,7 @@ def eyes() -> Mdl:
             (1.0, y, 25.5),
             (1.3, 1.3, 1.3),
             layers(
-                glow("white_glow", 0.5, 0.1), (lambda s, y=y: s.near((2.2, y, 25.5), 0.75), plain("blue", 0.4, 0.0))
+                glow("white_glow", 0.5, 0.1), (lambda s, y=y: s.near((2.2, y, 25.5), 0.75), plain("blue", 0.4, 0.0, gloss=0.9))
             ),
             rings=5,
             sides=9,

@@ -29,6 +29,7 @@ from models.kit.paint import (
 )
 from models.kit.shapes import Patch, both, box, disc, ellipsoid, lathe, torus, tube
 from models.kit.skeleton import Skeleton
+from models.paces import PACES
 from models.soldier import severed
 
 BODY = humanoid.grown(
@@ -44,6 +45,8 @@ BODY = humanoid.grown(
         upper=8.2,
         lower=8.4,
         crouch=0.94,
+        toe=5.9,
+        heel=2.9,
     ),
     1.42,
 )
@@ -90,12 +93,12 @@ def head(at, bone: str = "head") -> list[Patch]:
     jaw = box(
         (x + 2.8, y, z - 3.3),
         (6.4, 8.6, 3.6),
-        layers(SKIN, (lambda s: (s.x > x + 4.4) & (np.abs(s.z - z + 2.0) < 0.5), plain("red", 0.3, 0.1))),
+        layers(SKIN, (lambda s: (s.x > x + 4.4) & (np.abs(s.z - z + 2.0) < 0.5), plain("red", 0.3, 0.1, gloss=0.68))),
         bone,
         bevel=0.5,
         detail=0.9,
     )
-    tusk = bodies.spike((x + 5.6, y + 2.6, z - 2.4), (x + 7.0, y + 3.4, z + 1.4), 0.9, plain("sand", 0.86, 0.06), bone)
+    tusk = bodies.spike((x + 5.6, y + 2.6, z - 2.4), (x + 7.0, y + 3.4, z + 1.4), 0.9, plain("sand", 0.86, 0.06, gloss=0.5), bone)
     return [skull, pot, jaw] + both(tusk)
 
 
@@ -295,9 +298,9 @@ def _clips() -> dict:
     pull = {"hand_l": (0.2, 0.5, 0.1), "chest": (-6, 24, 0), "head": (0, 10, 0)}
     return {
         "stand": moves.stand(n["stand"], ARMS),
-        "walk": moves.gait(n["walk"], ARMS, stride=0.36, lift=0.13, sway_side=0.07, lean=7, swing=0.06),
+        "walk": moves.gait(BODY, PACES["ogre"]["walk"], ARMS, lift=0.13, stance=0.56, sway_side=0.07, lean=7, swing=0.06),
         "run": moves.gait(
-            n["run"], ARMS, stride=0.52, lift=0.22, stance=0.46, drop=0.1, sway_side=0.07, lean=15, swing=0.1
+            BODY, PACES["ogre"]["run"], ARMS, lift=0.22, stance=0.265, offset=0.05 / 8, drop=0.12, sway_side=0.07, lean=15, swing=0.1
         ),
         "swing": moves.acted(
             n["swing"], ARMS, {0.22: back, 0.36: back, 0.5: across, 0.64: {**across, "grip": (0, 80, 60)}, 0.8: back}

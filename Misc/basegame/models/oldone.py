@@ -95,7 +95,7 @@ def _patches(s: Skeleton) -> list[Patch]:
     )
     throat = lathe(
         [(-8, 40), (4, 29), (7, 12)],
-        layers(plain("red", 0.4, 0.14, 12.0), (band("v", 0.5, 1.1), glow("fire", 0.5, 0.5, 12.0))),
+        layers(plain("red", 0.4, 0.14, 12.0, gloss=0.68), (band("v", 0.5, 1.1), glow("fire", 0.5, 0.5, 12.0))),
         "high",
         maw_at + [14, 0, 0],
         facing,
@@ -170,7 +170,7 @@ def _patches(s: Skeleton) -> list[Patch]:
         tube(
             [(x, y, z), (x * 1.12, y * 1.12, z + 26), (x * 1.2, y * 1.2, z + 52)],
             [(4, 8), (3, 26), (1.5, 34)],
-            plain("coral", 0.66, 0.2, 10.0),
+            plain("coral", 0.66, 0.2, 10.0, gloss=0.55),
             "low",
             4,
             up=(x, y, 0),

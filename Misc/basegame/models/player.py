@@ -14,6 +14,7 @@ from models.kit.motion import keyed, merge
 from models.kit.paint import band, both_of, canvas, copper, iron, layers, leather, plain, rivets, steel, where
 from models.kit.shapes import Patch, both, box, disc, ellipsoid, flat_section, lathe, tube
 from models.kit.skeleton import Skeleton
+from models.paces import PLAYER
 from models.soldier import severed
 
 BODY = humanoid.Build()
@@ -45,13 +46,13 @@ def helmet(
     """A diving bell around the head at `at`: dome, front window with a grille, side windows, collar."""
     x, y, z = at
     s = size
-    glass = glass or plain("blue", 0.62, 0.1, 1.5)
+    glass = glass or plain("blue", 0.62, 0.1, 1.5, gloss=0.9)
     shell = lathe(
         [(h * s, r * s) for h, r in ((-4.6, 4.3), (-4.0, 5.2), (-1.8, 5.6), (0.8, 5.5), (3.0, 4.4), (4.4, 2.6))],
         layers(
             metal,
             (band("z", z - 4.3 * s, z - 3.5 * s), copper(0.7, 3.0)),
-            (rivets(14, 7, 0.2), plain("ochre", 0.86, 0.05)),
+            (rivets(14, 7, 0.2), plain("ochre", 0.86, 0.05, gloss=0.7)),
         ),
         bone,
         at,
@@ -278,10 +279,10 @@ def _chop(count: int, kind: int) -> dict:
 
 
 def _clips() -> dict:
-    run = dict(stride=0.55, lift=0.3, stance=0.42, drop=0.1, bob=0.04, lean=14, twist=10)
+    run = dict(lift=0.3, stance=0.16, drop=0.1, bob=0.04, lean=14, twist=10)
     return {
-        "axrun": moves.gait(6, AXE, **run),
-        "rockrun": moves.gait(6, GUN, **run),
+        "axrun": moves.gait(BODY, PLAYER, AXE, **run),
+        "rockrun": moves.gait(BODY, PLAYER, GUN, **run),
         "stand": moves.stand(5, GUN),
         "axstnd": moves.stand(12, AXE),
         "axpain": moves.hit(6, AXE),

@@ -14,7 +14,9 @@ from models.kit.motion import Clip, cycle, joined, keyed
 from models.kit.paint import band, bone, copper, flesh, glow, iron, layers, plain, rivets
 from models.kit.shapes import Patch, both, disc, ellipsoid, lathe, new_sheet, torus, tube
 from models.kit.skeleton import Posing, Skeleton
+from models.kit.steps import foot
 from models.kit.turn import apply, euler, limb
+from models.paces import PACES
 from models.soldier import severed
 
 UPPER, LOWER = 24.0, 31.0
@@ -98,7 +100,7 @@ def head(at, bone_name: str = "head", jaw: str = "jaw") -> list[Patch]:
     rim = torus((x + 7.0, y, z - 0.4), (1, 0, 0.1), 4.6, (0.9, 1.2), copper(0.15), bone_name, 12, 5)
     maw = lathe(
         [(-0.8, 4.6), (0.2, 3.3), (0.4, 1.4)],
-        layers(plain("red", 0.4, 0.12, 2.0), (band("v", 0.42, 1.1), glow("fire", 0.6, 0.4))),
+        layers(plain("red", 0.4, 0.12, 2.0, gloss=0.68), (band("v", 0.42, 1.1), glow("fire", 0.6, 0.4))),
         bone_name,
         (x + 8.3, y, z - 0.4),
         (1, 0, 0.1),
@@ -264,16 +266,8 @@ def _clips() -> dict[str, Clip]:
     phase = cycle(w)
     walk: Clip = {}
     for leg, offset in zip(LEGS, (0.0, 1 / 3, 2 / 3)):
-        t = (phase + offset) % 1.0
-        down, u, v = t < 0.66, t / 0.66, (t - 0.66) / 0.34
-        walk[leg] = np.stack(
-            [
-                np.where(down, 8 * (1 - 2 * u), 8 * (-1 + 2 * v)),
-                np.zeros(w),
-                np.where(down, 0.0, 10 * np.sin(np.pi * np.clip(v, 0, 1))),
-            ],
-            axis=1,
-        )
+        f = foot(PACES["shalrath"]["walk"], 0.66, offset)
+        walk[leg] = np.stack([f.x, np.zeros(w), np.where(f.down, 0.0, 10 * np.sin(np.pi * f.part))], axis=1)
     wave = lambda m, o=0.0: np.sin(2 * np.pi * (m * phase + o))
     walk["body"] = np.stack([np.zeros(w), 2.0 * wave(1), 1.6 * wave(3)], axis=1)
     walk["tilt"] = np.stack([3 + 2 * wave(3, 0.2), 3 * wave(1, 0.2), 4 * wave(1)], axis=1)

@@ -12,6 +12,7 @@ from models.kit.motion import merge
 from models.kit.paint import band, bone, glow, layers, plain, wax
 from models.kit.shapes import Patch, both, ellipsoid, tube
 from models.kit.skeleton import Skeleton
+from models.paces import PACES
 from models.soldier import severed
 
 BODY = humanoid.Build(
@@ -27,17 +28,19 @@ BODY = humanoid.Build(
     neck_forward=6.0,
     upper=20.0,
     lower=20.0,
+    toe=13.5,
+    heel=5.8,
 )
 ARMS = {"hand_r": (0.34, -0.2, -0.74), "hand_l": (0.34, 0.2, -0.74), "hold": 0, "elbow_r": 40, "elbow_l": 40}
 POSTURE = {"hips": (10, 0, 0), "belly": (10, 0, 0), "chest": (8, 0, 0), "head": (-20, 0, 0)}
 HIDE = layers(wax(0.86, 111), (lambda s: (s.noise(2.2, 112, 2) > 0.6) & ((s.z * 0.7) % 1.0 < 0.5), wax(0.72, 113)))
-CLAW = plain("slate", 0.3, 0.1, 2.0)
+CLAW = plain("slate", 0.3, 0.1, 2.0, gloss=0.6)
 
 
 def head(at, bone_name: str = "head") -> list[Patch]:
     x, y, z = at
     jaw_bone = "jaw" if bone_name == "head" else bone_name
-    maw = plain("red", 0.42, 0.14, 2.0)
+    maw = plain("red", 0.42, 0.14, 2.0, gloss=0.68)
     dome = tube(
         [
             (x - 6.0, y, z + 2.2),
@@ -115,7 +118,7 @@ def _body(s: Skeleton) -> list[Patch]:
         12,
     )
     arm = bodies.arm(
-        s, [6.6, 7.0, 4.8, 4.5, 5.4, 5.2, 4.0], layers(HIDE, (band("v", 0.9, 1.1), plain("red", 0.42, 0.14))), 7
+        s, [6.6, 7.0, 4.8, 4.5, 5.4, 5.2, 4.0], layers(HIDE, (band("v", 0.9, 1.1), plain("red", 0.42, 0.14, gloss=0.68))), 7
     )
     leg = bodies.leg(s, [8.2, 8.6, 6.4, 5.8, 5.6, 6.0, 5.0], HIDE, 7)
     tail = tube(
@@ -132,7 +135,7 @@ def _body(s: Skeleton) -> list[Patch]:
     palm = ellipsoid(
         wrist + [0.5, 0, -3.0],
         (3.8, 3.2, 5.0),
-        layers(HIDE, (lambda t: t.z < wrist[2] - 2.0, plain("red", 0.4, 0.12))),
+        layers(HIDE, (lambda t: t.z < wrist[2] - 2.0, plain("red", 0.4, 0.12, gloss=0.68))),
         "hand_l",
         4,
         8,
@@ -216,10 +219,10 @@ def _clips() -> dict:
     return {
         "stand": moves.stand(n["stand"], ARMS, 0.02, 2.2, 14),
         "walk": moves.gait(
-            n["walk"], ARMS, stride=0.36, lift=0.14, drop=0.03, sway_side=0.08, swing=0.14, lean=5, twist=10
+            BODY, PACES["shambler"]["walk"], ARMS, lift=0.14, stance=0.42, drop=0.1, sway_side=0.08, swing=0.14, lean=5, twist=10
         ),
         "run": moves.gait(
-            n["run"], ARMS, stride=0.54, lift=0.22, stance=0.44, drop=0.06, sway_side=0.06, swing=0.3, lean=14, twist=12
+            BODY, PACES["shambler"]["run"], ARMS, lift=0.22, stance=0.255, offset=-1.5 / 6, drop=0.1, sway_side=0.06, swing=0.3, lean=14, twist=12
         ),
         "smash": moves.acted(n["smash"], ARMS, {0.25: both_up, 0.46: both_up, 0.58: both_down, 0.76: both_down}, 0.02),
         "swingr": moves.acted(n["swingr"], ARMS, {0.3: right[0], 0.42: right[0], 0.6: right[1], 0.75: right[1]}, 0.02),

@@ -12,6 +12,7 @@ from models.kit.figure import build
 from models.kit.paint import band, both_of, canvas, copper, flesh, glow, iron, layers, leather, rib, rivets, where, wood
 from models.kit.shapes import Patch, both, box, ellipsoid, lathe, moved, tube
 from models.kit.skeleton import Skeleton
+from models.paces import PACES
 
 BODY = humanoid.Build(shoulder=(-0.4, 6.6, 6.6), neck=8.8)
 CARRY = {
@@ -195,9 +196,9 @@ def _clips() -> dict:
         "painc": moves.hit(
             n["painc"], CARRY, (-22, -34, -6), (-24, -10, 0), 0.14, 0.16, {"hold": 0, "hand_l": (0.3, 0.7, 0.2)}
         ),
-        "run": moves.gait(n["run"], CARRY, stride=0.5, lift=0.26, stance=0.44, drop=0.1, bob=0.035, lean=12),
+        "run": moves.gait(BODY, PACES["soldier"]["run"], CARRY, lift=0.26, stance=0.265, offset=-0.95 / 8, drop=0.12, bob=0.035, lean=12),
         "shoot": moves.acted(n["shoot"], CARRY, {0.25: aim, 0.42: aim, 0.5: {**aim, **kick}, 0.75: aim}),
-        "prowl_": moves.gait(n["prowl_"], CARRY, cycles=2, stride=0.3, lift=0.1),
+        "prowl_": moves.gait(BODY, PACES["soldier"]["prowl_"], CARRY, cycles=2, lift=0.1),
     }
 
 

@@ -19,7 +19,7 @@ RADIUS = 13.0
 GROUND = -24.0
 REST = {"size": (1, 1, 1), "lift": (0,), "lean": (0, 0, 0), "roll": (0,), "swell": (1,)}
 TAR = layers(
-    plain("mauve", 0.28, 0.12, 5.0, 151), (lambda s: s.noise(4.0, 152, 3) > 0.66, plain("blue", 0.3, 0.12, 3.0))
+    plain("mauve", 0.28, 0.12, 5.0, 151, gloss=0.8), (lambda s: s.noise(4.0, 152, 3) > 0.66, plain("blue", 0.3, 0.12, 3.0, gloss=0.8))
 )
 
 

@@ -12,11 +12,17 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 
+from art.palette import GLOW_FIRST, PALETTE, linear_from_srgb  # noqa: E402
 from formats.mdl import Frame, Mdl, read_mdl, write_mdl  # noqa: E402
 from formats.mdl_normals import DIRECTIONS, icosphere, nearest_direction  # noqa: E402
+from formats.png import read_png  # noqa: E402
 from models import conventions  # noqa: E402
 from models.catalogue import MODELS  # noqa: E402
+from models.kit import paint  # noqa: E402
+from models.kit.images import images, normals  # noqa: E402
 from models.kit.motion import keyed  # noqa: E402
+from models.kit.shapes import tube  # noqa: E402
+from models.kit.skin import FINE, GLOSS, Place, Surface, paint_layers  # noqa: E402
 from models.kit.turn import limb  # noqa: E402
 from models.preview import sheet  # noqa: E402
 
@@ -78,6 +84,75 @@ class Kit(unittest.TestCase):
         np.testing.assert_allclose(end, target, atol=1e-9)
         np.testing.assert_allclose(upper @ [0, 0, -7.0], joint, atol=1e-9)
         np.testing.assert_allclose(joint + lower @ [0, 0, -6.0], end, atol=1e-9)
+
+
+def rod(painter):
+    """A patch of one painter, and its place in a skin of 16 x 16."""
+    return tube([(0, 0, 0), (0, 0, 4), (0, 0, 8)], [2.0, 2.0, 2.0], painter, caps=(None, None)), Place(1, 1, 14, 14)
+
+
+class Images(unittest.TestCase):
+    def test_texels_of_layers_lie_in_the_skins(self):
+        patch, place = rod(paint.plain("grey"))
+        coarse, fine = Surface(patch, place.width, place.height, 0), Surface(patch, place.width, place.height, 0, FINE)
+        height, width = coarse.u.shape
+        mean = fine.z.reshape(height, FINE, width, FINE).mean(axis=(1, 3))
+        np.testing.assert_allclose(mean[2:-2, 2:-2], coarse.z[2:-2, 2:-2], atol=1e-6)
+
+    def test_metal_and_gems_shine_and_cloth_does_not(self):
+        gloss = {}
+        for name, painter in {
+            "steel": paint.steel(),
+            "iron": paint.iron(0.5, 0.0),
+            "brass": paint.copper(0.0),
+            "gem": paint.glow("red_glow"),
+            "canvas": paint.canvas(),
+            "stone": paint.plain("grey"),
+            "rust": paint.iron(0.5, 1.0),
+        }.items():
+            patch, place = rod(painter)
+            gloss[name] = paint_layers([patch], [place], 16, 16, 0)[0][4:-4, 4:-4, GLOSS].mean()
+        self.assertGreater(min(gloss[name] for name in ("steel", "iron", "brass", "gem")), 0.5)
+        self.assertLess(max(gloss[name] for name in ("canvas", "stone")), 0.05)
+        self.assertLess(gloss["rust"], gloss["iron"] - 0.1)
+
+    def test_relief_is_as_steep_as_the_shape_says(self):
+        patch, place = rod(lambda s: s.ramp("grey", 0.5, 0.0, 0.25 * s.z))
+        slopes = paint_layers([patch], [place], 16, 16, 0)[1][8:-8, 8:-8]
+        np.testing.assert_allclose(slopes[..., 1], 0.25, atol=0.01)  # v runs down the image and up the rod
+        np.testing.assert_allclose(slopes[..., 0], 0.0, atol=0.01)
+        down = normals(np.array([[[0.0, 0.25], [0.25, 0.0]]], np.float32))[0].astype(float) / 127.0 - 128 / 127
+        self.assertGreater(down[0, 1], 0.2, "rises down the image: faces up it, which is green")
+        self.assertLess(down[1, 0], -0.2)
+
+    def test_layers_have_the_skins_colours(self):
+        for name in ("armor", "v_shot", "ogre"):
+            with self.subTest(model=name):
+                figure = MODELS[name]()
+                files = images(f"progs/{name}.mdl", figure)
+                self.assertEqual(len([path for path in files if path.endswith("_norm.png")]), len(figure.skins))
+                for number, skin in enumerate(figure.skins):
+                    color = read_png(files[f"progs/{name}.mdl_{number}.png"])
+                    self.assertEqual(color.shape, (FINE * skin.shape[0], FINE * skin.shape[1], 3))
+                    dull = skin < GLOW_FIRST
+                    light = linear_from_srgb(color / 255.0).reshape(skin.shape[0], FINE, skin.shape[1], FINE, 3)
+                    paletted = linear_from_srgb(PALETTE[skin] / 255.0)
+                    difference = light.mean(axis=(1, 3))[dull].mean(axis=0) - paletted[dull].mean(axis=0)
+                    self.assertLess(np.abs(difference).max(), 0.02, "mean colour, linear")
+                    lamp = files.get(f"progs/{name}.mdl_{number}_luma.png")
+                    shares = read_png(lamp).any(axis=-1).mean() if lamp else 0.0
+                    self.assertAlmostEqual(shares, (skin >= GLOW_FIRST).mean(), delta=0.01)
+
+    def test_players_colours_have_no_image(self):
+        for name in conventions.COLORED:
+            files = images(f"progs/{name}.mdl", MODELS[name](), colored=True)
+            self.assertEqual(sorted(files), [f"progs/{name}.mdl_0_gloss.png", f"progs/{name}.mdl_0_norm.png"])
+
+    def test_what_is_all_light_has_no_image(self):
+        self.assertEqual(images("progs/flame2.mdl", MODELS["flame2"]()), {})
+
+    def test_the_same_images_every_time(self):
+        self.assertEqual(images("a", MODELS["v_axe"]()), images("a", MODELS["v_axe"]()))
 
 
 class Models(unittest.TestCase):

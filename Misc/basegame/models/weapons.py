@@ -158,7 +158,7 @@ def v_shot2() -> Mdl:
     hinge = _track(n, {0: (0, 0, 0), 2: (0, 0, 0), 3: (14, 0, 0), 4: (22, 0, 0), 5: (8, 0, 0), 6: (0, 0, 0)})
     patches = (
         arsenal.double_shotgun()
-        + arsenal.flash((18.8, 0, 1.0), 1.3)
+        + arsenal.flash((18.8, 0, 1.0), 1.1)
         + glove((6.6, 0.2, -2.0), (-8.0, 9.0, -9.0), 0.85, "barrels")
     )
     return _view(
@@ -198,7 +198,7 @@ def v_nail2() -> Mdl:
     spin = np.stack([np.zeros(n), np.zeros(n), np.arange(n) * 22.5 - 22.5], axis=1)
     spin[0] = 0
     kick = np.stack([0.7 * fired, 0.9 * fired], axis=1)
-    patches = arsenal_heavy.super_nailgun() + arsenal.flash((18.8, 0, 0.8), 1.6)
+    patches = arsenal_heavy.super_nailgun() + arsenal.flash((18.8, 0, 0.8), 1.1)
     return _view(
         "v_nail2",
         patches,
@@ -213,7 +213,7 @@ def v_rock() -> Mdl:
     n = 8
     kick = _track(n, {0: (0, 0), 1: (4.0, 9), 2: (2.6, 6), 3: (1.0, 2), 4: (0.4, 1), 6: (0, 0), 7: (0, 0)})
     drum = _track(n, {0: (0, 0, 0), 2: (0, 0, 0), 5: (0, 0, 60), 7: (0, 0, 60)})
-    patches = arsenal_heavy.grenade_launcher() + arsenal.flash((13.6, 0, 0.8), 2.2)
+    patches = arsenal_heavy.grenade_launcher() + arsenal.flash((13.6, 0, 0.8), 1.5)
     return _view(
         "v_rock",
         patches,
@@ -227,7 +227,7 @@ def v_rock() -> Mdl:
 def v_rock2() -> Mdl:
     n = 7
     kick = _track(n, {0: (0, 0), 1: (5.0, 7), 2: (3.4, 5), 3: (1.6, 2), 4: (0.6, 1), 5: (0.2, 0), 6: (0, 0)})
-    patches = arsenal_heavy.rocket_launcher() + arsenal.flash((14.2, 0, 1.2), 2.6)
+    patches = arsenal_heavy.rocket_launcher() + arsenal.flash((14.2, 0, 1.2), 1.7)
     return _view(
         "v_rock2",
         patches,

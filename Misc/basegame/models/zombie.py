@@ -12,10 +12,11 @@ from models.kit.motion import Clip, merge
 from models.kit.paint import band, canvas, flesh, glow, iron, layers, leather, plain, wax
 from models.kit.shapes import Patch, both, box, ellipsoid, lathe, torus, tube
 from models.kit.skeleton import Skeleton
+from models.paces import PACES
 from models.soldier import severed
 
 BODY = humanoid.Build(
-    hip_width=3.3, shoulder=(-0.2, 6.2, 6.2), neck=8.2, neck_forward=1.0, upper=8.4, lower=8.8, crouch=0.95
+    hip_width=3.3, shoulder=(-0.2, 6.2, 6.2), neck=8.2, neck_forward=1.0, upper=8.4, lower=8.8, crouch=0.95, toe=4.8, heel=2.0
 )
 ARMS = {"hand_r": (0.42, -0.14, -0.74), "hand_l": (0.56, 0.1, -0.6), "hold": 0, "elbow_r": 10, "elbow_l": 10}
 WAX = wax(0.78, 81)
@@ -32,7 +33,7 @@ def head(at, bone_name: str = "head") -> list[Patch]:
             WAX,
             (sockets, plain("sand", 0.24, 0.05)),
             (eyes, glow("gold_glow", 0.6, 0.3)),
-            (mouth, plain("red", 0.26, 0.1)),
+            (mouth, plain("red", 0.26, 0.1, gloss=0.68)),
         ),
         bone_name,
         at,
@@ -180,11 +181,11 @@ def _clips() -> dict:
         "toe_r": (40, 0),
     }
     sag = {"chest": (8, 2, 3), "head": (32, 14, 6)}
-    walk = dict(stride=0.24, lift=0.05, stance=0.64, drop=0.1, bob=0.02, lean=12, twist=12, sway_side=0.08)
+    walk = dict(lift=0.05, stance=0.64, drop=0.1, bob=0.02, lean=12, twist=12, sway_side=0.08)
     return {
         "stand": moves.stand(n["stand"], ARMS, 0.06, 1.6, 12),
-        "walk": moves.gait(n["walk"], ARMS, **walk),
-        "run": moves.gait(n["run"], reach, **{**walk, "stride": 0.34, "lean": 20}),
+        "walk": moves.gait(BODY, PACES["zombie"]["walk"], ARMS, **walk),
+        "run": moves.gait(BODY, PACES["zombie"]["run"], reach, cycles=2, **{**walk, "lean": 20}),
         "atta": _throw(n["atta"], False),
         "attb": _throw(n["attb"], True),
         "attc": _throw(n["attc"], False),

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from formats.mdl import Mdl
 from models.conventions import SEQUENCES, frame_names
 from models.kit import humanoid
-from models.kit.figure import build
+from models.kit.figure import Figure, build
 from models.kit.motion import Clip, joined
 from models.kit.shapes import Patch
 from models.kit.skeleton import Skeleton
@@ -37,7 +36,7 @@ def humanoid_model(
     shrink: dict[str, str] | None = None,
     floor: float = -23.9,
     **options,
-) -> Mdl:
+) -> Figure:
     """A humanoid's model. `rest` changes controls' rest values; bones named in `shrink` vanish where the control it
     gives for them is 0. `posture` is added to controls while the body does not lie: how it holds itself."""
     base = {**humanoid.REST, **(rest or {})}

@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 
 from formats.mdl import Frame, Mdl
 from models.kit.shapes import Patch
 from models.kit.skeleton import Posing, Skeleton
-from models.kit.skin import pack, paint_skin, texels
+from models.kit.skin import Place, pack, paint_skin, texels
+
+
+@dataclasses.dataclass
+class Figure(Mdl):
+    """A model that knows how it was painted, for the images beside it."""
+
+    patches: list[Patch] = dataclasses.field(default_factory=list)
+    places: list[Place] = dataclasses.field(default_factory=list)
 
 
 def _faces(grid: np.ndarray, first: int, fan: bool = False) -> list[tuple[int, int, int]]:
@@ -63,7 +73,7 @@ def build(
     flags: int = 0,
     floor: float | None = None,
     random_start: bool = False,
-) -> Mdl:
+) -> Figure:
     """The model. `frames` are names, one a pose, or Frames; nothing sinks below `floor` (units)."""
     posing = posing or still()
     points = np.concatenate([p.grid.reshape(-1, 3) for p in patches])
@@ -83,7 +93,7 @@ def build(
     names = frames or ["frame1"]
     listed = [Frame(name, [i]) if isinstance(name, str) else name for i, name in enumerate(names)]
     pictures = [paint_skin(patches, places, width, height, k) for k in range(skins)]
-    return Mdl(
+    return Figure(
         positions,
         _normals(positions, triangles, weld.reshape(-1)),
         triangles,
@@ -92,4 +102,6 @@ def build(
         listed,
         flags,
         random_start,
+        patches,
+        places,
     )

@@ -38,6 +38,8 @@ class Build:
     upper: float = 8.0
     lower: float = 8.0
     feet: float = 0.0  # ankles' distance before the hips
+    toe: float = 5.2  # the sole's ends, before and behind the ankle
+    heel: float = 2.4
     knees: float = 1.0  # -1: they bend backwards
 
     @property

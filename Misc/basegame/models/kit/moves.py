@@ -5,10 +5,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from models.kit.humanoid import GROUND, Build
 from models.kit.motion import Clip, cycle, keyed, merge, sway
+from models.kit.steps import foot, roll
 
 
 _UPRIGHT = {name: (0.0, 0.0, 0.0) for name in ("root", "hips", "belly", "chest", "head")}
@@ -36,25 +39,18 @@ def stand(
     return out
 
 
-def _step(phase: np.ndarray, stride: float, lift: float, stance: float, heel: float) -> tuple[np.ndarray, np.ndarray]:
-    """An ankle's place (n, 3) in leg lengths and the foot's pitch (n): in the stance it goes back with the ground."""
-    down = phase < stance
-    a = phase / stance
-    b = (phase - stance) / (1.0 - stance)
-    ease = b - np.sin(2 * np.pi * b) / (2 * np.pi) * 0.6
-    x = np.where(down, stride * (1.0 - 2.0 * a), stride * (-1.0 + 2.0 * ease))
-    rise = np.clip((a - 0.65) / 0.35, 0.0, 1.0)
-    z = np.where(down, 0.09 * rise**2 * heel, 0.09 * heel * (1.0 - b) + lift * np.sin(np.pi * b))
-    pitch = np.where(
-        down, 35.0 * heel * rise - 14.0 * np.clip(1.0 - a * 4.0, 0.0, 1.0), 55.0 * heel * (1.0 - b) - 14.0 * b
-    )
-    return np.stack([x, np.zeros_like(x), z], axis=1), pitch
+def _step(b: Build, pace: Sequence[float], lift: float, stance: float, heel: float, offset: float, cycles: int):
+    """An ankle's place (n, 3) in leg lengths and the foot's pitch (n)."""
+    f = foot(pace, stance, offset, cycles)
+    pitch, x, z = roll(f, b.ankle, b.toe, b.heel, heel)
+    swing = np.where(f.down, 0.0, lift * np.sin(np.pi * f.part))
+    return np.stack([(f.x + x) / b.leg, np.zeros(len(pace)), z / b.leg + swing], axis=1), pitch
 
 
 def gait(
-    count: int,
+    b: Build,
+    pace: Sequence[float],
     arms: dict,
-    stride: float = 0.36,
     lift: float = 0.14,
     stance: float = 0.6,
     drop: float = 0.06,
@@ -68,11 +64,12 @@ def gait(
     offset: float = 0.0,
     cycles: int = 1,
 ) -> Clip:
-    """Walking or running in place, `cycles` times two steps; feet move back at an even pace while they bear weight.
-    `swing` lets empty hands swing by so many arm lengths."""
+    """Walking or running in place, `cycles` times two steps in as many frames as `pace` has numbers: units that the
+    rules move the body in each. `swing` lets empty hands swing by so many arm lengths."""
+    count = len(pace)
     phase = (cycle(count) * cycles + offset) % 1.0
-    left, pitch_l = _step(phase, stride, lift, stance, heel)
-    right, pitch_r = _step((phase + 0.5) % 1.0, stride, lift, stance, heel)
+    left, pitch_l = _step(b, pace, lift, stance, heel, offset, cycles)
+    right, pitch_r = _step(b, pace, lift, stance, heel, offset + 0.5, cycles)
     wave = np.cos(2 * np.pi * (phase - stance * 0.5))  # the left leg bears: 1
     double = np.cos(4 * np.pi * (phase - stance * 0.5))
     turn = np.cos(2 * np.pi * phase)  # the left foot is in front: 1
@@ -353,7 +350,7 @@ def acted(count: int, arms: dict, keys: dict[float, dict], low: float = 0.05, lo
     return merge(held({k: v for k, v in start.items()}, count), moving)
 
 
-def charge(count: int, arms: dict, keys: dict[float, dict], cycles: int = 2, **gait_options) -> Clip:
+def charge(b: Build, pace: Sequence[float], arms: dict, keys: dict[float, dict], **gait_options) -> Clip:
     """Keys for the upper body on legs that run."""
     start = {**arms, "chest": (4, 0, 0), "head": (-4, 0, 0)}
-    return merge(gait(count, arms, cycles=cycles, **gait_options), scaled(count, keys, start))
+    return merge(gait(b, pace, arms, **gait_options), scaled(len(pace), keys, start))
