@@ -33,7 +33,7 @@ BODY = humanoid.Build(
 )
 ARMS = {"hand_r": (0.34, -0.2, -0.74), "hand_l": (0.34, 0.2, -0.74), "hold": 0, "elbow_r": 40, "elbow_l": 40}
 POSTURE = {"hips": (10, 0, 0), "belly": (10, 0, 0), "chest": (8, 0, 0), "head": (-20, 0, 0)}
-HIDE = layers(wax(0.86, 111), (lambda s: (s.noise(2.2, 112, 2) > 0.6) & ((s.z * 0.7) % 1.0 < 0.5), wax(0.72, 113)))
+HIDE = layers(wax(0.9, 111), (lambda s: (s.noise(3.0, 112, 2) > 0.62) & ((s.z * 0.5) % 1.0 < 0.5), wax(0.82, 113)))
 CLAW = plain("slate", 0.3, 0.1, 2.0, gloss=0.6)
 
 

@@ -95,8 +95,8 @@ def wax(value: float = 0.8, seed: int = 8) -> Painter:
 
     def paint(s: Surface) -> np.ndarray:
         runs = s.noise(3.0, seed, 3)
-        ran = s.ramp("tan", value + 0.1 - 0.3 * (runs - 0.5), 0.62, 0.6 * (runs - 0.56))
-        return choose(runs > 0.56, ran, s.ramp("sand", value + 0.2 * (runs - 0.5), 0.5))
+        ran = s.ramp("tan", value + 0.16 - 0.3 * (runs - 0.5), 0.7, 0.3 * (runs - 0.56))
+        return choose(runs > 0.56, ran, s.ramp("sand", value + 0.2 * (runs - 0.5), 0.62))
 
     return paint
 
