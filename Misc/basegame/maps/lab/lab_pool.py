@@ -95,7 +95,7 @@ def fish(world: Map) -> None:
     # They look away from who begins, lest they hunt him.
     for place, angle, corner in (((-70, -96, -120), 10, 4), ((-20, -112, -120), 0, 4), ((40, -90, -120), 20, 4), ((112, 0, -120), 90, 0)):
         world.entity("monster_fish", place, angle=angle, target=f"way{corner}")
-    for place, angle in (((-120, -84, -96), 50), ((-130, 34, -160), 15), ((40, 40, -186), 340), ((60, 40, -56), 10)):
+    for place, angle in (((-50, -52, -132), 285), ((-70, 34, -186), 75), ((-150, -40, -84), 290), ((70, 40, -56), 80)):
         world.entity("monster_fish", place, angle=angle)
     for x, y, heights in ((-190, 10, (-240, -170)), (-60, -120, (-240, -140)), (30, 110, (-240, -150))):
         for z in heights:

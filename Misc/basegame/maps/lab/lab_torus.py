@@ -19,7 +19,7 @@ def upright(group: Group) -> Group:
 
 def build() -> Map:
     world = Map("The ring in the glass")
-    world.room((-288, -256, 0), (288, 256, 256), {"side": "brick_dark", "bottom": "lab_white", "top": "stone_b"})
+    world.room((-288, -256, 0), (288, 256, 256), {"side": "brick_red", "bottom": "lab_white", "top": "stone_b"})
     world.detail.frustum((-84, -84, 0), (84, 84, 40), (-68, -68), (68, 68), "marble_black")
     rings = Group()
     # Two rings, one through the other, and a chrome ring before the block that throws light on the floor.
@@ -38,7 +38,7 @@ def build() -> Map:
     world.detail.box((-172, 120, 0), (-164, 128, 236), "metal_trim")
     world.detail.box((-172, 60, 228), (-164, 128, 236), "metal_trim")
     lamp.add(lathe([(0, 14), (8, 14), (14, 5)], "copper_plate", 10), (-168, 64, 218))
-    lamp.add(lathe([(0, 0), (5, 12), (14, 12)], "lab_light", 10), (-168, 64, 206))
+    lamp.add(lathe([(0, 0), (5, 12), (14, 12)], "lab_light_warm", 10), (-168, 64, 206))
     furnish(world, lamp)
     stand(world, 40, -200, 0, 97)
     return world
