@@ -36,7 +36,7 @@ def arena(world: Map) -> Group:
 
 
 def build() -> Map:
-    world = Map("The horde", _sunlight=420, _sun_mangle=(58, -36, 0), _sunlight_color="1 0.72 0.46", _sunlight_penumbra=4,
+    world = Map("The horde", _sunlight=420, _sun_mangle=(58, -36, 0), _sunlight_color="1 0.72 0.46", _sunlight_penumbra=9,
                 _sunlight2=60)
     furnish(world, arena(world))
     for x, y in ((-310, 0), (310, 0)):  # two basins of lava

@@ -57,7 +57,7 @@ def bath(world: Map) -> None:
 
 def build() -> Map:
     world = Map("The bath", _wateralpha=0.5, _sunlight=1400, _sun_mangle=(172, -62, 0), _sunlight_color="0.3 0.85 0.95",
-                _sunlight_penumbra=3, _sunlight2=150)
+                _sunlight_penumbra=9, _sunlight2=150)
     bath(world)
     things = Group()
     for x in (-210, -20, 170):
