@@ -139,6 +139,9 @@ TEST(DynamicLights, SpheresAreAsBrightAsQuakesLightsHalfwayOut) {
     const LightSphere s = light_sphere(radius);
     const float half = radius / 2;
     EXPECT_NEAR(s.radiance * s.radius * s.radius / (half * half), radius / 256.0f, 1e-4f);
+    const LightSphere wide = light_sphere(radius, true);
+    EXPECT_NEAR(wide.radiance * wide.radius * wide.radius, s.radiance * s.radius * s.radius, 1e-1f);
+    EXPECT_LT(wide.radiance * 15.0f, s.radiance) << "what is inside the sphere keeps its colours";
   }
   EXPECT_GT(light_sphere(400).radiance, light_sphere(200).radiance);
 }

@@ -313,7 +313,7 @@ void SnapshotBuilder::add_lights(const SnapshotInput& input, scene::FrameSnapsho
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const DynamicLight& light = lights[i];
       if (!light.lit(input.session.state.time)) continue;
-      const LightSphere sphere = light_sphere(light.radius);
+      const LightSphere sphere = light_sphere(light.radius, light.key == input.session.state.view_entity);
       instance.id = scene::kIdDynamicLight + static_cast<std::uint32_t>(i);
       instance.mesh = input.library.sphere_mesh();
       instance.material_base = input.library.dynamic_light_material();

@@ -267,6 +267,10 @@ TEST(Snapshot, ParticlesAndLightsAreInstances) {
   EXPECT_FLOAT_EQ(l->transform[0].x, 10.0f);
   EXPECT_EQ(l->transform[3], vec3(1, 2, 3));
   EXPECT_FLOAT_EQ(l->emission.x, light_sphere(200.0f).radiance);
+  light.key = s.state.view_entity;
+  s.build();
+  EXPECT_FLOAT_EQ(s.find(scene::kIdDynamicLight)->emission.x, light_sphere(200.0f, true).radiance)
+      << "the player's own";
   s.settings.r_particles = 0.0f;
   s.settings.r_dynamic = 0.0f;
   s.build();
