@@ -81,7 +81,10 @@ compile() {
   [[ -r $map && $map == *.map ]] || { echo "compile.sh: '$map' is no readable .map" >&2; return 1; }
   cp "$map" "$work/$name.map"
   local qbsp_options=(-nolog -nopercent -noprogress -nocolor -leaktest -wadpath "$work" -noextendedsurfflags)
-  local vis_options=(-nolog -nopercent -noprogress) light_options=(-nolog -nopercent -noprogress -bounce 0 -gate 3 -emissivequality LOW -surflight_subdivide 512 -sunsamples 32)
+  local vis_options=(-nolog -nopercent -noprogress)
+  # Lights fall off with the square of the distance; gamma keeps what lies between them from being black (glow.rad).
+  local light_options=(-nolog -nopercent -noprogress -bounce 0 -gate 0.3 -gamma 2 -dirt 1 -emissivequality LOW
+    -surflight_subdivide 512 -sunsamples 32)
   # Item boxes are models of their own and have no outside to be lit or seen from.
   local is_item=no
   [[ $name == b_* ]] && is_item=yes

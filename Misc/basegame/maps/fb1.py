@@ -16,7 +16,7 @@ PARTS = (fb1_court, fb1_hall, fb1_furnace, fb1_chapel, fb1_cistern, fb1_tower)
 
 
 def build() -> Map:
-    world = Map("The Sunken Works", sounds=3, worldtype=0, _wateralpha=0.6, fog="0.016 0.36 0.42 0.46", _sunlight=200,
+    world = Map("The Sunken Works", sounds=3, worldtype=0, _wateralpha=0.6, _minlight=22, fog="0.04 0.36 0.42 0.46", _sunlight=200,
                 _sunlight_color="255 206 160", _sun_mangle="118 -52 0", _sunlight_penumbra=3, _sunlight2=110,
                 _sunlight2_color="140 165 205")
     # All walls first, then all openings, so that a doorway goes through whatever walls meet there.

@@ -92,13 +92,17 @@ def well(world: Map) -> None:
     for lo, hi in (((x0 - 12, y0 - 12), (x1 + 12, y0)), ((x0 - 12, y1), (x1 + 12, y1 + 12)), ((x0 - 12, y0), (x0, y1)),
                    ((x1, y0), (x1 + 12, y1))):
         part.box((*lo, 0), (*hi, 14), "stone_trim")
+    # Crystals from below on its corners: what shines down there is worth a look.
+    for x in (x0 - 6, x1 + 6):
+        for y in (y0 - 6, y1 + 6):
+            part.cylinder((x, y), 5, 14, 34, "crystal_blue", sides=6, top_radius=2)
 
 
 def library(world: Map) -> None:
     part = world.detail
     for y0, y1 in ((1216, 1288), (1352, 1430)):
         part.box((-X, y0, 0), (-X + 20, y1, 120), {"all": "wood_beam", "east": fit("bookshelf", (1, 1))})
-    shelf = world.part("func_door", angle=0, lip=-60, speed=50, sounds=1, wait=-1, targetname="shelf")
+    shelf = world.part("func_door", angle=-2, lip=-1, speed=50, sounds=1, wait=-1, targetname="shelf")
     shelf.box((-X - 24, 1288, 0), (-X - 4, 1352, 112), fit("bookshelf"))
     trigger(world, "once", (-X, 1292, 0), (-X + 40, 1348, 80), target="shelf")
     world.add(candles(5, 10, 83), (-X - 100, 1270, 0))

@@ -54,7 +54,8 @@ def furnish(world: Map) -> None:
     part.stairs((WEST, 560, -96), (640, 656, 0), {"all": "stone_trim", "top": "stone_floor"}, "-y", steps=12)
     island(world)
     columns(world)
-    button = world.part("func_button", angle=180, target="cistern_door", speed=40, wait=-1, lip=2)
+    button = world.part("func_button", angle=180, target="cistern_door", speed=40, wait=-1, lip=2,
+                        message="The iron door to the sluice hall is open")
     button.box((WEST, 304, 40), (WEST + 8, 336, 72), {"all": "metal_trim", "east": fit("+0button")})
     part.box((WEST, 296, 28), (WEST + 5, 344, 40), "copper_trim")
     part.box((WEST, 296, 72), (WEST + 5, 344, 84), "copper_trim")

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from kit import Group, Map, Tex, fit
 from people import item, monster, secret, trigger
-from pieces import brazier, crates, lancet, pillar, slipgate
+from pieces import brazier, candles, crates, lancet, pillar, slipgate
 
 X, SOUTH, NORTH, SKY = 320, -832, -64, 448
 
@@ -55,6 +55,10 @@ def furnish(world: Map) -> None:
     hidden.box((-X - 28, -392, 0), (-X - 4, -312, 80), "moss_stone")
     part.box((-X - 4, -396, 80), (-X + 6, -308, 88), "stone_trim")
     secret(world, (-X - 180, -400, 0), (-X - 80, -304, 64))
+    # Somebody prayed at the wall that is no wall; within, what has grown in the dark lights the find.
+    world.add(candles(4, 7, 90), (-X + 14, -298, 0))
+    part.cylinder((-X - 176, -304), 8, 0, 26, "crystal_blue", sides=6, top_radius=3)
+    part.cylinder((-X - 160, -298), 5, 0, 14, "crystal_blue", sides=6, top_radius=2)
 
 
 def colonnade(world: Map) -> None:
@@ -106,11 +110,12 @@ def people(world: Map) -> None:
     world.entity("info_player_deathmatch", (-240, -200, 28), angle=315)
     world.entity("info_player_deathmatch", (256, -700, 28), angle=90)
     world.entity("info_intermission", (-270, -760, 300), mangle=(22, 62, 0))
-    monster(world, "dog", 120, -260, 0, 90)
-    monster(world, "dog", -140, -240, 0, 270, skill=1)
-    monster(world, "army", -104, -150, 0, 90)
-    monster(world, "army", 180, -300, 0, 80)
-    monster(world, "army", -200, -560, 0, 60, skill=2)
+    # They look aside: not at who arrives, but at who comes as far as the bridge.
+    monster(world, "dog", 120, -260, 0, 180)
+    monster(world, "dog", -140, -240, 0, 0, skill=1)
+    monster(world, "army", -104, -150, 0, 0)
+    monster(world, "army", 180, -300, 0, 170)
+    monster(world, "army", -200, -560, 0, 40, skill=2)
     item(world, "shells", -280, -700, 0)
     item(world, "health", 280, -740, 0)
     item(world, "health", 180, -200, 0)

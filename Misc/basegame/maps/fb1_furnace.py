@@ -69,9 +69,10 @@ def furnish(world: Map) -> None:
     # The secret: down from the ledge's south end to a rock shelf, and into the cleft.
     part.box((EAST - 128, SOUTH, -96), (EAST, SOUTH + 80, -64), "rock_a")
     secret(world, (EAST - 112, SOUTH - 150, -64), (EAST - 16, SOUTH - 40, 0))
-    # The corridor's trap: spikes from the wall when one comes back.
-    world.entity("trap_spikeshooter", (-612, 230, 40), angle=270, targetname="corridor_spikes", spawnflags=1)
-    trigger(world, "multiple", (-580, 144, 0), (-540, 240, 96), target="corridor_spikes", wait=1)
+    # The corridor's trap: spikes out of a skull's mouth for those who come back, eastwards.
+    part.box((-568, 232, 24), (-536, 240, 56), {"all": "metal_rust", "south": fit("skull_trim", (1, 1))})
+    world.entity("trap_spikeshooter", (-552, 224, 40), angle=270, targetname="corridor_spikes", spawnflags=1)
+    trigger(world, "multiple", (-620, 144, 0), (-600, 240, 96), angle=360, target="corridor_spikes", wait=1)
 
 
 def crust(world: Map) -> None:
@@ -101,7 +102,8 @@ def catwalk(world: Map) -> None:
     gate.box((NEAR - 16, 460, 0), (NEAR - 4, NORTH, 112), fit("steel_door"))
     part.box((NEAR - 20, 444, 0), (NEAR, 460, 128), "metal_rivet")
     part.box((NEAR - 20, 444, 112), (NEAR, NORTH, 136), "metal_rivet")
-    button = world.part("func_button", angle=180, target="catwalk_gate", speed=40, wait=-1, lip=2, sounds=0)
+    button = world.part("func_button", angle=180, target="catwalk_gate", speed=40, wait=-1, lip=2, sounds=0,
+                        message="The catwalk's gate is open")
     button.box((WEST, 468, 40), (WEST + 8, 500, 72), {"all": "metal_trim", "east": fit("+0button")})
     part.box((WEST, 460, 32), (WEST + 4, 508, 40), "copper_trim")
     part.box((WEST, 460, 72), (WEST + 4, 508, 80), "copper_trim")

@@ -134,7 +134,7 @@ def hidden_way(world: Map) -> None:
     d = POOL_DEPTH
     cave = Group()
     cave.room((-480, -48, d), (-192, 48, d + 96), "rock_a", wall=16)
-    cave.cut((-208, -48, d), (-192, 48, d + 96))
+    cave.cut((-192, -48, d), (-176, 48, d + 96))
     cave.cut((-480, -48, d + 96), (-384, 48, d + 112))
     world.add(cave)
     chamber = Group()
@@ -151,10 +151,18 @@ def hidden_way(world: Map) -> None:
     world.add(slipgate(80, 112, "flesh_a", "rune_b"), (-704, 0, -176), turn=90)
     world.part("func_illusionary").box((-706, -40, -176), (-702, 40, -64), "*teleport")
     world.part("trigger_setskill", message="3").box((-700, -48, -176), (-600, 48, -64), "trigger")
+    word(world, (-660, -48, -176), (-600, 48, -80), "Nightmare")
     world.part("trigger_teleport", target="from_the_deep").box((-712, -40, -176), (-700, 40, -64), "trigger")
     world.entity("info_teleport_destination", (0, 448, 72), angle=270, targetname="from_the_deep")
     world.add(candles(7, 14, 3), (-620, 70, -176))
     world.add(candles(5, 12, 4), (-640, -72, -176))
+    # What shows the way: a frame of runes that one sees across the pool, crystals behind it.
+    for side in (-1, 1):
+        a, b = sorted((side * 48, side * 60))
+        world.detail.box((-POOL_X, a, d), (-POOL_X + 6, b, d + 96), {"all": "copper_plate", "east": fit("rune_b", (1, 8))})
+    world.detail.box((-POOL_X, -64, d + 96), (-POOL_X + 8, 64, d + 106), "copper_trim")
+    for x, y in ((-290, 38), (-440, -38)):
+        world.detail.cylinder((x, y), 9, d, d + 40, "crystal_blue", sides=6, top_radius=3)
 
 
 def porch(world: Map) -> None:
@@ -166,8 +174,8 @@ def porch(world: Map) -> None:
     for x in (-176, 176):
         room.cut((x - 32, -1072, 64), (x + 32, -1056, 192))
     world.add(room)
-    for x, crystal, skill, text in ((-224, "crystal_gold", 0, "easy"), (0, "light_cool", 1, "normal"),
-                                    (224, "crystal_red", 2, "hard")):
+    for x, crystal, skill, text in ((-224, "light_green", 0, "Easy"), (0, "crystal_gold", 1, "Normal"),
+                                    (224, "crystal_red", 2, "Hard")):
         world.detail.arch((x - 48, -704, 80), (x + 48, -640, 128), "stone_trim", axis="y", segments=8, pointed=True)
         world.detail.box((x - 60, -712, 0), (x - 48, -704, 140), "copper_plate")
         world.detail.box((x + 48, -712, 0), (x + 60, -704, 140), "copper_plate")
@@ -175,6 +183,7 @@ def porch(world: Map) -> None:
         world.detail.cylinder((x, 170), 12, -710, -704, "metal_trim", sides=8, axis="y")
         world.detail.cylinder((x, 170), 9, -712, -706, fit(crystal), sides=8, axis="y")
         world.part("trigger_setskill", message=str(skill)).box((x - 48, -696, 0), (x + 48, -680, 128), "trigger")
+        word(world, (x - 48, -752, 0), (x + 48, -704, 96), text)
     for x in (-176, 176):
         world.add(lancet(64, 128, "window_a"), (x, -1056, 64), turn=180)
     for x in (-112, 112):
@@ -215,6 +224,12 @@ def north_end(world: Map) -> None:
     world.add(slipgate(96, 144), (0, 790, 64))
     world.part("func_illusionary").box((-48, 788, 64), (48, 792, 208), "*teleport")
     world.part("trigger_changelevel", map="fb1").box((-48, 784, 64), (48, 796, 208), "trigger")
+    word(world, (-64, 600, 64), (64, 640, 160), "To the Sunken Works")
+
+
+def word(world: Map, lo, hi, message: str) -> None:
+    """Said to who comes by."""
+    world.part("trigger_multiple", message=message, wait=4).box(lo, hi, "trigger")
 
 
 def furnace(world: Map, x: float) -> None:
@@ -265,7 +280,7 @@ def starts(world: Map) -> None:
 
 
 def build() -> Map:
-    world = Map("The Drowned Foundry", sounds=2, _wateralpha=0.6, fog="0.012 0.42 0.46 0.52", _sunlight=260,
+    world = Map("The Drowned Foundry", sounds=2, _wateralpha=0.6, _minlight=22, fog="0.03 0.42 0.46 0.52", _sunlight=260,
                 _sunlight_color="255 214 170", _sun_mangle="250 -62 0", _sunlight_penumbra=3, _sunlight2=100,
                 _sunlight2_color="150 175 215")
     for part in (shell, vault, arcade, pool, porch, north_end, gallery, furnish, starts):

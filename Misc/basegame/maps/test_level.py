@@ -16,6 +16,18 @@ GAME = Path(os.environ.get("FULLBRIGHT_GAME", BUILD / "game"))
 SILVER, GOLD = 1 << 17, 1 << 18  # bits of `items`
 
 
+def play(level: str, script: str, skill: int) -> tuple[str, dict[str, str]]:
+    """Plays a script; what the program said, and the dumps that the script wrote by their names."""
+    with tempfile.TemporaryDirectory() as user:
+        folder = Path(user) / "id1"
+        folder.mkdir()
+        (folder / script).write_bytes((HERE / script).read_bytes())
+        run = subprocess.run([BUILD / "fullbright", "-headless", "-size", "16x16", "-seed", "1", "-basedir", GAME, "-userdir",
+                              user, *UNSEEN, "+host_framerate", "0.05", "+skill", str(skill), "+map", level, "+exec", script],
+                             capture_output=True, text=True, timeout=900, check=False)
+        return run.stdout + run.stderr, {path.stem: path.read_text(encoding="latin-1") for path in folder.glob("*.txt")}
+
+
 def edicts(text: str) -> list[dict[str, str]]:
     blocks = re.findall(r"\nedict \d+\n\{(.*?)\n\}", text, re.S)
     return [dict(re.findall(r'"([^"]+)" "([^"]*)"', block)) for block in blocks]
@@ -25,15 +37,7 @@ def edicts(text: str) -> list[dict[str, str]]:
 class TheWayThroughTheLevel(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        with tempfile.TemporaryDirectory() as user:
-            folder = Path(user) / "id1"
-            folder.mkdir()
-            (folder / "walk.cfg").write_bytes((HERE / "walk_fb1.cfg").read_bytes())
-            run = subprocess.run([BUILD / "fullbright", "-headless", "-size", "16x16", "-seed", "1", "-basedir", GAME,
-                                  "-userdir", user, *UNSEEN, "+host_framerate", "0.05", "+skill", "0", "+map", "fb1", "+exec",
-                                  "walk.cfg"], capture_output=True, text=True, timeout=900)
-            cls.said = run.stdout + run.stderr
-            cls.marks = {path.stem: path.read_text(encoding="latin-1") for path in folder.glob("walk_*.txt")}
+        cls.said, cls.marks = play("fb1", "walk_fb1.cfg", skill=0)
 
     def player(self, mark: str) -> dict[str, str]:
         self.assertIn(mark, self.marks, self.said[-2000:])

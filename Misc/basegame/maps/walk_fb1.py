@@ -82,7 +82,8 @@ def chapel(walk: Walker) -> None:
 
 
 def well(walk: Walker) -> None:
-    walk.to(204, 1270, near=20)
+    walk.to(128, 1250, near=12)  # clear of the knight and of the crystals at the corner
+    walk.to(204, 1256, near=20)
     walk.to(208, 1344, near=30)
     walk.hold("movedown", 40)
     walk.turn(0)
