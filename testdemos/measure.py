@@ -4,9 +4,10 @@
     measure.py references|errors|pictures|views [--build build] [--basedir DIR] [--spp N] [--device NAME] [NAME ...]
     measure.py table                      errors.csv as a table for Misc/docs/scenes.md
 
-references  pt, 96x54, --spp samples (2048): references/NAME.exr, colours in halves and the variance of their mean
-errors      pt with 1, 16 and 256 samples, four runs (of 256: one) of other seeds each, against these: a line in errors.csv
-pictures    mcpg, unbiased, 384x216, --spp samples (256): Misc/docs/pictures/scenes/NAME.jpg (by ImageMagick)
+references  pt, 96x54, --spp samples (16384): references/NAME.exr, colours in halves and the variance of their mean
+errors      pt with 1, 16 and 256 samples, eight runs of other seeds each, against these: three lines in errors.csv
+pictures    mcpg, unbiased, 640x360, --spp samples (1024): Misc/docs/pictures/scenes/NAME.jpg (by ImageMagick), and its own
+            relMSE, as exposed, in pictures.csv
 views       the same quickly: the last of 24 denoised frames of --spp samples (2), as the game would show it
 """
 
@@ -26,21 +27,19 @@ from exr import read, write
 from scenes import HERE, lab_args, load, names
 
 ROOT = HERE.parent
-REFERENCES, ERRORS = HERE / "references", HERE / "errors.csv"
+REFERENCES, ERRORS, NOISE = HERE / "references", HERE / "errors.csv", HERE / "pictures.csv"
 PICTURES = ROOT / "Misc/docs/pictures/scenes"
-PICTURE = "384x216"
-SIZE, RUNS = "96x54", {1: 4, 16: 4, 256: 1}  # runs by samples
-COLUMNS = ["scene", "spp", "mse", "mse_low", "mse_high", "relmse", "relmse_low", "relmse_high", "reference_mse",
-           "reference_relmse"]
+PICTURE = "640x360"
+SIZE, SAMPLES, RUNS = "96x54", (1, 16, 256), 8
 CENTRES = "r_jitter=0"  # rays through the centres of pixels: edges are no error of an estimator
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 
 
 class Lab:
-    def __init__(self, options) -> None:
-        self.program = options.build / "fullbright-lab"
-        self.common = (["--basedir", options.basedir] if options.basedir else []) + ["--quiet"]
-        self.common += ["--device", options.device] if options.device else []
+    def __init__(self, build: Path, basedir: str | None = None, device: str | None = None) -> None:
+        self.program = build / "fullbright-lab"
+        self.common = (["--basedir", basedir] if basedir else []) + ["--quiet"]
+        self.common += ["--device", device] if device else []
 
     def run(self, command: str, *args) -> str:
         said = subprocess.run([self.program, command, *map(str, args)], capture_output=True, text=True, check=False)
@@ -69,18 +68,24 @@ def errors_of(lab: Lab, name: str) -> list[dict]:
     """A row for each number of samples. The reference's own error is the mean of its variance."""
     reference = REFERENCES / f"{name}.exr"
     planes, header = read(reference)
-    color = np.stack([planes[c] for c in "RGB"]).astype(float)
-    variance = np.stack([planes[f"variance.{c}"] for c in "RGB"]).astype(float)
+    variance, relative = noise(planes)
     rows = []
     with tempfile.TemporaryDirectory() as scratch:
-        for spp, runs in RUNS.items():
-            tests = [Path(scratch) / f"{spp}_{k}.exr" for k in range(runs)]
+        for spp in SAMPLES:
+            tests = [Path(scratch) / f"{spp}_{k}.exr" for k in range(RUNS)]
             for k, path in enumerate(tests):
                 lab.reference(name, path, CENTRES, f"r_seed={100 * spp + k + 1}", spp=spp, size=SIZE)
             found = json.loads(lab.run("compare", "--no-flip", "--json", "-", reference, *tests))
             rows.append({"scene": name, "spp": spp} | figures(found) | {
-                "reference_mse": f"{variance.mean():.3g}", "reference_relmse": f"{(variance / (color**2 + 0.01)).mean():.3g}"})
+                "reference_mse": variance, "reference_relmse": relative})
     return rows
+
+
+def noise(planes: dict, gain: float = 1.0) -> tuple[str, str]:
+    """A picture's own MSE and relMSE, exposed by `gain`: the mean of its variance, plain and relative."""
+    color, variance = (np.stack([planes[f"{key}{c}"] for c in "RGB"]).astype(float) for key in ("", "variance."))
+    color, variance = gain * color, gain**2 * variance
+    return f"{variance.mean():.3g}", f"{(variance / (color**2 + 0.01)).mean():.3g}"
 
 
 def figures(found: dict) -> dict:
@@ -91,18 +96,18 @@ def figures(found: dict) -> dict:
     return result
 
 
-def save_errors(rows: list[dict]) -> None:
-    """Replaces these scenes' rows in errors.csv."""
-    old = list(csv.DictReader(ERRORS.open())) if ERRORS.exists() else []
+def save(path: Path, rows: list[dict]) -> None:
+    """Replaces these scenes' rows in a file."""
+    old = list(csv.DictReader(path.open())) if path.exists() else []
     kept = [row for row in old if row["scene"] not in {r["scene"] for r in rows}] + rows
-    with ERRORS.open("w", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n", extrasaction="ignore")
+    with path.open("w", newline="") as file:
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
         writer.writeheader()
         writer.writerows(sorted(kept, key=lambda row: (row["scene"], int(row["spp"]))))
 
 
-def make_picture(lab: Lab, name: str, spp: int) -> None:
-    """Exposed so that the middle of what is not black is grey, rolled off towards white."""
+def make_picture(lab: Lab, name: str, spp: int) -> dict:
+    """A row of pictures.csv. Exposed so that the middle of what is not black is grey, rolled off towards white."""
     PICTURES.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
         out, raw = Path(scratch) / "picture.exr", Path(scratch) / "picture.ppm"
@@ -111,13 +116,16 @@ def make_picture(lab: Lab, name: str, spp: int) -> None:
         light = np.maximum(np.stack([planes[c] for c in "RGB"], axis=-1).astype(float), 0.0)
         bright = light @ LUMINANCE
         shown = bright[bright > 1e-4 * bright.max()]
-        light *= 0.16 / max(np.exp(np.log(shown).mean()), 1e-9)
+        gain = 0.16 / max(np.exp(np.log(shown).mean()), 1e-9)
+        light *= gain
         peak = light.max(axis=-1, keepdims=True)
         light = light / np.maximum(peak, 1e-9) * (1.0 - np.exp(-1.1 * peak)) ** 0.9
         srgb = np.where(light <= 0.0031308, light * 12.92, 1.055 * np.maximum(light, 1e-9) ** (1 / 2.4) - 0.055)
         pixels = np.round(np.clip(srgb, 0, 1) * 255).astype(np.uint8)
         raw.write_bytes(b"P6 %d %d 255\n" % pixels.shape[1::-1] + pixels.tobytes())
-        subprocess.run(["convert", raw, "-quality", "88", PICTURES / f"{name}.jpg"], check=True)
+        subprocess.run(["convert", raw, "-quality", "90", PICTURES / f"{name}.jpg"], check=True)
+    _, relmse = noise(planes, gain)
+    return {"scene": name, "spp": spp, "relmse": relmse}
 
 
 VIEW_FRAMES = 24
@@ -134,14 +142,15 @@ def make_view(lab: Lab, name: str, spp: int) -> None:
 
 
 def table() -> str:
-    """relMSE (and MSE in brackets) by samples; the reference's own."""
+    """relMSE (and MSE in brackets) by samples; the reference's own; the picture's."""
     rows = list(csv.DictReader(ERRORS.open()))
-    lines = ["| scene | 1 spp | 16 spp | 256 spp | reference's own |", "| --- | --- | --- | --- | --- |"]
+    pictures = {row["scene"]: f"{row['relmse']} ({row['spp']} spp)" for row in csv.DictReader(NOISE.open())}
+    lines = ["| scene | 1 spp | 16 spp | 256 spp | reference's own | picture's own |", "| --- | --- | --- | --- | --- | --- |"]
     for name in sorted({row["scene"] for row in rows}):
         of = {int(row["spp"]): row for row in rows if row["scene"] == name}
-        cells = [f"{of[n]['relmse']} ({of[n]['mse']})" for n in RUNS if n in of]
+        cells = [f"{of[n]['relmse']} ({of[n]['mse']})" for n in SAMPLES if n in of]
         own = next(iter(of.values()))
-        lines.append(f"| `{name}` | " + " | ".join(cells) + f" | {own['reference_relmse']} ({own['reference_mse']}) |")
+        lines.append(f"| `{name}` | " + " | ".join(cells) + f" | {own['reference_relmse']} ({own['reference_mse']}) | {pictures[name]} |")
     return "\n".join(lines)
 
 
@@ -157,17 +166,17 @@ def main() -> int:
     if options.what == "table":
         print(table())
         return 0
-    lab = Lab(options)
+    lab = Lab(options.build, options.basedir, options.device)
     try:
         for name in options.names or names():
             if options.what == "references":
-                make_reference(lab, name, options.spp or 2048)
+                make_reference(lab, name, options.spp or 16384)
             elif options.what == "pictures":
-                make_picture(lab, name, options.spp or 256)
+                save(NOISE, [make_picture(lab, name, options.spp or 1024)])
             elif options.what == "views":
                 make_view(lab, name, options.spp or 2)
             else:
-                save_errors(errors_of(lab, name))
+                save(ERRORS, errors_of(lab, name))
             print(f"{options.what}: {name}", flush=True)
     except (RuntimeError, ValueError) as error:
         print(f"measure.py: {error}", file=sys.stderr)

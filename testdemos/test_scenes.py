@@ -1,4 +1,5 @@
-"""Holds the laboratory's scenes together: settings, maps, demos, references; and what the demos show to what is expected.
+"""Holds the laboratory's scenes together: settings, maps, demos, references; what the demos show to what is expected, and
+what pt draws to the references.
 
 FULLBRIGHT_BUILD names the build folder (../build)."""
 
@@ -15,8 +16,10 @@ from pathlib import Path
 sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).resolve().parents[1] / "Misc/basegame")]
 
 import exr  # noqa: E402
+import numpy as np  # noqa: E402
 from art.palette import LAMP, PALETTE, heat, hex_to_srgb, nearest  # noqa: E402
 from make_demos import positions, record, timedemo_frames  # noqa: E402
+from measure import CENTRES, SIZE, Lab  # noqa: E402
 from scenes import HERE, demo_of, lab_args, load, names  # noqa: E402
 
 BUILD = Path(os.environ.get("FULLBRIGHT_BUILD", HERE.parent / "build"))
@@ -87,6 +90,43 @@ class Demos(unittest.TestCase):
                 said = subprocess.run([BUILD / "fullbright-lab", "track", demo_of(name), again, "--tolerance", "0"],
                                       capture_output=True, text=True, check=False)
                 self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
+
+
+@unittest.skipUnless(has_game, "the base game is not built")
+class References(unittest.TestCase):
+    """A reference that no longer is what pt converges to (maps, textures, rules or the renderer changed) is worse than none."""
+
+    def test_what_pt_draws_differs_by_noise_alone(self):
+        """256 samples are 16 frames, of which the variance is taken. One reflection less gives 4.4 in the mildest scene, other
+        textures thousands."""
+        lab = Lab(BUILD)
+        with tempfile.TemporaryDirectory() as scratch:
+            test = Path(scratch) / "test.exr"
+            for name in names():
+                with self.subTest(name):
+                    lab.reference(name, test, CENTRES, "r_seed=7", spp=256, size=SIZE)
+                    self.assertLess(deviation(HERE / f"references/{name}.exr", test), 4.0)
+
+
+BLOCK = (6, 8)  # rows and columns of pixels, so that single bright samples do not hide the rest
+
+
+def deviation(*pictures: Path) -> float:
+    """The squared difference of two pictures' blocks over the variance of both, on average: 1 for two draws of one picture."""
+    difference, variance = 0.0, 0.0
+    for sign, path in zip((1.0, -1.0), pictures):
+        planes, _ = exr.read(path)
+        color, noise = (np.stack([planes[f"{key}{c}"] for c in "RGB"]).astype(float) for key in ("", "variance."))
+        difference = difference + sign * blocks(color)
+        variance = variance + blocks(noise) + blocks(color * 2.0**-11) ** 2  # the reference's halves round
+    lit = variance > 0.0
+    return float((difference[lit] ** 2 / variance[lit]).mean())
+
+
+def blocks(planes: np.ndarray) -> np.ndarray:
+    """Sums over blocks: (channels, h, w) to (channels, h / rows, w / columns)."""
+    channels, height, width = planes.shape
+    return planes.reshape(channels, height // BLOCK[0], BLOCK[0], width // BLOCK[1], BLOCK[1]).sum(axis=(2, 4))
 
 
 if __name__ == "__main__":
