@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tells whether every .map is what its script writes and every .bsp is compiled from its .map.
+"""Tells whether every .map is what its script writes, every .bsp is compiled from its .map, and the base game still is small.
 
     check.py                  all maps; exit status 1 where one is out of date
     check.py --wad FILE       and whether the textures in the .bsp are those of the wad
@@ -19,6 +19,8 @@ from sources import FOLDERS, HERE, maps_of, scripts
 
 from formats.bsp import Bsp
 from formats.wad import read_wad
+
+LIMIT = 30_000_000  # bytes of Misc/basegame, nearly all of it maps
 
 
 def sums(map_path: Path) -> str:
@@ -61,6 +63,9 @@ def problems(wad_path: Path | None) -> list[str]:
     for folder in FOLDERS:
         found.extend(f"{path.relative_to(HERE)} has no script" for path in sorted(folder.glob("*.map"))
                      if path not in written)
+    size = sum(path.stat().st_size for path in HERE.parent.rglob("*") if path.is_file() and path.suffix != ".pyc")
+    if size > LIMIT:
+        found.append(f"{HERE.parent} holds {size / 1e6:.1f} MB, more than {LIMIT / 1e6:.0f}")
     return found
 
 
