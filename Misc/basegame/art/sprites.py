@@ -43,7 +43,10 @@ def explosion(frame: int) -> np.ndarray:
     fine = fractal_noise(u + 0.1 * frame, v + 0.21 * frame, 9, 9, 62, 3, 0.6)
     edge = 1.0 - radius / size + 0.26 * push + 0.08 * fine
     heat = np.clip(edge * 1.5, 0.0, 1.0) * (1.15 - 0.75 * age) + 0.16 * push * (1.0 - 0.4 * age)
-    open_ = edge - smoothstep(0.35, 1.0, age) * (0.06 + 1.1 * np.clip(fine + 0.25, 0, 1) * smoothstep(1.1, 0.3, radius))
+    # It tears from its border inwards, in lumps: holes of single texels look like dirt.
+    lumps = fractal_noise(u * 0.7 + 0.1 * frame, v * 0.7 + 0.21 * frame, 4, 4, 63, 1, 0.5)
+    tear = np.clip(lumps + 0.1, 0, 1) * smoothstep(0.35, 0.75, radius / size)
+    open_ = edge - smoothstep(0.35, 1.0, age) * (0.06 + 1.3 * tear)
     rgb = gradient(f"{FIRE} ffffff", heat)
     seen = (open_ > 0.04) & (radius < 0.98)
     return np.where(seen, nearest(rgb, among=FLAMES), TRANSPARENT).astype(np.uint8)
