@@ -6,7 +6,7 @@
 
 references  pt, 96x54, --spp samples (16384): references/NAME.exr, colours in halves and the variance of their mean
 errors      pt with 1, 16 and 256 samples, eight runs of other seeds each, against these: three lines in errors.csv
-pictures    mcpg, unbiased, 640x360, --spp samples (1024): Misc/docs/pictures/scenes/NAME.jpg (by ImageMagick), and its own
+pictures    mcpg, unbiased, 480x270, --spp samples (1024): Misc/docs/pictures/scenes/NAME.jpg (by ImageMagick), and its own
             relMSE, as exposed, in pictures.csv
 views       the same quickly: the last of 24 denoised frames of --spp samples (2), as the game would show it
 """
@@ -29,7 +29,7 @@ from scenes import HERE, lab_args, load, names
 ROOT = HERE.parent
 REFERENCES, ERRORS, NOISE = HERE / "references", HERE / "errors.csv", HERE / "pictures.csv"
 PICTURES = ROOT / "Misc/docs/pictures/scenes"
-PICTURE = "640x360"
+PICTURE = "480x270"
 SIZE, SAMPLES, RUNS = "96x54", (1, 16, 256), 8
 CENTRES = "r_jitter=0"  # rays through the centres of pixels: edges are no error of an estimator
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])

@@ -238,6 +238,7 @@ Status Client::map_view(std::string_view name) {
   if (!status.ok()) return status;
   impl_->showing_map = true;
   impl_->snapshots.forget();
+  impl_->read_settings();  // it can be seen at once, before any advance
   impl_->refresh_sky();
   place_entities(impl_->session);
   return status;

@@ -283,6 +283,13 @@ TEST_F(Game, MapsCanBeSeenWithoutAServer) {
   client.build_snapshot(snapshot);
   EXPECT_EQ(snapshot.camera.angles, vec3(10, 20, 0));
   EXPECT_EQ(snapshot.camera.fov_x, 70.0f);
+
+  client.set_camera(std::nullopt);
+  client.set_view_size(640, 480);
+  ASSERT_TRUE(console.set("fov", "60"));
+  ASSERT_TRUE(client.map_view("view").ok());
+  client.build_snapshot(snapshot);
+  EXPECT_NEAR(snapshot.camera.fov_x, 60.0f, 0.01f) << "what was set counts from the first frame on";
 }
 
 TEST(DemoPath, GetsItsExtension) {
