@@ -15,6 +15,7 @@ struct RenderOptions {
 struct ReferenceOptions {
   StageOptions stage;
   std::uint64_t frame = 0;
+  std::uint32_t warmup = 0;
 };
 
 int run_render(const RenderOptions& options) {
@@ -56,6 +57,7 @@ int run_reference(const ReferenceOptions& options) {
   job.width = stage.size.x;
   job.height = stage.size.y;
   job.spp = o.spp;
+  job.warmup = options.warmup;
   job.out = o.out;
   job.quiet = o.quiet;
   const auto summary = lab::render_reference(*stage.source, *stage.renderer, stage.settings, job);
@@ -87,6 +89,9 @@ LabCommand add_reference_command(CLI::App& app) {
       app.add_subcommand("reference", "accumulates many samples of one frame, with their variance, to an EXR file");
   add_stage_options(*reference, options->stage);
   reference->add_option("--frame", options->frame, "counted from 0")->capture_default_str();
+  reference->add_option("--warmup", options->warmup, "samples a pixel that only teach an estimator that learns")
+      ->check(CLI::Range(0u, 1u << 24u))
+      ->capture_default_str();
   reference->add_option("--out", options->stage.out, "the .exr file")->required();
   return {reference, [options] { return run_reference(*options); }};
 }

@@ -60,6 +60,28 @@ Status write_frame(const render::Renderer& renderer, const RenderJob& job, std::
   return write_exr(path, exr);
 }
 
+// All passes have equal weight, so they must have equal samples: the largest divisor of spp that is small enough.
+std::uint32_t samples_per_pass(std::uint32_t spp) {
+  std::uint32_t per_pass = std::min(spp, kSamplesPerPass);
+  while (spp % per_pass != 0) --per_pass;
+  return per_pass;
+}
+
+// Shows an estimator that learns what it is to draw. What it has learnt from must not be drawn again: that would bias
+// the mean, so these samples are of another seed.
+void warm_up(render::Renderer& renderer, render::RenderSettings settings, const scene::FrameSnapshot& snapshot,
+             const ReferenceJob& job) {
+  settings.seed = ~settings.seed;
+  settings.accumulate = 1;
+  settings.spp = static_cast<int>(samples_per_pass(job.spp));
+  renderer.restart_accumulation();
+  Progress progress("sample to learn from", job.warmup, job.quiet);
+  for (std::uint32_t done = 0; done < job.warmup; progress.update(std::min(done, job.warmup))) {
+    renderer.render(snapshot, nullptr, settings);
+    done += static_cast<std::uint32_t>(settings.spp);
+  }
+}
+
 float luminance(const vec4& c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
 
 }  // namespace
@@ -76,9 +98,7 @@ void render_samples(render::Renderer& renderer, render::RenderSettings& settings
   renderer.restart_accumulation();
   settings.accumulate = 1;
   std::uint32_t done = 0;
-  // All passes have equal weight, so they must have equal samples: the largest divisor of spp that is small enough.
-  std::uint32_t per_pass = std::min(spp, kSamplesPerPass);
-  while (spp % per_pass != 0) --per_pass;
+  const std::uint32_t per_pass = samples_per_pass(spp);
   settings.spp = static_cast<int>(per_pass);
   while (done < spp) {
     renderer.render(snapshot, nullptr, settings);
@@ -127,6 +147,7 @@ Result<ReferenceSummary> render_reference(FrameSource& source, render::Renderer&
     if (auto more = step(source, snapshot, frame); !more) return more.error();
   }
   RenderSummary timing;
+  if (job.warmup > 0) warm_up(renderer, settings, snapshot, job);
   {
     Progress progress("sample", job.spp, job.quiet);
     render_samples(renderer, settings, snapshot, job.spp, timing, [&](std::uint32_t done) { progress.update(done); });

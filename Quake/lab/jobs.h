@@ -47,6 +47,8 @@ struct ReferenceJob {
   std::uint64_t frame = 0;
   std::uint32_t width = 640, height = 360;
   std::uint32_t spp = 1024;
+  std::uint32_t warmup =
+      0;            // samples that are thrown away: an estimator that learns has learnt from them, in whole passes
   std::string out;  // an .exr file
   bool quiet = false;
 };

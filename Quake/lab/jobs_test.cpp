@@ -104,6 +104,34 @@ TEST_F(JobsTest, AReferencesVarianceTellsTheSpreadBetweenSeeds) {
   EXPECT_NEAR(difference / variance, 1.0, 0.25);
 }
 
+TEST_F(JobsTest, WarmingUpTeachesWhoLearnsAndChangesNothingElse) {
+  struct Run {
+    ReferenceSummary summary;
+    float variance;  // the median pixel's
+  };
+  const auto run = [&](const char* estimator, std::uint32_t warmup) {
+    render::RenderSettings settings;
+    settings.estimator = estimator;
+    auto renderer = make_renderer(settings, 48, 48);
+    ReferenceJob job;
+    job.width = job.height = 48;
+    job.spp = 64;
+    job.warmup = warmup;
+    job.out = path("warm.exr");
+    job.quiet = true;
+    const auto summary = render_reference(*scene("cbox"), *renderer, settings, job);
+    const auto image = read_exr(job.out);
+    std::vector<float> variances = *image->channel("variance.G");
+    std::nth_element(variances.begin(), variances.begin() + 1152, variances.end());
+    return Run{*summary, variances[1152]};
+  };
+  EXPECT_EQ(run("pt", 100).summary.mean_luminance, run("pt", 0).summary.mean_luminance) << "the same random numbers";
+  const Run cold = run("mcpg", 0), warm = run("mcpg", 512);
+  EXPECT_EQ(warm.summary.frames, 4u) << "what it has learnt from is not in the mean";
+  EXPECT_LT(warm.variance, 0.8f * cold.variance);
+  EXPECT_NEAR(warm.summary.mean_luminance, cold.summary.mean_luminance, 0.05 * cold.summary.mean_luminance);
+}
+
 TEST_F(JobsTest, RefusesWhatCannotBe) {
   EXPECT_NE(code_scene("nowhere", 60).error().message.find("cbox"), std::string::npos) << "names what there is";
   auto renderer = make_renderer({}, 8, 8);
