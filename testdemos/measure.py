@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Measures pt on the laboratory's scenes, and makes their small references and pictures.
 
-    measure.py references|errors|pictures|views [--build build] [--basedir DIR] [--spp N] [--device NAME] [NAME ...]
+    measure.py references|errors|pictures|views [--build build] [--basedir DIR] [--spp N] [--more] [--device NAME] [NAME ...]
     measure.py table                      errors.csv as a table for Misc/docs/scenes.md
 
 references  pt, 96x54, --spp samples (16384): references/NAME.exr, colours in halves and the variance of their mean
-errors      pt with 1, 16 and 256 samples, eight runs of other seeds each, against these: three lines in errors.csv
-pictures    mcpg, unbiased, 480x270, --spp samples (1024): Misc/docs/pictures/scenes/NAME.jpg (by ImageMagick), and its own
-            relMSE, as exposed, in pictures.csv
+errors      pt with 1, 16 and 256 samples, four runs of other seeds each, against these: three lines in errors.csv
+pictures    mcpg, unbiased, 384x216, --spp samples (1024): Misc/docs/pictures/scenes/NAME.jpg (by ImageMagick), and its own
+            relMSE, as exposed, in pictures.csv. --more adds them to those that an earlier run left in BUILD/pictures
 views       the same quickly: the last of 24 denoised frames of --spp samples (2), as the game would show it
 """
 
@@ -19,6 +19,7 @@ import json
 import subprocess
 import sys
 import tempfile
+from collections.abc import Collection
 from pathlib import Path
 
 import numpy as np
@@ -29,8 +30,8 @@ from scenes import HERE, lab_args, load, names
 ROOT = HERE.parent
 REFERENCES, ERRORS, NOISE = HERE / "references", HERE / "errors.csv", HERE / "pictures.csv"
 PICTURES = ROOT / "Misc/docs/pictures/scenes"
-PICTURE = "480x270"
-SIZE, SAMPLES, RUNS = "96x54", (1, 16, 256), 8
+PICTURE = "384x216"
+SIZE, SAMPLES, RUNS = "96x54", (1, 16, 256), 4
 CENTRES = "r_jitter=0"  # rays through the centres of pixels: edges are no error of an estimator
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 
@@ -96,24 +97,44 @@ def figures(found: dict) -> dict:
     return result
 
 
-def save(path: Path, rows: list[dict]) -> None:
-    """Replaces these scenes' rows in a file."""
+def save(path: Path, rows: list[dict], without: Collection[str] = ()) -> None:
+    """Replaces these scenes' rows in a file; takes out those of `without`."""
     old = list(csv.DictReader(path.open())) if path.exists() else []
-    kept = [row for row in old if row["scene"] not in {r["scene"] for r in rows}] + rows
+    kept = [row for row in old if row["scene"] not in {*without, *(r["scene"] for r in rows)}] + rows
+    if not kept:
+        return
     with path.open("w", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        writer = csv.DictWriter(file, list(kept[0]), lineterminator="\n")
         writer.writeheader()
         writer.writerows(sorted(kept, key=lambda row: (row["scene"], int(row["spp"]))))
 
 
-def make_picture(lab: Lab, name: str, spp: int) -> dict:
+def sample_picture(lab: Lab, name: str, spp: int, more: bool) -> tuple[dict, int]:
+    """Planes RGB and their variances, float64, and how many samples they hold: kept for `more`, which another seed makes."""
+    kept = lab.program.parent / f"pictures/{name}.npz"
+    kept.parent.mkdir(exist_ok=True)
+    old = dict(np.load(kept)) if more and kept.exists() else {"spp": np.array(0)}
+    done = int(old.pop("spp"))
+    with tempfile.TemporaryDirectory() as scratch:
+        out = Path(scratch) / "picture.exr"
+        lab.reference(name, out, "r_jitter=1", f"r_seed={done}", spp=spp, warmup=128, size=PICTURE, estimator="mcpg")
+        drawn, _ = read(out)
+    planes = {key: drawn[key].astype(float) for c in "RGB" for key in (c, f"variance.{c}")}
+    share = spp / (done + spp)
+    for key, plane in old.items():
+        a, b = (share**2, (1 - share) ** 2) if key.startswith("variance") else (share, 1 - share)
+        planes[key] = a * planes[key] + b * plane
+    np.savez(kept, spp=done + spp, **planes)
+    return planes, done + spp
+
+
+def make_picture(lab: Lab, name: str, spp: int, more: bool) -> dict:
     """A row of pictures.csv. Exposed so that the middle of what is not black is grey, rolled off towards white."""
     PICTURES.mkdir(parents=True, exist_ok=True)
+    planes, spp = sample_picture(lab, name, spp, more)
     with tempfile.TemporaryDirectory() as scratch:
-        out, raw = Path(scratch) / "picture.exr", Path(scratch) / "picture.ppm"
-        lab.reference(name, out, "r_jitter=1", spp=spp, size=PICTURE, estimator="mcpg")
-        planes, _ = read(out)
-        light = np.maximum(np.stack([planes[c] for c in "RGB"], axis=-1).astype(float), 0.0)
+        raw = Path(scratch) / "picture.ppm"
+        light = np.maximum(np.stack([planes[c] for c in "RGB"], axis=-1), 0.0)
         bright = light @ LUMINANCE
         shown = bright[bright > 1e-4 * bright.max()]
         gain = 0.16 / max(np.exp(np.log(shown).mean()), 1e-9)
@@ -139,10 +160,11 @@ def make_view(lab: Lab, name: str, spp: int) -> None:
         PICTURES.mkdir(parents=True, exist_ok=True)
         subprocess.run(["convert", Path(scratch) / f"frame_{last:06d}.png", "-quality", "88", PICTURES / f"{name}.jpg"],
                        check=True)
+    save(NOISE, [], {name})  # its picture is none of many samples any more
 
 
 def table() -> str:
-    """relMSE (and MSE in brackets) by samples; the reference's own; the picture's."""
+    """relMSE (and MSE in brackets) by samples; the reference's own; the picture's, where it is no denoised view."""
     rows = list(csv.DictReader(ERRORS.open()))
     pictures = {row["scene"]: f"{row['relmse']} ({row['spp']} spp)" for row in csv.DictReader(NOISE.open())}
     lines = ["| scene | 1 spp | 16 spp | 256 spp | reference's own | picture's own |", "| --- | --- | --- | --- | --- | --- |"]
@@ -150,7 +172,7 @@ def table() -> str:
         of = {int(row["spp"]): row for row in rows if row["scene"] == name}
         cells = [f"{of[n]['relmse']} ({of[n]['mse']})" for n in SAMPLES if n in of]
         own = next(iter(of.values()))
-        lines.append(f"| `{name}` | " + " | ".join(cells) + f" | {own['reference_relmse']} ({own['reference_mse']}) | {pictures[name]} |")
+        lines.append(f"| `{name}` | " + " | ".join(cells) + f" | {own['reference_relmse']} ({own['reference_mse']}) | {pictures.get(name, 'a view')} |")
     return "\n".join(lines)
 
 
@@ -162,6 +184,7 @@ def main() -> int:
     parser.add_argument("--basedir")
     parser.add_argument("--device")
     parser.add_argument("--spp", type=int)
+    parser.add_argument("--more", action="store_true")
     options = parser.parse_intermixed_args()
     if options.what == "table":
         print(table())
@@ -172,7 +195,7 @@ def main() -> int:
             if options.what == "references":
                 make_reference(lab, name, options.spp or 16384)
             elif options.what == "pictures":
-                save(NOISE, [make_picture(lab, name, options.spp or 1024)])
+                save(NOISE, [make_picture(lab, name, options.spp or 1024, options.more)])
             elif options.what == "views":
                 make_view(lab, name, options.spp or 2)
             else:
