@@ -101,17 +101,17 @@ def save(path: Path, rows: list[dict], without: Collection[str] = ()) -> None:
     """Replaces these scenes' rows in a file; takes out those of `without`."""
     old = list(csv.DictReader(path.open())) if path.exists() else []
     kept = [row for row in old if row["scene"] not in {*without, *(r["scene"] for r in rows)}] + rows
-    if not kept:
+    if not old and not rows:
         return
     with path.open("w", newline="") as file:
-        writer = csv.DictWriter(file, list(kept[0]), lineterminator="\n")
+        writer = csv.DictWriter(file, list((rows or old)[0]), lineterminator="\n")
         writer.writeheader()
         writer.writerows(sorted(kept, key=lambda row: (row["scene"], int(row["spp"]))))
 
 
 def sample_picture(lab: Lab, name: str, spp: int, more: bool) -> tuple[dict, int]:
     """Planes RGB and their variances, float64, and how many samples they hold: kept for `more`, which another seed makes."""
-    kept = lab.program.parent / f"pictures/{name}.npz"
+    kept = lab.program.parent / f"pictures/{name}_{PICTURE}.npz"
     kept.parent.mkdir(exist_ok=True)
     old = dict(np.load(kept)) if more and kept.exists() else {"spp": np.array(0)}
     done = int(old.pop("spp"))
@@ -172,7 +172,8 @@ def table() -> str:
         of = {int(row["spp"]): row for row in rows if row["scene"] == name}
         cells = [f"{of[n]['relmse']} ({of[n]['mse']})" for n in SAMPLES if n in of]
         own = next(iter(of.values()))
-        lines.append(f"| `{name}` | " + " | ".join(cells) + f" | {own['reference_relmse']} ({own['reference_mse']}) | {pictures.get(name, 'a view')} |")
+        cells += [f"{own['reference_relmse']} ({own['reference_mse']})", pictures.get(name, "a view")]
+        lines.append(f"| `{name}` | " + " | ".join(cells) + " |")
     return "\n".join(lines)
 
 
@@ -183,8 +184,8 @@ def main() -> int:
     parser.add_argument("--build", type=Path, default=ROOT / "build")
     parser.add_argument("--basedir")
     parser.add_argument("--device")
-    parser.add_argument("--spp", type=int)
-    parser.add_argument("--more", action="store_true")
+    parser.add_argument("--spp", type=int, help="samples a pixel of references, pictures or views")
+    parser.add_argument("--more", action="store_true", help="pictures: add to the samples of an earlier run of the same scene")
     options = parser.parse_intermixed_args()
     if options.what == "table":
         print(table())

@@ -97,7 +97,8 @@ class References(unittest.TestCase):
     """A reference that no longer is what pt converges to (maps, textures, rules or the renderer changed) is worse than none."""
 
     def test_what_pt_draws_differs_by_noise_alone(self):
-        """As made: 0.05 to 1.21. One reflection less: 1.6 to 9, but in pool and shafts, whose rare hits hide it."""
+        """The mean of 108 blocks scatters by sqrt(2 / 108), 0.14, about 1: the bound is three and a half of that. As made: 0.05 to
+        1.21. One reflection less: 1.6 to 9, but in pool and shafts, whose rare hits hide it."""
         lab = Lab(BUILD)
         with tempfile.TemporaryDirectory() as scratch:
             test = Path(scratch) / "test.exr"
