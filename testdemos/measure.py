@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """Measures pt on the laboratory's scenes, and makes their small references and pictures.
 
-    measure.py references|errors|pictures|views [--build build] [--basedir DIR] [--spp N] [--more] [--device NAME] [NAME ...]
+    measure.py references|errors|pictures|views [--build build] [--basedir DIR] [--spp N] [--device NAME] [NAME ...]
+    measure.py pictures [--noise RELMSE] [--more] ...
     measure.py table                      errors.csv as a table for Misc/docs/scenes.md
 
 references  pt, 96x54, --spp samples (16384): references/NAME.exr, colours in halves and the variance of their mean
 errors      pt with 1, 16 and 256 samples, four runs of other seeds each, against these: three lines in errors.csv
-pictures    mcpg, unbiased, 384x216, --spp samples (1024): Misc/docs/pictures/scenes/NAME.jpg (by ImageMagick), and its own
-            relMSE, as exposed, in pictures.csv. --more adds them to those that an earlier run left in BUILD/pictures
+pictures    nee, unbiased, 384x216, as often --spp samples (128) as it takes until its own relMSE, as exposed, is below --noise
+            (0.003): Misc/docs/pictures/scenes/NAME.jpg (by ImageMagick), and a row of pictures.csv. Samples are kept in
+            BUILD/pictures: --more adds to those of an earlier run, whose map and settings must have been the same
 views       the same quickly: the last of 24 denoised frames of --spp samples (2), as the game would show it
 """
 
@@ -110,14 +112,14 @@ def save(path: Path, rows: list[dict], without: Collection[str] = ()) -> None:
 
 
 def sample_picture(lab: Lab, name: str, spp: int, more: bool) -> tuple[dict, int]:
-    """Planes RGB and their variances, float64, and how many samples they hold: kept for `more`, which another seed makes."""
+    """Planes RGB and their variances, float64, and how many samples they hold: kept for `more`, which has seeds of its own."""
     kept = lab.program.parent / f"pictures/{name}_{PICTURE}.npz"
     kept.parent.mkdir(exist_ok=True)
     old = dict(np.load(kept)) if more and kept.exists() else {"spp": np.array(0)}
     done = int(old.pop("spp"))
     with tempfile.TemporaryDirectory() as scratch:
         out = Path(scratch) / "picture.exr"
-        lab.reference(name, out, "r_jitter=1", f"r_seed={done}", spp=spp, warmup=128, size=PICTURE, estimator="mcpg")
+        lab.reference(name, out, "r_jitter=1", f"r_seed={done}", "r_nee_candidates=16", spp=spp, size=PICTURE, estimator="nee")
         drawn, _ = read(out)
     planes = {key: drawn[key].astype(float) for c in "RGB" for key in (c, f"variance.{c}")}
     share = spp / (done + spp)
@@ -128,25 +130,34 @@ def sample_picture(lab: Lab, name: str, spp: int, more: bool) -> tuple[dict, int
     return planes, done + spp
 
 
-def make_picture(lab: Lab, name: str, spp: int, more: bool) -> dict:
-    """A row of pictures.csv. Exposed so that the middle of what is not black is grey, rolled off towards white."""
+def exposure(planes: dict) -> float:
+    """The factor that makes the middle of what is not black grey."""
+    bright = np.maximum(np.stack([planes[c] for c in "RGB"], axis=-1), 0.0) @ LUMINANCE
+    shown = bright[bright > 1e-4 * bright.max()]
+    return 0.16 / max(np.exp(np.log(shown).mean()), 1e-9)
+
+
+def make_picture(lab: Lab, name: str, spp: int, more: bool, goal: float) -> dict:
+    """A row of pictures.csv. What is brighter than the screen is rolled off towards white."""
     PICTURES.mkdir(parents=True, exist_ok=True)
-    planes, spp = sample_picture(lab, name, spp, more)
+    while True:
+        planes, samples = sample_picture(lab, name, spp, more)
+        gain = exposure(planes)
+        _, relmse = noise(planes, gain)
+        print(f"{name}: {samples} samples, relMSE {relmse}", flush=True)
+        if float(relmse) <= goal:
+            break
+        more = True
     with tempfile.TemporaryDirectory() as scratch:
         raw = Path(scratch) / "picture.ppm"
-        light = np.maximum(np.stack([planes[c] for c in "RGB"], axis=-1), 0.0)
-        bright = light @ LUMINANCE
-        shown = bright[bright > 1e-4 * bright.max()]
-        gain = 0.16 / max(np.exp(np.log(shown).mean()), 1e-9)
-        light *= gain
+        light = gain * np.maximum(np.stack([planes[c] for c in "RGB"], axis=-1), 0.0)
         peak = light.max(axis=-1, keepdims=True)
         light = light / np.maximum(peak, 1e-9) * (1.0 - np.exp(-1.1 * peak)) ** 0.9
         srgb = np.where(light <= 0.0031308, light * 12.92, 1.055 * np.maximum(light, 1e-9) ** (1 / 2.4) - 0.055)
         pixels = np.round(np.clip(srgb, 0, 1) * 255).astype(np.uint8)
         raw.write_bytes(b"P6 %d %d 255\n" % pixels.shape[1::-1] + pixels.tobytes())
         subprocess.run(["convert", raw, "-quality", "90", PICTURES / f"{name}.jpg"], check=True)
-    _, relmse = noise(planes, gain)
-    return {"scene": name, "spp": spp, "relmse": relmse}
+    return {"scene": name, "spp": samples, "relmse": relmse}
 
 
 VIEW_FRAMES = 24
@@ -185,6 +196,7 @@ def main() -> int:
     parser.add_argument("--basedir")
     parser.add_argument("--device")
     parser.add_argument("--spp", type=int, help="samples a pixel of references, pictures or views")
+    parser.add_argument("--noise", type=float, default=0.003, help="pictures: relMSE of their own that is good enough")
     parser.add_argument("--more", action="store_true", help="pictures: add to the samples of an earlier run of the same scene")
     options = parser.parse_intermixed_args()
     if options.what == "table":
@@ -196,7 +208,7 @@ def main() -> int:
             if options.what == "references":
                 make_reference(lab, name, options.spp or 16384)
             elif options.what == "pictures":
-                save(NOISE, [make_picture(lab, name, options.spp or 1024, options.more)])
+                save(NOISE, [make_picture(lab, name, options.spp or 128, options.more, options.noise)])
             elif options.what == "views":
                 make_view(lab, name, options.spp or 2)
             else:

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "lab/frame_source.h"
+#include "scene/scene_of_kinds.h"
 #include "scene/scenes_in_code.h"
 #include "scene/scenes_in_motion.h"
 #include "scene/scenes_of_light.h"
@@ -57,6 +58,7 @@ const std::vector<Entry>& entries() {
       {"candles_flicker", [] { return timed_film(scene::candle_assets(), scene::candles); }},
       {"strips", [] { return still_film(scene::strips()); }},
       {"lava", [] { return still_film(scene::lava_cave()); }},
+      {"kinds", [] { return still_film(scene::light_of_every_kind()); }},
       {"moving", [] { return timed_film(scene::moving_assets(), scene::moving); }},
       {"rocket", [] { return counted_film(scene::rocket_assets(), scene::rocket); }},
       {"lightsout", [] { return counted_film(scene::lights_out_assets(), scene::lights_out); }},

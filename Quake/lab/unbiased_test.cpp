@@ -84,7 +84,8 @@ class UnbiasedTest : public render::DeviceTest, public testing::WithParamInterfa
     }
     at.film = std::move(*film);
     Sampling sampling{settings_of(row.both), p};
-    sampling.settings.spp = 2 * row.spp;
+    sampling.settings.estimator = "pt";  // the cvar's default is what the game uses
+    sampling.settings.spp = 8 * row.spp;  // pt's are noisy, and cheap
     at.runs = std::make_unique<ReferenceRuns>(*device_, at.film, sampling);
     return &at;
   }
@@ -141,6 +142,15 @@ const Row kGuided[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Guided, UnbiasedTest, testing::ValuesIn(kGuided), row_name);
 
+// Next-event estimation: what glows by itself, by texture, by pose, through holes and panes; sky and suns; coats.
+const Row kLooksForLights[] = {
+    {"kinds", "nee", {}, plan(16, 4), 8},
+    {"kinds", "nee", {"r_nee_candidates=1"}, plan(16, 4), 8},
+    {"cbox_glossy", "nee", {}, plan(16, 4), 4},
+    {"moving", "nee", {}, plan(12, 4, 8), 2},
+};
+INSTANTIATE_TEST_SUITE_P(LooksForLights, UnbiasedTest, testing::ValuesIn(kLooksForLights), row_name);
+
 // Every feature off, some settings at their ends, more scenes. Looked at where time is given:
 // FULLBRIGHT_UNBIASED_TIMES.
 using MoreUnbiasedTest = UnbiasedTest;
@@ -150,6 +160,15 @@ TEST_P(MoreUnbiasedTest, HasTheMeanOfPt) {
 }
 
 const Row kFeatures[] = {
+    {"kinds", "mcpg", {}, warm(), 8},
+    {"kinds", "nee", {}, plan(16, 4), 8, false, {"r_bounces=4"}},
+    {"kinds", "nee", {}, plan(16, 4), 8, false, {"r_emit_sun=0"}},
+    {"one_light", "nee", {}, plan(16, 4), 2},
+    {"many", "nee", {}, plan(16, 4), 2},
+    {"candles", "nee", {}, plan(16, 4), 4},
+    {"strips", "nee", {}, plan(16, 4), 8},
+    {"rocket", "nee", {}, plan(12, 6, 4), 4},
+    {"lightsout", "nee", {}, plan(12, 8, 96), 4},
     {"cbox", "mcpg", {}, cold(), 2},
     {"many", "mcpg", {}, warm(), 2},
     {"candles", "mcpg", {}, cold(), 4},

@@ -6,6 +6,10 @@ namespace fb::render {
 const std::vector<EstimatorInfo>& estimators() {
   static const std::vector<EstimatorInfo> list{
       {"pt", "BSDF sampling only; unbiased for paths of at most r_bounces reflections", true, false},
+      {"nee",
+       "next-event estimation: lights from a list, suns and the BSDF; unbiased for paths of at most r_bounces "
+       "reflections",
+       true, false, false, true},
       {"mcpg", "Markov chain path guiding (Alber 2025); unbiased for paths of at most r_bounces reflections", true,
        true},
       {"mcpg_tail",

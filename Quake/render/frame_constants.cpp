@@ -60,6 +60,7 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
   c.seed = static_cast<std::uint32_t>(settings.seed);
   c.spp = static_cast<std::uint32_t>(settings.spp);
   c.bounces = static_cast<std::uint32_t>(settings.bounces);
+  c.light_candidates = static_cast<std::uint32_t>(settings.nee_candidates);
   c.time = static_cast<float>(snapshot.time);
   c.prev_time = static_cast<float>(snapshot.prev_time);
   c.exposure = settings.exposure;

@@ -15,6 +15,7 @@
 #include "render/gpu_scene_rays.h"
 #include "render/gpu_scene_tables.h"
 #include "render/gpu_scene_tree.h"
+#include "render/light_list.h"
 
 namespace fb::render {
 namespace {
@@ -60,6 +61,7 @@ struct GpuScene::Impl {
         instances(d, gpu::BufferUse::kStorage, "instances"),
         materials(d, gpu::BufferUse::kStorage, "materials"),
         jobs(d, gpu::BufferUse::kStorage, "copy jobs"),
+        lights(d, gpu::BufferUse::kStorage, "lights"),
         staging(d, gpu::BufferUse::kUpload, 1 << 16, "scene staging") {
     const gpu::SpecializationConstant constants[]{{0, o.ray_query ? 1u : 0u}};
     pose = gpu::ComputePipeline(d, t, pose_spv, "pose", constants);
@@ -69,6 +71,7 @@ struct GpuScene::Impl {
   void choose_world();
   void make_room();
   void fill(const scene::FrameSnapshot& snapshot, const EmissionScales& emission);
+  void list_lights(const scene::FrameSnapshot& snapshot, bool wanted);
   void stage();
   void bind();
   void record_tables(gpu::Commands& commands);
@@ -81,11 +84,13 @@ struct GpuScene::Impl {
   InstanceCopies copies;
   RayStructures rays;
   MaterialTable material_table;
+  LightList light_list;
   gpu::ComputePipeline pose;
 
   DeviceArray<shared::GpuInstance> instances;
   DeviceArray<shared::GpuMaterial> materials;
   DeviceArray<shared::GpuCopyJob> jobs;
+  DeviceArray<uvec2> lights;
   gpu::Buffer staging;
 
   // This frame.
@@ -224,17 +229,27 @@ void GpuScene::Impl::fill(const scene::FrameSnapshot& snapshot, const EmissionSc
   }
 }
 
+void GpuScene::Impl::list_lights(const scene::FrameSnapshot& snapshot, bool wanted) {
+  std::vector<LightList::Source> sources;
+  if (wanted) {
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+      sources.push_back({drawn[i].instance, &assets.meshes()[drawn[i].instance->mesh], &instance_table[i]});
+  }
+  light_list.build(*snapshot.assets, snapshot.sky, sources, material_table.entries());
+}
+
 // Lays this frame's tables into the staging buffer.
 void GpuScene::Impl::stage() {
   instances.reserve(instance_table.size());
   materials.reserve(material_table.entries().size());
   jobs.reserve(job_table.size());
+  if (!light_list.elements().empty()) lights.reserve(light_list.elements().size());
 
   staged = 0;
   transfers.clear();
   const auto bytes_of = [](const auto& items) { return items.size() * sizeof(items[0]); };
   staging.reserve(bytes_of(instance_table) + bytes_of(material_table.entries()) + bytes_of(job_table) + bytes_of(tree) +
-                  bytes_of(copies.host_triangles()));
+                  bytes_of(light_list.elements()) + bytes_of(copies.host_triangles()));
   const auto put = [&](const void* data, VkDeviceSize bytes, const gpu::Buffer& target, VkDeviceSize to) {
     if (bytes == 0) return;
     std::memcpy(static_cast<std::byte*>(staging.mapped()) + staged, data, bytes);
@@ -244,6 +259,7 @@ void GpuScene::Impl::stage() {
   put(instance_table.data(), bytes_of(instance_table), instances.buffer(), 0);
   put(material_table.entries().data(), bytes_of(material_table.entries()), materials.buffer(), 0);
   put(job_table.data(), bytes_of(job_table), jobs.buffer(), 0);
+  put(light_list.elements().data(), bytes_of(light_list.elements()), lights.buffer(), 0);
   put(copies.host_triangles().data(), bytes_of(copies.host_triangles()), assets.triangles().buffer(),
       std::uint64_t{copies.host_triangle()} * sizeof(shared::GpuTriangle));
   if (!options.ray_query) {
@@ -269,6 +285,7 @@ void GpuScene::Impl::bind() {
   table.set_scene(shared::kBindPalette, assets.palette());
   table.set_scene(shared::kBindCopyJobs, jobs.buffer());
   table.set_scene(shared::kBindVertices, assets.vertices().buffer());
+  table.set_scene(shared::kBindLights, lights.buffer());
 }
 
 void GpuScene::Impl::record_tables(gpu::Commands& commands) {
@@ -300,7 +317,7 @@ GpuScene::GpuScene(gpu::Device& device, gpu::BindingTable& table, const GpuScene
     : impl_(std::make_unique<Impl>(device, table, options)) {}
 GpuScene::~GpuScene() = default;
 
-void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScales& emission) {
+void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScales& emission, bool wants_lights) {
   Impl& s = *impl_;
   const auto start = std::chrono::steady_clock::now();
   FB_CHECK(snapshot.assets != nullptr);
@@ -310,6 +327,7 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
   s.material_table.begin(*snapshot.assets, snapshot.time, emission);
   s.collect(snapshot);
   s.fill(snapshot, emission);
+  s.list_lights(snapshot, wants_lights);
   s.stage();
   s.bind();
   s.recorded = false;
@@ -328,8 +346,8 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
   s.statistics.instances = static_cast<std::uint32_t>(s.drawn.size());
   s.statistics.posed_instances = static_cast<std::uint32_t>(std::count_if(
       s.drawn.begin(), s.drawn.end(), [&](const Drawn& d) { return s.assets.meshes()[d.instance->mesh].posed; }));
-  s.statistics.device_bytes =
-      s.assets.device_bytes() + s.instances.bytes() + s.materials.bytes() + s.jobs.bytes() + s.staging.size();
+  s.statistics.device_bytes = s.assets.device_bytes() + s.instances.bytes() + s.materials.bytes() + s.jobs.bytes() +
+                              s.lights.bytes() + s.staging.size();
   s.statistics.host_milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
@@ -344,6 +362,9 @@ void GpuScene::record(gpu::Commands& commands) {
 
 const SceneFeatures& GpuScene::features() const { return impl_->features; }
 const SceneStatistics& GpuScene::statistics() const { return impl_->statistics; }
+uvec2 GpuScene::lights() const {
+  return {impl_->light_list.first(), static_cast<std::uint32_t>(impl_->light_list.elements().size())};
+}
 SceneBuffers GpuScene::buffers() const {
   return {&impl_->assets.nodes().buffer(), &impl_->assets.triangles().buffer(), &impl_->instances.buffer()};
 }

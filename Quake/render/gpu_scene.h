@@ -55,12 +55,14 @@ class GpuScene {
   GpuScene(const GpuScene&) = delete;
   GpuScene& operator=(const GpuScene&) = delete;
 
-  // Host part: uploads, tables, the tree over instances. Between submissions.
-  void prepare(const scene::FrameSnapshot& snapshot, const EmissionScales& emission);
+  // Host part: uploads, tables, the tree over instances, the list of lights if it is wanted. Between submissions.
+  void prepare(const scene::FrameSnapshot& snapshot, const EmissionScales& emission, bool wants_lights = false);
   // Device part: copies, poses, refits, acceleration structures. Ends with a barrier.
   void record(gpu::Commands& commands);
 
   const SceneFeatures& features() const;
+  // Elements of the list of lights: the first triangle's, and one past the last. Equal: none glows, or none was wanted.
+  uvec2 lights() const;
   const SceneStatistics& statistics() const;
   SceneBuffers buffers() const;
 

@@ -260,6 +260,7 @@ MeshRecord SceneAssets::add_mesh(const scene::Assets& assets, const scene::Mesh&
     batch.attributes.push_back(
         {t.vertices[0], t.vertices[1], t.vertices[2], t.material, t.uv[0], t.uv[1], t.uv[2], flags, 0});
     record.materials.push_back(t.material);
+    record.order.push_back(used[at]);
   }
   std::sort(record.materials.begin(), record.materials.end());
   record.materials.erase(std::unique(record.materials.begin(), record.materials.end()), record.materials.end());

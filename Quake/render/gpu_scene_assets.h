@@ -39,6 +39,7 @@ struct MeshRecord {
   std::uint32_t first_pose_vertex = 0, vertex_count = 0, pose_count = 0;
   std::vector<Bounds> pose_bounds;
   vec3 pose_scale{1.0f}, pose_origin{0.0f};
+  std::vector<std::uint32_t> order;      // of the mesh's triangles, as leaves hold them
   std::vector<std::uint32_t> materials;  // distinct ones its triangles name, before the instance's base is added
   bool asks = false;                     // some triangle has kTriangleAlphaTest
   // Ray queries, rigid meshes.

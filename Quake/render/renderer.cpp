@@ -179,6 +179,8 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   if (!same_view) accumulated = 0;
 
   constants = frame_constants(snapshot, settings, render_size, output_size);
+  constants.light_first = this->scene.lights().x;
+  constants.light_end = this->scene.lights().y;
   constants.accumulated_frames = accumulated;
   constants.frame = shared::hash_combine(static_cast<std::uint32_t>(snapshot.frame), accumulated);
   const bool always = settings.jitter > 0 || (settings.jitter < 0 && Denoiser::antialiases(settings));
@@ -267,7 +269,7 @@ void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawLis
   };
   r.resize_buffers(uvec2(scaled(r.output_size.x), scaled(r.output_size.y)), r.output_size);
   r.denoiser.resize(r.render_size, settings, r.gbuffer);
-  r.scene.prepare(snapshot, emission_scales(settings));
+  r.scene.prepare(snapshot, emission_scales(settings), r.info->samples_lights);
   r.prepare_guide(settings, snapshot.assets->generation != r.generation);
 
   // Features only grow while the assets stay: no compilation in mid-game when something comes and goes.

@@ -23,8 +23,9 @@ namespace fb::render {
 struct EstimatorInfo {
   std::string name, description;
   bool unbiased;
-  bool learns;        // keeps what it learnt from frame to frame
-  bool tail = false;  // its paths end in the irradiance cache
+  bool learns;                  // keeps what it learnt from frame to frame
+  bool tail = false;            // its paths end in the irradiance cache
+  bool samples_lights = false;  // wants the list of lights
 };
 const std::vector<EstimatorInfo>& estimators();
 

@@ -44,6 +44,7 @@
   X(float, emit_entlight, "r_emit_entlight", 1, 0, 10000, "brightness of the map's point lights (r_entlights)")        \
   X(float, emit_sun, "r_emit_sun", 1, 0, 10000, "brightness of suns")                                                  \
   X(int, deterministic, "r_deterministic", 0, 0, 1, "what estimators learn does not depend on the order of threads: the same picture in every run") \
+  X(int, nee_candidates, "r_nee_candidates", 8, 1, 256, "next-event estimation: points of lights of which each vertex chooses one to look for") \
   X(int, mc_states, "r_mc_states", 1000000, 1024, 16777216, "path guiding: states in the table, 24 bytes each; rounded up to a power of two") \
   X(int, mc_cells, "r_mc_cells", 131072, 1024, 4194304, "path guiding: cells of the irradiance cache, 68 bytes each; rounded up to a power of two") \
   X(int, mc_accesses, "r_mc_accesses", 2, 1, 16, "path guiding: cells that a vertex takes states from; times r_mc_bucket this is the paper's N_mc") \

@@ -18,6 +18,8 @@
 #include "guide_states.spv.h"
 #include "mcpg_bvh.spv.h"
 #include "mcpg_query.spv.h"
+#include "nee_bvh.spv.h"
+#include "nee_query.spv.h"
 #include "present.spv.h"
 #include "pt_bvh.spv.h"
 #include "pt_query.spv.h"
@@ -39,6 +41,7 @@ struct Shader {
 const std::array kShaders{
     Shader{"gbuffer", gbuffer_bvh_spv, gbuffer_query_spv},
     Shader{"pt", pt_bvh_spv, pt_query_spv},
+    Shader{"nee", nee_bvh_spv, nee_query_spv},
     Shader{"mcpg", mcpg_bvh_spv, mcpg_query_spv},
     Shader{"mcpg_tail", mcpg_bvh_spv, mcpg_query_spv},  // Variant::tail
     Shader{"guide_states", guide_states_spv, {}},

@@ -1,6 +1,7 @@
 #include "scene/asset_builder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -8,6 +9,8 @@
 
 namespace fb::scene {
 namespace {
+
+constexpr std::uint8_t kFirstFullbright = 224;  // palette indices from here on glow
 
 formats::Palette read_palette(const FileLoader& loader) {
   constexpr std::string_view kPath = "gfx/palette.lmp";
@@ -87,7 +90,7 @@ TextureSet AssetBuilder::replacement(const std::vector<std::string>& stems) {
 }
 
 bool has_fullbright(const std::vector<std::uint8_t>& indices, bool holes) {
-  return std::ranges::any_of(indices, [&](std::uint8_t i) { return i >= 224 && !(holes && i == 255); });
+  return std::ranges::any_of(indices, [&](std::uint8_t i) { return i >= kFirstFullbright && !(holes && i == 255); });
 }
 
 Image luma_from_indices(const formats::Palette& palette, const std::string& name, int width, int height,
@@ -95,7 +98,7 @@ Image luma_from_indices(const formats::Palette& palette, const std::string& name
   Image image{name + "_luma", ImageEncoding::kSrgba, width, height, {}};
   image.texels.reserve(indices.size() * 4);
   for (const std::uint8_t i : indices) {
-    const bool glows = i >= 224 && !(holes && i == 255);
+    const bool glows = i >= kFirstFullbright && !(holes && i == 255);
     for (std::size_t channel = 0; channel < 3; ++channel)
       image.texels.push_back(glows ? palette.rgb[i][channel] : std::uint8_t{0});
     image.texels.push_back(255);
@@ -106,7 +109,14 @@ Image luma_from_indices(const formats::Palette& palette, const std::string& name
 float linear_from_srgb(float encoded) {
   return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
-float linear_from_srgb(std::uint8_t byte) { return linear_from_srgb(static_cast<float>(byte) / 255.0f); }
+float linear_from_srgb(std::uint8_t byte) {
+  static const auto table = [] {
+    std::array<float, 256> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = linear_from_srgb(static_cast<float>(i) / 255.0f);
+    return values;
+  }();
+  return table[byte];
+}
 
 vec3 mean_color(const formats::Palette& palette, const Image& image) {
   glm::dvec3 sum(0.0);
@@ -122,6 +132,17 @@ vec3 mean_color(const formats::Palette& palette, const Image& image) {
       if (image.texels[i + 3] >= 128) add(image.texels.data() + i);
   }
   return count == 0 ? vec3(0.0f) : vec3(sum / static_cast<double>(count));
+}
+
+vec3 mean_glow(const formats::Palette& palette, const Image& image) {
+  if (image.encoding != ImageEncoding::kPalette || image.texels.empty()) return vec3(0.0f);
+  glm::dvec3 sum(0.0);
+  for (const std::uint8_t i : image.texels) {
+    if (i < kFirstFullbright) continue;
+    const auto& rgb = palette.rgb[i];
+    sum += glm::dvec3(linear_from_srgb(rgb[0]), linear_from_srgb(rgb[1]), linear_from_srgb(rgb[2]));
+  }
+  return vec3(sum / static_cast<double>(image.texels.size()));
 }
 
 std::string lower_case(std::string_view text) {

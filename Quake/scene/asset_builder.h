@@ -50,6 +50,8 @@ Image luma_from_indices(const formats::Palette& palette, const std::string& name
 float linear_from_srgb(std::uint8_t byte);
 float linear_from_srgb(float encoded);
 vec3 mean_color(const formats::Palette& palette, const Image& image);
+// The same of what glows by its palette index, over all texels.
+vec3 mean_glow(const formats::Palette& palette, const Image& image);
 inline float luminance(const vec3& c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
 
 std::string lower_case(std::string_view text);

@@ -6,6 +6,7 @@
 
 #include "base/rng.h"
 #include "scene/code_scene_parts.h"
+#include "scene/scene_of_kinds.h"
 #include "scene/scenes_in_code.h"
 #include "scene/scenes_in_motion.h"
 #include "scene/scenes_of_light.h"
@@ -131,6 +132,21 @@ TEST(LightScenes, NoPointOfTheRoomSeesAStrip) {
   }
   EXPECT_GT(glowing_triangles, 20);
   EXPECT_EQ(seen_from_recess, 12 * glowing_triangles) << "the recess's back sees all of every strip";
+}
+
+TEST(LightScenes, KindsHasThemAll) {
+  const FrameSnapshot snapshot = light_of_every_kind();
+  expect_closed_space(snapshot);
+  std::set<EmissionKind> kinds;
+  for (const Material& m : snapshot.assets->materials) kinds.insert(m.emission_kind);
+  for (const EmissionKind kind : {EmissionKind::kConstant, EmissionKind::kFullbright, EmissionKind::kLava,
+                                  EmissionKind::kTeleport, EmissionKind::kSky, EmissionKind::kSprite})
+    EXPECT_TRUE(kinds.contains(kind)) << static_cast<int>(kind);
+  const auto& suns = snapshot.sky.suns;
+  ASSERT_EQ(suns.size(), 2u);
+  const float apart = degrees(std::acos(glm::dot(suns[0].direction, suns[1].direction)));
+  EXPECT_GT(apart, 0.5f);
+  EXPECT_LT(apart, suns[0].angular_radius + suns[1].angular_radius) << "their discs overlap";
 }
 
 TEST(LightScenes, LavaIsAPoolAndNothingElse) {

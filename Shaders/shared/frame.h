@@ -69,6 +69,8 @@ struct FrameConstants {
   uint train_every, tail_every;  // one in so many groups of paths trains; goes on where its tail is known
   float cache_blend;             // least weight of a new frame in a mean of the irradiance cache
   uint guide_pad0;
+  uint light_first, light_end;  // elements of the list of lights; equal: there are none
+  uint light_candidates, light_pad0;
   uint denoise, history_parity, history_valid, still;  // still: the same snapshot again, so nothing has moved
   float svgf_alpha, svgf_moments_alpha, sigma_depth, sigma_normal;
   float sigma_luminance, firefly, mean_weight, taa;  // mean_weight: of the accumulated mean in the denoised picture

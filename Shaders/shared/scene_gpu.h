@@ -19,6 +19,7 @@ FB_CONST uint kBindTexels = 9u;      // uint[]: all texels
 FB_CONST uint kBindPalette = 10u;    // vec4[256]: linear Rec.709 colour
 FB_CONST uint kBindCopyJobs = 11u;   // GpuCopyJob[]: copies that this frame makes
 FB_CONST uint kBindVertices = 12u;   // float[]: corners of triangles in leaf order, for ray query builds
+FB_CONST uint kBindLights = 13u;     // uvec2[]: triangles that glow, for estimators that sample them (below)
 
 FB_CONST uint kNoIndex = 0xffffffffu;
 
@@ -102,6 +103,11 @@ struct GpuMaterial {               // 80 bytes
   uint emission_kind;  // scene::EmissionKind
   uint pad0, pad1, pad2;
 };
+
+// The list of lights. Element i below the number of instances: x is the element of instance i's triangle 0, kNoIndex if
+// nothing of it glows; its other triangles follow. Such an element: x ends its interval of [0, kLightRange), which
+// begins where the former one's ends; y is the instance. A random integer in that range chooses the triangle.
+FB_CONST uint kLightRange = 0x80000000u;
 
 struct GpuImage {  // 16 bytes
   uint first;      // first texel: in bytes for palette images, in uints for RGBA

@@ -1,0 +1,121 @@
+#include "render/light_list.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/gpu_scene_copies.h"
+#include "scene/asset_builder.h"
+#include "scene/shapes.h"
+
+namespace fb::render {
+namespace {
+
+float sum(const vec3& v) { return v.x + v.y + v.z; }
+
+// A mesh's vertices in the world, as the instance poses it.
+std::vector<vec3> world_vertices(const scene::Mesh& mesh, const MeshRecord& record, const scene::Instance& instance) {
+  std::vector<vec3> out(mesh.vertex_count);
+  const scene::PoseBlend pose = InstanceCopies::canonical(record, instance.pose);
+  for (std::uint32_t v = 0; v < out.size(); ++v) {
+    const vec3 local =
+        glm::mix(scene::vertex_position(mesh, v, pose.a), scene::vertex_position(mesh, v, pose.b), pose.t);
+    out[v] = transform_point(instance.transform, local);
+  }
+  return out;
+}
+
+}  // namespace
+
+const LightList::Means& LightList::means(const scene::Assets& assets, std::uint32_t image) {
+  means_.resize(assets.images.size());
+  std::optional<Means>& known = means_[image];
+  if (known) return *known;
+  known.emplace();
+  known->all = scene::mean_color(assets.palette, assets.images[image]);
+  known->glowing = scene::mean_glow(assets.palette, assets.images[image]);
+  return *known;
+}
+
+float LightList::sky_radiance(const scene::Assets& assets, const scene::Sky& sky) {
+  const auto mean = [&](std::uint32_t image) {
+    return image < assets.images.size() ? sum(means(assets, image).all * sky.color) : 0.0f;
+  };
+  switch (sky.mode) {
+    case scene::SkyMode::kBlack:
+      return 0.0f;
+    case scene::SkyMode::kConstant:
+      return sum(sky.color);
+    case scene::SkyMode::kLayers:
+      return mean(sky.solid);
+    case scene::SkyMode::kBox: {
+      float all = 0.0f;
+      for (std::uint32_t image : sky.box) all += mean(image);
+      return all / static_cast<float>(sky.box.size());
+    }
+  }
+  return 0.0f;
+}
+
+// The cases are shade_point's (Shaders/lib/material.glsl).
+float LightList::radiance(const scene::Assets& assets, const shared::GpuMaterial& m, float sky) {
+  using Kind = scene::EmissionKind;
+  const vec3 factor(m.emission);
+  const auto kind = static_cast<Kind>(m.emission_kind);
+  if (kind == Kind::kSky) return sky * sum(factor) / 3.0f;
+  if (kind == Kind::kConstant) return sum(factor);
+  if (m.base >= assets.images.size()) return 0.0f;
+  if (kind == Kind::kFullbright) {
+    if (m.luma < assets.images.size()) return sum(means(assets, m.luma).all * factor);
+    return (m.flags & scene::kMaterialNoFullbright) != 0 ? 0.0f : sum(means(assets, m.base).glowing * factor);
+  }
+  const bool all_glows =
+      kind == Kind::kLava || kind == Kind::kSlime || kind == Kind::kTeleport || kind == Kind::kSprite;
+  return all_glows ? sum(means(assets, m.base).all * factor) : 0.0f;
+}
+
+void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::span<const Source> sources,
+                      std::span<const shared::GpuMaterial> materials) {
+  elements_.clear();
+  first_ = 0;
+  if (sources.empty()) return;
+  if (assets.generation != generation_) means_.clear();
+  generation_ = assets.generation;
+  const float sky_mean = sky_radiance(assets, sky);
+  std::vector<float> glow(materials.size());
+  for (std::size_t i = 0; i < materials.size(); ++i) glow[i] = radiance(assets, materials[i], sky_mean);
+
+  first_ = static_cast<std::uint32_t>(sources.size());
+  elements_.assign(first_, uvec2(shared::kNoIndex, 0));
+  std::vector<double> ends;  // sums of powers
+  double total = 0;
+  for (std::uint32_t i = 0; i < first_; ++i) {
+    const Source& s = sources[i];
+    if ((s.instance->visibility & scene::kSeenByIndirect) == 0) continue;
+    const bool colored = (s.gpu->flags & shared::kInstanceHasColor) != 0;
+    const scene::Mesh& mesh = assets.meshes[s.instance->mesh];
+    const auto of = [&](std::uint32_t triangle) {
+      return colored ? sum(vec3(s.gpu->emission))
+                     : glow[mesh.triangles[s.mesh->order[triangle]].material + s.gpu->material_base];
+    };
+    bool any = false;
+    for (std::uint32_t t = 0; t < s.mesh->triangle_count && !any; ++t) any = of(t) > 0.0f;
+    if (!any) continue;
+    elements_[i].x = static_cast<std::uint32_t>(first_ + ends.size());
+    const std::vector<vec3> at = world_vertices(mesh, *s.mesh, *s.instance);
+    for (std::uint32_t t = 0; t < s.mesh->triangle_count; ++t) {
+      const auto& v = mesh.triangles[s.mesh->order[t]].vertices;
+      const float power = of(t) * glm::length(glm::cross(at[v[1]] - at[v[0]], at[v[2]] - at[v[0]]));
+      if (power > 0.0f && std::isfinite(power)) total += static_cast<double>(power);
+      ends.push_back(total);
+      elements_.emplace_back(0, i);
+    }
+  }
+  if (total <= 0) {
+    elements_.assign(first_, uvec2(shared::kNoIndex, 0));
+    return;
+  }
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    elements_[first_ + i].x = static_cast<std::uint32_t>(ends[i] / total * shared::kLightRange);
+}
+
+}  // namespace fb::render

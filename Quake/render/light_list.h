@@ -1,0 +1,48 @@
+// LightList: the triangles that glow, by the power that each is thought to have: area times mean radiance. Made anew
+// each frame for estimators that sample lights, which stay right whatever it says: what is missing there they find by
+// chance.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "render/gpu_scene_assets.h"
+#include "scene/snapshot.h"
+#include "shared/scene_gpu.h"
+
+namespace fb::render {
+
+class LightList {
+ public:
+  // An instance in the order of the table that shaders see.
+  struct Source {
+    const scene::Instance* instance = nullptr;
+    const MeshRecord* mesh = nullptr;
+    const shared::GpuInstance* gpu = nullptr;
+  };
+  // `materials`: what GpuInstance::material_base counts in. Meshes are `assets`' own, their records' order that of
+  // leaves.
+  void build(const scene::Assets& assets, const scene::Sky& sky, std::span<const Source> sources,
+             std::span<const shared::GpuMaterial> materials);
+  // As Shaders/shared/scene_gpu.h has it; the elements from first() on are triangles. first() == size(): nothing glows.
+  const std::vector<uvec2>& elements() const { return elements_; }
+  std::uint32_t first() const { return first_; }
+
+ private:
+  // Mean linear colour of an image's texels: of all, and of those alone that glow by their palette index.
+  struct Means {
+    vec3 all{0.0f}, glowing{0.0f};
+  };
+  const Means& means(const scene::Assets& assets, std::uint32_t image);
+  float radiance(const scene::Assets& assets, const shared::GpuMaterial& material, float sky);
+  float sky_radiance(const scene::Assets& assets, const scene::Sky& sky);
+
+  std::uint64_t generation_ = 0;
+  std::vector<std::optional<Means>> means_;
+  std::vector<uvec2> elements_;
+  std::uint32_t first_ = 0;
+};
+
+}  // namespace fb::render

@@ -1,0 +1,152 @@
+// The list of lights: every kind of light is in it with the power it has, nothing else is, and its intervals are whole.
+#include "render/light_list.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "render/gpu_scene_tables.h"
+#include "render/settings.h"
+#include "scene/scene_of_kinds.h"
+#include "scene/scenes_in_code.h"
+#include "scene/shapes.h"
+
+namespace fb::render {
+namespace {
+
+// A snapshot's tables without a device: leaves hold each mesh's triangles backwards.
+struct Listed {
+  explicit Listed(const scene::FrameSnapshot& snapshot) {
+    const scene::Assets& assets = *snapshot.assets;
+    for (const scene::Mesh& mesh : assets.meshes) {
+      MeshRecord record;
+      record.triangle_count = static_cast<std::uint32_t>(mesh.triangles.size());
+      record.posed = mesh.posed();
+      record.vertex_count = mesh.vertex_count;
+      record.pose_count = mesh.pose_count;
+      record.order.resize(mesh.triangles.size());
+      std::iota(record.order.rbegin(), record.order.rend(), 0u);
+      for (const auto& t : mesh.triangles) record.materials.push_back(t.material);
+      records.push_back(std::move(record));
+    }
+    const EmissionScales scales = emission_scales(RenderSettings{});
+    table.begin(assets, snapshot.time, scales);
+    for (const scene::Instance& i : snapshot.instances) {
+      const scene::Material& m = assets.materials[records[i.mesh].materials[0] + i.material_base];
+      instances.push_back(make_gpu_instance(records[i.mesh], i, mat4x3(1.0f),
+                                            table.base_for(assets, records[i.mesh], i),
+                                            emission_scale(scales, m.emission_kind)));
+    }
+    std::vector<LightList::Source> sources;
+    for (std::size_t i = 0; i < instances.size(); ++i)
+      sources.push_back({&snapshot.instances[i], &records[snapshot.instances[i].mesh], &instances[i]});
+    list.build(assets, snapshot.sky, sources, table.entries());
+  }
+  double probability(std::uint32_t element) const {
+    const std::uint32_t begin = element == list.first() ? 0 : list.elements()[element - 1].x;
+    return (static_cast<double>(list.elements()[element].x) - begin) / shared::kLightRange;
+  }
+  // Of an instance, by its material.
+  std::map<std::string, double> by_material(const scene::FrameSnapshot& snapshot, std::size_t instance) const {
+    std::map<std::string, double> sums;
+    const std::uint32_t at = list.elements()[instance].x;
+    if (at == shared::kNoIndex) return sums;
+    const scene::Mesh& mesh = snapshot.assets->meshes[snapshot.instances[instance].mesh];
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      const std::uint32_t material = mesh.triangles[mesh.triangles.size() - 1 - t].material;
+      const double p = probability(at + t);
+      if (p > 0) sums[snapshot.assets->materials[material].name] += p;
+    }
+    return sums;
+  }
+  double of_instance(const scene::FrameSnapshot& snapshot, std::size_t instance) const {
+    double sum = 0;
+    for (const auto& [name, p] : by_material(snapshot, instance)) sum += p;
+    return sum;
+  }
+  std::vector<MeshRecord> records;
+  MaterialTable table;
+  std::vector<shared::GpuInstance> instances;
+  LightList list;
+};
+
+TEST(LightList, IntervalsAreWholeAndInOrder) {
+  const scene::FrameSnapshot snapshot = scene::light_of_every_kind();
+  const Listed listed(snapshot);
+  const auto& elements = listed.list.elements();
+  ASSERT_EQ(listed.list.first(), snapshot.instances.size());
+  ASSERT_GT(elements.size(), listed.list.first());
+  EXPECT_TRUE(std::is_sorted(elements.begin() + listed.list.first(), elements.end(),
+                             [](const uvec2& a, const uvec2& b) { return a.x < b.x; }));
+  EXPECT_EQ(elements.back().x, shared::kLightRange);
+  for (std::uint32_t i = 0; i < listed.list.first(); ++i) {
+    const std::uint32_t at = elements[i].x;
+    if (at == shared::kNoIndex) continue;
+    const auto count = snapshot.assets->meshes[snapshot.instances[i].mesh].triangles.size();
+    ASSERT_LE(at + count, elements.size());
+    for (std::size_t t = 0; t < count; ++t) EXPECT_EQ(elements[at + t].y, i);
+  }
+}
+
+TEST(LightList, EveryKindHasItsPowerAndNothingElseAny) {
+  const scene::FrameSnapshot snapshot = scene::light_of_every_kind();
+  const Listed listed(snapshot);
+  const auto room = listed.by_material(snapshot, 0), pictures = listed.by_material(snapshot, 6);
+  std::vector<std::string> names;
+  for (const auto* part : {&room, &pictures})
+    for (const auto& [name, p] : *part) names.push_back(name);
+  EXPECT_EQ(names, (std::vector<std::string>{"*lava", "sky", "luma", "texels"}));
+  // The panel of 96 x 64 units glows in 9 of 64 texels of index 0xf8: 17 * 8, 17 * 15, 7.
+  const auto linear = [](double c) { return std::pow((c / 255 + 0.055) / 1.055, 2.4); };
+  const double texel = linear(136) + linear(255) + 7.0 / 255 / 12.92;
+  const double panel = 96 * 64 * 9.0 / 64 * texel * 6;  // r_emit_fullbright 6
+  // A sphere's mesh has its area; radiance 95 in all channels, that nobody but paths sees.
+  const double flash = 4 * 3.14159265 * 25 * 95;
+  const std::size_t flash_at = 4;
+  ASSERT_EQ(snapshot.instances[flash_at].visibility, scene::kSeenByIndirect);
+  EXPECT_NEAR(pictures.at("texels") / listed.of_instance(snapshot, flash_at), panel / flash, 1e-3 * panel / flash);
+  for (std::size_t i = 1; i <= 3; ++i) EXPECT_GT(listed.of_instance(snapshot, i), 0.0) << i;
+  EXPECT_EQ(listed.of_instance(snapshot, 5), 0.0) << "paths do not see it";
+}
+
+TEST(LightList, APosedBodyHasThePosesArea) {
+  scene::FrameSnapshot snapshot = scene::light_of_every_kind();
+  const auto ratio = [&] {
+    const Listed listed(snapshot);
+    return listed.of_instance(snapshot, 3) / listed.of_instance(snapshot, 4);
+  };
+  snapshot.instances[3].transform = mat4x3(1.0f);
+  const scene::Mesh& body = snapshot.assets->meshes[snapshot.instances[3].mesh];
+  snapshot.instances[3].pose = {0, 1, 0.0f};
+  const double closed = ratio();
+  snapshot.instances[3].pose = {0, 1, 1.0f};
+  const double open = ratio();
+  EXPECT_NEAR(open / closed, scene::mesh_area(body, 1) / scene::mesh_area(body, 0), 1e-3 * open / closed);
+  EXPECT_GT(open / closed, 2.0);
+}
+
+TEST(LightList, WhatIsDarkHasNone) {
+  scene::FrameSnapshot snapshot = scene::alpha_panel();
+  EXPECT_GT(Listed(snapshot).list.elements().size(), 1u);
+  auto assets = std::make_shared<scene::Assets>(*snapshot.assets);
+  assets->generation = scene::next_generation();
+  for (scene::Material& m : assets->materials) m.emission = vec3(0.0f);
+  snapshot.assets = assets;
+  const Listed dark(snapshot);
+  EXPECT_EQ(dark.list.elements().size(), dark.list.first());
+  EXPECT_EQ(dark.list.elements().at(0).x, shared::kNoIndex);
+}
+
+TEST(LightList, AnInstancesColourReplacesItsMaterials) {
+  scene::FrameSnapshot snapshot = scene::light_of_every_kind();
+  const double before = Listed(snapshot).of_instance(snapshot, 4);
+  snapshot.instances[4].emission *= 3.0f;
+  const double after = Listed(snapshot).of_instance(snapshot, 4);
+  EXPECT_NEAR(after / (1 - after), 3 * before / (1 - before), 1e-3 * after / (1 - after));
+}
+
+}  // namespace
+}  // namespace fb::render
