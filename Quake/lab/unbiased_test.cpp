@@ -148,6 +148,9 @@ const Row kLooksForLights[] = {
     {"kinds", "nee", {"r_nee_candidates=1"}, plan(16, 4), 8},
     {"cbox_glossy", "nee", {}, plan(16, 4), 4},
     {"moving", "nee", {}, plan(12, 4, 8), 2},
+    {"kinds", "mcpg_nee", {}, warm(), 8},
+    {"one_light", "mcpg_nee", {}, cold(), 2},
+    {"candles", "mcpg_nee", {}, warm(), 4},
 };
 INSTANTIATE_TEST_SUITE_P(LooksForLights, UnbiasedTest, testing::ValuesIn(kLooksForLights), row_name);
 
@@ -162,6 +165,10 @@ TEST_P(MoreUnbiasedTest, HasTheMeanOfPt) {
 const Row kFeatures[] = {
     {"kinds", "mcpg", {}, warm(), 8},
     {"kinds", "nee", {}, plan(16, 4), 8, false, {"r_bounces=4"}},
+    {"kinds", "mcpg_nee", {"r_deterministic=1"}, cold(), 8},
+    {"cbox_glossy", "mcpg_nee", {}, warm(), 2},
+    {"many", "mcpg_nee", {}, warm(), 2},
+    {"rocket", "mcpg_nee", {}, plan(12, 6, 4), 4},
     {"kinds", "nee", {}, plan(16, 4), 8, false, {"r_emit_sun=0"}},
     {"one_light", "nee", {}, plan(16, 4), 2},
     {"many", "nee", {}, plan(16, 4), 2},

@@ -17,6 +17,8 @@
 #include "guide_cache.spv.h"
 #include "guide_states.spv.h"
 #include "mcpg_bvh.spv.h"
+#include "mcpg_nee_bvh.spv.h"
+#include "mcpg_nee_query.spv.h"
 #include "mcpg_query.spv.h"
 #include "nee_bvh.spv.h"
 #include "nee_query.spv.h"
@@ -43,6 +45,7 @@ const std::array kShaders{
     Shader{"pt", pt_bvh_spv, pt_query_spv},
     Shader{"nee", nee_bvh_spv, nee_query_spv},
     Shader{"mcpg", mcpg_bvh_spv, mcpg_query_spv},
+    Shader{"mcpg_nee", mcpg_nee_bvh_spv, mcpg_nee_query_spv},
     Shader{"mcpg_tail", mcpg_bvh_spv, mcpg_query_spv},  // Variant::tail
     Shader{"guide_states", guide_states_spv, {}},
     Shader{"guide_cache", guide_cache_spv, {}},

@@ -288,6 +288,16 @@ void train_cell(PathVertex v, vec3 direction, vec3 incoming, float emitted, floa
   }
 }
 
+// Adds light that was looked for to the cache's cell; the sample is counted where the path's own direction trains it.
+void found_lights(vec3 irradiance, inout uint rng) {
+  if (guide.cell.entry == kNoIndex || guide.pdf == 0.0 || irradiance == vec3(0.0)) return;
+  float u = rng_uniform(rng);
+  for (uint i = 0u; i < 3u; ++i) {
+    uint x = to_fixed(irradiance[i], kCacheFixed, kCacheLargest, u);
+    if (x != 0u) atomicAdd(guide_cache[guide.cell.entry + kCacheSum + i], x);
+  }
+}
+
 // A direction below the surface: a sample of zero, without which the cell's means would be those of the others.
 void path_wasted() {
   uint entry = guide.cell.entry;

@@ -70,15 +70,7 @@ vec3 light_emission(uint instance, uint triangle, vec2 bary, vec3 direction, out
   return shade_point(m, instance, hit_uv(record, bary), false).emission;
 }
 
-// A direction to look for light in.
-struct Aim {
-  vec3 direction;
-  vec3 weight;  // factor on the emission that is met; zero: nothing to look for
-  float reach;
-  uint instance, triangle;  // what must be met
-};
-
-// f cos and the density of sample_vertex_bsdf.
+// f cos, and the density of sample_vertex_bsdf.
 vec3 vertex_bsdf(PathVertex v, vec3 direction, out float pdf) {
   mat3 to_world = frame_about(v.shading_normal);
   vec3 wo = v.view * to_world, wi = direction * to_world;
@@ -86,12 +78,35 @@ vec3 vertex_bsdf(PathVertex v, vec3 direction, out float pdf) {
   return dot(direction, v.normal) > 0.0 ? bsdf_eval(v.bsdf, wo, wi) : vec3(0.0);
 }
 
+// The emission that a direction meets is shared by the balance heuristic (Veach and Guibas 1995): frame.light_candidates
+// samples of the list, one of the suns, one of the BSDF. It stands for whatever else samples directions, too: shares need
+// only add up to one.
+float density_of_all(float list, float sun, float bsdf) { return float(frame.light_candidates) * list + sun + bsdf; }
+
+// The share of emission that was met by a direction of the path's own.
+float chance_share(PathVertex v, Hit hit, vec3 direction, vec3 emission) {
+  if (emission == vec3(0.0)) return 1.0;
+  float bsdf;
+  vertex_bsdf(v, direction, bsdf);
+  float all = density_of_all(hit_light_pdf(hit, direction), is_sky(hit) ? sun_pdf(direction) : 0.0, bsdf);
+  return all > 0.0 ? bsdf / all : 1.0;
+}
+
+// A direction to look for light in.
+struct Aim {
+  vec3 direction;
+  vec3 f;        // f cos; zero: nothing to look for
+  float weight;  // f cos times this is the factor on the emission that is met
+  float reach;
+  uint instance, triangle;  // what must be met
+};
+const Aim kNoAim = Aim(vec3(0.0), vec3(0.0), 0.0, 0.0, kNoIndex, kNoIndex);
+
 // One of frame.light_candidates points of lights, chosen by what each would bring if nothing stood between (resampled
-// importance sampling, Talbot 2005). Its part of the light is what the balance heuristic gives to that many samples of
-// the list beside one of the BSDF and one of the suns (Veach and Guibas 1995).
+// importance sampling, Talbot 2005).
 Aim aim_at_light(PathVertex v, vec3 origin, inout uint rng) {
-  Aim aim = Aim(vec3(0.0), vec3(0.0), 0.0, kNoIndex, kNoIndex);
-  float candidates = float(frame.light_candidates), sum = 0.0, target = 0.0;
+  Aim aim = kNoAim;
+  float sum = 0.0, target = 0.0;
   for (uint i = 0u; i < frame.light_candidates; ++i) {
     uint element = light_at(rng_next(rng) & (kLightRange - 1u));
     float root = sqrt(rng_uniform(rng)), along = rng_uniform(rng), pick = rng_uniform(rng);
@@ -101,32 +116,59 @@ Aim aim_at_light(PathVertex v, vec3 origin, inout uint rng) {
     vec3 way = to_world_point(instance, t.v0.xyz + t.e1.xyz * bary.x + t.e2.xyz * bary.y) - origin;
     float reach = length(way);
     vec3 direction = way / max(reach, 1e-20);
-    float bsdf_density, density = light_pdf(element, instance, t, reach, direction);
-    vec3 f = vertex_bsdf(v, direction, bsdf_density);
+    float bsdf, density = light_pdf(element, instance, t, reach, direction);
+    vec3 f = vertex_bsdf(v, direction, bsdf);
     if (f == vec3(0.0) || !(density > 0.0)) continue;
     bool sky;
     vec3 emission = light_emission(instance, triangle, bary, direction, sky);
-    float others = bsdf_density + (sky ? sun_pdf(direction) : 0.0);
-    vec3 weight = f * (candidates / (candidates * density + others));
-    float value = dot(weight * emission, vec3(1.0));
+    float weight = 1.0 / density_of_all(density, sky ? sun_pdf(direction) : 0.0, bsdf);
+    float value = weight * dot(f * emission, vec3(1.0));
     if (!(value > 0.0)) continue;
     sum += value;
     if (pick * sum < value) {
       target = value;
-      aim = Aim(direction, weight, reach, instance, triangle);
+      aim = Aim(direction, f, weight, reach, instance, triangle);
     }
   }
-  aim.weight *= target > 0.0 ? sum / (candidates * target) : 0.0;
+  aim.weight *= target > 0.0 ? sum / target : 0.0;
   return aim;
 }
 
-// Its weight is yet to be divided by the sum of all densities there, `density` of which is known.
-Aim aim_at_sun(PathVertex v, inout uint rng, out float density) {
-  Aim aim = Aim(sample_sun(rng), vec3(0.0), kRayEnd, kNoIndex, kNoIndex);
-  aim.weight = vertex_bsdf(v, aim.direction, density);
-  float sun = sun_pdf(aim.direction);  // zero on a rim that rounding left out, and the BSDF's samples miss as well
-  if (sun == 0.0) aim.weight = vec3(0.0);
-  density += sun;
+// Its weight is left to what is met.
+Aim aim_at_sun(PathVertex v, inout uint rng, out float bsdf) {
+  Aim aim = kNoAim;
+  aim.direction = sample_sun(rng);
+  aim.reach = kRayEnd;
+  aim.f = vertex_bsdf(v, aim.direction, bsdf);
   return aim;
+}
+
+const uint kToLight = 0u, kToSun = 1u, kWays = 2u;
+
+// Light that the vertex reflects to its viewer from a light of the list and from a sun. `irradiance`: what falls on it
+// from them, over pi.
+vec3 look_for_lights(PathVertex v, vec3 origin, out vec3 irradiance, inout uint rng) {
+  vec3 sum = vec3(0.0);
+  irradiance = vec3(0.0);
+  for (uint way = 0u; way < kWays; ++way) {
+    if (way == kToLight ? !has_lights() : frame.sun_count == 0u) continue;
+    Aim aim;
+    float bsdf = 0.0;
+    if (way == kToLight) aim = aim_at_light(v, origin, rng);
+    else aim = aim_at_sun(v, rng, bsdf);
+    if (aim.f == vec3(0.0)) continue;
+    Hit hit = trace(origin, aim.direction, 0.0, aim.reach * 1.001 + 0.01, kMaskIndirect, rng);
+    if (way == kToLight) {
+      if (hit.instance != aim.instance || hit.triangle != aim.triangle) continue;
+    } else {
+      float sun = sun_pdf(aim.direction);  // zero on a rim that rounding left out: directions of the BSDF miss it as well
+      if (!is_sky(hit) || sun == 0.0) continue;
+      aim.weight = 1.0 / density_of_all(hit_light_pdf(hit, aim.direction), sun, bsdf);
+    }
+    vec3 light = load_surface(hit, aim.direction, false, true).emission * aim.weight;
+    sum += aim.f * light;
+    irradiance += light * (max(dot(aim.direction, v.shading_normal), 0.0) / kPiShared);
+  }
+  return sum;
 }
 #endif

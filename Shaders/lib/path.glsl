@@ -11,11 +11,17 @@
 //                 vec3 velocity, bool trains, uint proposal, inout uint rng);
 //   bool ends_at_next();                           the path may take reflected_there() for all that is beyond
 // Only a share of the paths trains where much is known, to save time; an emitter that is new is never passed by.
+// One that defines ESTIMATOR_SAMPLES_LIGHTS as 1 also looks for lights at every vertex (lib/lights.glsl); what its directions
+// meet by chance then counts by the balance heuristic. If it learns, too, it defines
+//   void found_lights(vec3 irradiance, inout uint rng);  irradiance / pi at the vertex by those that were looked for
 // All transport is here: emission met on the way, at most frame.bounces further vertices. Where the estimator is biased and
 // says so (PATH_TAIL), what is known of the last vertex stands for everything beyond it.
 #ifndef FB_LIB_PATH
 #define FB_LIB_PATH
 #include "lib/path_vertex.glsl"
+#if ESTIMATOR_SAMPLES_LIGHTS
+#include "lib/lights.glsl"
+#endif
 
 #if ESTIMATOR_LEARNS
 const float kFarTarget = 32768.0;  // as far as a map reaches: where light from beyond is thought to be
@@ -37,13 +43,20 @@ vec3 trace_path(PathVertex v, uint path, bool trains, bool goes_on, inout uint r
     bool last = end && !PATH_TAIL;  // emission alone counts there
     vec3 direction;
     vec3 weight = sample_direction(v, bounce == 0u, last, rng, direction);
+    vec3 origin = offset_origin(v.position, v.normal);
+#if ESTIMATOR_SAMPLES_LIGHTS
+    vec3 irradiance;
+    sum += throughput * look_for_lights(v, origin, irradiance, rng);
+#if ESTIMATOR_LEARNS
+    if (trains || is_new_here()) found_lights(irradiance, rng);
+#endif
+#endif
     if (weight == vec3(0.0)) {
 #if ESTIMATOR_LEARNS
       if (trains || is_new_here()) path_wasted();
 #endif
       break;
     }
-    vec3 origin = offset_origin(v.position, v.normal);
     Hit hit = trace(origin, direction, 0.0, kRayEnd, kMaskIndirect, rng);
     bool missed = hit.instance == kNoIndex;
     bool dark = missed && frame.sky_beyond == 0u;
@@ -51,6 +64,9 @@ vec3 trace_path(PathVertex v, uint path, bool trains, bool goes_on, inout uint r
     Surface s;
     s.emission = vec3(0.0);
     if (!dark) s = load_surface(hit, direction, false, last);
+#if ESTIMATOR_SAMPLES_LIGHTS
+    s.emission *= chance_share(v, hit, direction, s.emission);
+#endif
     bool more = !missed && !last;
     vec3 reflected = vec3(0.0);
     if (more) {
@@ -67,6 +83,9 @@ vec3 trace_path(PathVertex v, uint path, bool trains, bool goes_on, inout uint r
 #else
     if (dark) break;
     Surface s = load_surface(hit, direction, false, last);
+#if ESTIMATOR_SAMPLES_LIGHTS
+    s.emission *= chance_share(v, hit, direction, s.emission);
+#endif
 #endif
     throughput *= weight;
     sum += throughput * s.emission;

@@ -1,11 +1,7 @@
 // The main function of every estimator: each pixel's radiance is its emission, and the mean of frame.spp paths from its
-// surface. The includer defines the estimator's policy (lib/path.glsl) before, or ESTIMATOR_SAMPLES_LIGHTS.
+// surface. The includer defines the estimator's policy (lib/path.glsl) before.
 #include "lib/pixel.glsl"
-#ifdef ESTIMATOR_SAMPLES_LIGHTS
-#include "lib/path_lights.glsl"
-#else
 #include "lib/path.glsl"
-#endif
 
 // Where what a texel shows was in the former frame; its position itself unless it moved perceptibly.
 vec3 previous_world(GBufferTexel g, vec2 point) {

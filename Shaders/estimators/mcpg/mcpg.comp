@@ -7,6 +7,7 @@
 #extension GL_EXT_ray_query : require
 #endif
 #define ESTIMATOR_LEARNS 1
+#define ESTIMATOR_SAMPLES_LIGHTS 0
 #include "lib/guide_debug.glsl"
 
 #include "lib/paths_main.glsl"

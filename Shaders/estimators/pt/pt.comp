@@ -6,6 +6,7 @@
 #extension GL_EXT_ray_query : require
 #endif
 #define ESTIMATOR_LEARNS 0
+#define ESTIMATOR_SAMPLES_LIGHTS 0
 #include "lib/path_vertex.glsl"
 
 vec3 sample_direction(PathVertex v, bool first, bool last, inout uint rng, out vec3 direction) {

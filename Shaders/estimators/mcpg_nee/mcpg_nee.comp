@@ -1,0 +1,13 @@
+// Estimator `mcpg_nee`: as `mcpg`, and every vertex looks for a light of the list and for a sun. What it learns is the light
+// that this leaves: by reflection, and from what is near. Unbiased as `mcpg` is.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#if INTERSECTOR_QUERY
+#extension GL_EXT_ray_query : require
+#endif
+#define ESTIMATOR_LEARNS 1
+#define ESTIMATOR_SAMPLES_LIGHTS 1
+#include "lib/guide_debug.glsl"
+
+#include "lib/paths_main.glsl"
