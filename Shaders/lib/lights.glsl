@@ -37,11 +37,16 @@ float hit_light_pdf(Hit hit, vec3 direction) {
   return light_pdf(lights[hit.instance].x + hit.triangle, hit.instance, t, hit.t, direction);
 }
 
+bool shows_sky(GpuMaterial m, uint instance) {
+  return m.emission_kind == kEmissionSky && (instances[instance].flags & kInstanceHasColor) == 0u;
+}
+GpuMaterial material_of(uint instance, uint triangle) {
+  uint record = instances[instance].first_attribute + triangle;
+  return materials[instances[instance].material_base + attributes[record].material];
+}
 bool is_sky(Hit hit) {
   if (hit.instance == kNoIndex) return frame.sky_beyond != 0u;
-  uint record = instances[hit.instance].first_attribute + hit.triangle;
-  uint material = instances[hit.instance].material_base + attributes[record].material;
-  return materials[material].emission_kind == kEmissionSky && (instances[hit.instance].flags & kInstanceHasColor) == 0u;
+  return shows_sky(material_of(hit.instance, hit.triangle), hit.instance);
 }
 
 // One sun of all, each as often; 1 - cos of a small disc is exact.
@@ -63,11 +68,10 @@ vec3 sample_sun(inout uint rng) {
 
 // Emission towards `direction`'s origin of a point of the scene, as load_surface has it.
 vec3 light_emission(uint instance, uint triangle, vec2 bary, vec3 direction, out bool sky) {
-  uint record = instances[instance].first_attribute + triangle;
-  GpuMaterial m = materials[instances[instance].material_base + attributes[record].material];
-  sky = m.emission_kind == kEmissionSky && (instances[instance].flags & kInstanceHasColor) == 0u;
+  GpuMaterial m = material_of(instance, triangle);
+  sky = shows_sky(m, instance);
   if (sky) return sky_radiance(direction) * m.emission.rgb;
-  return shade_point(m, instance, hit_uv(record, bary), false).emission;
+  return shade_point(m, instance, hit_uv(instances[instance].first_attribute + triangle, bary), false).emission;
 }
 
 // f cos, and the density of sample_vertex_bsdf.
