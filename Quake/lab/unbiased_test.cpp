@@ -84,7 +84,7 @@ class UnbiasedTest : public render::DeviceTest, public testing::WithParamInterfa
     }
     at.film = std::move(*film);
     Sampling sampling{settings_of(row.both), p};
-    sampling.settings.estimator = "pt";  // the cvar's default is what the game uses
+    sampling.settings.estimator = "pt";   // the cvar's default is what the game uses
     sampling.settings.spp = 8 * row.spp;  // pt's are noisy, and cheap
     at.runs = std::make_unique<ReferenceRuns>(*device_, at.film, sampling);
     return &at;

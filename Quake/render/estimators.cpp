@@ -12,8 +12,8 @@ const std::vector<EstimatorInfo>& estimators() {
        true, false, false, true},
       {"mcpg", "Markov chain path guiding (Alber 2025); unbiased for paths of at most r_bounces reflections", true,
        true},
-      {"mcpg_nee", "mcpg that looks for lights as nee does, and learns what this leaves; unbiased like both", true, true,
-       false, true},
+      {"mcpg_nee", "mcpg that looks for lights as nee does, and learns what this leaves; unbiased like both", true,
+       true, false, true},
       {"mcpg_tail",
        "mcpg with one reflection traced (r_bounces says no more than whether there is any) and the irradiance cache "
        "beyond "
