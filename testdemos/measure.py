@@ -1,16 +1,15 @@
 #!/usr/bin/env python3
 """Measures pt on the laboratory's scenes, and makes their small references and pictures.
 
-    measure.py references|errors|pictures|views [--build build] [--basedir DIR] [--spp N] [--device NAME] [NAME ...]
-    measure.py pictures [--noise RELMSE] [--more] ...
+    measure.py references|errors|pictures [--build build] [--basedir DIR] [--spp N] [--device NAME] [NAME ...]
+    measure.py pictures [--estimator NAME] [--noise RELMSE] [--more] ...
     measure.py table                      errors.csv as a table for Misc/docs/scenes.md
 
 references  pt, 96x54, --spp samples (16384): references/NAME.exr, colours in halves and the variance of their mean
 errors      pt with 1, 16 and 256 samples, four runs of other seeds each, against these: three lines in errors.csv
-pictures    nee, unbiased, 384x216, as often --spp samples (128) as it takes until its own relMSE, as exposed, is below --noise
-            (0.003): Misc/docs/pictures/scenes/NAME.jpg (by ImageMagick), and a row of pictures.csv. Samples are kept in
+pictures    nee (or --estimator), 384x216, as often --spp samples (256) as it takes until its own relMSE, as exposed, is at most
+            --noise (0.01): Misc/docs/pictures/scenes/NAME.jpg (by ImageMagick), and a row of pictures.csv. Samples are kept in
             BUILD/pictures: --more adds to those of an earlier run, whose map and settings must have been the same
-views       the same quickly: the last of 24 denoised frames of --spp samples (2), as the game would show it
 """
 
 from __future__ import annotations
@@ -21,7 +20,6 @@ import json
 import subprocess
 import sys
 import tempfile
-from collections.abc import Collection
 from pathlib import Path
 
 import numpy as np
@@ -33,6 +31,7 @@ ROOT = HERE.parent
 REFERENCES, ERRORS, NOISE = HERE / "references", HERE / "errors.csv", HERE / "pictures.csv"
 PICTURES = ROOT / "Misc/docs/pictures/scenes"
 PICTURE = "384x216"
+WARMUP = 128  # frames that an estimator that learns begins with
 SIZE, SAMPLES, RUNS = "96x54", (1, 16, 256), 4
 CENTRES = "r_jitter=0"  # rays through the centres of pixels: edges are no error of an estimator
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
@@ -99,34 +98,41 @@ def figures(found: dict) -> dict:
     return result
 
 
-def save(path: Path, rows: list[dict], without: Collection[str] = ()) -> None:
-    """Replaces these scenes' rows in a file; takes out those of `without`."""
+def save(path: Path, rows: list[dict]) -> None:
+    """Replaces these scenes' rows in a file."""
     old = list(csv.DictReader(path.open())) if path.exists() else []
-    kept = [row for row in old if row["scene"] not in {*without, *(r["scene"] for r in rows)}] + rows
-    if not old and not rows:
-        return
+    kept = [row for row in old if row["scene"] not in {r["scene"] for r in rows}] + rows
     with path.open("w", newline="") as file:
-        writer = csv.DictWriter(file, list((rows or old)[0]), lineterminator="\n")
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
         writer.writeheader()
         writer.writerows(sorted(kept, key=lambda row: (row["scene"], int(row["spp"]))))
 
 
-def sample_picture(lab: Lab, name: str, spp: int, more: bool) -> tuple[dict, int]:
-    """Planes RGB and their variances, float64, and how many samples they hold: kept for `more`, which has seeds of its own."""
-    kept = lab.program.parent / f"pictures/{name}_{PICTURE}.npz"
-    kept.parent.mkdir(exist_ok=True)
-    old = dict(np.load(kept)) if more and kept.exists() else {"spp": np.array(0)}
-    done = int(old.pop("spp"))
+def kept_picture(lab: Lab, name: str) -> Path:
+    return lab.program.parent / f"pictures/{name}_{PICTURE}.npz"
+
+
+def load_picture(lab: Lab, name: str) -> tuple[dict, int]:
+    """Planes RGB and their variances, float64, and how many samples they hold: nothing and 0 if none were kept."""
+    path = kept_picture(lab, name)
+    planes = dict(np.load(path)) if path.exists() else {"spp": np.array(0)}
+    return planes, int(planes.pop("spp"))
+
+
+def sample_picture(lab: Lab, name: str, spp: int, old: dict, done: int, estimator: str = "nee") -> tuple[dict, int]:
+    """`spp` samples with a seed that no others have, together with `done` old ones; kept for `more`."""
     with tempfile.TemporaryDirectory() as scratch:
         out = Path(scratch) / "picture.exr"
-        lab.reference(name, out, "r_jitter=1", f"r_seed={done}", "r_nee_candidates=16", spp=spp, size=PICTURE, estimator="nee")
+        lab.reference(name, out, "r_jitter=1", f"r_seed={done}", "r_nee_candidates=16", spp=spp,
+                      warmup=WARMUP if estimator != "nee" else 0, size=PICTURE, estimator=estimator)
         drawn, _ = read(out)
     planes = {key: drawn[key].astype(float) for c in "RGB" for key in (c, f"variance.{c}")}
     share = spp / (done + spp)
     for key, plane in old.items():
         a, b = (share**2, (1 - share) ** 2) if key.startswith("variance") else (share, 1 - share)
         planes[key] = a * planes[key] + b * plane
-    np.savez(kept, spp=done + spp, **planes)
+    kept_picture(lab, name).parent.mkdir(exist_ok=True)
+    np.savez(kept_picture(lab, name), spp=done + spp, **planes)
     return planes, done + spp
 
 
@@ -137,66 +143,50 @@ def exposure(planes: dict) -> float:
     return 0.16 / max(np.exp(np.log(shown).mean()), 1e-9)
 
 
-def make_picture(lab: Lab, name: str, spp: int, more: bool, goal: float) -> dict:
-    """A row of pictures.csv. What is brighter than the screen is rolled off towards white."""
+def make_picture(lab: Lab, name: str, spp: int, more: bool, goal: float, estimator: str = "nee") -> dict:
+    """A row of pictures.csv. What is brighter than the screen is rolled off towards white, as film does."""
     PICTURES.mkdir(parents=True, exist_ok=True)
-    while True:
-        planes, samples = sample_picture(lab, name, spp, more)
-        gain = exposure(planes)
-        _, relmse = noise(planes, gain)
+    planes, samples = load_picture(lab, name) if more else ({}, 0)
+    relmse = noise(planes, exposure(planes))[1] if planes else "inf"
+    while float(relmse) > goal:
+        planes, samples = sample_picture(lab, name, spp, planes, samples, estimator)
+        relmse = noise(planes, exposure(planes))[1]
         print(f"{name}: {samples} samples, relMSE {relmse}", flush=True)
-        if float(relmse) <= goal:
-            break
-        more = True
     with tempfile.TemporaryDirectory() as scratch:
         raw = Path(scratch) / "picture.ppm"
-        light = gain * np.maximum(np.stack([planes[c] for c in "RGB"], axis=-1), 0.0)
-        peak = light.max(axis=-1, keepdims=True)
-        light = light / np.maximum(peak, 1e-9) * (1.0 - np.exp(-1.1 * peak)) ** 0.9
+        light = exposure(planes) * np.maximum(np.stack([planes[c] for c in "RGB"], axis=-1), 0.0)
+        light = (1.0 - np.exp(-1.1 * light)) ** 0.9
         srgb = np.where(light <= 0.0031308, light * 12.92, 1.055 * np.maximum(light, 1e-9) ** (1 / 2.4) - 0.055)
         pixels = np.round(np.clip(srgb, 0, 1) * 255).astype(np.uint8)
         raw.write_bytes(b"P6 %d %d 255\n" % pixels.shape[1::-1] + pixels.tobytes())
         subprocess.run(["convert", raw, "-quality", "90", PICTURES / f"{name}.jpg"], check=True)
-    return {"scene": name, "spp": samples, "relmse": relmse}
-
-
-VIEW_FRAMES = 24
-
-
-def make_view(lab: Lab, name: str, spp: int) -> None:
-    last = max(load(name).get("frame", 0), VIEW_FRAMES - 1)
-    with tempfile.TemporaryDirectory() as scratch:
-        lab.run("render", *lab.common, *lab_args(name), "--estimator", "mcpg", "--denoised", "--spp", spp, "--size", PICTURE,
-                "--frames", f"{last - VIEW_FRAMES + 1}:{last}", "--out", scratch)
-        PICTURES.mkdir(parents=True, exist_ok=True)
-        subprocess.run(["convert", Path(scratch) / f"frame_{last:06d}.png", "-quality", "88", PICTURES / f"{name}.jpg"],
-                       check=True)
-    save(NOISE, [], {name})  # its picture is none of many samples any more
+    return {"scene": name, "estimator": estimator, "spp": samples, "relmse": relmse}
 
 
 def table() -> str:
-    """relMSE (and MSE in brackets) by samples; the reference's own; the picture's, where it is no denoised view."""
+    """relMSE (and MSE in brackets) by samples; the reference's own; the picture's."""
     rows = list(csv.DictReader(ERRORS.open()))
-    pictures = {row["scene"]: f"{row['relmse']} ({row['spp']} spp)" for row in csv.DictReader(NOISE.open())}
+    pictures = {row["scene"]: f"{row['relmse']} ({row['spp']} of {row['estimator']})" for row in csv.DictReader(NOISE.open())}
     lines = ["| scene | 1 spp | 16 spp | 256 spp | reference's own | picture's own |", "| --- | --- | --- | --- | --- | --- |"]
     for name in sorted({row["scene"] for row in rows}):
         of = {int(row["spp"]): row for row in rows if row["scene"] == name}
         cells = [f"{of[n]['relmse']} ({of[n]['mse']})" for n in SAMPLES if n in of]
         own = next(iter(of.values()))
-        cells += [f"{own['reference_relmse']} ({own['reference_mse']})", pictures.get(name, "a view")]
+        cells += [f"{own['reference_relmse']} ({own['reference_mse']})", pictures.get(name, "none yet")]
         lines.append(f"| `{name}` | " + " | ".join(cells) + " |")
     return "\n".join(lines)
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("what", choices=["references", "errors", "pictures", "views", "table"])
+    parser.add_argument("what", choices=["references", "errors", "pictures", "table"])
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--build", type=Path, default=ROOT / "build")
     parser.add_argument("--basedir")
     parser.add_argument("--device")
-    parser.add_argument("--spp", type=int, help="samples a pixel of references, pictures or views")
-    parser.add_argument("--noise", type=float, default=0.003, help="pictures: relMSE of their own that is good enough")
+    parser.add_argument("--spp", type=int, help="samples a pixel of references, or of a picture at a time")
+    parser.add_argument("--estimator", default="nee", help="pictures: one that is unbiased")
+    parser.add_argument("--noise", type=float, default=0.01, help="pictures: relMSE of their own that is good enough")
     parser.add_argument("--more", action="store_true", help="pictures: add to the samples of an earlier run of the same scene")
     options = parser.parse_intermixed_args()
     if options.what == "table":
@@ -208,9 +198,7 @@ def main() -> int:
             if options.what == "references":
                 make_reference(lab, name, options.spp or 16384)
             elif options.what == "pictures":
-                save(NOISE, [make_picture(lab, name, options.spp or 128, options.more, options.noise)])
-            elif options.what == "views":
-                make_view(lab, name, options.spp or 2)
+                save(NOISE, [make_picture(lab, name, options.spp or 256, options.more, options.noise, options.estimator)])
             else:
                 save(ERRORS, errors_of(lab, name))
             print(f"{options.what}: {name}", flush=True)
