@@ -253,6 +253,15 @@ TEST_F(ConsoleTest, ConfigReadsBackTheSame) {
   EXPECT_EQ(other.config_text(), text.substr(10));
 }
 
+TEST_F(ConsoleTest, WhatConfigCannotNameIsNoCvar) {
+  for (const char* name : {"kemen\"2", "\"two words\"", "\"a;b\"", "\"a{b\"", "\"\"", "\"// b\""}) {
+    EXPECT_THAT(said(std::string("seta ") + name + " 3"), ElementsAre(HasSubstr("cannot be a cvar"))) << name;
+  }
+  EXPECT_EQ(console.config_text(), "");
+  EXPECT_THAT(said("seta _odd-name.2 3"), IsEmpty());
+  EXPECT_EQ(console.config_text(), "seta _odd-name.2 \"3\"\n");
+}
+
 TEST_F(ConsoleTest, ConfigValuesCannotBreakOut) {
   console.add_cvar("a", "", "", kCvarArchive).set("x\"; quit\n\"y");
   EXPECT_EQ(console.config_text(), "a \"x'; quit 'y\"\n");

@@ -5,6 +5,16 @@
 #include "console/console.h"
 
 namespace fb::con {
+namespace {
+
+// Whether a script reads it back as it is: config.cfg names cvars without quotes.
+bool is_plain_word(std::string_view name) {
+  const Args words(name);
+  return words.size() == 1 && words[0] == name && command_end(name, 0) == name.size() &&
+         name.find('"') == std::string_view::npos;
+}
+
+}  // namespace
 
 void Console::add_cvar_builtins() {
   add_command("cvarlist", "cvarlist [prefix]: list the cvars; a star marks those kept in config.cfg",
@@ -101,6 +111,10 @@ void Console::set_user_cvar(const Args& args, bool archive) {
   if (cvar == nullptr) {
     if (has_command(args[1])) {
       log_info("\"{}\" is a command and cannot be a cvar.", args[1]);
+      return;
+    }
+    if (!is_plain_word(args[1])) {
+      log_info("\"{}\" cannot be a cvar: its name must be one word, without quotes or semicolons", args[1]);
       return;
     }
     cvar = &add_cvar(args[1], args[2], "", kCvarUser);
