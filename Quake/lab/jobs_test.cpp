@@ -1,10 +1,11 @@
 // The laboratory's jobs on scenes in code: files, references, repetition, and sentences for what cannot be done.
 #include "lab/jobs.h"
 
-#include <algorithm>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <numeric>
 
 #include "lab/client_source.h"
 #include "lab/image_io.h"
@@ -107,11 +108,14 @@ TEST_F(JobsTest, AReferencesVarianceTellsTheSpreadBetweenSeeds) {
 TEST_F(JobsTest, WarmingUpTeachesWhoLearnsAndChangesNothingElse) {
   struct Run {
     ReferenceSummary summary;
-    float variance;  // the median pixel's
+    double variance;  // the mean pixel's
   };
+  // Repeatable to the bit whatever the threads do, and without edges, which are as noisy for one who has learnt all.
   const auto run = [&](const char* estimator, std::uint32_t warmup) {
     render::RenderSettings settings;
     settings.estimator = estimator;
+    settings.deterministic = 1;
+    settings.jitter = 0;
     auto renderer = make_renderer(settings, 48, 48);
     ReferenceJob job;
     job.width = job.height = 48;
@@ -119,16 +123,15 @@ TEST_F(JobsTest, WarmingUpTeachesWhoLearnsAndChangesNothingElse) {
     job.warmup = warmup;
     job.out = path("warm.exr");
     job.quiet = true;
-    const auto summary = render_reference(*scene("cbox"), *renderer, settings, job);
+    const auto summary = render_reference(*scene("one_light"), *renderer, settings, job);
     const auto image = read_exr(job.out);
-    std::vector<float> variances = *image->channel("variance.G");
-    std::nth_element(variances.begin(), variances.begin() + 1152, variances.end());
-    return Run{*summary, variances[1152]};
+    const std::vector<float>& variances = *image->channel("variance.G");
+    return Run{*summary, std::accumulate(variances.begin(), variances.end(), 0.0) / double(variances.size())};
   };
   EXPECT_EQ(run("pt", 100).summary.mean_luminance, run("pt", 0).summary.mean_luminance) << "the same random numbers";
   const Run cold = run("mcpg", 0), warm = run("mcpg", 512);
   EXPECT_EQ(warm.summary.frames, 4u) << "what it has learnt from is not in the mean";
-  EXPECT_LT(warm.variance, 0.8f * cold.variance);
+  EXPECT_LT(warm.variance, 0.2 * cold.variance);  // 0.01 to 0.04 with six seeds
   EXPECT_NEAR(warm.summary.mean_luminance, cold.summary.mean_luminance, 0.05 * cold.summary.mean_luminance);
 }
 
