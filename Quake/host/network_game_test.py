@@ -37,8 +37,9 @@ def script(name, seconds):
     waits = "".join(f'alias w{2 * n} "w{n};w{n}"\n' for n in (2, 4, 8, 16, 32))
     sums = 'alias w2 "wait;wait"\nalias w24 "w16;w8"\nalias w28 "w16;w8;w4"\nalias w40 "w32;w8"\n'
     rounds = (WALKS[name] + "entities\n") * max(1, seconds // 8)
-    # Then back to where both see each other, a few steps, and it stands and says what it sees until it is ended.
-    end = 'kill\nw16\n+forward\nw8\n-forward\nw16\necho walked\nalias watch "entities;w16;watch"\nwatch\n'
+    # Then back to where both see each other, a turn (a walk ends anywhere on a machine that stalls), and it stands and
+  # says what it sees until it is ended.
+    end = 'kill\nw16\n+right\nw8\n-right\nw16\necho walked\nalias watch "entities;w16;watch"\nwatch\n'
     return sums + waits + "w64\nw64\nentities\n" + rounds + end
 
 
