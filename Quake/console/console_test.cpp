@@ -1,10 +1,8 @@
 #include "console/console.h"
 
 #include <gmock/gmock.h>
-#include <stdlib.h>
 
-#include <filesystem>
-
+#include "base/test_directory.h"
 #include "fs/file.h"
 
 namespace fb::con {
@@ -268,16 +266,14 @@ TEST_F(ConsoleTest, ConfigValuesCannotBreakOut) {
 }
 
 TEST_F(ConsoleTest, WritesConfig) {
-  std::string pattern = (std::filesystem::temp_directory_path() / "fullbright-XXXXXX").string();
-  ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-  const auto path = std::filesystem::path(pattern) / "id1" / "config.cfg";
+  const TestDirectory directory;
+  const auto path = directory.path() / "id1" / "config.cfg";
   console.add_cvar("a", "1", "", kCvarArchive);
   ASSERT_TRUE(console.write_config(path));
   const auto data = fs::read_whole_file(path);
   ASSERT_TRUE(data);
   EXPECT_EQ(std::string(data->begin(), data->end()), "a \"1\"\n");
   EXPECT_FALSE(console.write_config(path / "below"));
-  std::filesystem::remove_all(pattern);
 }
 
 TEST_F(ConsoleTest, ScrollbackHearsTheLogAndEchoIsThere) {

@@ -1,10 +1,8 @@
 #include "host/base_game.h"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
-#include <fstream>
-
+#include "base/test_directory.h"
 #include "platform/program_directory.h"
 
 namespace fb::host {
@@ -15,15 +13,10 @@ using testing::ElementsAre;
 
 class BaseGame : public testing::Test {
  protected:
-  BaseGame() : folder_(stdfs::temp_directory_path() / ("fullbright_box_" + std::to_string(::getpid()))) {
-    stdfs::create_directories(folder_ / "bin");
-  }
-  ~BaseGame() override { stdfs::remove_all(folder_); }
-  void put(const stdfs::path& game) {
-    stdfs::create_directories(folder_ / game / "id1");
-    std::ofstream(folder_ / game / "id1" / "progs.dat") << "code";
-  }
-  stdfs::path folder_;
+  BaseGame() { stdfs::create_directories(folder_ / "bin"); }
+  void put(const std::string& game) const { directory_.put(game + "/id1/progs.dat", "code"); }
+  const TestDirectory directory_;
+  const stdfs::path folder_ = directory_.path();
 };
 
 TEST_F(BaseGame, StandsBesideTheProgramOrWhereItWasInstalled) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/test_directory.h"
 #include "lab/bench_report.h"
 #include "render/test_device.h"
 
@@ -129,8 +130,8 @@ TEST_F(BenchTest, FramesMeetTheirOwnReferences) {
 }
 
 TEST_F(BenchTest, ReferencesAreKeptByTheirContent) {
-  const auto folder = std::filesystem::temp_directory_path() / "fullbright_bench_references";
-  std::filesystem::remove_all(folder);
+  const TestDirectory directory;
+  const auto& folder = directory.path();
   const View view = view_of("cbox", {0, 0, 0}), other = view_of("one_light", {0, 0, 0});
   const auto files = [&] {
     return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator{});
@@ -145,7 +146,6 @@ TEST_F(BenchTest, ReferencesAreKeptByTheirContent) {
   references_of(view, 96, folder.string());
   references_of(other, 64, folder.string());
   EXPECT_EQ(files(), 3) << "other samples, another scene: other references";
-  std::filesystem::remove_all(folder);
 }
 
 TEST_F(BenchTest, TheKeyIsOfWhatIsSeen) {

@@ -4,10 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <limits>
 
 #include "base/rng.h"
+#include "base/test_directory.h"
 #include "lab/image_io.h"
 
 namespace fb::lab {
@@ -17,14 +17,7 @@ using ::testing::HasSubstr;
 
 class CompareTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("fullbright_compare_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return directory_.file(name); }
 
   // Noise of variance deviation^2 / 3 about `value`; `variance` (if not negative) is written as its variance.
   std::string exr(const std::string& name, float value, float deviation, std::uint64_t seed, float variance = -1,
@@ -52,7 +45,7 @@ class CompareTest : public ::testing::Test {
     ADD_FAILURE() << "no figure " << name;
     return 0;
   }
-  std::filesystem::path folder_;
+  const TestDirectory directory_;
 };
 
 TEST_F(CompareTest, RunsOfOneThing) {

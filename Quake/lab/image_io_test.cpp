@@ -11,6 +11,7 @@
 #include <iterator>
 #include <limits>
 
+#include "base/test_directory.h"
 #include "formats/image.h"
 
 namespace fb::lab {
@@ -21,14 +22,7 @@ namespace fs_std = std::filesystem;
 
 class ImageIoTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs_std::temp_directory_path() / fs_std::path(std::string("fullbright_") + test->name());
-    fs_std::remove_all(folder_);
-    fs_std::create_directories(folder_);
-  }
-  void TearDown() override { fs_std::remove_all(folder_); }
-  std::string path(const char* name) const { return (folder_ / name).string(); }
+  std::string path(const char* name) const { return directory_.file(name); }
   static Bytes contents(const std::string& name) {
     std::ifstream file(name, std::ios::binary);
     return Bytes(std::istreambuf_iterator<char>(file), {});
@@ -38,10 +32,11 @@ class ImageIoTest : public ::testing::Test {
     file.write(reinterpret_cast<const char*>(data.data()), static_cast<std::streamsize>(data.size()));
   }
   std::size_t files_in_folder() const {
-    return static_cast<std::size_t>(std::distance(fs_std::directory_iterator(folder_), fs_std::directory_iterator{}));
+    return static_cast<std::size_t>(
+        std::distance(fs_std::directory_iterator(directory_.path()), fs_std::directory_iterator{}));
   }
 
-  fs_std::path folder_;
+  const TestDirectory directory_;
 };
 
 // Values of every magnitude and both signs, the same in every run.

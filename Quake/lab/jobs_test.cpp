@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "base/test_directory.h"
 #include "lab/client_source.h"
 #include "lab/image_io.h"
 #include "render/test_device.h"
@@ -16,24 +17,13 @@ namespace {
 
 class JobsTest : public render::DeviceTest {
  protected:
-  void SetUp() override {
-    DeviceTest::SetUp();
-    folder_ = std::filesystem::temp_directory_path() /
-              ("fullbright_jobs_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override {
-    std::filesystem::remove_all(folder_);
-    DeviceTest::TearDown();
-  }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return directory_.file(name); }
   static std::unique_ptr<FrameSource> scene(const std::string& name) {
     auto source = code_scene(name, 60);
     EXPECT_TRUE(source.ok());
     return std::move(*source);
   }
-  std::filesystem::path folder_;
+  const TestDirectory directory_;
 };
 
 TEST_F(JobsTest, WritesTheChosenFramesAndNoOthers) {

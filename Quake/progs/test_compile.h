@@ -2,16 +2,15 @@
 #pragma once
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
 
 #include "base/bytes.h"
+#include "base/test_directory.h"
 #include "fs/file.h"
 #include "progs/system_defs.h"
 
@@ -46,7 +45,6 @@ struct Compiled {
 };
 
 inline Compiled compile(const std::string& source, const std::string& options = "-O0") {
-  namespace stdfs = std::filesystem;
   static std::map<std::string, Compiled> done;  // several tests share a source
   const std::string key = options + "\n" + source;
   if (const auto found = done.find(key); found != done.end()) return found->second;
@@ -55,20 +53,18 @@ inline Compiled compile(const std::string& source, const std::string& options = 
     compiled.has_compiler = false;
     return compiled;
   }
-  std::string folder = (stdfs::temp_directory_path() / "fullbright_qc_XXXXXX").string();
-  if (!mkdtemp(folder.data())) return compiled;
-  std::ofstream(folder + "/defs.qc") << system_source() << kPutSource;
-  std::ofstream(folder + "/test.qc") << source;
-  std::ofstream(folder + "/progs.src") << "progs.dat\ndefs.qc\ntest.qc\n";
-  const std::string command =
-      fmt::format("cd '{}' && fteqcc {} -Tstandard -srcfile progs.src >log.txt 2>&1", folder, options);
+  const TestDirectory directory;
+  directory.put("defs.qc", system_source() + kPutSource);
+  directory.put("test.qc", source);
+  directory.put("progs.src", "progs.dat\ndefs.qc\ntest.qc\n");
+  const std::string command = fmt::format("cd '{}' && fteqcc {} -Tstandard -srcfile progs.src >log.txt 2>&1",
+                                          directory.path().string(), options);
   if (std::system(command.c_str()) == 0) {
-    if (auto bytes = fs::read_whole_file(folder + "/progs.dat")) compiled.progs = *bytes;
+    if (auto bytes = fs::read_whole_file(directory.path() / "progs.dat")) compiled.progs = *bytes;
   }
   std::stringstream log;
-  log << std::ifstream(folder + "/log.txt").rdbuf();
+  log << std::ifstream(directory.path() / "log.txt").rdbuf();
   compiled.output = log.str();
-  stdfs::remove_all(folder);
   return done[key] = compiled;
 }
 

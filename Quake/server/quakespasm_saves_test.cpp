@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/log.h"
+#include "base/test_directory.h"
 #include "fs/filesystem.h"
 #include "server/server.h"
 #include "server/test_quakespasm.h"
@@ -97,9 +98,6 @@ class QuakeSpasmSaves : public ::testing::TestWithParam<const char*> {
     set_log_level(LogLevel::kError);
     if (const std::string lacks = testing::quakespasm_lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
     if (!progs::testing::compile("void() main = {};").has_compiler) GTEST_SKIP() << progs::testing::no_compiler();
-    std::string made = (stdfs::temp_directory_path() / "fullbright_saves_XXXXXX").string();
-    ASSERT_NE(mkdtemp(made.data()), nullptr);
-    folder_ = made;
     game_ = folder_.filename().string();  // QuakeSpasm saves below the user's home: under a name that nobody has
     stdfs::create_directories(folder_ / "id1");
     stdfs::create_directories(folder_ / game_);
@@ -109,8 +107,7 @@ class QuakeSpasmSaves : public ::testing::TestWithParam<const char*> {
   void put_rules(const std::string& more) {
     const Bytes rules = testing::compile_rules(more);
     ASSERT_FALSE(rules.empty()) << "testdemos/rules do not compile";
-    std::ofstream(folder_ / game_ / "progs.dat", std::ios::binary)
-        .write(reinterpret_cast<const char*>(rules.data()), static_cast<std::streamsize>(rules.size()));
+    directory_.put(game_ + "/progs.dat", rules);
     fs::FsOptions options;
     options.base_dir = folder_;
     options.user_dir = "";
@@ -121,7 +118,6 @@ class QuakeSpasmSaves : public ::testing::TestWithParam<const char*> {
   }
   void TearDown() override {
     set_log_level(LogLevel::kInfo);
-    if (!folder_.empty()) stdfs::remove_all(folder_);
     if (!saves_.empty()) stdfs::remove_all(saves_);
   }
 
@@ -157,7 +153,9 @@ class QuakeSpasmSaves : public ::testing::TestWithParam<const char*> {
     return saved;
   }
 
-  stdfs::path folder_, saves_;
+  const TestDirectory directory_;
+  const stdfs::path folder_ = directory_.path();
+  stdfs::path saves_;
   std::string game_, theirs_;
   std::optional<fs::FileSystem> files_;
 };

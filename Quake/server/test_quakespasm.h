@@ -15,6 +15,7 @@
 #include <string>
 
 #include "base/bytes.h"
+#include "base/test_directory.h"
 #include "server/test_librequake.h"
 
 namespace fb::sv::testing {
@@ -77,15 +78,10 @@ class QuakeSpasmServer {
                    int port = quakespasm_port())
       : port_(port) {
     namespace stdfs = std::filesystem;
-    std::string made = (stdfs::temp_directory_path() / "fullbright_quakespasm_XXXXXX").string();
-    if (mkdtemp(made.data()) == nullptr) return;
-    folder_ = made;
     stdfs::create_directories(folder_ / "id1");
-    stdfs::create_directories(folder_ / "game");
     for (const auto& entry : stdfs::directory_iterator(stdfs::absolute(game_data()) / "id1"))
       stdfs::create_symlink(entry.path(), folder_ / "id1" / entry.path().filename());
-    std::ofstream(folder_ / "game" / "progs.dat", std::ios::binary)
-        .write(reinterpret_cast<const char*>(progs.data()), static_cast<std::streamsize>(progs.size()));
+    directory_.put("game/progs.dat", progs);
     const std::string command = fmt::format(
         "cd '{0}' && HOME='{0}' exec timeout 60 '{1}' -dedicated 4 -basedir . -game game -port {2} "
         "+sys_ticrate 0.001 +developer 1 {4} +map {3} >out.txt 2>&1 </dev/null",
@@ -101,7 +97,6 @@ class QuakeSpasmServer {
       kill(process_, SIGTERM);  // timeout hands it on
       wait();
     }
-    if (!folder_.empty()) std::filesystem::remove_all(folder_);
   }
   QuakeSpasmServer(const QuakeSpasmServer&) = delete;
   QuakeSpasmServer& operator=(const QuakeSpasmServer&) = delete;
@@ -119,7 +114,8 @@ class QuakeSpasmServer {
   }
 
  private:
-  std::filesystem::path folder_;
+  const TestDirectory directory_;
+  const std::filesystem::path folder_ = directory_.path();
   int port_;
   pid_t process_ = -1;
 };

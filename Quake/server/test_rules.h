@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/bytes.h"
+#include "base/test_directory.h"
 #include "fs/file.h"
 #include "progs/test_qc.h"
 
@@ -18,24 +19,22 @@ namespace fb::sv::testing {
 // progs.dat; a StartFrame in `more` is instead of the rules' own. Empty where there is no compiler, or it does not
 // compile.
 inline Bytes compile_rules(const std::string& more) {
-  namespace stdfs = std::filesystem;
-  std::string folder = (stdfs::temp_directory_path() / "fullbright_rules_XXXXXX").string();
-  if (!mkdtemp(folder.data())) return {};
-  stdfs::copy("testdemos/rules", folder);
-  std::ofstream(folder + "/more.qc") << more;
+  const TestDirectory directory;
+  std::filesystem::copy("testdemos/rules", directory.path());
+  directory.put("more.qc", more);
   if (more.find("StartFrame") != std::string::npos) {
-    const auto main_bytes = fs::read_whole_file(folder + "/main.qc");
+    const auto main_bytes = fs::read_whole_file(directory.path() / "main.qc");
     std::string main_text = main_bytes ? std::string(main_bytes->begin(), main_bytes->end()) : std::string();
     const std::string theirs = "void() StartFrame = {};";
     if (const auto at = main_text.find(theirs); at != std::string::npos) main_text.erase(at, theirs.size());
-    std::ofstream(folder + "/main.qc") << main_text;
+    directory.put("main.qc", main_text);
   }
-  std::ofstream(folder + "/progs.src", std::ios::app) << "\nmore.qc\n";
-  const std::string command = fmt::format("cd '{}' && fteqcc -O0 -Tstandard -srcfile progs.src >log.txt 2>&1", folder);
+  std::ofstream(directory.path() / "progs.src", std::ios::app) << "\nmore.qc\n";
+  const std::string command =
+      fmt::format("cd '{}' && fteqcc -O0 -Tstandard -srcfile progs.src >log.txt 2>&1", directory.path().string());
   Bytes progs;
   if (std::system(command.c_str()) == 0)
-    if (auto bytes = fs::read_whole_file(folder + "/progs.dat")) progs = *bytes;
-  stdfs::remove_all(folder);
+    if (auto bytes = fs::read_whole_file(directory.path() / "progs.dat")) progs = *bytes;
   return progs;
 }
 

@@ -1,0 +1,45 @@
+// A directory of a test's own, of a name that no other process has, that vanishes with it. For tests and benchmarks.
+#pragma once
+
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "base/bytes.h"
+#include "base/check.h"
+
+namespace fb {
+
+class TestDirectory {
+ public:
+  TestDirectory() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "fullbright-XXXXXX").string();
+    FB_CHECK(::mkdtemp(pattern.data()) != nullptr);
+    path_ = pattern;
+  }
+  ~TestDirectory() {
+    std::error_code code;
+    std::filesystem::remove_all(path_, code);
+  }
+  TestDirectory(const TestDirectory&) = delete;
+  TestDirectory& operator=(const TestDirectory&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  void put(const std::string& name, std::string_view text) const {
+    const auto path = path_ / name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << text;
+  }
+  void put(const std::string& name, const Bytes& data) const {
+    put(name, std::string_view(reinterpret_cast<const char*>(data.data()), data.size()));
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace fb
