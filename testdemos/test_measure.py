@@ -32,6 +32,8 @@ class NoisyLab:
     def reference(self, name: str, out: Path, *sets: str, spp: int, **options) -> None:
         seed = next(s for s in sets if s.startswith("r_seed="))
         self.seeds.append(seed)
+        if len(self.seeds) > 50:
+            raise AssertionError("it draws for ever")
         samples = np.random.default_rng(int(seed[7:])).normal(4, 1, (spp, 54, 96))
         mean, variance = samples.mean(axis=0), samples.var(axis=0, ddof=1) / spp
         write(out, {key: v for c in "RGB" for key, v in ((c, mean), (f"variance.{c}", variance))}, self.header)
