@@ -112,6 +112,19 @@ TEST(LightList, EveryKindHasItsPowerAndNothingElseAny) {
   EXPECT_EQ(listed.of_instance(snapshot, 5), 0.0) << "paths do not see it";
 }
 
+// Between the first two poses.
+double area_between(const scene::Mesh& mesh, float t) {
+  const auto at = [&](std::uint32_t v) {
+    return glm::mix(scene::vertex_position(mesh, v, 0), scene::vertex_position(mesh, v, 1), t);
+  };
+  double area = 0;
+  for (const auto& triangle : mesh.triangles) {
+    const auto& v = triangle.vertices;
+    area += 0.5 * glm::length(glm::cross(at(v[1]) - at(v[0]), at(v[2]) - at(v[0])));
+  }
+  return area;
+}
+
 TEST(LightList, APosedBodyHasThePosesArea) {
   scene::FrameSnapshot snapshot = scene::light_of_every_kind();
   const auto ratio = [&] {
@@ -120,12 +133,15 @@ TEST(LightList, APosedBodyHasThePosesArea) {
   };
   snapshot.instances[3].transform = mat4x3(1.0f);
   const scene::Mesh& body = snapshot.assets->meshes[snapshot.instances[3].mesh];
-  snapshot.instances[3].pose = {0, 1, 0.0f};
-  const double closed = ratio();
-  snapshot.instances[3].pose = {0, 1, 1.0f};
-  const double open = ratio();
+  const auto posed = [&](float t) {
+    snapshot.instances[3].pose = {0, 1, t};
+    return ratio();
+  };
+  const double closed = posed(0), half = posed(0.5f), open = posed(1);
   EXPECT_NEAR(open / closed, scene::mesh_area(body, 1) / scene::mesh_area(body, 0), 1e-3 * open / closed);
-  EXPECT_GT(open / closed, 2.0);
+  EXPECT_NEAR(half / closed, area_between(body, 0.5f) / area_between(body, 0), 1e-3 * half / closed);
+  EXPECT_GT(half / closed, 1.2);
+  EXPECT_GT(open / half, 1.2);
 }
 
 TEST(LightList, WhatIsDarkHasNone) {
