@@ -145,7 +145,7 @@ Status FileSystem::Impl::add_game(const std::string& name, int game_index) {
 Status FileSystem::Impl::add_base_game_beneath() {
   if (locate("progs.dat") || !is_a_directory(options.base_game / "id1")) return ok_status();
   std::vector<Place> above = std::exchange(places, {});
-  auto status = add_directory(options.base_game / "id1", "basegame/id1", 0);
+  auto status = add_directory(options.base_game / "id1", "basegame/id1", -1);
   places.insert(places.begin(), std::move_iterator(above.begin()), std::move_iterator(above.end()));
   if (status)
     log_info("There is no progs.dat in {}: the base game's code plays it.", options.base_dir.generic_string());

@@ -69,7 +69,9 @@ TEST(FileSystem, DataWithoutCodePlaysOnTheBaseGames) {
   EXPECT_EQ(text(files, "progs.dat"), "box code");
   EXPECT_EQ(files.source_of("progs.dat"), "basegame/id1");
   EXPECT_EQ(text(files, "both"), "data");
-  EXPECT_EQ(files.game_index_of("progs.dat"), 0);
+  EXPECT_EQ(files.game_index_of("progs.dat"), -1);
+  EXPECT_EQ(files.game_index_of("both"), 0);
+  EXPECT_FALSE(files.read_own("progs.dat"));
 }
 
 TEST(FileSystem, DataWithCodeOfItsOwnSeesNothingOfTheBaseGame) {

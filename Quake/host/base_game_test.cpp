@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 
 #include "base/test_directory.h"
+#include "formats/test_files.h"
+#include "host/engine.h"
 #include "platform/program_directory.h"
+#include "scene/test_maps.h"
 
 namespace fb::host {
 namespace {
@@ -29,6 +32,32 @@ TEST_F(BaseGame, StandsBesideTheProgramOrWhereItWasInstalled) {
 
 TEST_F(BaseGame, WhatTheUserNamesStays) {
   EXPECT_THAT(with_base_game({"-basegame", "mine"}), ElementsAre("-basegame", "mine"));
+}
+
+TEST_F(BaseGame, ItsSkinsAreForItsOwnModels) {
+  put("game");
+  scene::test::TestFiles files;
+  files.add_palette();
+  files.add_tga("skin", 4, 4, {9, 9, 9});
+  const Bytes model = formats::testing::write_mdl(formats::testing::tetrahedron());
+  for (const char* mine : {"progs/both.mdl", "progs/box.mdl"}) {
+    directory_.put(std::string("game/id1/") + mine, model);
+    directory_.put(std::string("game/id1/") + mine + "_0.tga", files.files["skin"]);
+  }
+  directory_.put("data/id1/gfx/palette.lmp", files.files["gfx/palette.lmp"]);
+  directory_.put("data/id1/progs/both.mdl", model);
+  auto engine = Engine::create(
+      {"-basedir", directory_.file("data"), "-basegame", directory_.file("game"), "-userdir", directory_.file("user")},
+      {.server = false});
+  ASSERT_TRUE(engine.ok()) << engine.error().message;
+  scene::ModelLibrary& library = (*engine)->library();
+  const auto skin = [&](const char* name) {
+    const std::uint32_t material = library.model(name).skin_materials.at(0);
+    const scene::Assets& assets = *library.assets();
+    return assets.images[assets.materials[material].frames[0].base].name;
+  };
+  EXPECT_EQ(skin("progs/box.mdl"), "progs/box.mdl_0.tga");
+  EXPECT_EQ(skin("progs/both.mdl"), "progs/both.mdl_0_0");
 }
 
 TEST(ProgramDirectory, HoldsThisTest) { EXPECT_TRUE(stdfs::exists(platform::program_directory() / "host_test")); }

@@ -33,7 +33,7 @@ Result<std::unique_ptr<Engine>> Engine::create(const std::vector<std::string>& a
 
 Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::vector<std::string>& arguments)
     : files_(std::move(files)),
-      library_(files_.loader()),
+      library_(files_.loader(), [this](std::string_view path) { return files_.game_index_of(path); }),
       rng_(options.seed),
       network_(net::system_network()),
       server_list_(console_, *network_) {

@@ -159,7 +159,7 @@ std::vector<std::uint32_t> make_skin_materials(AssetBuilder& builder, const Mdl&
       const std::string image_name = fmt::format("{}_{}", skin_name, i);
       std::vector<std::string> stems{image_name};
       if (i == 0) stems.push_back(skin_name);
-      TextureSet set = builder.replacement(stems);
+      TextureSet set = builder.replacement(stems, name);
       const bool replaced = set.base != kNone, bright = flame || has_fullbright(image.indices, holes);
       if (!replaced)
         set.base = builder.add_image({image_name, ImageEncoding::kPalette, image.width, image.height, image.indices});

@@ -1,5 +1,7 @@
 #include "scene/asset_builder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +31,8 @@ formats::Palette read_palette(const FileLoader& loader) {
 
 }  // namespace
 
-AssetBuilder::AssetBuilder(FileLoader loader) : loader_(std::move(loader)), assets_(std::make_shared<Assets>()) {
+AssetBuilder::AssetBuilder(FileLoader loader, FileRank rank)
+    : loader_(std::move(loader)), rank_(std::move(rank)), assets_(std::make_shared<Assets>()) {
   assets_->generation = next_generation();
   assets_->palette = read_palette(loader_);
 }
@@ -47,14 +50,16 @@ std::uint32_t AssetBuilder::add_mesh(Mesh mesh) {
   return static_cast<std::uint32_t>(assets_->meshes.size() - 1);
 }
 
-std::uint32_t AssetBuilder::image_file(std::string_view stem, ImageEncoding encoding) {
+std::uint32_t AssetBuilder::image_file(std::string_view stem, ImageEncoding encoding, int least_rank) {
   std::string name(stem);
   std::ranges::replace(name, '*', '#');
-  const std::string key = name + (encoding == ImageEncoding::kLinearRgba ? "|linear" : "|srgb");
+  const std::string key =
+      fmt::format("{}|{}|{}", name, encoding == ImageEncoding::kLinearRgba ? "linear" : "srgb", least_rank);
   if (const auto known = image_files_.find(key); known != image_files_.end()) return known->second;
   std::uint32_t index = kNone;
   for (const char* extension : {".png", ".tga", ".pcx"}) {
     const std::string path = name + extension;
+    if (rank_ && rank_(path) < least_rank) continue;
     const std::optional<Bytes> bytes = load(path);
     if (!bytes) continue;
     auto image = formats::parse_image(*bytes, path);
@@ -69,18 +74,19 @@ std::uint32_t AssetBuilder::image_file(std::string_view stem, ImageEncoding enco
   return index;
 }
 
-TextureSet AssetBuilder::replacement(const std::vector<std::string>& stems) {
+TextureSet AssetBuilder::replacement(const std::vector<std::string>& stems, std::string_view owner) {
+  const int least = rank_ ? std::min(rank_(owner), 0) : kBaseGame;
   TextureSet set;
   const auto read_detail = [&](const std::string& stem) {
-    set.normal = image_file(stem + "_norm", ImageEncoding::kLinearRgba);
-    set.gloss = image_file(stem + "_gloss", ImageEncoding::kLinearRgba);
+    set.normal = image_file(stem + "_norm", ImageEncoding::kLinearRgba, least);
+    set.gloss = image_file(stem + "_gloss", ImageEncoding::kLinearRgba, least);
     return set.normal != kNone || set.gloss != kNone;
   };
   for (const std::string& stem : stems) {
-    set.base = image_file(stem, ImageEncoding::kSrgba);
+    set.base = image_file(stem, ImageEncoding::kSrgba, least);
     if (set.base == kNone) continue;
-    set.luma = image_file(stem + "_luma", ImageEncoding::kSrgba);
-    if (set.luma == kNone) set.luma = image_file(stem + "_glow", ImageEncoding::kSrgba);
+    set.luma = image_file(stem + "_luma", ImageEncoding::kSrgba, least);
+    if (set.luma == kNone) set.luma = image_file(stem + "_glow", ImageEncoding::kSrgba, least);
     read_detail(stem);
     return set;
   }
@@ -143,6 +149,11 @@ vec3 mean_glow(const formats::Palette& palette, const Image& image) {
     sum += glm::dvec3(linear_from_srgb(rgb[0]), linear_from_srgb(rgb[1]), linear_from_srgb(rgb[2]));
   }
   return vec3(sum / static_cast<double>(image.texels.size()));
+}
+
+std::string_view stem_of(std::string_view path) {
+  path = path.substr(path.find_last_of('/') + 1);
+  return path.substr(0, path.find_last_of('.'));
 }
 
 std::string lower_case(std::string_view text) {

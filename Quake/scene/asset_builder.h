@@ -17,7 +17,7 @@ namespace fb::scene {
 class AssetBuilder {
  public:
   // Reads gfx/palette.lmp; without it (one logged sentence) colours are greys.
-  explicit AssetBuilder(FileLoader loader);
+  explicit AssetBuilder(FileLoader loader, FileRank rank = {});
 
   Assets& assets() { return *assets_; }
   std::shared_ptr<const Assets> shared_assets() const { return assets_; }
@@ -30,13 +30,18 @@ class AssetBuilder {
   std::optional<Bytes> load(std::string_view path) const { return loader_ ? loader_(path) : std::nullopt; }
   // The image in `stem` + .png, .tga or .pcx, the first that is there; kNone if none is, or it is malformed (then one
   // logged sentence). `*` in the stem is `#` in file names.
-  std::uint32_t image_file(std::string_view stem, ImageEncoding encoding);
-  // The first stem that has an image, with what stands beside it: _luma or else _glow, _norm, _gloss. The last two also
-  // without an image, for a skin that must stay paletted since players' colours change it: then `base` is kNone.
-  TextureSet replacement(const std::vector<std::string>& stems);
+  // Files that rank below `least_rank` are not there.
+  std::uint32_t image_file(std::string_view stem, ImageEncoding encoding, int least_rank = kBaseGame);
+  // For the model or map in the file `owner`: the first stem that has an image, with what stands beside it: _luma or
+  // else _glow, _norm, _gloss. The last two also without an image, for a skin that must stay paletted since players'
+  // colours change it: then `base` is kNone. Which files count: see FileRank.
+  TextureSet replacement(const std::vector<std::string>& stems, std::string_view owner);
 
  private:
+  static constexpr int kBaseGame = -1;  // FileRank's lowest
+
   FileLoader loader_;
+  FileRank rank_;
   std::shared_ptr<Assets> assets_;
   std::map<std::string, std::uint32_t, std::less<>> image_files_;
 };
@@ -55,5 +60,7 @@ vec3 mean_glow(const formats::Palette& palette, const Image& image);
 inline float luminance(const vec3& c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
 
 std::string lower_case(std::string_view text);
+// "start" of "maps/start.bsp".
+std::string_view stem_of(std::string_view path);
 
 }  // namespace fb::scene

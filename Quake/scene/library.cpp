@@ -24,11 +24,6 @@
 namespace fb::scene {
 namespace {
 
-// "start" of "maps/start.bsp".
-std::string_view stem_of(std::string_view path) {
-  path = path.substr(path.find_last_of('/') + 1);
-  return path.substr(0, path.find_last_of('.'));
-}
 std::string with_extension(std::string_view path, std::string_view extension) {
   return std::string(path.substr(0, path.find_last_of('.'))) + std::string(extension);
 }
@@ -112,6 +107,7 @@ Model sprite_model(AssetBuilder& builder, const formats::Spr& spr, const std::st
 
 struct ModelLibrary::Impl {
   FileLoader loader;
+  FileRank rank;
   std::unique_ptr<AssetBuilder> builder;
   std::map<std::string, Model, std::less<>> models;
   std::map<std::tuple<std::uint32_t, int, int>, std::uint32_t> translated;
@@ -125,8 +121,8 @@ struct ModelLibrary::Impl {
   std::uint32_t sphere = kNone, tetrahedron = kNone;
   std::uint32_t particle = kNone, dynamic_light = kNone, entity_light = kNone;
 
-  explicit Impl(FileLoader file_loader) : loader(std::move(file_loader)) {
-    builder = std::make_unique<AssetBuilder>(loader);
+  Impl(FileLoader file_loader, FileRank file_rank) : loader(std::move(file_loader)), rank(std::move(file_rank)) {
+    builder = std::make_unique<AssetBuilder>(loader, rank);
   }
 
   Model load_model(const std::string& name);
@@ -134,13 +130,17 @@ struct ModelLibrary::Impl {
   std::uint32_t instance_colored(std::uint32_t& index, const char* name, EmissionKind kind);
 };
 
-ModelLibrary::ModelLibrary(FileLoader loader) : impl_(std::make_shared<Impl>(std::move(loader))) {}
+ModelLibrary::ModelLibrary(FileLoader loader, FileRank rank)
+    : impl_(std::make_shared<Impl>(std::move(loader), std::move(rank))) {}
 
-void ModelLibrary::clear() { *impl_ = Impl(impl_->loader); }
+void ModelLibrary::clear() { *impl_ = Impl(impl_->loader, impl_->rank); }
 
 Status ModelLibrary::load_map(std::string_view bsp_path) {
   const std::string path(bsp_path), map_name(stem_of(bsp_path));
   const auto load = [&](const std::string& file) { return impl_->loader ? impl_->loader(file) : std::nullopt; };
+  const auto load_beside = [&](const std::string& file) {
+    return impl_->rank && impl_->rank(file) < impl_->rank(path) ? std::nullopt : load(file);
+  };
   const std::optional<Bytes> bytes = load(path);
   if (!bytes) return Error{path + ": no such file"};
   auto bsp = formats::parse_bsp(*bytes, path);
@@ -149,7 +149,7 @@ Status ModelLibrary::load_map(std::string_view bsp_path) {
   log_all(bsp->warnings);
 
   const std::string vis_path = with_extension(path, ".vis");
-  if (const std::optional<Bytes> vis = load(vis_path)) {
+  if (const std::optional<Bytes> vis = load_beside(vis_path)) {
     auto record = formats::parse_vis(*vis, vis_path, map_name + ".bsp", *bsp);
     if (!record) {
       log_warning("{}", record.error().message);
@@ -161,7 +161,7 @@ Status ModelLibrary::load_map(std::string_view bsp_path) {
   std::string entities_name = path;
   for (const std::string& ent_path :
        {with_extension(path, fmt::format("@{:04x}.ent", bsp->entities_crc)), with_extension(path, ".ent")}) {
-    const std::optional<Bytes> ent = load(ent_path);
+    const std::optional<Bytes> ent = load_beside(ent_path);
     if (!ent) continue;
     bsp->entities.assign(ent->begin(), ent->end());
     entities_name = ent_path;
@@ -179,8 +179,7 @@ Status ModelLibrary::load_map(std::string_view bsp_path) {
   std::erase_if(impl.models, [](const auto& entry) { return entry.second.kind == ModelKind::kMissing; });
   impl.map_path = path;
   impl.map = std::move(*bsp);
-  MapMaterials materials(*impl.builder, *impl.map, map_name, liquid_alphas(entities),
-                         surface_lights(entities, *impl.map));
+  MapMaterials materials(*impl.builder, *impl.map, path, liquid_alphas(entities), surface_lights(entities, *impl.map));
   for (std::uint32_t i = 0; i < impl.map->models.size(); ++i)
     impl.map_meshes.push_back(
         add_brush_mesh(*impl.builder, *impl.map, i, materials, i == 0 ? path : fmt::format("*{}", i)));
@@ -252,7 +251,7 @@ Model ModelLibrary::Impl::load_model(const std::string& name) {
   if (!bsp) return refuse(bsp.error());
   if (bsp->models.empty()) return refuse({name + ": a map without models"});
   log_all(bsp->warnings);
-  MapMaterials materials(*builder, *bsp, std::string(stem_of(name)), {}, {});
+  MapMaterials materials(*builder, *bsp, name, {}, {});
   return brush_model(*bsp, 0, name, add_brush_mesh(*builder, *bsp, 0, materials, name));
 }
 

@@ -65,14 +65,21 @@ struct EntityLight {
 
 using FileLoader = std::function<std::optional<Bytes>(std::string_view path)>;  // nullopt: no such file; never throws
 
+// How near the player's own data a file is that is there, as fs::FileSystem::game_index_of. A map's .ent and .vis count
+// if they rank no lower than the map. Images instead of a model's or map's own count from anywhere (packs of textures
+// lie in id1, maps in mods), but for those of the base game (-1): they are drawn for its own models, and would not fit
+// others of the same name.
+using FileRank = std::function<int(std::string_view path)>;
+
 class ModelLibrary {
  public:
-  explicit ModelLibrary(FileLoader loader);
+  // Without `rank` all files rank alike.
+  explicit ModelLibrary(FileLoader loader, FileRank rank = {});
   // Forgets everything; Assets get a new generation.
   void clear();
   // Loads a map: mesh of the world and of every submodel ("*1"...), textures with replacements from textures/
   // (<map>/<name> then <name>; .png .tga .pcx; _luma, _glow, _norm, _gloss), sky, entity lights, suns.
-  // External maps/x@<crc>.ent or else x.ent, and x.vis, beside it are used. On failure nothing changes.
+  // External maps/x@<crc>.ent or else x.ent, and x.vis, beside it are used, by their rank. On failure nothing changes.
   Status load_map(std::string_view bsp_path);
   const formats::Bsp* map() const;
   const std::string& map_entities() const;

@@ -109,6 +109,46 @@ TEST_F(World, EntitiesByChecksumComeFirst) {
   EXPECT_TRUE(library.entity_lights().empty());
 }
 
+TEST_F(World, EntitiesFromAnEarlierGameDoNotCount) {
+  files.files["maps/a.ent"] = bytes_of("{classname worldspawn}{classname light}{classname light}");
+  for (const int rank_of_entities : {0, 1, 2}) {
+    ModelLibrary library(files.loader(),
+                         [&](std::string_view path) { return path.ends_with(".ent") ? rank_of_entities : 1; });
+    ASSERT_TRUE(library.load_map("maps/a.bsp").ok());
+    EXPECT_EQ(library.entity_lights().size(), rank_of_entities == 0 ? 1u : 2u);
+  }
+}
+
+TEST_F(World, TheBaseGamesImagesDressItsOwnAlone) {
+  files.files["progs/t.mdl"] = formats::testing::write_mdl(formats::testing::tetrahedron());
+  files.add_tga("textures/floor.tga", 4, 4, {1, 2, 3});
+  files.files["progs/t.mdl_0.png"] = bytes_of("the base game's, and hides the other if it counts");
+  files.add_tga("progs/t.mdl_0.tga", 4, 4, {1, 2, 3});
+  files.add_tga("progs/t.mdl_0_luma.tga", 4, 4, {1, 2, 3});
+  const auto images_with = [&](const FileRank& rank) {
+    ModelLibrary library(files.loader(), rank);
+    EXPECT_TRUE(library.load_map("maps/a.bsp").ok());
+    library.model("progs/t.mdl");
+    std::vector<std::string> names;
+    for (const Image& image : library.assets()->images)
+      if (image.name.ends_with(".tga")) names.push_back(image.name);
+    return names;
+  };
+  using testing::ElementsAre, testing::IsEmpty;
+  const auto is_image = [](std::string_view path) { return path.ends_with(".tga") || path.ends_with(".png"); };
+  EXPECT_THAT(images_with([&](std::string_view path) { return is_image(path) ? -1 : 0; }), IsEmpty());
+  EXPECT_THAT(images_with([&](std::string_view path) { return path.ends_with(".png") ? -1 : 0; }),
+              ElementsAre("textures/floor.tga", "progs/t.mdl_0.tga", "progs/t.mdl_0_luma.tga"));
+  EXPECT_THAT(images_with([&](std::string_view path) { return is_image(path) ? 0 : 1; }),
+              ElementsAre("textures/floor.tga"))
+      << "from an earlier game they count: the broken one hides the other";
+  files.files.erase("progs/t.mdl_0.png");
+  EXPECT_THAT(images_with([](std::string_view) { return -1; }),
+              ElementsAre("textures/floor.tga", "progs/t.mdl_0.tga", "progs/t.mdl_0_luma.tga"));
+  EXPECT_THAT(images_with([&](std::string_view path) { return path == "progs/t.mdl" ? 0 : -1; }),
+              ElementsAre("textures/floor.tga"));
+}
+
 TEST_F(World, FailureChangesNothing) {
   ModelLibrary library(files.loader());
   ASSERT_TRUE(library.load_map("maps/a.bsp").ok());

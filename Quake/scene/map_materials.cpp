@@ -10,11 +10,11 @@
 
 namespace fb::scene {
 
-MapMaterials::MapMaterials(AssetBuilder& builder, const formats::Bsp& bsp, std::string map_name, LiquidAlphas alphas,
+MapMaterials::MapMaterials(AssetBuilder& builder, const formats::Bsp& bsp, std::string map_path, LiquidAlphas alphas,
                            SurfaceLights surface_lights)
     : builder_(builder),
       bsp_(bsp),
-      map_name_(std::move(map_name)),
+      map_path_(std::move(map_path)),
       alphas_(alphas),
       surface_lights_(std::move(surface_lights)),
       sets_(bsp.textures.size()),
@@ -62,7 +62,8 @@ const TextureSet& MapMaterials::texture_set(std::uint32_t index) {
   const formats::BspTexture& texture = bsp_.textures[index];
   if (!texture.name.empty())
     set = builder_.replacement(
-        {fmt::format("textures/{}/{}", map_name_, texture.name), fmt::format("textures/{}", texture.name)});
+        {fmt::format("textures/{}/{}", stem_of(map_path_), texture.name), fmt::format("textures/{}", texture.name)},
+        map_path_);
   if (set.base != kNone) {
     // QuakeSpasm forgets the original's glowing texels here; a map would lose its lamps.
     const bool holes = is_alpha_texture(texture.name);

@@ -21,9 +21,9 @@ struct LiquidAlphas {
 
 class MapMaterials {
  public:
-  // `map_name` is "start" for maps/start.bsp: images are looked for in textures/start/ and then in textures/.
+  // For maps/start.bsp images are looked for in textures/start/ and then in textures/.
   // `surface_lights`: radiances that the map's _surface lights give to textures (lights.h).
-  MapMaterials(AssetBuilder& builder, const formats::Bsp& bsp, std::string map_name, LiquidAlphas alphas,
+  MapMaterials(AssetBuilder& builder, const formats::Bsp& bsp, std::string map_path, LiquidAlphas alphas,
                SurfaceLights surface_lights);
 
   // The material of a texture (index into Bsp::textures, or kNoTexture).
@@ -37,7 +37,7 @@ class MapMaterials {
 
   AssetBuilder& builder_;
   const formats::Bsp& bsp_;
-  std::string map_name_;
+  std::string map_path_;
   LiquidAlphas alphas_;
   SurfaceLights surface_lights_;
   std::vector<TextureSet> sets_;                    // a texture; base kNone until made

@@ -40,7 +40,7 @@ std::vector<Model::SpriteFrame> make_sprite_frames(AssetBuilder& builder, const 
       material.emission_kind = EmissionKind::kSprite;
       material.emission = vec3(1.0f);
       material.flags = kMaterialAlphaTest | kMaterialTwoSided | kMaterialClampTexture;
-      TextureSet set = builder.replacement({image_name});
+      TextureSet set = builder.replacement({image_name}, name);
       if (set.base == kNone)
         set.base = builder.add_image(
             {image_name, ImageEncoding::kPalette, image.image.width, image.image.height, image.image.indices});

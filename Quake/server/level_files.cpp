@@ -16,8 +16,14 @@ void log_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) log_warning("{}", warning);
 }
 
+// Whether what stands beside a map counts: it may not be from an earlier gamedir.
+bool counts_beside(const LevelFiles& files, const std::string& path, const std::string& name) {
+  return !files.game_index_of || files.game_index_of(path) >= files.game_index_of(fmt::format("maps/{}.bsp", name));
+}
+
 void use_external_visibility(const LevelFiles& files, const std::string& name, formats::Bsp& bsp) {
   const std::string path = fmt::format("maps/{}.vis", name);
+  if (!counts_beside(files, path, name)) return;
   const std::optional<Bytes> bytes = files.read(path);
   if (!bytes) return;
   auto record = formats::parse_vis(*bytes, path, name + ".bsp", bsp);
@@ -32,7 +38,7 @@ std::string use_external_entities(const LevelFiles& files, const std::string& na
   const std::string map_path = fmt::format("maps/{}.bsp", name);
   for (const std::string& path :
        {fmt::format("maps/{}@{:04x}.ent", name, bsp.entities_crc), fmt::format("maps/{}.ent", name)}) {
-    if (files.game_index_of && files.game_index_of(path) < files.game_index_of(map_path)) continue;
+    if (!counts_beside(files, path, name)) continue;
     const std::optional<Bytes> bytes = files.read(path);
     if (!bytes) continue;
     log_info("{}: entities of the map are from here", path);

@@ -237,6 +237,17 @@ TEST_F(ServerGameTest, ExternalEntities) {
   EXPECT_EQ(said(), "outside ");
 }
 
+TEST_F(ServerGameTest, ExternalEntitiesOfAnEarlierGameDoNotCount) {
+  put_progs(std::string(testing::kModSource) + kThing);
+  put_map("test", room(), thing("inside"));
+  const std::string outside = "{ \"classname\" \"worldspawn\" }" + thing("outside");
+  files_["maps/test.ent"] = Bytes(outside.begin(), outside.end());
+  game_index_of_ = [](std::string_view path) { return path.ends_with(".ent") ? 0 : 1; };
+  make_server();
+  ASSERT_TRUE(server_->map("test").ok());
+  EXPECT_EQ(said(), "inside ");
+}
+
 TEST_F(ServerGameTest, ModsHaveTheirCvars) {
   files_["gfx/pop.lmp"] = Bytes(256);
   const std::string cvars =

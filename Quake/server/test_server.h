@@ -123,6 +123,7 @@ class ServerTest : public ::testing::Test {
       files_[std::string(name)] = Bytes(data.begin(), data.end());
       return ok_status();
     };
+    services.game_index_of = game_index_of_;
     services.rng = &rng_;
     server_ = std::make_unique<Server>(console_, services, options);
     server_->clients().add_listener(listener_);
@@ -188,6 +189,7 @@ class ServerTest : public ::testing::Test {
   con::Console console_;
   Rng rng_{1};
   std::map<std::string, Bytes> files_;
+  std::function<int(std::string_view)> game_index_of_;  // of files_
   net::LoopbackListener listener_;
   std::unique_ptr<Server> server_;
   double now_ = 0.0;
