@@ -59,9 +59,8 @@ std::uint32_t AssetBuilder::image_file(std::string_view stem, ImageEncoding enco
   std::uint32_t index = kNone;
   for (const char* extension : {".png", ".tga", ".pcx"}) {
     const std::string path = name + extension;
-    if (rank_ && rank_(path) < least_rank) continue;
     const std::optional<Bytes> bytes = load(path);
-    if (!bytes) continue;
+    if (!bytes || (rank_ && rank_(path) < least_rank)) continue;  // asked last: most files are absent
     auto image = formats::parse_image(*bytes, path);
     if (image) {
       index = add_image({path, encoding, image->width, image->height, std::move(image->rgba)});
