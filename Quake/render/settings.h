@@ -27,7 +27,7 @@
   X(float, svgf_moments_alpha, "r_svgf_moments_alpha", 0.1f, 0.004f, 1, "denoiser: the same, for the luminance's moments") \
   X(int, svgf_levels, "r_svgf_levels", 0, 0, 6, "denoiser: levels of the wavelet (at least 2), which average at most 5^levels pixels; 0: a sixtieth of the picture") \
   X(float, sigma_depth, "r_svgf_sigma_depth", 0.5f, 0.01f, 100, "denoiser: distance from a pixel's plane that parts, over the distance along it") \
-  X(float, sigma_normal, "r_svgf_sigma_normal", 64, 0, 10000, "denoiser: how sharply different normals part")          \
+  X(float, sigma_normal, "r_svgf_sigma_normal", 16, 0, 10000, "denoiser: how sharply different normals part")          \
   X(float, sigma_luminance, "r_svgf_sigma_luminance", 4, 0.01f, 1000, "denoiser: difference of luminance that parts, in standard deviations") \
   X(float, svgf_mean_frames, "r_svgf_mean_frames", 256, 1, 1000000, "denoiser: accumulated frames from which on the raw mean has half of the weight") \
   X(float, firefly, "r_firefly", 0, 0, 1000, "denoiser: cuts samples that stand out by so many standard deviations from those before; 0 none") \
