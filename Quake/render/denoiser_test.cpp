@@ -138,6 +138,45 @@ TEST_F(DenoiserTest, ErrorFallsAtOneSample) {
   EXPECT_GT(late, 49);
 }
 
+// A normal map turns what is shaded, not the plane on which neighbours are looked for.
+TEST_F(DenoiserTest, ANormalMapTiltsNoPlane) {
+  RenderSettings s = denoising();
+  s.jitter = 0;
+  const uvec2 size(96, 54);
+  const auto tilted = [](scene::FrameSnapshot snapshot) {
+    auto assets = std::make_shared<scene::Assets>(*snapshot.assets);
+    assets->generation = scene::next_generation();
+    const auto bump = static_cast<std::uint32_t>(assets->images.size());
+    assets->images.push_back({"bump", scene::ImageEncoding::kLinearRgba, 1, 1, {182, 182, 226, 255}});  // 37 degrees
+    for (scene::Material& m : assets->materials) {
+      if (m.frames.empty()) m.frames.push_back({});
+      for (scene::TextureSet& set : m.frames) set.normal = bump;
+    }
+    snapshot.assets = assets;
+    return snapshot;
+  };
+  struct Seen {
+    double gained;  // MSE, by a first frame's filter
+    int turned = 0;
+  };
+  const auto look = [&](scene::FrameSnapshot snapshot) {
+    snapshot.camera.position = vec3(40, 0, 10);  // along the floor
+    snapshot.prev_camera = snapshot.camera;
+    const auto make = [&](const RenderSettings& settings) { return make_renderer(settings, size.x, size.y); };
+    const auto reference = reference_of(make, snapshot, 48);
+    auto renderer = make(s);
+    renderer->render(at_time(snapshot, 0), nullptr, s);
+    Seen seen{mean_square_difference(renderer->read_linear(), reference) /
+              mean_square_difference(renderer->read_denoised(), reference)};
+    for (const auto& g : renderer->read_gbuffer()) seen.turned += g.shading_normal != g.normal;
+    return seen;
+  };
+  const Seen flat = look(scene::cornell_box()), bumpy = look(tilted(scene::cornell_box()));
+  EXPECT_EQ(flat.turned, 0);
+  EXPECT_GT(bumpy.turned, static_cast<int>(size.x * size.y / 2));
+  EXPECT_GT(bumpy.gained, 0.7 * flat.gained);  // 0.93; 0.38 by the plane that the normal map would have
+}
+
 TEST_F(DenoiserTest, AStillViewConvergesToTheRawMean) {
   RenderSettings s = denoising();
   s.accumulate = 1;

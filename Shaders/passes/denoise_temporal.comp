@@ -83,7 +83,7 @@ void main() {
 
   uint id = hash_u32(words.z) >> 24u;
   float inverse_depth = 1.0 / max(motion.z, 1e-3), depth_before = frame.still != 0u ? motion.z : motion.w;
-  vec2 slope = plane_slope(normal, ray);
+  vec2 slope = plane_slope(unpack_direction(words.x), ray);
   vec2 point = vec2(pixel) + (frame.still != 0u ? vec2(0.0) : motion.xy);
   History h = find_history(point, 1.0 / max(depth_before, 1e-3), slope, normal, id);
   h.frames = kept_frames(h.frames, point);
