@@ -53,8 +53,8 @@ class FileSystem {
   // Where read() finds it: "id1/pak0.pak", "id1" for a loose file, "user/id1" and "user/id1/pak0.pak" below the user
   // directory, "basegame/id1" in the base game beneath other data; empty where it does not.
   std::string source_of(std::string_view name) const;
-  // Which gamedir read() finds it in: 0 for id1, 1 for the next; -1 for the base game beneath them, and for none. What
-  // stands beside a map or a model counts by it: see scene::FileRank.
+  // Which gamedir read() finds it in: 0 for id1, 1 for the next; -1 for the base game beneath them, and for none. By it
+  // those who read maps and models decide whether what stands beside one counts.
   int game_index_of(std::string_view name) const;
 
   // All files whose name starts with `prefix` and ends with `extension` (".bsp"; both in any case), by name, each once,
