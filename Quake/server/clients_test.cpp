@@ -1,6 +1,8 @@
 // Coming, signing on, being talked to, changing levels and going.
 #include "server/clients.h"
 
+#include <algorithm>
+
 #include "server/split_messages.h"
 #include "server/test_clients.h"
 

@@ -6,6 +6,7 @@
 // each a byte that says who sends it (bit 0) and how (bit 1: reliably) and its length in a byte.
 #include <cstdio>
 #include <cstdlib>
+#include <algorithm>
 
 #include "base/log.h"
 #include "net/loopback.h"

@@ -1,5 +1,6 @@
 // How QuakeC finds what is around it: players in sight, things near, what a shot should be bent to.
 #include <cmath>
+#include <algorithm>
 
 #include "server/game_builtins.h"
 #include "server/link.h"

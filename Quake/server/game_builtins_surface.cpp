@@ -1,9 +1,10 @@
-// DP_QC_GETSURFACE: the faces of a map's models. As everything that collides, they stand where the entity's origin is,
+// DP_QC_GETSURFACE: the faces of brush models. As everything that collides, they stand where the entity's origin is,
 // and its angles do not turn them.
 #include <cfloat>
 #include <cmath>
 
 #include "server/game_builtins.h"
+#include "server/link.h"
 
 namespace fb::sv {
 namespace {
@@ -25,18 +26,15 @@ struct Surface {
   }
 };
 
-// The model of entity parameter 0; `model` is null where it is none of the map's.
+// The model of entity parameter 0; `model` is null where it is no brush model.
 Surface model_parm(Vm& vm, const GameContext& context) {
   Surface surface;
   const Edict edict = vm.parm_edict(0);
   if (vm.failed()) return surface;
-  const Level& level = *context.level;
-  const std::int32_t number = progs::to_int(edict.get(fields::modelindex));
-  if (number <= 0 || static_cast<std::size_t>(number) >= level.models.size()) return surface;
-  const int submodel = level.models[static_cast<std::size_t>(number)].submodel;
-  if (submodel < 0) return surface;
-  surface.bsp = level.bsp.get();
-  surface.model = &level.bsp->models.at(static_cast<std::size_t>(submodel));
+  const BrushModel* const brush = brush_model_of(*context.level, edict);
+  if (!brush) return surface;
+  surface.bsp = brush->bsp.get();
+  surface.model = &surface.bsp->models.at(brush->index);
   surface.origin = edict.get(fields::origin);
   return surface;
 }

@@ -1,5 +1,7 @@
 #include "server/level.h"
 
+#include <algorithm>
+
 #include "base/log.h"
 
 namespace fb::sv {
@@ -47,7 +49,7 @@ Level::Level(std::string map_name, std::shared_ptr<const formats::Bsp> map, std:
              con::Console& console, LevelEvents& events, Rng& rng)
     : map_name(std::move(map_name)),
       bsp(std::move(map)),
-      hulls(*bsp),
+      hulls(std::make_shared<world::MapHulls>(*bsp)),
       areas(bsp->models.at(0).mins - vec3(1.0f), bsp->models.at(0).maxs + vec3(1.0f)),  // as QuakeSpasm spreads models
       vm(std::move(machine)),
       cvars(console),
@@ -63,6 +65,10 @@ int Level::model_index(std::string_view name) const {
   for (std::size_t i = 1; i < models.size(); ++i)
     if (models[i].name == name) return static_cast<int>(i);
   return 0;
+}
+
+void Level::warn_once(const std::string& sentence) {
+  if (warnings_.insert(sentence).second) log_warning("{}", sentence);
 }
 
 EdictExtra& Level::extra(EdictId id) {

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,11 +41,18 @@ struct Cvars {
       &freeze_nonclients, &roll_angle, &roll_speed;
 };
 
-// A precached model. Those of the map (its world and "*1" and on) have hulls.
+// A model made of brushes: the world, "*1" and on of the level's map, or the first model of a .bsp of its own.
+struct BrushModel {
+  std::shared_ptr<const formats::Bsp> bsp;
+  std::shared_ptr<const world::MapHulls> hulls;  // of `bsp`
+  std::uint32_t index = 0;                       // of bsp->models
+};
+
+// A precached model.
 struct LevelModel {
   std::string name;
-  int submodel = -1;            // index of the map's models, 0 the world; -1: not of the map
-  vec3 mins{0.0f}, maxs{0.0f};  // what setmodel gives: level_files.h
+  std::optional<BrushModel> brush = std::nullopt;  // its hulls are SOLID_BSP's; none: no brush model, or a broken one
+  vec3 mins{0.0f}, maxs{0.0f};                     // what setmodel gives: level_files.h
 };
 
 // What the server keeps of an edict.
@@ -88,7 +96,7 @@ class Level final : public progs::EdictListener {
 
   std::string map_name;  // "e1m1"
   std::shared_ptr<const formats::Bsp> bsp;
-  world::MapHulls hulls;
+  std::shared_ptr<const world::MapHulls> hulls;
   world::AreaNodes areas;
   std::unique_ptr<progs::Vm> vm;
   Cvars cvars;
@@ -111,6 +119,8 @@ class Level final : public progs::EdictListener {
   std::vector<std::string> sounds = std::vector<std::string>(1);
   std::vector<std::string> light_styles = std::vector<std::string>(64);
   int model_index(std::string_view name) const;  // 0: not precached
+  // Says once a level what a mod gets wrong and QuakeC may repeat every frame.
+  void warn_once(const std::string& sentence);
 
   progs::EdictStore& edicts() { return vm->edicts(); }
   Edict edict(EdictId id) { return vm->edict(id); }
@@ -130,6 +140,7 @@ class Level final : public progs::EdictListener {
   void edict_freed(EdictId id) override;
 
   std::vector<EdictExtra> extra_;
+  std::set<std::string> warnings_;
   std::optional<Error> error_;
 };
 

@@ -81,19 +81,36 @@ Box sprite_box(const formats::Spr& spr) {
   return {vec3(-spr.max_width / 2, -spr.max_width / 2, -spr.max_height / 2), half};
 }
 
-Result<Box> read_box(const Bytes& bytes, std::string_view name) {
+LevelModel with_box(std::string_view name, const Box& box) {
+  return {std::string(name), std::nullopt, box.mins, box.maxs};
+}
+
+Result<LevelModel> read_brush_model(const Bytes& bytes, std::string_view name) {
+  auto parsed = formats::parse_bsp(bytes, name);
+  if (!parsed) return parsed.error();
+  LevelModel model = with_box(name, brush_box(parsed->models.at(0)));
+  if (parsed->clip_nodes.empty() && parsed->models[0].head_nodes[0] >= 0) {
+    log_warning(
+        "{}: a model without clip nodes: nothing wider than a point would meet it; its bounding box blocks instead",
+        name);
+    return model;
+  }
+  const auto bsp = std::make_shared<const formats::Bsp>(std::move(*parsed));
+  model.brush = BrushModel{bsp, std::make_shared<world::MapHulls>(*bsp), 0};
+  return model;
+}
+
+Result<LevelModel> read_model(const Bytes& bytes, std::string_view name) {
   const std::string_view magic(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 4));
   if (magic == "IDPO") {
     auto mdl = formats::parse_mdl(bytes, name);
-    return mdl ? Result<Box>(alias_box(*mdl)) : mdl.error();
+    return mdl ? Result<LevelModel>(with_box(name, alias_box(*mdl))) : mdl.error();
   }
   if (magic == "IDSP") {
     auto spr = formats::parse_spr(bytes, name);
-    return spr ? Result<Box>(sprite_box(*spr)) : spr.error();
+    return spr ? Result<LevelModel>(with_box(name, sprite_box(*spr))) : spr.error();
   }
-  auto bsp = formats::parse_bsp(bytes, name);
-  if (!bsp) return bsp.error();
-  return bsp->models.empty() ? Box{} : brush_box(bsp->models.front());
+  return read_brush_model(bytes, name);
 }
 
 }  // namespace
@@ -130,31 +147,27 @@ Result<LoadedMap> load_map(const LevelFiles& files, std::string_view name) {
   return map;
 }
 
-std::vector<LevelModel> map_models(const std::string& map_name, const formats::Bsp& bsp) {
+std::vector<LevelModel> map_models(const std::string& map_name, const std::shared_ptr<const formats::Bsp>& bsp,
+                                   const std::shared_ptr<const world::MapHulls>& hulls) {
   std::vector<LevelModel> models(1);
-  for (std::size_t i = 0; i < bsp.models.size(); ++i) {
-    const Box box = brush_box(bsp.models[i]);
-    models.push_back({i == 0 ? fmt::format("maps/{}.bsp", map_name) : fmt::format("*{}", i), static_cast<int>(i),
-                      box.mins, box.maxs});
+  for (std::uint32_t i = 0; i < bsp->models.size(); ++i) {
+    models.push_back(
+        with_box(i == 0 ? fmt::format("maps/{}.bsp", map_name) : fmt::format("*{}", i), brush_box(bsp->models[i])));
+    models.back().brush = BrushModel{bsp, hulls, i};
   }
   return models;
 }
 
-LevelModel load_model_box(const FileReader& read, std::string_view name) {
-  LevelModel model;
-  model.name = name;
+LevelModel load_model(const FileReader& read, std::string_view name) {
   const std::optional<Bytes> bytes = read ? read(name) : std::nullopt;
   if (!bytes) {
     log_warning("{}: no such model", name);
-    return model;
+    return with_box(name, {});
   }
-  if (auto box = read_box(*bytes, name)) {
-    model.mins = box->mins;
-    model.maxs = box->maxs;
-  } else {
-    log_warning("{}", box.error().message);
-  }
-  return model;
+  auto model = read_model(*bytes, name);
+  if (model) return std::move(*model);
+  log_warning("{}", model.error().message);
+  return with_box(name, {});
 }
 
 }  // namespace fb::sv

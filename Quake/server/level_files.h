@@ -1,4 +1,5 @@
-// What a level is made of, from game files: the map with what replaces parts of it, the program, the boxes of models.
+// What a level is made of, from game files: the map with what replaces parts of it, the program, models' boxes and
+// hulls.
 #pragma once
 
 #include <cstdint>
@@ -37,12 +38,13 @@ struct LoadedMap {
 // they are from comes before the map's), and progs.dat.
 Result<LoadedMap> load_map(const LevelFiles& files, std::string_view name);
 
-// The models that a level has from the start: its world, then "*1" and on. [0] is nothing.
-std::vector<LevelModel> map_models(const std::string& map_name, const formats::Bsp& bsp);
+// The models that a level has from the start: its world, then "*1" and on. [0] is nothing. `hulls` are bsp's.
+std::vector<LevelModel> map_models(const std::string& map_name, const std::shared_ptr<const formats::Bsp>& bsp,
+                                   const std::shared_ptr<const world::MapHulls>& hulls);
 
 // A model for the precache list. Its box is what QuakeSpasm's setmodel gives: of all poses' vertices (.mdl), of the
-// largest frame (.spr), of the first model and a unit more (.bsp). A file that is absent or malformed: a warning, and a
-// box of nothing.
-LevelModel load_model_box(const FileReader& read, std::string_view name);
+// largest frame (.spr), of the first model and a unit more (.bsp). A .bsp brings its hulls. A file that is absent or
+// malformed: a warning, and a box of nothing.
+LevelModel load_model(const FileReader& read, std::string_view name);
 
 }  // namespace fb::sv

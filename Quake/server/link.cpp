@@ -29,21 +29,25 @@ bool is_turned(const Level& level, const Edict& edict) {
          edict.get(fields::angles) != vec3(0.0f);
 }
 
-// Nothing where the model is none of the map's, which is the mod's fault.
-std::optional<std::uint32_t> map_model(Level& level, const Edict& edict) {
-  if (const auto model = map_model_of(level, edict)) return model;
-  level.fail(fmt::format("{} is SOLID_BSP, but its model is none of the map's", describe(level, edict.id())));
-  return std::nullopt;
+// QuakeSpasm ends the game where a SOLID_BSP edict has no brush model. Here it blocks as its box does: a model that
+// could not be read ends nothing either.
+const BrushModel* solid_brush_model(Level& level, const Edict& edict) {
+  if (edict.get(fields::solid) != kSolidBsp) return nullptr;
+  const BrushModel* const model = brush_model_of(level, edict);
+  if (!model) {
+    level.warn_once(fmt::format("{} is SOLID_BSP, but its model \"{}\" has no hulls; its bounding box blocks instead",
+                                level.vm->text(edict.get(fields::classname)),
+                                level.vm->text(edict.get(fields::model))));
+  }
+  return model;
 }
 
 // SV_ClipMoveToEntity.
 MoveTrace clip_move_to_entity(Level& level, const Edict& edict, const world::Move& move) {
   MoveTrace trace;
   const vec3 origin = edict.get(fields::origin);
-  if (edict.get(fields::solid) == kSolidBsp) {
-    const auto model = map_model(level, edict);
-    trace.end_pos = move.end;
-    if (model) static_cast<world::Trace&>(trace) = clip_move_to_map_model(level, edict, *model, move);
+  if (const BrushModel* const model = solid_brush_model(level, edict)) {
+    static_cast<world::Trace&>(trace) = clip_move_to_brush_model(level, edict, *model, move);
   } else {
     static_cast<world::Trace&>(trace) =
         world::clip_move_to_box(origin, edict.get(fields::mins), edict.get(fields::maxs), move);
@@ -54,7 +58,7 @@ MoveTrace clip_move_to_entity(Level& level, const Edict& edict, const world::Mov
 
 MoveTrace clip_move_to_world(Level& level, const world::Move& move) {
   MoveTrace trace;
-  static_cast<world::Trace&>(trace) = world::clip_move_to_model(level.hulls, 0, vec3(0.0f), move);
+  static_cast<world::Trace&>(trace) = world::clip_move_to_model(*level.hulls, 0, vec3(0.0f), move);
   if (trace.fraction < 1.0f || trace.start_solid) trace.edict = EdictId::kWorld;
   return trace;
 }
@@ -185,22 +189,22 @@ bool in_solid(Level& level, EdictId id) {
 }
 
 std::int32_t point_contents(Level& level, const vec3& point) {
-  const std::int32_t contents = world::sv_point_contents(level.hulls, point);
+  const std::int32_t contents = world::sv_point_contents(*level.hulls, point);
   return contents == formats::kContentsEmpty ? volume_contents(level, point).value_or(contents) : contents;
 }
 
-std::optional<std::uint32_t> map_model_of(const Level& level, const Edict& edict) {
+const BrushModel* brush_model_of(const Level& level, const Edict& edict) {
   const int number = enum_of(edict, fields::modelindex);
-  if (number <= 0 || static_cast<std::size_t>(number) >= level.models.size()) return std::nullopt;
-  const int submodel = level.models[static_cast<std::size_t>(number)].submodel;
-  return submodel >= 0 ? std::optional(static_cast<std::uint32_t>(submodel)) : std::nullopt;
+  if (number <= 0 || static_cast<std::size_t>(number) >= level.models.size()) return nullptr;
+  const auto& brush = level.models[static_cast<std::size_t>(number)].brush;
+  return brush ? &*brush : nullptr;
 }
 
-world::Trace clip_move_to_map_model(const Level& level, const Edict& edict, std::uint32_t model,
-                                    const world::Move& move) {
+world::Trace clip_move_to_brush_model(const Level& level, const Edict& edict, const BrushModel& model,
+                                      const world::Move& move) {
   const vec3 origin = edict.get(fields::origin);
-  if (!is_turned(level, edict)) return world::clip_move_to_model(level.hulls, model, origin, move);
-  return world::clip_move_to_turned_model(level.hulls, model, origin, edict.get(fields::angles), move);
+  if (!is_turned(level, edict)) return world::clip_move_to_model(*model.hulls, model.index, origin, move);
+  return world::clip_move_to_turned_model(*model.hulls, model.index, origin, edict.get(fields::angles), move);
 }
 
 }  // namespace fb::sv

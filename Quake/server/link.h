@@ -33,10 +33,10 @@ bool in_solid(Level& level, EdictId id);
 // SV_PointContents: formats::Contents, currents as water; with what brush models hold (skin_contents.h).
 std::int32_t point_contents(Level& level, const vec3& point);
 
-// Which of the map's models an edict has; nothing where it has none of them.
-std::optional<std::uint32_t> map_model_of(const Level& level, const Edict& edict);
+// The brush model that an edict has; null where its model is of another kind, or none.
+const BrushModel* brush_model_of(const Level& level, const Edict& edict);
 // A move against that model where the edict stands, turned where that counts.
-world::Trace clip_move_to_map_model(const Level& level, const Edict& edict, std::uint32_t model,
-                                    const world::Move& move);
+world::Trace clip_move_to_brush_model(const Level& level, const Edict& edict, const BrushModel& model,
+                                      const world::Move& move);
 
 }  // namespace fb::sv

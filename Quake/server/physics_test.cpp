@@ -1,6 +1,8 @@
 // Thinks, and the movetypes that are neither players nor pushers.
 #include "server/physics.h"
 
+#include <limits>
+
 #include "server/physics_moves.h"
 #include "server/test_level.h"
 #include "server/test_things.h"

@@ -3,6 +3,8 @@
 // two.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "progs/test_builtins.h"
 #include "progs/test_qc.h"
 #include "server/test_quakespasm.h"

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <thread>
+#include <algorithm>
 
 #include "net/client_messages.h"
 #include "net/connect_attempt.h"

@@ -78,7 +78,7 @@ void() walkers = {
     k = k + 1;
   }
 };
-void(string name, vector speed) pusher = {
+void(string name, vector org, vector speed) pusher = {
   local entity e, rider;
   local vector top;
   e = spawn();
@@ -88,29 +88,33 @@ void(string name, vector speed) pusher = {
   e.solid = 4;
   e.movetype = 7;
   setmodel(e, name);
-  setorigin(e, '0 0 0');
+  setorigin(e, org);
   e.velocity = speed;
   e.nextthink = 10000;
   e.blocked = say_blocked;
-  top = (e.mins + e.maxs) * 0.5;
-  top_z = e.maxs_z + 32;
+  top = org + (e.mins + e.maxs) * 0.5;
+  top_z = org_z + e.maxs_z + 32;
   rider = thing(top, 4);
   self = rider;
   droptofloor();
-  top_x = e.mins_x - 20;
-  top_z = (e.mins_z + e.maxs_z) * 0.5;
+  top_x = org_x + e.mins_x - 20;
+  top_z = org_z + (e.mins_z + e.maxs_z) * 0.5;
   rider = thing(top, 6);
 };
 void() begin = {
   seed = 7;
   launch();
   walkers();
-  pusher("*1", '0 0 40');
-  pusher("*2", '60 0 0');
-  pusher("*3", '0 -50 0');
-  pusher("*4", '0 0 -30');
-  pusher("*5", '-40 40 10');
-  pusher("*6", '0 0 90');
+  pusher("*1", '0 0 0', '0 0 40');
+  pusher("*2", '0 0 0', '60 0 0');
+  pusher("*3", '0 0 0', '0 -50 0');
+  pusher("*4", '0 0 0', '0 0 -30');
+  pusher("*5", '0 0 0', '-40 40 10');
+  pusher("*6", '0 0 0', '0 0 90');
+  pusher("maps/b_explob.bsp", open_point(), '0 0 40');
+  pusher("maps/b_explob.bsp", open_point(), '-50 20 0');
+  pusher("maps/b_nail1.bsp", open_point(), '0 30 60');
+  pusher("maps/b_bh100.bsp", open_point(), '0 0 -70');
 };
 void() one_frame = {
   local entity e;
@@ -132,8 +136,15 @@ void() StartFrame = {
   if (frames <= 120) one_frame();
   else localcmd("quit\n");
 };
-void() worldspawn = { precache_model("progs/player.mdl"); localcmd("host_framerate 0.05\n"); };
+void() worldspawn = {
+  precache_model("progs/player.mdl");
+  precache_model("maps/b_explob.bsp");
+  precache_model("maps/b_nail1.bsp");
+  precache_model("maps/b_bh100.bsp");
+  localcmd("host_framerate 0.05\n");
+};
 )";
+constexpr const char* kModelsOfTheirOwn[] = {"maps/b_explob.bsp", "maps/b_nail1.bsp", "maps/b_bh100.bsp"};
 
 std::vector<std::string> lines_of_things(const std::string& text) {
   std::vector<std::string> lines;
@@ -160,6 +171,10 @@ TEST_F(QuakeSpasmPhysics, MovesTheSameToTheBit) {
   const std::string declarations = "string(string s) precache_model = #20;\n";
   const std::string scene = declarations + testing::kIdleMod + testing::kExactNumbers + kScene;
   start_level(scene, std::make_shared<formats::Bsp>(std::move(*bsp)));
+  for (const char* name : kModelsOfTheirOwn) {
+    level().models.push_back(load_model([&](std::string_view path) { return files->loader()(path); }, name));
+    ASSERT_TRUE(level().models.back().brush) << name;
+  }
   const std::string source = std::string(progs::testing::kBuiltinSource) + testing::kLevelSource + scene;
   const std::string output = testing::run_quakespasm(progs::testing::compile(source).progs, "lq_e1m7");
   const std::vector<std::string> theirs = lines_of_things(output);

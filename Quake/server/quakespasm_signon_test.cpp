@@ -6,6 +6,7 @@
 #include <chrono>
 #include <map>
 #include <thread>
+#include <algorithm>
 
 #include "base/log.h"
 #include "fs/filesystem.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ostream>
 
 #include "fs/filesystem.h"
 #include "progs/test_qc.h"

@@ -1,6 +1,8 @@
 // What players may say, and what happens to those who say what they may not.
 #include "server/test_clients.h"
 
+#include <algorithm>
+
 namespace fb::sv::testing {
 namespace {
 

@@ -39,7 +39,7 @@ Server::Server(con::Console& console, ServerServices services, const ServerOptio
       context_(*clients_),
       commands_(std::make_unique<Commands>(*this, options)) {
   if (!services_.rng) services_.rng = &own_rng_;
-  context_.load_model = [this](std::string_view name) { return model_box(name); };
+  context_.load_model = [this](std::string_view name) { return model(name); };
   context_.change_level = [this](std::string name) { request_changelevel(std::move(name)); };
   // For configs that come before the first level.
   const Cvars registered(console_);
@@ -51,10 +51,9 @@ Server::~Server() {
   shutdown();
 }
 
-LevelModel Server::model_box(std::string_view name) {
-  auto found = model_boxes_.find(name);
-  if (found == model_boxes_.end())
-    found = model_boxes_.emplace(std::string(name), load_model_box(services_.read_file, name)).first;
+LevelModel Server::model(std::string_view name) {
+  auto found = models_.find(name);
+  if (found == models_.end()) found = models_.emplace(std::string(name), load_model(services_.read_file, name)).first;
   return found->second;
 }
 
@@ -187,7 +186,7 @@ Status Server::spawn_server(const LoadedMap& map) {
   level_ = std::make_unique<Level>(map.name, map.bsp, std::move(*vm), console_, *clients_, *services_.rng);
   context_.level = level_.get();
   level_->max_clients = options_.max_clients;
-  level_->models = map_models(map.name, *map.bsp);
+  level_->models = map_models(map.name, map.bsp, level_->hulls);
   level_->vm->level_time = level_->time;
   clients_->begin_level(*level_);
   set_level_globals(map);

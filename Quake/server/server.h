@@ -117,7 +117,7 @@ class Server {
   void run_physics(double seconds);
   bool stands_still() const;
   LevelFiles level_files() const { return {services_.read_file, services_.game_index_of}; }
-  LevelModel model_box(std::string_view name);
+  LevelModel model(std::string_view name);
 
   con::Console& console_;
   ServerServices services_;
@@ -126,7 +126,7 @@ class Server {
   std::unique_ptr<Clients> clients_;
   GameContext context_;
   std::unique_ptr<Level> level_;
-  std::map<std::string, LevelModel, std::less<>> model_boxes_;  // of files read once
+  std::map<std::string, LevelModel, std::less<>> models_;  // of files read once
   std::function<void()> local_start_;
   std::optional<Error> last_error_;
   std::string next_level_;     // of request_changelevel

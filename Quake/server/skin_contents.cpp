@@ -13,14 +13,14 @@ Bounds linked_box(const Edict& edict) {
   return box;
 }
 
-// Whether a box is inside of an edict that has contents by its skin: of its model, where that is of the map.
+// Whether a box is inside of an edict that has contents by its skin: of its model, where that is made of brushes.
 bool holds(Level& level, const Edict& volume, const Bounds& box) {
   if (!world::boxes_meet(box, linked_box(volume))) return false;
-  const auto model = map_model_of(level, volume);
+  const BrushModel* const model = brush_model_of(level, volume);
   if (!model) return true;
   const vec3 middle = (box.min + box.max) * 0.5f, half = (box.max - box.min) * 0.5f;
   const world::Move stay{middle, -half, half, middle};
-  return clip_move_to_map_model(level, volume, *model, stay).start_solid;
+  return clip_move_to_brush_model(level, volume, *model, stay).start_solid;
 }
 
 // Calls found(edict, contents) for each that holds the box, until that returns false.

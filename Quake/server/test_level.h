@@ -19,6 +19,7 @@
 
 #include "progs/test_qc.h"
 #include "server/level.h"
+#include "server/level_files.h"
 #include "server/link.h"
 #include "server/physics.h"
 #include "server/steps.h"
@@ -62,13 +63,8 @@ class LevelTest : public progs::testing::QcTest, public LevelEvents {
     options_.max_edicts = 1024;
     if (!start(std::string(progs::testing::kBuiltinSource) + kLevelSource + source)) return;
     ASSERT_TRUE(vm_ != nullptr);
-    const std::size_t submodels = bsp->models.size();
     level_ = std::make_unique<Level>("test", std::move(bsp), std::move(vm_), console_, *this, rng_);
-    for (std::size_t i = 0; i < submodels; ++i) {
-      const formats::BspModel& model = level_->bsp->models[i];
-      level_->models.push_back({i == 0 ? "maps/test.bsp" : fmt::format("*{}", i), static_cast<int>(i),
-                                model.mins - vec3(1.0f), model.maxs + vec3(1.0f)});
-    }
+    level_->models = map_models("test", level_->bsp, level_->hulls);
     Edict world = level_->world_edict();
     world.set(fields::modelindex, 1.0f);
     world.set(fields::solid, static_cast<float>(kSolidBsp));
