@@ -7,7 +7,7 @@ QUAKE_DIR ?=
 export FUZZ_SECONDS QUAKE_DIR JOBS
 
 .DEFAULT_GOAL := all
-.PHONY: all deps test demo play bench fuzz asan coverage check tidy format clean help
+.PHONY: all deps test demo play bench fuzz asan coverage check platforms tidy format clean help
 
 # preset, its folder, options of the build. Configuring is silent unless it fails.
 define configure_and_build
@@ -53,11 +53,16 @@ coverage: ## line coverage of the tests: build-coverage/coverage.html
 	gcovr --root . --filter Quake/ --filter Shaders/ --exclude '.*_test\.cpp' --exclude '.*_bench\.cpp' $$merge \
 	  --print-summary --html-details build-coverage/coverage.html build-coverage
 
-check: ## layers, formatting and text of the sources
+check: ## layers, formatting, text and includes of the sources
 	@$(DEPS) check
 	@Misc/check_layers.py --self-test && Misc/check_layers.py
 	@Misc/check_text.py --self-test && Misc/check_text.py
+	@Misc/check_includes.py --self-test && Misc/check_includes.py
 	@Misc/check_format.sh
+
+platforms: ## make demo in a fresh root of each Debian release that the README names
+	@$(DEPS) platforms
+	@Linux/platforms.sh
 
 tidy: ## clang-tidy on what differs from BASE (the main branch's last commit in common)
 	@$(DEPS) check

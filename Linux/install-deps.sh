@@ -16,6 +16,7 @@ usage: Linux/install-deps.sh [--dry-run] [--quiet] [GROUP ...]
   coverage  test, and gcovr
   check     what checks the source text: clang-format, clang-tidy, python3
   maps      what compiles the base game's maps anew (they are kept compiled)
+  platforms what makes fresh roots of other Debian releases
   all       every group
   --dry-run say what would be installed, install nothing
   --quiet   say nothing where nothing is missing
@@ -34,7 +35,8 @@ packages_of() {
     coverage) packages_of test; echo gcovr ;;
     check) echo clang-format clang-tidy python3 ;;
     maps) echo mmdebstrap python3 python3-numpy ;;
-    all) for group in test bench fuzz coverage check maps; do packages_of "$group"; done ;;
+    platforms) echo mmdebstrap git ;;
+    all) for group in test bench fuzz coverage check maps platforms; do packages_of "$group"; done ;;
     *) echo "install-deps.sh: unknown group '$1'; see --help" >&2; return 2 ;;
   esac
 }

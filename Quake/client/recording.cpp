@@ -1,6 +1,8 @@
 // record and stop: what the server says, as it comes, into a demo.
 #include <fmt/format.h>
 
+#include <system_error>
+
 #include "base/log.h"
 #include "client/client_impl.h"
 #include "console/console.h"

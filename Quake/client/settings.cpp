@@ -1,5 +1,7 @@
 #include "client/settings.h"
 
+#include <algorithm>
+
 namespace fb::cl {
 
 std::vector<std::string> split_names(const std::string& list) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+#include <iterator>
 
 #include "formats/dem.h"
 #include "formats/test_files.h"

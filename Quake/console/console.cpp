@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <iterator>
 
 #include "base/check.h"
 #include "base/log.h"

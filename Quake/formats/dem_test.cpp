@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <cmath>
 
 #include "formats/test_corruption.h"
 #include "formats/test_files.h"

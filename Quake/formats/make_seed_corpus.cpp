@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 #include <vector>
+#include <system_error>
 
 #include "formats/test_files.h"
 #include "formats/test_images.h"

@@ -7,6 +7,7 @@
 #include <limits>
 #include <system_error>
 #include <utility>
+#include <algorithm>
 
 #ifdef _WIN32
 #define NOMINMAX

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <chrono>
 
 #include "base/log.h"
 #include "fs/test_files.h"

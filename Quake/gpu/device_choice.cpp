@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cstring>
 #include <optional>
+#include <system_error>
 
 #include "gpu/pipeline.h"
 #include "gpu/vulkan_struct.h"

@@ -5,6 +5,8 @@
 
 #include <cctype>
 #include <charconv>
+#include <string_view>
+#include <system_error>
 
 namespace fb::host {
 namespace {

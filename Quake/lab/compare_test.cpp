@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <algorithm>
 
 #include "base/rng.h"
 #include "base/test_directory.h"

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <cctype>
+#include <ostream>
 
 #include "lab/ztest_job.h"
 #include "render/test_device.h"

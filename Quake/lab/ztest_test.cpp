@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <algorithm>
 
 #include "base/rng.h"
 

@@ -1,6 +1,8 @@
 // Connecting, being asked, and being attacked, over a network in memory.
 #include "net/datagram_listener.h"
 
+#include <cstdio>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

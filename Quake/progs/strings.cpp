@@ -1,5 +1,7 @@
 #include "progs/strings.h"
 
+#include <algorithm>
+
 #include "base/check.h"
 
 namespace fb::progs {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <cstdint>
 
 #include "base/maths.h"
 

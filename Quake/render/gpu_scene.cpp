@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <numeric>
+#include <ratio>
 
 #include "base/check.h"
 #include "base/log.h"

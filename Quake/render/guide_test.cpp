@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <functional>
 #include <vector>
+#include <algorithm>
 
 #include "base/hash.h"
 #include "render/test_device.h"

@@ -1,6 +1,7 @@
 #include "render/ray_list.h"
 
 #include <chrono>
+#include <ratio>
 
 #include "trace_rays_bvh.spv.h"
 #include "trace_rays_query.spv.h"

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <tuple>
 #include <utility>
+#include <system_error>
 
 #include "base/check.h"
 #include "base/log.h"

@@ -10,6 +10,8 @@
 #include <iostream>
 #include <map>
 #include <string>
+#include <iterator>
+#include <system_error>
 
 #include "formats/bsp.h"
 #include "scene/library.h"

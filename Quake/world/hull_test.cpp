@@ -1,5 +1,7 @@
 #include "world/hull.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "formats/test_files.h"
