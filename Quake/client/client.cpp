@@ -58,7 +58,14 @@ Status Client::Impl::load_world(ClientState& state) {
   }
   if (loaded.ok()) apply_worldspawn(library.map_entities(), path, state);
   log_info("{}", state.hud.level_name);
+  if (loaded.ok()) tell_of_even_light(path);
   return ok_status();
+}
+
+void Client::Impl::tell_of_even_light(const std::string& map) {
+  read_settings();
+  if (library.map_ambient().instead && session.settings.r_ambient < 0.0f)
+    log_info("{} has no light, no sky and no glowing texel; it is shown in an even light (r_ambient 0: in none)", map);
 }
 
 void Client::Impl::refresh_sky() {
@@ -239,6 +246,7 @@ Status Client::map_view(std::string_view name) {
   impl_->showing_map = true;
   impl_->snapshots.forget();
   impl_->read_settings();  // it can be seen at once, before any advance
+  impl_->tell_of_even_light(map_path(name));
   impl_->refresh_sky();
   place_entities(impl_->session);
   return status;

@@ -64,6 +64,7 @@ struct Client::Impl {
   void show_moment(double seconds);
   void advance(double seconds);
   Status load_world(ClientState& state);
+  void tell_of_even_light(const std::string& map);
   void refresh_sky();
   void print(const std::string& text);
   const scene::Model* world() const { return session.state.model(1); }

@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <utility>
+
 #include "base/log.h"
 #include "client/demo.h"
 #include "client/test_demo.h"
@@ -290,6 +294,64 @@ TEST_F(Game, MapsCanBeSeenWithoutAServer) {
   ASSERT_TRUE(client.map_view("view").ok());
   client.build_snapshot(snapshot);
   EXPECT_NEAR(snapshot.camera.fov_x, 60.0f, 0.01f) << "what was set counts from the first frame on";
+}
+
+// A room of one dull texture, and these entities.
+Bytes dull_room(const std::string& entities) {
+  formats::Bsp room = formats::testing::box_room(formats::BspVersion::kBsp29);
+  for (auto& texture : room.textures) std::fill(texture.indices.begin(), texture.indices.end(), std::uint8_t{100});
+  room.entities = entities;
+  return formats::testing::write_bsp(room);
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST_F(Game, AMapWithoutAnyLightIsShownInAnEvenOne) {
+  files.files["maps/test.bsp"] = dull_room("{\"classname\" \"worldspawn\"}");
+  const std::string sentence = "maps/test.bsp has no light";
+  const auto shown = [&] {
+    client.build_snapshot(snapshot);
+    return snapshot.ambient;
+  };
+  ASSERT_TRUE(client.map_view("test").ok());
+  EXPECT_EQ(shown(), vec3(1.0f));
+  client.advance(0.1);
+  EXPECT_EQ(shown(), vec3(1.0f));
+  EXPECT_EQ(count_of(log, sentence), 1u) << log;
+
+  put("walk.dem", walk(5));
+  ASSERT_TRUE(client.start_demo("walk", DemoMode::kPlay).ok());
+  frame();
+  EXPECT_EQ(shown(), vec3(1.0f));
+  EXPECT_EQ(count_of(log, sentence), 2u) << "once a map that is loaded";
+  console.execute("r_ambient 0.25");
+  frame();
+  EXPECT_EQ(shown(), vec3(0.25f));
+  client.stop();
+  EXPECT_EQ(shown(), vec3(0.0f));
+
+  log.clear();
+  for (const float none : {0.0f, 0.5f}) {
+    ASSERT_TRUE(console.set("r_ambient", std::to_string(none)));
+    ASSERT_TRUE(client.map_view("test").ok());
+    EXPECT_EQ(shown(), vec3(none));
+  }
+  EXPECT_EQ(count_of(log, sentence), 0u) << log;
+}
+
+TEST_F(Game, EvenLightIsWhatTheMapAsksFor) {
+  files.files["maps/faint.bsp"] = dull_room("{\"classname\" \"worldspawn\" \"_minlight\" \"32\"}");
+  files.files["maps/lamp.bsp"] = dull_room("{\"classname\" \"worldspawn\"}{\"classname\" \"light\"}");
+  for (const auto& [map, radiance] : {std::pair("faint", 0.25f), std::pair("lamp", 0.0f)}) {
+    ASSERT_TRUE(client.map_view(map).ok());
+    client.build_snapshot(snapshot);
+    EXPECT_EQ(snapshot.ambient, vec3(radiance)) << map;
+  }
+  EXPECT_THAT(log, Not(HasSubstr("even light")));
 }
 
 TEST(DemoPath, GetsItsExtension) {

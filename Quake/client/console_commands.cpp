@@ -22,10 +22,11 @@ void ensure_cvar(con::Console& console, const char* name, std::string value, con
 // A number as a cvar's text: "0.02", "90".
 std::string text_of(float value) { return fmt::format("{}", value); }
 
-// Those that QuakeSpasm writes into its configuration.
+// Those that QuakeSpasm writes into its configuration, and lights of our own.
 bool is_archived(std::string_view name) {
-  constexpr std::array<std::string_view, 8> kArchived = {
-      "fov", "fov_adapt", "r_lerpmodels", "r_lerpmove", "r_particles", "r_viewmodel_quake", "viewsize", "r_entlights"};
+  constexpr std::array<std::string_view, 9> kArchived = {"fov",        "fov_adapt",   "r_lerpmodels",
+                                                         "r_lerpmove", "r_particles", "r_viewmodel_quake",
+                                                         "viewsize",   "r_entlights", "r_ambient"};
   return std::find(kArchived.begin(), kArchived.end(), name) != kArchived.end();
 }
 

@@ -57,6 +57,7 @@ namespace fb::cl {
   X(r_particles, "r_particles", 1.0f, "draw particles")                                            \
   X(r_dynamic, "r_dynamic", 1.0f, "draw dynamic lights")                                           \
   X(r_entlights, "r_entlights", 1.0f, "spheres that glow where a map has its lamps")               \
+  X(r_ambient, "r_ambient", -1.0f, "even light: 1 shows textures as painted, -1 what a map needs") \
   X(r_playerbody, "r_playerbody", 1.0f, "the player's own body throws shadows and shows in mirrors")
 
 struct Settings {

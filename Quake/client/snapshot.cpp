@@ -36,6 +36,13 @@ std::array<vec3, 256> linear_palette(const formats::Palette& palette) {
   return colors;
 }
 
+constexpr float kMaxAmbient = 1000.0f;
+
+vec3 ambient_light(const SnapshotInput& input) {
+  const float wanted = input.session.settings.r_ambient;
+  return wanted < 0.0f ? input.library.map_ambient().radiance : vec3(std::min(wanted, kMaxAmbient));
+}
+
 vec3 unit_or(const vec3& v, const vec3& fallback) {
   const float length = glm::length(v);
   return length > 1e-6f ? v / length : fallback;
@@ -128,6 +135,7 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
   const bool jumped = !input.camera && eye < state.entities.size() && state.entities[eye].cut_frame > built_before_;
 
   snapshot.instances.clear();
+  snapshot.ambient = input.active ? ambient_light(input) : vec3(0.0f);
   snapshot.time = time_;
   snapshot.prev_time = prev_time_;
   snapshot.frame = count_;

@@ -54,6 +54,7 @@ Status open_source(Stage& stage, const StageOptions& o) {
   auto engine = Engine::create(with_base_game(std::move(arguments)), {.server = false});
   if (!engine) return engine.error();
   stage.engine = std::move(*engine);
+  stage.engine->console().set("r_ambient", "0");  // nothing is measured but what paths find, unless asked for
   if (auto status = set_cvars(stage.engine->console(), o); !status) return status;
   auto camera = parse_camera(o.camera);
   if (!camera) return camera.error();

@@ -115,6 +115,22 @@ check "bench to standard output is JSON alone" grep -q '^{$' <<<"$("$lab" bench 
 check "bench refuses a cvar that is not the renderer's" fails_with "no cvar" "$lab" bench --scene cbox --config a:b=1
 check "compare names the file that it cannot read" fails_with absent.exr "$lab" compare "$scratch/r.exr" "$scratch/absent.exr"
 
+# An item box as a map: nothing of it gives light.
+mkdir -p "$scratch/unlit/id1/maps" && cp Misc/basegame/maps/b_bh25.bsp "$scratch/unlit/id1/maps/"
+echo '{ "classname" "worldspawn" }' >"$scratch/unlit/id1/maps/b_bh25.ent"
+unlit() {  # unlit FILE ARGUMENTS...: its hash, and what was said
+  "$lab" render --quiet --hash --basedir "$scratch/unlit" --map b_bh25 --camera=-40,-40,60,25,45,0 --size 32x18 "${@:2}" \
+    >"$scratch/$1" 2>&1 && grep '^frame' "$scratch/$1" >"$scratch/$1.hash"
+}
+unlit plain && unlit none --set r_ambient=0 && unlit as_asked --set r_ambient=-1 && unlit painted --set r_ambient=1
+measures_what_paths_find() {
+  cmp "$scratch/plain.hash" "$scratch/none.hash" && ! cmp -s "$scratch/plain.hash" "$scratch/as_asked.hash" &&
+    cmp "$scratch/as_asked.hash" "$scratch/painted.hash" && ! grep -q 'even light' "$scratch/plain"
+}
+check "a map without any light is dark in the laboratory, unless asked" measures_what_paths_find
+"$build/fullbright" -headless -userdir "$scratch/user" -basedir "$scratch/unlit" -size 16x16 +viewmap b_bh25 +quit >"$scratch/log" 2>&1
+check "in the game it is shown in an even light, and one line says so" test "$(grep -c 'even light' "$scratch/log")" -eq 1
+
 if [[ ! -d $data/id1 ]]; then
   echo "skipped: the rest needs game data, and $data/id1 is absent"
   exit $((failures > 0 ? 1 : 77))

@@ -52,6 +52,7 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
     const float sky_factor = settings.emit_sky > 0 ? settings.emit_sky : 1.0f;
     c.sun_radiance[i] = vec4(sun.irradiance * (settings.emit_sun / solid_angle / sky_factor), 0);
   }
+  c.ambient = vec4(snapshot.ambient, 0);
   c.screen_tint = snapshot.screen_tint;
   c.width = render.x;
   c.height = render.y;

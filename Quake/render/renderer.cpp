@@ -25,9 +25,9 @@ using gpu::BufferUse;
 std::uint64_t scene_key(const scene::FrameSnapshot& s) {
   static_assert(sizeof(scene::Instance) == 4 * 43, "hashed as bytes: no padding");
   std::uint64_t key = hash_span(std::span<const scene::Instance>(s.instances), s.assets->generation);
-  const float camera[] = {s.camera.position.x, s.camera.position.y, s.camera.position.z,
-                          s.camera.angles.x,   s.camera.angles.y,   s.camera.angles.z,
-                          s.camera.fov_x,      s.camera.fov_y,      static_cast<float>(s.time)};
+  const float camera[] = {s.camera.position.x,        s.camera.position.y, s.camera.position.z, s.camera.angles.x,
+                          s.camera.angles.y,          s.camera.angles.z,   s.camera.fov_x,      s.camera.fov_y,
+                          static_cast<float>(s.time), s.ambient.x,         s.ambient.y,         s.ambient.z};
   return hash_span(std::span<const float>(camera), key);
 }
 

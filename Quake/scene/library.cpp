@@ -15,6 +15,7 @@
 #include "scene/animation.h"
 #include "scene/asset_builder.h"
 #include "scene/brush_mesh.h"
+#include "scene/light_sources.h"
 #include "scene/lights.h"
 #include "scene/map_materials.h"
 #include "scene/shapes.h"
@@ -117,6 +118,7 @@ struct ModelLibrary::Impl {
   std::optional<formats::Bsp> map;
   std::vector<std::uint32_t> map_meshes;  // a submodel; kNone: nothing to draw
   std::vector<EntityLight> lights;
+  AmbientLight ambient;
   Sky sky;
 
   std::uint32_t sphere = kNone, tetrahedron = kNone;
@@ -187,6 +189,10 @@ Status ModelLibrary::load_map(std::string_view bsp_path) {
   impl.lights = scene::entity_lights(entities, *impl.map);
   impl.sky = make_layered_sky(*impl.builder, *impl.map, dome_radiance(entities));
   impl.sky.suns = suns(entities);
+  impl.ambient.radiance = ambient_radiance(entities);
+  if (impl.ambient.radiance == vec3(0.0f) &&
+      !has_light_source(impl.builder->assets(), impl.map_meshes, entities, impl.lights, impl.sky))
+    impl.ambient = {vec3(1.0f), true};
   return ok_status();
 }
 
@@ -196,6 +202,7 @@ const std::string& ModelLibrary::map_entities() const {
   return impl_->map ? impl_->map->entities : kEmpty;
 }
 const std::vector<EntityLight>& ModelLibrary::entity_lights() const { return impl_->lights; }
+const AmbientLight& ModelLibrary::map_ambient() const { return impl_->ambient; }
 const Sky& ModelLibrary::map_sky() const { return impl_->sky; }
 Sky ModelLibrary::make_skybox(std::string_view name, const Sky& fallback) {
   return make_box_sky(*impl_->builder, name, fallback);

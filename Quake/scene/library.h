@@ -63,6 +63,12 @@ struct EntityLight {
   int style;         // lightstyle index
 };
 
+// An even light from everywhere, which nothing casts a shadow in.
+struct AmbientLight {
+  vec3 radiance{0.0f};   // 1 shows a texture as it was painted
+  bool instead = false;  // the map has nothing that gives light: this is there in its place
+};
+
 using FileLoader = std::function<std::optional<Bytes>(std::string_view path)>;  // nullopt: no such file; never throws
 
 // How near the player's own data a file is that is there, as fs::FileSystem::game_index_of. A map's .ent and .vis count
@@ -84,6 +90,8 @@ class ModelLibrary {
   const formats::Bsp* map() const;
   const std::string& map_entities() const;
   const std::vector<EntityLight>& entity_lights() const;
+  // What the map asks for (lights.h), or, where nothing gives light, what QuakeSpasm shows of a map without lightmaps.
+  const AmbientLight& map_ambient() const;
   const Sky& map_sky() const;  // layers or black, suns; the client overrides by svc_skybox / "sky" key
   Sky make_skybox(std::string_view name, const Sky& fallback);  // gfx/env/<name>{rt,bk,lf,ft,up,dn}.{png,tga,pcx}
 

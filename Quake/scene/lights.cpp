@@ -258,4 +258,14 @@ float dome_radiance(const std::vector<Entity>& entities) {
   return std::max(0.0f, world.number(either(world, "_sunlight2"), 0.0f)) / kLightmapUnit;
 }
 
+vec3 ambient_radiance(const std::vector<Entity>& entities) {
+  if (entities.empty()) return vec3(0.0f);
+  const Entity& world = entities.front();
+  const std::string_view minlight = either(world, "_minlight");
+  const float value = world.number(world.has(minlight) ? minlight : "light", 0.0f);
+  if (!(value > 0.0f)) return vec3(0.0f);
+  const bool long_name = world.has(either(world, "_minlight_color"));
+  return light_color(world, long_name ? "_minlight_color" : "_mincolor") * (std::min(value, kMaxLight) / kLightmapUnit);
+}
+
 }  // namespace fb::scene

@@ -1,5 +1,5 @@
-// Light entities as spheres, _surface lights as glowing textures, and suns: from the entity lump as id's light and
-// ericw-tools' light read it to the units of this renderer.
+// Light entities as spheres, _surface lights as glowing textures, suns, and even light: from the entity lump as id's
+// light and ericw-tools' light read it to the units of this renderer.
 //
 // Units. In Quake a lightmap value of 128 shows a texture as it was painted, and a light of value L makes the value
 // L - d at distance d, facing it (wait 1, delay 0). Here a surface shows irradiance / pi * albedo, so a value v
@@ -52,5 +52,9 @@ std::vector<Sun> suns(const std::vector<world::Entity>& entities);
 // _sunlight2 (a dome of light, from everywhere above): the mean radiance that the sky should have, value / 128; 0
 // without the key.
 float dome_radiance(const std::vector<world::Entity>& entities);
+
+// _minlight or light of the worldspawn (_minlight_color, _mincolor): radiance from everywhere, value / 128; zero
+// without the keys. To light tools this is the least that a lightmap holds; here it comes on top, as light adds up.
+vec3 ambient_radiance(const std::vector<world::Entity>& entities);
 
 }  // namespace fb::scene

@@ -1,4 +1,4 @@
-// Light entities, surface lights and suns against the formulas of lights.h.
+// Light entities, surface lights, suns and even light against the formulas of lights.h.
 #include "scene/lights.h"
 
 #include <gtest/gtest.h>
@@ -128,6 +128,24 @@ TEST(Suns, KeysOfTheWorld) {
                        "\"0 0 100\"}{targetname t origin \"100 0 0\"}"));
   ASSERT_EQ(entity.size(), 1u);
   EXPECT_NEAR(glm::length(entity[0].direction - glm::normalize(vec3(-1, 0, 1))), 0.0f, 1e-5f);
+}
+
+TEST(Ambient, KeysOfTheWorld) {
+  const auto radiance = [](std::string_view text) { return ambient_radiance(entities_of(text)); };
+  EXPECT_EQ(radiance("{classname worldspawn _minlight 32}"), vec3(0.25f)) << "a value of 128 is brightness 1";
+  EXPECT_EQ(radiance("{classname worldspawn light 64}"), vec3(0.5f));
+  EXPECT_EQ(radiance("{classname worldspawn light 64 _minlight 32}"), vec3(0.25f));
+  const vec3 half(0.5f * linear_from_srgb(0.5f), 0.5f, 0.0f);
+  for (const char* key : {"_minlight_color", "minlight_color", "_mincolor"}) {
+    const vec3 colored = radiance(std::string("{classname worldspawn minlight 64 ") + key + " \"127.5 255 0\"}");
+    EXPECT_NEAR(glm::length(colored - half), 0.0f, 1e-6f) << key;
+  }
+  for (const char* none :
+       {"{classname worldspawn}", "{classname worldspawn _minlight -20}", "{classname worldspawn _minlight 0 light 0}",
+        "{classname worldspawn light bright}", "{classname worldspawn}{classname light light 300 _minlight 30}"})
+    EXPECT_EQ(radiance(none), vec3(0.0f)) << none;
+  EXPECT_EQ(ambient_radiance({}), vec3(0.0f));
+  EXPECT_TRUE(std::isfinite(radiance("{classname worldspawn _minlight 1e38}").x));
 }
 
 TEST(Sky, LayersOfItsTexture) {

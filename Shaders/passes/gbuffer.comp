@@ -11,7 +11,8 @@ void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float 
   vec3 before = previous_pixel(previous_position(hit));
   texel.position_t = vec4(s.position, hit.t);
   texel.albedo_roughness = vec4(s.bsdf.albedo, sqrt(s.bsdf.alpha));
-  texel.emission_specular.w = s.bsdf.specular;
+  // Even light is reflected here and nowhere else: no path brings it, so that it is the same in every estimator.
+  texel.emission_specular = vec4(s.emission + s.bsdf.albedo * frame.ambient.rgb, s.bsdf.specular);
   texel.normal = pack_direction(s.normal);
   texel.shading_normal = pack_direction(s.shading_normal);
   texel.id = instances[hit.instance].id;

@@ -49,6 +49,7 @@ struct FrameConstants {
   vec4 sky_color;         // factor or radiance; w: time in seconds, modulo what keeps it exact
   vec4 sun_direction[4];  // w: cosine of the angular radius
   vec4 sun_radiance[4];
+  vec4 ambient;  // rgb: radiance from everywhere, of what the camera sees alone
   vec4 screen_tint;
   uint width, height;  // rendered pixels
   uint output_width, output_height;

@@ -1,0 +1,99 @@
+// Even light (FrameSnapshot::ambient): what the camera sees reflects it once, exactly, whatever the estimator.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "render/renderer.h"
+#include "render/test_device.h"
+#include "scene/scene_of_kinds.h"
+#include "scene/scenes_in_code.h"
+
+namespace fb::render {
+namespace {
+
+using AmbientTest = DeviceTest;
+
+RenderSettings settings_of(const std::string& estimator, int bounces) {
+  RenderSettings s;
+  s.intersector = Intersector::kBvh;
+  s.estimator = estimator;
+  s.spp = 2;
+  s.bounces = bounces;
+  s.deterministic = 1;
+  return s;
+}
+
+// A closed room of albedo a and emission e under even light A: e (1 + a + ... + a^n) + a A. Of a room that does not
+// glow every estimator knows all that there is: a A, without noise.
+TEST_F(AmbientTest, FurnaceGivesItsClosedForm) {
+  const float albedo = 0.6f;
+  const vec3 light(0.5f, 0.25f, 2.0f);
+  for (const EstimatorInfo& estimator : estimators())
+    for (const float emission : {0.0f, 0.7f})
+      for (const int bounces : {0, 1, 3}) {
+        if (estimator.tail && emission > 0.0f) continue;  // knows any number of reflections
+        const RenderSettings s = settings_of(estimator.name, bounces);
+        scene::FrameSnapshot snapshot = scene::furnace(albedo, emission, true);
+        snapshot.ambient = light;
+        auto renderer = make_renderer(s, 24, 16);
+        for (int frame = 0; frame < 4; ++frame) renderer->render(snapshot, nullptr, s);
+        float sum = 0.0f;
+        for (int k = 0; k <= bounces; ++k) sum += std::pow(albedo, static_cast<float>(k));
+        const vec3 expected = vec3(emission * sum) + albedo * light;
+        vec3 mean(0.0f);
+        for (const vec4& p : renderer->read_linear()) mean += vec3(p) / (24.0f * 16.0f);
+        for (int c = 0; c < 3; ++c)
+          EXPECT_NEAR(mean[c], expected[c], 1e-3f * expected[c]) << estimator.name << ' ' << emission << ' ' << bounces;
+      }
+}
+
+// All kinds of light, textures, holes, panes and coats: with even light each pixel is its albedo times that light
+// brighter, and no path differs.
+TEST_F(AmbientTest, AddsTheSameToEveryEstimator) {
+  const vec3 light(0.5f, 0.25f, 2.0f);
+  for (const EstimatorInfo& estimator : estimators()) {
+    const RenderSettings s = settings_of(estimator.name, 2);
+    scene::FrameSnapshot snapshot = scene::light_of_every_kind();
+    std::vector<vec4> images[2];
+    std::vector<shared::GBufferTexel> texels;
+    for (const bool lit : {false, true}) {
+      snapshot.ambient = lit ? light : vec3(0.0f);
+      auto renderer = make_renderer(s, 48, 36);
+      for (int frame = 0; frame < 3; ++frame) {
+        snapshot.time = frame;  // nothing is accumulated
+        renderer->render(snapshot, nullptr, s);
+      }
+      images[lit] = renderer->read_linear();
+      texels = renderer->read_gbuffer();
+    }
+    float largest = 0.0f;
+    for (std::size_t i = 0; i < texels.size(); ++i)
+      for (int c = 0; c < 3; ++c) {
+        const float added = texels[i].albedo_roughness[c] * light[c];
+        largest = std::max(largest, added);
+        ASSERT_NEAR(images[1][i][c] - images[0][i][c], added, 1e-5f * (1.0f + images[1][i][c]))
+            << estimator.name << ' ' << i;
+      }
+    EXPECT_GT(largest, 0.1f);
+  }
+}
+
+TEST_F(AmbientTest, TheDenoiserKeepsItAndAChangeStartsAnew) {
+  const float albedo = 0.6f;
+  RenderSettings s = settings_of("pt", 2);
+  s.denoise = 1;
+  scene::FrameSnapshot snapshot = scene::furnace(albedo, 0.0f);
+  auto renderer = make_renderer(s, 24, 16);
+  for (const float light : {0.5f, 0.25f, 0.0f}) {
+    snapshot.ambient = vec3(light);
+    for (int frame = 0; frame < 3; ++frame) renderer->render(snapshot, nullptr, s);
+    EXPECT_EQ(renderer->accumulated_frames(), 3u);
+    for (const vec4& p : renderer->read_denoised()) ASSERT_NEAR(p.x, albedo * light, 1e-3f * light);
+  }
+}
+
+}  // namespace
+}  // namespace fb::render
