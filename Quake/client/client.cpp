@@ -76,7 +76,7 @@ void Client::Impl::refresh_sky() {
   if (state.skybox && !state.skybox->empty()) sky = library.make_skybox(*state.skybox, library.map_sky());
 }
 
-Status Client::Impl::start(Bytes data, std::string_view name, DemoMode mode) {
+Status Client::Impl::start(FileData data, std::string_view name, DemoMode mode) {
   end_demo(std::nullopt);
   disconnect();
   auto opened = DemoPlayback::open(std::move(data), name, mode, frame, clock());
@@ -205,14 +205,14 @@ Client::~Client() { impl_->stop_recording(); }
 
 Status Client::start_demo(std::string_view name, DemoMode mode) {
   const std::string path = demo_path(name);
-  std::optional<Bytes> data = impl_->files ? impl_->files(path) : std::nullopt;
+  std::optional<FileData> data = impl_->files ? impl_->files(path) : std::nullopt;
   if (!data) {
     stop();
     return Error{fmt::format("couldn't open {}: no such file", path)};
   }
   return impl_->start(std::move(*data), path, mode);
 }
-Status Client::start_demo(Bytes data, std::string_view name, DemoMode mode) {
+Status Client::start_demo(FileData data, std::string_view name, DemoMode mode) {
   return impl_->start(std::move(data), name, mode);
 }
 void Client::stop() { impl_->end_demo(std::nullopt); }

@@ -22,6 +22,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/file_data.h"
 #include "base/maths.h"
 #include "base/result.h"
 #include "scene/library.h"
@@ -36,8 +37,6 @@ class Network;
 }  // namespace fb::net
 
 namespace fb::cl {
-
-using scene::FileLoader;  // nullopt: no such file
 
 enum class DemoMode {
   kPlay,  // in its own time
@@ -119,7 +118,7 @@ class Client {
 
   // Starts at the demo's first message, read by the next advance(). "demo1", "demo1.dem", "demos/x".
   Status start_demo(std::string_view name, DemoMode mode);
-  Status start_demo(Bytes data, std::string_view name, DemoMode mode);
+  Status start_demo(FileData data, std::string_view name, DemoMode mode);
   // Ends playback; a timedemo prints its line.
   void stop();
   bool playing() const;

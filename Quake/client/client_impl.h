@@ -57,7 +57,7 @@ struct Client::Impl {
   void stop_recording();
 
   // client.cpp
-  Status start(Bytes data, std::string_view name, DemoMode mode);
+  Status start(FileData data, std::string_view name, DemoMode mode);
   void end_demo(std::optional<Error> error);
   void finish_frame();
   void read_demo();

@@ -79,7 +79,7 @@ bool Client::Impl::demo_command(const con::Args& args, DemoMode mode) {
     return false;
   }
   const std::string path = demo_path(args[1]);
-  std::optional<Bytes> data = files ? files(path) : std::nullopt;
+  std::optional<FileData> data = files ? files(path) : std::nullopt;
   end_demo(std::nullopt);
   const Status status = data ? start(std::move(*data), path, mode) : Status(Error{"couldn't open " + path});
   if (status.ok()) return true;

@@ -17,12 +17,11 @@ std::string TimeDemoResult::line() const {
   return fmt::format("{} frames {:5.1f} seconds {:5.1f} fps", frames, seconds, fps());
 }
 
-Result<DemoPlayback> DemoPlayback::open(Bytes data, std::string_view name, DemoMode mode, std::uint64_t frame,
+Result<DemoPlayback> DemoPlayback::open(FileData data, std::string_view name, DemoMode mode, std::uint64_t frame,
                                         double now) {
-  auto owned = std::make_unique<Bytes>(std::move(data));
-  auto reader = formats::DemReader::open(*owned, name);
+  auto reader = formats::DemReader::open(data, name);
   if (!reader.ok()) return reader.error();
-  DemoPlayback demo(std::move(owned), std::move(*reader));
+  DemoPlayback demo(std::move(data), std::move(*reader));
   demo.name_ = name;
   demo.mode_ = mode;
   demo.start_frame_ = frame;

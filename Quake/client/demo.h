@@ -5,12 +5,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "base/bytes.h"
+#include "base/file_data.h"
 #include "base/result.h"
 #include "client/client.h"
 #include "formats/dem.h"
@@ -20,7 +19,8 @@ namespace fb::cl {
 class DemoPlayback {
  public:
   // `frame` is the number of the frame in which it starts.
-  static Result<DemoPlayback> open(Bytes data, std::string_view name, DemoMode mode, std::uint64_t frame, double now);
+  static Result<DemoPlayback> open(FileData data, std::string_view name, DemoMode mode, std::uint64_t frame,
+                                   double now);
 
   const std::string& name() const { return name_; }
   DemoMode mode() const { return mode_; }
@@ -36,10 +36,9 @@ class DemoPlayback {
   TimeDemoResult result(std::uint64_t frame, double now) const;
 
  private:
-  DemoPlayback(std::unique_ptr<Bytes> data, formats::DemReader reader)
-      : data_(std::move(data)), reader_(std::move(reader)) {}
+  DemoPlayback(FileData data, formats::DemReader reader) : data_(std::move(data)), reader_(std::move(reader)) {}
 
-  std::unique_ptr<Bytes> data_;  // where the reader reads
+  FileData data_;  // where the reader reads
   formats::DemReader reader_;
   std::string name_;
   DemoMode mode_ = DemoMode::kPlay;

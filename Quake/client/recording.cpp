@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "base/log.h"
+#include "base/number.h"
 #include "client/client_impl.h"
 #include "console/console.h"
 
@@ -34,13 +35,14 @@ void Client::Impl::record(const con::Args& args) {
   const auto path = write_path(demo_path(args[1]));
   if (!path.ok()) return log_error("record {}: {}", args[1], path.error().message);
 
-  const int track = args.size() == 4 ? args.integer(3) : -1;
+  const auto track = whole_number_in<int>("record: CD track", args.size() == 4 ? args[3] : "-1", -1, 255);
+  if (!track) return console.fail(track.error());
   if (args.size() > 2) {
     const int before = games;
     console.execute_line("map " + con::in_quotes(args[2]));
     if (games == before) return;  // it has said why
   }
-  auto started = DemoRecorder::start(*path, track);
+  auto started = DemoRecorder::start(*path, *track);
   if (!started.ok()) return log_error("{}", started.error().message);
   std::error_code ignored;
   const bool replaces = std::filesystem::exists(*path, ignored);

@@ -99,7 +99,7 @@ void Console::add_builtins() {
 }
 
 void Console::exec(const std::string& name) {
-  std::optional<Bytes> script;
+  std::optional<FileData> script;
   if (files_) {
     script = files_(name);
     if (!script) script = files_(name + ".cfg");
@@ -108,6 +108,9 @@ void Console::exec(const std::string& name) {
     log_info("couldn't exec {}", name);
     return;
   }
+  if (script->size() > CommandBuffer::kMaxBytes)
+    return log_warning("exec {}: a script of {} bytes; at most {} are taken", name, script->size(),
+                       CommandBuffer::kMaxBytes);
   log_info("execing {}", name);
   // Old editors end a file with a zero or ^Z, and new ones begin it with a byte order mark.
   std::string text(script->begin(), script->end());

@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "base/log.h"
+#include "base/stop.h"
 #include "fs/file.h"
 
 namespace fb::con {
@@ -120,7 +121,7 @@ void Console::execute() {
   executing_ = true;
   wait_ = false;
   int commands = 0;
-  while (!wait_) {
+  while (!wait_ && !stop_wanted()) {
     const auto command = buffer_.next();
     if (!command) break;
     if (++commands > kMaxCommands) {
@@ -144,6 +145,11 @@ void Console::execute(std::string_view text) {
 void Console::execute_line(std::string_view line) { run(Args(line)); }
 
 bool Console::buffer_empty() const { return buffer_.empty(); }
+
+void Console::fail(const Error& why) {
+  failed_ = true;
+  log_error("{}", why.message);
+}
 
 // Quake's order: commands, aliases, cvars.
 void Console::run(const Args& args) {

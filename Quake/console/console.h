@@ -20,7 +20,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/bytes.h"
+#include "base/file_data.h"
 #include "base/result.h"
 #include "console/args.h"
 #include "console/command_buffer.h"
@@ -32,7 +32,6 @@ namespace fb::con {
 using Handler = std::function<void(const Args&)>;
 // What a command's argument may be, given what is typed of it so far.
 using ArgumentCompleter = std::function<std::vector<std::string>(std::string_view typed)>;
-using FileLoader = std::function<std::optional<Bytes>(std::string_view path)>;
 
 enum class NameKind { kCommand, kCvar, kAlias, kArgument };
 
@@ -75,7 +74,8 @@ class Console {
   // The buffer. append: after everything; insert: before everything.
   void append(std::string_view text);
   void insert(std::string_view text);
-  // Executes the buffer until it is empty or a `wait` puts the rest off to the next call. A call from inside a command
+  // Executes the buffer until it is empty, a `wait` puts the rest off to the next call, or the program is told to end
+  // (base/stop.h). A call from inside a command
   // returns at once: the outer call goes on with what was added.
   void execute();
   // append + newline, then execute().
@@ -83,6 +83,10 @@ class Console {
   // One command, now, without the buffer.
   void execute_line(std::string_view line);
   bool buffer_empty() const;
+  // A command was not done: its sentence goes to the log as an error, and failed() is true from now on, so that a
+  // program without a window ends with an exit status that says so.
+  void fail(const Error& why);
+  bool failed() const { return failed_; }
   // What waits is not executed any more: the program ends.
   void forget_commands() { buffer_.clear(); }
   // The last execute() ended at a `wait`.
@@ -132,7 +136,7 @@ class Console {
   std::map<std::string, std::unique_ptr<Cvar>, NameLess> cvars_;
   std::map<std::string, std::string, NameLess> aliases_;
   CommandBuffer buffer_;
-  bool executing_ = false, wait_ = false, scripts_may_name_nothing_ = false;
+  bool executing_ = false, wait_ = false, scripts_may_name_nothing_ = false, failed_ = false;
   FileLoader files_;
   std::vector<std::string> command_line_;
   std::vector<std::function<std::string()>> config_sections_;

@@ -9,19 +9,15 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/number.h"
 
 namespace fb::con {
 namespace {
 
 // In double, so that whole numbers up to int's range are exact.
-std::optional<double> parse_double(std::string_view text) {
-  const std::string copy(text);
-  char* end = nullptr;
-  const double value = std::strtod(copy.c_str(), &end);
-  if (end == copy.c_str() || !std::isfinite(value)) return std::nullopt;
-  while (*end == ' ' || *end == '\t') ++end;
-  if (*end != '\0') return std::nullopt;
-  return value;
+std::optional<double> parse_value(std::string_view text) {
+  const auto value = parse_number(text);
+  return value && std::isfinite(static_cast<float>(*value)) ? value : std::nullopt;
 }
 
 std::string double_text(double value) { return fmt::format("{}", value == 0.0 ? 0.0 : value); }
@@ -30,26 +26,22 @@ std::string double_text(double value) { return fmt::format("{}", value == 0.0 ? 
 
 std::string number_text(float value) { return fmt::format("{}", value == 0.0f ? 0.0f : value); }
 
-std::optional<float> parse_number(std::string_view text) {
-  const auto value = parse_double(text);
-  if (!value || !std::isfinite(static_cast<float>(*value))) return std::nullopt;
-  return static_cast<float>(*value);
-}
-
 Cvar::Cvar(CvarSpec spec) : spec_(std::move(spec)) {
   FB_CHECK(!spec_.name.empty());
   if (spec_.on_change) listeners_.push_back(std::move(spec_.on_change));
   assign(spec_.default_value);
   if (has_range()) {
-    const auto value = parse_number(spec_.default_value);
+    const auto value = parse_value(spec_.default_value);
     FB_CHECK(value.has_value());
-    if (spec_.min) FB_CHECK_LE(*spec_.min, *value);
-    if (spec_.max) FB_CHECK_LE(*value, *spec_.max);
+    if (spec_.min) FB_CHECK_LE(*spec_.min, static_cast<float>(*value));
+    if (spec_.max) FB_CHECK_LE(static_cast<float>(*value), *spec_.max);
   }
 }
 
 std::string Cvar::range_text() const {
   const std::string whole = spec_.integer ? "whole numbers " : "";
+  if (spec_.least_above_zero && spec_.max)
+    return fmt::format("0, or {} to {}", number_text(*spec_.least_above_zero), number_text(*spec_.max));
   if (spec_.min && spec_.max) return fmt::format("{}{} to {}", whole, number_text(*spec_.min), number_text(*spec_.max));
   if (spec_.min) return fmt::format("{}at least {}", whole, number_text(*spec_.min));
   if (spec_.max) return fmt::format("{}at most {}", whole, number_text(*spec_.max));
@@ -75,10 +67,11 @@ void Cvar::notify() {
 std::string Cvar::set(std::string_view text) {
   std::string sentence, taken(text);
   if (has_range()) {
-    const auto given = parse_double(text);
+    const auto given = parse_value(text);
     if (!given)
       return fmt::format("{}: \"{}\" is not a number, so it stays {} ({}).", name(), text, string_, range_text());
     double value = spec_.integer ? std::round(*given) : *given;
+    if (spec_.least_above_zero && value > 0.0) value = std::max(value, static_cast<double>(*spec_.least_above_zero));
     if (spec_.min) value = std::max(value, static_cast<double>(*spec_.min));
     if (spec_.max) value = std::min(value, static_cast<double>(*spec_.max));
     if (value != *given) {

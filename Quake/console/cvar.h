@@ -28,6 +28,8 @@ struct CvarSpec {
   std::optional<float> min = std::nullopt, max = std::nullopt;
   bool integer = false;  // rounded to the nearest
   std::function<void(const Cvar&)> on_change = nullptr;
+  // Where 0 means something else than a very small number does: numbers between the two are brought to this one.
+  std::optional<float> least_above_zero = std::nullopt;
 };
 
 // Lives as long as its Console and stays where it is: keep a reference and read it every frame.
@@ -72,7 +74,5 @@ class Cvar {
 
 // The shortest text that reads back as this number: "1", "0.1", "-2.5".
 std::string number_text(float value);
-// The whole text as a finite number; nullopt where it is none.
-std::optional<float> parse_number(std::string_view text);
 
 }  // namespace fb::con

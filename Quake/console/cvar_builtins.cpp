@@ -2,6 +2,7 @@
 #include <string>
 
 #include "base/log.h"
+#include "base/number.h"
 #include "console/console.h"
 
 namespace fb::con {
@@ -51,7 +52,8 @@ void Console::add_cvar_builtins() {
                   std::size_t next = 2;  // one that has none of the values gets the first
                   for (std::size_t i = 2; i < args.size(); ++i) {
                     const auto number = parse_number(args[i]);
-                    if (!(number ? *number == cvar->value() : same_name(args[i], cvar->string()))) continue;
+                    if (!(number ? static_cast<float>(*number) == cvar->value() : same_name(args[i], cvar->string())))
+                      continue;
                     next = i + 1 < args.size() ? i + 1 : 2;
                     break;
                   }
@@ -62,7 +64,9 @@ void Console::add_cvar_builtins() {
     if (args.size() != 2 && args.size() != 3) {
       log_info("inc <cvar> [amount] : increment cvar");
     } else if (Cvar* cvar = cvar_or_sentence(args[1])) {
-      set_from_console(*cvar, number_text(cvar->value() + (args.size() == 3 ? args.number(2) : 1.0f)));
+      const auto amount = number_of("inc", args.size() == 3 ? args[2] : "1");
+      if (!amount) return fail(amount.error());
+      set_from_console(*cvar, number_text(cvar->value() + static_cast<float>(*amount)));
     }
   });
 

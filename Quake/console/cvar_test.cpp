@@ -88,9 +88,6 @@ TEST(Cvar, NumberText) {
   EXPECT_EQ(number_text(1.0f), "1");
   EXPECT_EQ(number_text(0.1f), "0.1");
   EXPECT_EQ(number_text(-0.0f), "0");
-  EXPECT_EQ(parse_number(" 0.25 "), 0.25f);
-  EXPECT_EQ(parse_number("1x"), std::nullopt);
-  EXPECT_EQ(parse_number("1e99"), std::nullopt);
 }
 
 }  // namespace

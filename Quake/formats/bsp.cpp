@@ -156,6 +156,10 @@ bool BspParser::read_extensions() {
 
 bool BspParser::read_entities() {
   const ByteView text = lump_bytes(kEntities);
+  if (const Status fits = check_entity_text(text.size(), reader_.name() + ": entities lump"); !fits) {
+    error_ = fits.error();
+    return false;
+  }
   bsp_.entities.assign(text.begin(), std::find(text.begin(), text.end(), std::uint8_t{0}));
   if (!text.empty()) bsp_.entities_crc = crc16(text.first(text.size() - 1));
   return true;
@@ -452,6 +456,12 @@ bool BspParser::read_models() {
 }
 
 }  // namespace
+
+Status check_entity_text(std::size_t size, std::string_view name) {
+  if (size <= kMostEntityText) return ok_status();
+  return Error{std::string(name) + ": " + std::to_string(size) + " bytes of entities; at most " +
+               std::to_string(kMostEntityText) + " are taken"};
+}
 
 Result<Bsp> parse_bsp(ByteView data, std::string_view name) { return BspParser(data, name).parse(); }
 

@@ -23,8 +23,9 @@ namespace fb::formats {
 
 enum class BspVersion { kBsp29, kBsp2, k2Psb };
 
-constexpr std::uint32_t kMaxBspDepth = 4096;  // of node and clip node trees: what a recursive walk must bear
-constexpr float kMaxBspCoordinate = 1e6f;     // of a vertex, on each axis
+constexpr std::uint32_t kMaxBspDepth = 4096;         // of node and clip node trees: what a recursive walk must bear
+constexpr float kMaxBspCoordinate = 1e6f;            // of a vertex, on each axis
+constexpr std::size_t kMostEntityText = 16u << 20u;  // bytes; the largest known maps have five million
 
 struct BspTexture {
   std::string name;                   // as stored, at most 15 characters; empty for a missing one
@@ -122,6 +123,10 @@ struct Bsp {
 
 // Memory is bounded by a small multiple of data.size().
 Result<Bsp> parse_bsp(ByteView data, std::string_view name);
+
+// Whether text of this size may be a map's entities: its lump, or the .ent file that replaces it. `name` begins the
+// sentence.
+Status check_entity_text(std::size_t size, std::string_view name);
 
 // External .vis (VisPatch, BSP29 only): the record for `map_name` (as "start.bsp") replaces visibility and the leafs'
 // vis_offset and contents-independent leaf data. nullopt when the file has no record for the map.

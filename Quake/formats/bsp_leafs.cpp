@@ -97,12 +97,16 @@ Result<std::optional<VisRecord>> read_record(ByteReader& reader, std::size_t end
 
 Result<std::optional<VisRecord>> parse_vis(ByteView data, std::string_view name, std::string_view map_name,
                                            const Bsp& bsp) {
+  constexpr std::uint32_t kLeastRecord = 8;  // two sizes
   ByteReader reader(data, name);
   while (reader.remaining() > 0) {
     const std::size_t at = reader.offset();
     const std::string record_name = reader.fixed_string(32);
     const std::uint32_t size = reader.u32();
     if (reader.failed()) return reader.error_at(at, "file ends inside a record's header");
+    if (size < kLeastRecord) {
+      return reader.error_at(at, "record of " + std::to_string(size) + " bytes has no visibility and leafs");
+    }
     if (size > reader.remaining()) {
       return reader.error_at(at, "record of " + std::to_string(size) + " bytes runs past the end of the file");
     }

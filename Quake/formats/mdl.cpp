@@ -201,7 +201,7 @@ bool MdlParser::read_frames() {
   if (!holds(frame_count_, 4 + pose_size)) {
     return refuse(reader_.offset(), "file is too short for " + std::to_string(frame_count_) + " frames");
   }
-  mdl_.vertices.reserve(reader_.remaining() / kVertexSize);
+  mdl_.vertices.reserve(std::size_t{frame_count_} * mdl_.vertex_count);
   mdl_.frames.reserve(frame_count_);
   for (std::uint32_t i = 0; i < frame_count_; ++i) {
     const std::size_t at = reader_.offset();

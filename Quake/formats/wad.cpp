@@ -18,7 +18,7 @@ std::string lower_case(std::string_view text) {
 
 }  // namespace
 
-Result<Wad> Wad::parse(Bytes data, std::string_view name) {
+Result<Wad> Wad::parse(FileData data, std::string_view name) {
   Wad wad;
   ByteReader reader(data, name);
   const std::uint32_t magic = reader.u32();

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/bytes.h"
+#include "base/file_data.h"
 #include "base/result.h"
 #include "formats/image.h"
 
@@ -21,7 +22,7 @@ struct WadLump {
 // file.
 class Wad {
  public:
-  static Result<Wad> parse(Bytes data, std::string_view name);
+  static Result<Wad> parse(FileData data, std::string_view name);
   const std::map<std::string, WadLump>& lumps() const { return lumps_; }
   // Empty view when there is no such lump; the name's case does not matter.
   ByteView lump(std::string_view name) const;
@@ -32,7 +33,7 @@ class Wad {
 
  private:
   std::string name_;
-  Bytes data_;
+  FileData data_;
   std::map<std::string, WadLump> lumps_;
 };
 

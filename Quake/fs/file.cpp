@@ -2,12 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <limits>
+#include <memory>
+#include <new>
 #include <system_error>
 #include <utility>
 #include <algorithm>
+
+#include "fs/file_mapping.h"
 
 #ifdef _WIN32
 #define NOMINMAX
@@ -44,6 +49,11 @@ bool write_all(std::intptr_t handle, ByteView data) {
 
 bool close_handle(std::intptr_t handle) { return CloseHandle(as_handle(handle)) != 0; }
 
+std::uint64_t size_of(std::intptr_t handle) {
+  LARGE_INTEGER size;
+  return GetFileSizeEx(as_handle(handle), &size) ? static_cast<std::uint64_t>(size.QuadPart) : 0;
+}
+
 #else
 
 std::string last_failure() { return std::generic_category().message(errno); }
@@ -63,6 +73,11 @@ bool write_all(std::intptr_t handle, ByteView data) {
 }
 
 bool close_handle(std::intptr_t handle) { return ::close(static_cast<int>(handle)) == 0; }
+
+std::uint64_t size_of(std::intptr_t handle) {
+  struct stat facts {};
+  return ::fstat(static_cast<int>(handle), &facts) == 0 ? static_cast<std::uint64_t>(facts.st_size) : 0;
+}
 
 #endif
 
@@ -124,19 +139,36 @@ Status RandomAccessFile::read_at(std::uint64_t offset, std::span<std::uint8_t> i
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) return Error{fmt::format("{}: offset {}: cannot be read: {}", name_, offset, last_failure())};
 #endif
-    if (got == 0) return Error{fmt::format("{}: offset {}: the file ends, {} bytes short", name_, offset, into.size())};
+    if (got == 0) return ends_short(offset, into.size());
     offset += static_cast<std::uint64_t>(got);
     into = into.subspan(static_cast<std::size_t>(got));
   }
   return ok_status();
 }
 
-Result<Bytes> read_whole_file(const std::filesystem::path& path) {
+Error RandomAccessFile::ends_short(std::uint64_t offset, std::uint64_t by) const {
+  return Error{fmt::format("{}: offset {}: the file ends, {} bytes short", name_, offset, by)};
+}
+
+Result<FileData> RandomAccessFile::read(std::uint64_t offset, std::uint64_t size) const {
+  if (size > kMostReadWhole) {
+    const std::uint64_t now = size_of(handle_);  // it may have been cut since it was opened
+    if (now < offset || now - offset < size)
+      return ends_short(std::max(now, offset), offset + size - std::max(now, offset));
+    if (auto mapped = map_part(handle_, offset, static_cast<std::size_t>(size))) return *std::move(mapped);
+  }
+  // Not a vector, which would write zeros first.
+  std::shared_ptr<std::uint8_t[]> bytes(new (std::nothrow) std::uint8_t[static_cast<std::size_t>(size)]);
+  if (!bytes) return Error{fmt::format("{}: offset {}: there is no memory for {} bytes", name_, offset, size)};
+  const std::span<std::uint8_t> view(bytes.get(), static_cast<std::size_t>(size));
+  if (auto status = read_at(offset, view); !status) return status.error();
+  return FileData(view, std::move(bytes));
+}
+
+Result<FileData> read_whole_file(const std::filesystem::path& path) {
   auto file = RandomAccessFile::open(path);
   if (!file) return file.error();
-  Bytes data(static_cast<std::size_t>(file->size()));
-  if (auto status = file->read_at(0, data); !status) return status.error();
-  return data;
+  return file->read(0, file->size());
 }
 
 Status write_file_atomically(const std::filesystem::path& path, ByteView data) {

@@ -218,13 +218,13 @@ Result<FileSystem> FileSystem::open(const FsOptions& options) {
   return FileSystem(std::move(impl));
 }
 
-Result<Bytes> FileSystem::load(std::string_view name) const {
+Result<FileData> FileSystem::load(std::string_view name) const {
   const auto hit = impl_->locate(name);
   if (!hit) return Error{fmt::format("{}: no such file in the game's directories and paks", name)};
   return hit->entry != nullptr ? hit->place->pak->read(*hit->entry) : read_whole_file(hit->path);
 }
 
-std::optional<Bytes> FileSystem::read(std::string_view name) const {
+std::optional<FileData> FileSystem::read(std::string_view name) const {
   const auto hit = impl_->locate(name);
   if (!hit) return std::nullopt;
   auto data = hit->entry != nullptr ? hit->place->pak->read(*hit->entry) : read_whole_file(hit->path);
@@ -233,7 +233,7 @@ std::optional<Bytes> FileSystem::read(std::string_view name) const {
   return std::nullopt;
 }
 
-std::optional<Bytes> FileSystem::read_own(std::string_view raw_name) const {
+std::optional<FileData> FileSystem::read_own(std::string_view raw_name) const {
   const auto name = normalise(raw_name);
   if (!name) return std::nullopt;
   const int last = impl_->places.front().game_index;
@@ -303,7 +303,7 @@ std::vector<std::string> FileSystem::describe() const {
 const std::string& FileSystem::game() const { return impl_->game; }
 const FsOptions& FileSystem::options() const { return impl_->options; }
 
-std::function<std::optional<Bytes>(std::string_view)> FileSystem::loader() const {
+FileLoader FileSystem::loader() const {
   return [this](std::string_view name) { return read(name); };
 }
 

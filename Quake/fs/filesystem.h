@@ -12,7 +12,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +19,7 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "base/file_data.h"
 #include "base/result.h"
 #include "fs/options.h"
 #include "fs/pak.h"
@@ -43,12 +43,12 @@ class FileSystem {
   ~FileSystem();
 
   // The file's bytes; nullopt where there is none, or, after a logged sentence, where it cannot be read.
-  std::optional<Bytes> read(std::string_view name) const;
+  std::optional<FileData> read(std::string_view name) const;
   // The same with the cause.
-  Result<Bytes> load(std::string_view name) const;
+  Result<FileData> load(std::string_view name) const;
   // Only from the last gamedir's loose files, the user's before the base directory's: what a game has written itself
   // (saves). Nullopt as above.
-  std::optional<Bytes> read_own(std::string_view name) const;
+  std::optional<FileData> read_own(std::string_view name) const;
   bool exists(std::string_view name) const;
   // Where read() finds it: "id1/pak0.pak", "id1" for a loose file, "user/id1" and "user/id1/pak0.pak" below the user
   // directory, "basegame/id1" in the base game beneath other data; empty where it does not.
@@ -73,7 +73,7 @@ class FileSystem {
   const std::string& game() const;
   const FsOptions& options() const;
   // As a function for those who need no more than that. The FileSystem must outlive it and stay where it is.
-  std::function<std::optional<Bytes>(std::string_view)> loader() const;
+  FileLoader loader() const;
 
  private:
   struct Impl;

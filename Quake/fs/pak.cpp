@@ -21,6 +21,9 @@ Result<PakHeader> parse_pak_header(ByteView bytes, std::uint64_t file_size, std:
   if (header.directory_size % kPakEntrySize != 0)
     return reader.error_at(
         8, fmt::format("the directory's length {} is no multiple of {}", header.directory_size, kPakEntrySize));
+  if (header.directory_size / kPakEntrySize > kMostPakEntries)
+    return reader.error_at(8, fmt::format("a directory of {} files, of {} that a pak may have",
+                                          header.directory_size / kPakEntrySize, kMostPakEntries));
   if (std::uint64_t{header.directory_offset} + header.directory_size > file_size)
     return reader.error_at(4, fmt::format("the directory ({} bytes at {}) reaches past the file's end at {}",
                                           header.directory_size, header.directory_offset, file_size));
@@ -90,10 +93,9 @@ const PakEntry* Pak::find_ignoring_case(std::string_view name) const {
   return found == by_lower_name_.end() ? nullptr : &entries_[found->second];
 }
 
-Result<Bytes> Pak::read(const PakEntry& entry) const {
-  Bytes data(entry.size);
-  if (auto status = file_.read_at(entry.offset, data); !status)
-    return Error{fmt::format("{}:{}: {}", name_, entry.name, status.error().message)};
+Result<FileData> Pak::read(const PakEntry& entry) const {
+  auto data = file_.read(entry.offset, entry.size);
+  if (!data) return Error{fmt::format("{}:{}: {}", name_, entry.name, data.error().message)};
   return data;
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "base/file_data.h"
 #include "base/result.h"
 #include "fs/file.h"
 
@@ -27,6 +28,7 @@ struct PakEntry {
 constexpr std::size_t kPakHeaderSize = 12;
 constexpr std::size_t kPakEntrySize = 64;
 constexpr std::size_t kPakNameSize = 56;
+constexpr std::size_t kMostPakEntries = 1u << 18u;  // Quake had 2048, the largest mods ten thousand
 
 struct PakHeader {
   std::uint32_t directory_offset = 0, directory_size = 0;  // bytes, inside the file
@@ -50,8 +52,8 @@ class Pak {
   const PakEntry* find(std::string_view name) const;
   // The same without regard to case.
   const PakEntry* find_ignoring_case(std::string_view name) const;
-  // The entry's bytes, whole.
-  Result<Bytes> read(const PakEntry& entry) const;
+  // The entry's bytes.
+  Result<FileData> read(const PakEntry& entry) const;
 
  private:
   Pak(RandomAccessFile file, std::string name, std::vector<PakEntry> entries);

@@ -9,6 +9,6 @@
 
 namespace fb::fs {
 
-inline std::string as_text(const Bytes& data) { return std::string(data.begin(), data.end()); }
+inline std::string as_text(ByteView data) { return std::string(data.begin(), data.end()); }
 
 }  // namespace fb::fs

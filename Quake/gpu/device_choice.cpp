@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cstring>
 #include <optional>
 #include <system_error>
 
+#include "base/number.h"
 #include "gpu/pipeline.h"
 #include "gpu/vulkan_struct.h"
 
@@ -180,10 +180,7 @@ Result<std::size_t> choose_device(std::span<const DeviceReport> reports, std::st
     return Error{
         "no Vulkan device was found: install the graphics card's driver, or Mesa's software driver (Debian: "
         "mesa-vulkan-drivers)"};
-  std::optional<std::size_t> index;
-  std::size_t number = 0;
-  const auto [end, fault] = std::from_chars(preferred.data(), preferred.data() + preferred.size(), number);
-  if (!preferred.empty() && fault == std::errc{} && end == preferred.data() + preferred.size()) index = number;
+  const std::optional<std::uint64_t> index = parse_whole_number_unsigned(preferred);
 
   std::optional<std::size_t> best, refused;
   for (std::size_t i = 0; i < reports.size(); ++i) {

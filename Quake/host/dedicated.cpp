@@ -1,20 +1,12 @@
 #include "host/dedicated.h"
 
-#include <csignal>
-
 #include "base/log.h"
+#include "base/stop.h"
 #include "host/engine.h"
 #include "host/terminal.h"
 #include "platform/clock.h"
 
 namespace fb::host {
-namespace {
-
-volatile std::sig_atomic_t told_to_end = 0;
-void on_signal(int) { told_to_end = 1; }
-
-}  // namespace
-
 Result<int> run_dedicated(const GameOptions& options) {
   EngineOptions wanted = engine_options(options);
   wanted.client = false;
@@ -36,12 +28,10 @@ Result<int> run_dedicated(const GameOptions& options) {
   console.set_scripts_may_name_nothing(true);
   engine.queue_configuration(options.arguments);
 
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
   TerminalLines terminal;
   FrameTimer timer;
   double last = platform::now_seconds();
-  while (!quit && told_to_end == 0) {
+  while (!quit && !stop_wanted()) {
     while (const auto line = terminal.next()) console.append(*line + "\n");
     engine.execute_commands(platform::now_seconds());
     if (quit) break;

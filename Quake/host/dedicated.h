@@ -6,7 +6,7 @@
 
 namespace fb::host {
 
-// Until `quit`, or until the program is told to end (SIGINT, SIGTERM). The exit status; fails where there is no game
+// Until `quit`, or until the program is told to end (base/stop.h). The exit status; fails where there is no game
 // data or where the port is taken.
 Result<int> run_dedicated(const GameOptions& options);
 

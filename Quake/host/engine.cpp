@@ -124,6 +124,8 @@ bool Engine::busy() {
   return client_ && (client_->playing() || client_->connected() || client_->connecting());
 }
 
-bool Engine::went_wrong() const { return (client_ && client_->last_error()) || (server_ && server_->last_error()); }
+bool Engine::went_wrong() const {
+  return console_.failed() || (client_ && client_->last_error()) || (server_ && server_->last_error());
+}
 
 }  // namespace fb::host

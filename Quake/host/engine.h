@@ -63,7 +63,7 @@ class Engine {
   void frame(const FramePlan& plan, const vec2& mouse, double now);
   // Is there a game, a demo, a connection or a search for servers under way, or a command to come?
   bool busy();
-  // The last game or demo ended by itself, or did not begin, for something that went wrong.
+  // The last game or demo ended by itself, or did not begin, for something that went wrong; or a command was refused.
   bool went_wrong() const;
 
  private:

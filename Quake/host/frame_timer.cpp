@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "console/console.h"
 
 namespace fb::host {
 
 void register_time_cvars(con::Console& console) {
-  console.add_cvar({"host_framerate", "0", "seconds that every frame lasts, whatever it took; 0: real time",
-                    con::kCvarPlain, 0.0f, 1.0f});
+  con::CvarSpec frame_rate{"host_framerate", "0",  "seconds that every frame lasts, whatever it took; 0: real time",
+                           con::kCvarPlain,  0.0f, 1.0f};
+  frame_rate.least_above_zero = static_cast<float>(FrameTimer::kShortest);
+  console.add_cvar(std::move(frame_rate));
   console.add_cvar(
       {"host_timescale", "0", "how fast time goes: 0.5 is half as fast; 0: as it is", con::kCvarPlain, 0.0f, 100.0f});
   console.add_cvar({"host_maxfps", "250", "most frames a second; above 72 the game ticks 72 times a second",

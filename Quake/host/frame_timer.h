@@ -4,7 +4,8 @@
 // Up to 72 frames a second each frame is a tick of its own, as in Quake. Above that (host_maxfps) the picture goes
 // apart from the physics, which would change with the frame rate: ticks are 1/72 s each, as many as have come due, and
 // the client shows what is between the latest two. Where host_framerate says how long a frame is, frames are ticks
-// again: the same script then gives the same game on any machine.
+// again: the same script then gives the same game on any machine. It may not be shorter than the shortest frame that
+// real time gives: a game that seems to stand still helps nobody, and sv_run would run for ever.
 #pragma once
 
 namespace fb::con {

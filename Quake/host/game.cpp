@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/log.h"
+#include "base/stop.h"
 #include "lab/image_io.h"
 #include "platform/clock.h"
 
@@ -245,11 +246,11 @@ int Game::run() {
     return fmt::format("demo {}, frame {}, {}x{}, {}", engine_->client().demo_name(), frame_,
                        renderer_->output_size().x, renderer_->output_size().y, device_->report().name);
   });
-  while (!quit_) {
+  while (!quit_ && !stop_wanted()) {
     mouse_ = vec2(0.0f);
     handle_events();
     engine_->execute_commands(platform::now_seconds());
-    if (quit_) break;
+    if (quit_ || stop_wanted()) break;
     const double passed = seconds_passed();
     engine_->frame(timer_.plan(passed, read_time_settings(console)), mouse_, platform::now_seconds());
     report_timing();
@@ -259,7 +260,10 @@ int Game::run() {
   }
   if (options_.headless && engine_->went_wrong()) exit_status_ = 1;
   set_reproduction_hint(nullptr);
-  if (window_) save_config();
+  if (window_) {
+    take_stop_as_quit();  // of who is at the window; a script's program dies by its signal
+    save_config();
+  }
   return exit_status_;
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/log.h"
+#include "host/lab_numbers.h"
 #include "host/lab_stage.h"
 #include "lab/bench_report.h"
 
@@ -198,20 +199,15 @@ LabCommand add_bench_command(CLI::App& app, std::string command_line) {
       ->allow_extra_args(false);
   bench->add_option("--frames", o->frames, "FIRST:LAST, measured; a still view shows FIRST to all of them")
       ->capture_default_str();
-  bench->add_option("--warmup", o->warmup, "frames before them that estimators learn from")->capture_default_str();
-  bench->add_option("--repeats", o->runs, "runs, each cold at first and with a seed of its own")
-      ->check(CLI::Range(1u, 10000u))
-      ->capture_default_str();
+  add_number(*bench, "--warmup", o->warmup, 0u, kMostFrames, "frames before them that estimators learn from");
+  add_number(*bench, "--repeats", o->runs, 1u, 10000u, "runs, each cold at first and with a seed of its own");
   bench->add_flag("--hold", o->hold, "frame FIRST stands still, animation too (always so for --map)");
   bench->add_option("--reference", o->reference, "an EXR of `reference`, for a still view; none: made on the spot");
-  bench->add_option("--reference-spp", o->reference_spp, "samples a pixel of a reference that is made")
-      ->check(CLI::Range(32u, 1u << 24u))
-      ->capture_default_str();
+  add_number(*bench, "--reference-spp", o->reference_spp, 32u, kMostSamples,
+             "samples a pixel of a reference that is made");
   bench->add_option("--reference-dir", o->reference_folder,
                     "folder that keeps references which were made, by what they show and how");
-  bench->add_option("--epsilon", o->epsilon, "added to r^2 in relMSE")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  add_number(*bench, "--epsilon", o->epsilon, 1e-30, 1e30, "added to r^2 in relMSE");
   bench->add_option("--json", o->json, "write JSON to this file; - is standard output, without the table");
   bench->add_option("--csv", o->csv, "write CSV, a line a frame, to this file; - is standard output");
   return {bench, [o, command_line = std::move(command_line)] { return run_bench(*o, command_line); }};

@@ -1,6 +1,7 @@
 // fullbright-lab compare: pictures held to a reference.
 #include <fmt/format.h>
 
+#include "host/lab_numbers.h"
 #include "host/lab_stage.h"
 #include "lab/compare_job.h"
 
@@ -39,16 +40,10 @@ LabCommand add_compare_command(CLI::App& app) {
   compare->add_option("REFERENCE", job.reference, "EXR or PNG; an EXR of `reference` says its own variance")
       ->required();
   compare->add_option("TEST", job.tests, "pictures of the same kind and size")->required();
-  compare->add_option("--epsilon", job.metrics.epsilon, "added to r^2 in relMSE and to |r| in MAPE")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  compare->add_option("--ppd", job.pixels_per_degree, "pixels a degree of the FLIP observer")
-      ->check(CLI::Range(1.0, 1000.0))
-      ->capture_default_str();
-  compare
-      ->add_option("--exposure", job.exposure, "stops at which LDR-FLIP looks at EXR files (HDR-FLIP chooses its own)")
-      ->check(CLI::Range(-100.0, 100.0))
-      ->capture_default_str();
+  add_number(*compare, "--epsilon", job.metrics.epsilon, 1e-30, 1e30, "added to r^2 in relMSE and to |r| in MAPE");
+  add_number(*compare, "--ppd", job.pixels_per_degree, 1.0, 1000.0, "pixels a degree of the FLIP observer");
+  add_number(*compare, "--exposure", job.exposure, -100.0, 100.0,
+             "stops at which LDR-FLIP looks at EXR files (HDR-FLIP chooses its own)");
   compare->add_option("--flip-map", job.flip_map, "PNG of FLIP per pixel, black 0 to white 1 (of one TEST)");
   compare->add_flag("--no-flip", options->no_flip, "leave FLIP out: it takes most of the time");
   compare->add_option("--json", options->json, "write JSON to this file; - is standard output, without the table");

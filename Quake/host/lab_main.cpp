@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/stop.h"
 #include "host/lab_stage.h"
 #include "host/options.h"
 
 int main(int argc, char** argv) {
   using namespace fb::host;
+  fb::stop_on_signals("fullbright-lab", fb::StopMode::kAtOnce);
   CLI::App app("The laboratory of Fullbright: frames, references and measurements, without a window.",
                "fullbright-lab");
   app.set_version_flag("--version", version_text());

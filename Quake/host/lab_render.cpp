@@ -1,6 +1,7 @@
 // fullbright-lab render and reference: chosen frames, or one with many samples.
 #include <fmt/format.h>
 
+#include "host/lab_numbers.h"
 #include "host/lab_stage.h"
 #include "lab/jobs.h"
 
@@ -88,10 +89,9 @@ LabCommand add_reference_command(CLI::App& app) {
   CLI::App* reference =
       app.add_subcommand("reference", "accumulates many samples of one frame, with their variance, to an EXR file");
   add_stage_options(*reference, options->stage);
-  reference->add_option("--frame", options->frame, "counted from 0")->capture_default_str();
-  reference->add_option("--warmup", options->warmup, "samples a pixel that only teach an estimator that learns")
-      ->check(CLI::Range(0u, 1u << 24u))
-      ->capture_default_str();
+  add_number(*reference, "--frame", options->frame, std::uint64_t{0}, std::uint64_t{kMostFrames}, "counted from 0");
+  add_number(*reference, "--warmup", options->warmup, 0u, kMostSamples,
+             "samples a pixel that only teach an estimator that learns");
   reference->add_option("--out", options->stage.out, "the .exr file")->required();
   return {reference, [options] { return run_reference(*options); }};
 }

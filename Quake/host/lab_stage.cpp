@@ -8,6 +8,7 @@
 
 #include "fs/file.h"
 #include "host/base_game.h"
+#include "host/lab_numbers.h"
 #include "host/options.h"
 #include "lab/client_source.h"
 
@@ -15,6 +16,7 @@ namespace fb::host {
 namespace {
 
 Result<std::optional<scene::Camera>> parse_camera(const std::string& text) {
+  constexpr double kFarthest = 1e6;  // as far as a map's vertices may be
   if (text.empty()) return std::optional<scene::Camera>();
   scene::Camera camera;
   float* parts[] = {&camera.position.x, &camera.position.y, &camera.position.z,
@@ -22,9 +24,10 @@ Result<std::optional<scene::Camera>> parse_camera(const std::string& text) {
   std::size_t begin = 0;
   for (std::size_t i = 0; i < 6; ++i) {
     const std::size_t end = i < 5 ? text.find(',', begin) : text.size();
-    const auto number = end == std::string::npos ? std::nullopt : con::parse_number(text.substr(begin, end - begin));
-    if (!number) return Error{fmt::format("--camera {}: six numbers x,y,z,pitch,yaw,roll are wanted", text)};
-    *parts[i] = *number;
+    const auto number = end == std::string::npos ? std::nullopt : parse_number(text.substr(begin, end - begin));
+    if (!number || std::abs(*number) > kFarthest)
+      return Error{fmt::format("--camera {}: six numbers x,y,z,pitch,yaw,roll are wanted", text)};
+    *parts[i] = static_cast<float>(*number);
     begin = end + 1;
   }
   camera.fov_x = 0;  // the player's
@@ -83,11 +86,9 @@ void add_stage_options(CLI::App& app, StageOptions& o) {
                    "a scene made in code: " + fmt::format("{}", fmt::join(lab::code_scene_names(), ", ")));
   what->require_option(1);
   app.add_option("--camera", o.camera, "x,y,z,pitch,yaw,roll instead of the player's eyes");
-  app.add_option("--fps", o.fps, "frames a second of the demo's time")
-      ->check(CLI::Range(0.1, 10000.0))
-      ->capture_default_str();
+  add_number(app, "--fps", o.fps, 0.1, 10000.0, "frames a second of the demo's time");
   app.add_option("--estimator", o.estimator, "one of `fullbright-lab estimators`")->capture_default_str();
-  app.add_option("--spp", o.spp, "samples a pixel")->check(CLI::Range(1u, 1u << 24u))->capture_default_str();
+  add_number(app, "--spp", o.spp, 1u, kMostSamples, "samples a pixel");
   app.add_option("--size", o.size, "WIDTHxHEIGHT")->capture_default_str();
   app.add_option("--set", o.sets, "cvar=value; several count")->expected(1)->take_all()->allow_extra_args(false);
   app.add_option("--device", o.device, "part of a device's name, or its index");
@@ -125,20 +126,22 @@ Status set_cvar(con::Console& console, const std::string& assignment, const std:
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos) return Error{fmt::format("{}: cvar=value is wanted", option)};
   const std::string name = assignment.substr(0, equals), value = assignment.substr(equals + 1);
-  if (!console.find_cvar(name)) return Error{fmt::format("{}: there is no cvar {}", option, name)};
-  if (!console.set(name, value)) return Error{fmt::format("{}: the value was not taken", option)};
+  con::Cvar* cvar = console.find_cvar(name);
+  if (!cvar) return Error{fmt::format("{}: there is no cvar {}", option, name)};
+  if ((cvar->spec().flags & con::kCvarRom) != 0) return Error{fmt::format("{}: {} is read-only", option, name)};
+  if (const std::string sentence = cvar->set(value); !sentence.empty())
+    return Error{fmt::format("{}: {}", option, sentence)};
   return ok_status();
 }
 
 Result<std::pair<std::uint64_t, std::uint64_t>> parse_frames(const std::string& text) {
   const std::size_t colon = text.find(':');
-  const auto first = con::parse_number(text.substr(0, colon));
-  const auto last = colon == std::string::npos ? first : con::parse_number(text.substr(colon + 1));
-  if (!first || !last || *first < 0 || *last < *first || *last > 1e7f || *first != std::floor(*first) ||
-      *last != std::floor(*last)) {
-    return Error{fmt::format("--frames {}: FIRST:LAST is wanted, whole numbers from 0", text)};
-  }
-  return std::pair(static_cast<std::uint64_t>(*first), static_cast<std::uint64_t>(*last));
+  const auto first = parse_whole_number_unsigned(std::string_view(text).substr(0, colon));
+  const auto last =
+      colon == std::string::npos ? first : parse_whole_number_unsigned(std::string_view(text).substr(colon + 1));
+  if (!first || !last || *last < *first || *last > kMostFrames)
+    return Error{fmt::format("--frames {}: FIRST:LAST is wanted, whole numbers from 0 to {}", text, kMostFrames)};
+  return std::pair(*first, *last);
 }
 
 Status write_text(const std::string& path, const std::string& text) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "fs/file.h"
+#include "host/lab_numbers.h"
 #include "host/lab_stage.h"
 #include "lab/track.h"
 
@@ -49,10 +50,9 @@ LabCommand add_track_command(CLI::App& app) {
       "track", "where a demo's messages have its player; of two demos, how far apart, and 1 where that is too far");
   track->add_option("DEMO", options->demo, "a recorded demo")->required();
   track->add_option("OTHER", options->other, "another, of the same script");
-  track->add_option("--tolerance", options->tolerance, "units")->check(CLI::NonNegativeNumber)->capture_default_str();
-  track->add_option("--shift", options->shift, "points by which OTHER may begin later or earlier: the best is taken")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  add_number(*track, "--tolerance", options->tolerance, 0.0f, 1e6f, "units");
+  add_number(*track, "--shift", options->shift, 0, 1000000,
+             "points by which OTHER may begin later or earlier: the best is taken");
   track->add_option("--csv", options->csv, "write DEMO's points to this file; - is standard output");
   return {track, [options] { return run_track(*options); }};
 }

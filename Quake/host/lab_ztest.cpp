@@ -1,6 +1,7 @@
 // fullbright-lab ztest: whether an estimator has the mean of another.
 #include <fmt/format.h>
 
+#include "host/lab_numbers.h"
 #include "host/lab_stage.h"
 #include "lab/ztest_job.h"
 
@@ -55,27 +56,20 @@ LabCommand add_ztest_command(CLI::App& app) {
       "ztest",
       "holds an estimator to the mean of pt, block by block of pixels, over independent runs; exit status 3: biased");
   add_stage_options(*ztest, c->stage);
-  ztest
-      ->add_option("--runs", c->plan.runs, "runs of each side; twice as many where a bias shows and is looked at again")
-      ->check(CLI::Range(4u, 100000u))
-      ->capture_default_str();
-  ztest->add_option("--frames", c->plan.frames, "frames measured and averaged in a run")
-      ->check(CLI::Range(1u, 100000u))
-      ->capture_default_str();
-  ztest->add_option("--skip", c->plan.skip, "frames before them, to learn from")->capture_default_str();
+  add_number(*ztest, "--runs", c->plan.runs, 4u, 100000u,
+             "runs of each side; twice as many where a bias shows and is looked at again");
+  add_number(*ztest, "--frames", c->plan.frames, 1u, 100000u, "frames measured and averaged in a run");
+  add_number(*ztest, "--skip", c->plan.skip, 0u, kMostFrames, "frames before them, to learn from");
   ztest->add_flag("--fresh", c->plan.fresh, "every run begins with nothing learnt (always so where something moves)");
-  ztest->add_option("--block", c->plan.block, "side of a block, pixels")
-      ->check(CLI::Range(1u, 4096u))
-      ->capture_default_str();
+  add_number(*ztest, "--block", c->plan.block, 1u, 4096u, "side of a block, pixels");
   ztest->add_option("--reference", c->reference, "the estimator that is right")->capture_default_str();
-  ztest->add_option("--reference-spp", c->reference_spp, "its samples a pixel and frame; 0: four times --spp");
+  add_number(*ztest, "--reference-spp", c->reference_spp, 0u, kMostSamples,
+             "its samples a pixel and frame; 0: four times --spp");
   ztest->add_option("--reference-set", c->reference_sets, "cvar=value of the reference alone; several count")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  ztest->add_option("--alpha", c->alpha, "false-alarm rate of one test")
-      ->check(CLI::Range(1e-9, 0.5))
-      ->capture_default_str();
+  add_number(*ztest, "--alpha", c->alpha, 1e-9, 0.5, "false-alarm rate of one test");
   ztest->add_flag("--map", c->blocks, "print z of every block");
   return {ztest, [c] { return run_ztest(*c); }};
 }

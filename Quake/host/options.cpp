@@ -1,35 +1,37 @@
 #include "host/options.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <string_view>
-#include <system_error>
+#include <limits>
+
+#include "base/number.h"
 
 namespace fb::host {
 namespace {
 
-constexpr std::uint32_t kMostPlayers = 16, kUsualPlayers = 8;
+constexpr std::uint32_t kMostPlayers = 16, kUsualPlayers = 8, kLargestSide = 16384;
 
-template <typename Number>
-bool parse_number(std::string_view text, Number& value) {
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  return result.ec == std::errc() && result.ptr == text.data() + text.size();
+template <typename T>
+Status read_whole_number(const std::string& option, const std::string& text, T& value, T low,
+                         T high = std::numeric_limits<T>::max()) {
+  const auto number = whole_number_in<T>(option, text, low, high);
+  if (!number) return number.error();
+  value = *number;
+  return ok_status();
 }
 
 }  // namespace
 
 Result<uvec2> parse_size(const std::string& text) {
-  const std::size_t x = text.find('x');
-  uvec2 size(0);
-  if (x == std::string::npos || !parse_number(std::string_view(text).substr(0, x), size.x) ||
-      !parse_number(std::string_view(text).substr(x + 1), size.y) || size.x < 1 || size.y < 1 || size.x > 16384 ||
-      size.y > 16384) {
-    return Error{fmt::format("a size is WIDTHxHEIGHT, each 1 to 16384, not '{}'", text)};
-  }
-  return size;
+  const std::size_t x = std::min(text.find('x'), text.size());
+  const auto side = [](std::string_view side) { return whole_number_in<std::uint32_t>("", side, 1, kLargestSide); };
+  const auto width = side(std::string_view(text).substr(0, x));
+  const auto height = side(std::string_view(text).substr(std::min(x + 1, text.size())));
+  if (!width || !height)
+    return Error{fmt::format("a size is WIDTHxHEIGHT, each 1 to {}, not '{}'", kLargestSide, text)};
+  return uvec2(*width, *height);
 }
 
 Result<GameOptions> parse_game_options(const std::vector<std::string>& arguments) {
@@ -57,8 +59,9 @@ Result<GameOptions> parse_game_options(const std::vector<std::string>& arguments
     const auto players = [&]() -> Status {
       std::uint32_t count = kUsualPlayers;
       const bool given = i + 1 < arguments.size() && !arguments[i + 1].empty() && std::isdigit(arguments[i + 1][0]);
-      if (given && (!parse_number(arguments[++i], count) || count < 1 || count > kMostPlayers))
-        return Error{fmt::format("{} {}: 1 to {} players are possible", a, arguments[i], kMostPlayers)};
+      if (given) {
+        if (auto s = read_whole_number(a, arguments[++i], count, 1u, kMostPlayers); !s) return s;
+      }
       options.max_clients = static_cast<int>(count);
       return ok_status();
     };
@@ -90,27 +93,23 @@ Result<GameOptions> parse_game_options(const std::vector<std::string>& arguments
     } else if (a == "-width" || a == "-height") {
       if (auto s = value(text); !s) return s.error();
       std::uint32_t& side = a == "-width" ? options.size.x : options.size.y;
-      if (!parse_number(text, side) || side < 1 || side > 16384)
-        return Error{fmt::format("{} {}: a number from 1 to 16384 is wanted", a, text)};
+      if (auto s = read_whole_number(a, text, side, 1u, kLargestSide); !s) return s.error();
     } else if (a == "-dedicated" || a == "-listen") {
       options.dedicated = options.dedicated || a == "-dedicated";
       if (auto s = players(); !s) return s.error();
     } else if (a == "-port") {
       if (auto s = value(text); !s) return s.error();
-      if (!parse_number(text, options.port) || options.port < 1 || options.port > 65535)
-        return Error{fmt::format("-port {}: a number from 1 to 65535 is wanted", text)};
+      if (auto s = read_whole_number(a, text, options.port, 1u, 65535u); !s) return s.error();
     } else if (a == "-seed") {
       if (auto s = value(text); !s) return s.error();
       std::uint64_t seed = 0;
-      if (!parse_number(text, seed)) return Error{fmt::format("-seed {}: a whole number is wanted", text)};
+      if (auto s = read_whole_number(a, text, seed, std::uint64_t{0}); !s) return s.error();
       options.seed = seed;
     } else if (a == "-capture") {
       if (auto s = value(options.capture); !s) return s.error();
     } else if (a == "-capture_every") {
       if (auto s = value(text); !s) return s.error();
-      if (!parse_number(text, options.capture_every) || options.capture_every == 0) {
-        return Error{fmt::format("-capture_every {}: a number of frames, 1 or more, is wanted", text)};
-      }
+      if (auto s = read_whole_number(a, text, options.capture_every, 1u); !s) return s.error();
     } else {
       return Error{fmt::format("{}: there is no such option; -help lists them", a)};
     }

@@ -15,7 +15,7 @@ constexpr double kCenterPrintSeconds = 2.0;  // scr_centertime's default
 
 }  // namespace
 
-Screen::Screen(con::Console& console, ui::FileLoader files)
+Screen::Screen(con::Console& console, FileLoader files)
     : console_(console),
       bindings_(
           console, [](std::string_view name) { return platform::key_from_name(name); },

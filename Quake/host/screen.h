@@ -18,7 +18,7 @@ namespace fb::host {
 class Screen {
  public:
   // Registers scr_showfps, toggleconsole and the bindings.
-  Screen(con::Console& console, ui::FileLoader files);
+  Screen(con::Console& console, FileLoader files);
 
   // A key, text or focus event; others are passed over.
   void handle(const platform::InputEvent& event);

@@ -5,7 +5,7 @@
 #include <map>
 #include <memory>
 
-#include "lab/progress.h"
+#include "base/progress.h"
 
 namespace fb::lab {
 namespace {
@@ -149,7 +149,7 @@ Result<BenchResult> run_bench(gpu::Device& device, const View& view, const std::
   }
   if (auto status = check_sizes(lanes, references); !status) return status.error();
 
-  Progress progress("frame", std::uint64_t{job.runs} * view.frames(), job.quiet);
+  Progress progress("frame", std::uint64_t{job.runs} * view.frames(), {.quiet = job.quiet});
   for (std::uint32_t run = 0; run < job.runs; ++run) {
     for (std::size_t i = 0; i < lanes.size(); ++i) {
       Lane& lane = lanes[i];

@@ -9,7 +9,7 @@
 #include "base/hash.h"
 #include "lab/image_io.h"
 #include "lab/jobs.h"
-#include "lab/progress.h"
+#include "base/progress.h"
 #include "render/shader_set.h"
 
 namespace fb::lab {
@@ -168,7 +168,7 @@ Result<std::vector<Reference>> make_references(const View& view, gpu::Device& de
   const std::uint32_t count = view.still ? 1 : view.measured;
   const std::uint64_t settings_hash = settings_key(settings) ^ render::shader_hash("pt");
   std::vector<Reference> references;
-  Progress progress("reference sample", std::uint64_t{count} * options.spp, options.quiet);
+  Progress progress("reference sample", std::uint64_t{count} * options.spp, {.quiet = options.quiet});
   for (std::uint32_t i = 0; i < count; ++i) {
     const scene::FrameSnapshot snapshot = view.at(0, view.still ? 0 : view.warmup + i);
     const std::uint32_t shape[] = {options.spp, options.width, options.height};

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <system_error>
+
+#include "fs/file.h"
 
 namespace fb::lab {
 namespace {
@@ -60,10 +59,9 @@ Result<std::unique_ptr<FrameSource>> demo_source(cl::Client& client, std::string
                                                  const ClientSourceOptions& options) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(demo, ignored)) {
-    std::ifstream file(std::string(demo), std::ios::binary);
-    Bytes data((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (!file.good() && !file.eof()) return Error{fmt::format("{}: cannot be read", demo)};
-    if (auto status = client.start_demo(std::move(data), demo, cl::DemoMode::kPlay); !status) return status.error();
+    auto data = fs::read_whole_file(demo);
+    if (!data) return data.error();
+    if (auto status = client.start_demo(*std::move(data), demo, cl::DemoMode::kPlay); !status) return status.error();
   } else if (auto status = client.start_demo(demo, cl::DemoMode::kPlay); !status) {
     return status.error();
   }

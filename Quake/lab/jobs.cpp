@@ -10,7 +10,7 @@
 
 #include "base/hash.h"
 #include "lab/image_io.h"
-#include "lab/progress.h"
+#include "base/progress.h"
 #include "shared/packing.h"
 
 namespace fb::lab {
@@ -76,7 +76,7 @@ void warm_up(render::Renderer& renderer, render::RenderSettings settings, const 
   settings.accumulate = 1;
   settings.spp = static_cast<int>(samples_per_pass(job.spp));
   renderer.restart_accumulation();
-  Progress progress("sample to learn from", job.warmup, job.quiet);
+  Progress progress("sample to learn from", job.warmup, {.quiet = job.quiet});
   for (std::uint32_t done = 0; done < job.warmup; progress.update(std::min(done, job.warmup))) {
     renderer.render(snapshot, nullptr, settings);
     done += static_cast<std::uint32_t>(settings.spp);
@@ -122,7 +122,7 @@ Result<RenderSummary> render_frames(FrameSource& source, render::Renderer& rende
   renderer.resize(job.width, job.height);
   RenderSummary summary;
   scene::FrameSnapshot snapshot;
-  Progress progress("frame", job.last - job.first + 1, job.quiet);
+  Progress progress("frame", job.last - job.first + 1, {.quiet = job.quiet});
   for (std::uint64_t frame = 0; frame <= job.last; ++frame) {
     if (auto more = step(source, snapshot, frame); !more) return more.error();
     if (frame < job.first) continue;
@@ -150,7 +150,7 @@ Result<ReferenceSummary> render_reference(FrameSource& source, render::Renderer&
   RenderSummary timing;
   if (job.warmup > 0) warm_up(renderer, settings, snapshot, job);
   {
-    Progress progress("sample", job.spp, job.quiet);
+    Progress progress("sample", job.spp, {.quiet = job.quiet});
     render_samples(renderer, settings, snapshot, job.spp, timing, [&](std::uint32_t done) { progress.update(done); });
   }
   const std::vector<vec4> mean = renderer.read_linear(), variance = renderer.read_variance_of_mean();

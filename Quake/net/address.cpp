@@ -6,9 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <system_error>
-
+#include "base/number.h"
 #include "net/network.h"
 
 namespace fb::net {
@@ -27,7 +25,7 @@ Address ipv4(std::uint8_t a, std::uint8_t b, std::uint8_t c, std::uint8_t d, std
   return address;
 }
 
-HostAndPort split_port(std::string_view text, std::uint16_t default_port) {
+Result<HostAndPort> split_port(std::string_view text, std::uint16_t default_port) {
   std::string_view host = text, port;
   const std::size_t colon = text.rfind(':');
   if (text.starts_with('[')) {
@@ -38,16 +36,18 @@ HostAndPort split_port(std::string_view text, std::uint16_t default_port) {
     host = text.substr(0, colon);
     port = text.substr(colon + 1);
   }
-  std::uint16_t number = 0;
-  const auto [end, code] = std::from_chars(port.data(), port.data() + port.size(), number);
-  const bool good = code == std::errc() && end == port.data() + port.size() && number != 0;
-  return {std::string(host), good ? number : default_port};
+  if (port.empty()) return HostAndPort{std::string(host), default_port};
+  const auto number = whole_number_in<std::uint16_t>(fmt::format("{}: port", host), port, 1);
+  if (!number) return number.error();
+  return HostAndPort{std::string(host), *number};
 }
 
 std::optional<Address> parse_address(std::string_view text, std::uint16_t default_port) {
-  const auto [host, port] = split_port(text, default_port);
+  const auto parts = split_port(text, default_port);
+  if (!parts) return std::nullopt;
+  const std::string& host = parts->host;
   Address address;
-  address.port = port;
+  address.port = parts->port;
   if (inet_pton(AF_INET, host.c_str(), address.bytes.data()) == 1) return address;
   address.family = Family::kIpv6;
   if (inet_pton(AF_INET6, host.c_str(), address.bytes.data()) == 1) return address;

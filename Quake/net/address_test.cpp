@@ -18,17 +18,21 @@ TEST(Address, FromAndToText) {
   EXPECT_EQ(text("[::1]"), "[::1]:26000");
   EXPECT_EQ(text("[2001:db8::2]:7"), "[2001:db8::2]:7");
   EXPECT_EQ(text("192.0.2.1:"), "192.0.2.1:26000");
-  EXPECT_EQ(text("192.0.2.1:0"), "192.0.2.1:26000");
-  EXPECT_EQ(text("192.0.2.1:65536"), "192.0.2.1:26000");
-  EXPECT_EQ(text("192.0.2.1:12x"), "192.0.2.1:26000");
-  for (const char* bad : {"", "localhost", "256.1.1.1", "1.2.3", ":", "[", "[::1", "[]:1", "::g"})
+  for (const char* bad : {"192.0.2.1:0", "192.0.2.1:65536", "192.0.2.1:12x", "", "localhost", "256.1.1.1", "1.2.3", ":",
+                          "[", "[::1", "[]:1", "::g"})
     EXPECT_EQ(text(bad), std::string_view(bad) == "[::1" ? "[::1]:26000" : "none") << bad;
 }
 
 TEST(Address, SplitsNames) {
-  EXPECT_EQ(split_port("quake.example:26005").host, "quake.example");
-  EXPECT_EQ(split_port("quake.example:26005").port, 26005);
-  EXPECT_EQ(split_port("quake.example", 5).port, 5);
+  EXPECT_EQ(split_port("quake.example:26005")->host, "quake.example");
+  EXPECT_EQ(split_port("quake.example:26005")->port, 26005);
+  EXPECT_EQ(split_port("quake.example", 5)->port, 5);
+  for (const char* wrong : {"abc", "0", "-1", "65536", "1e3", "5x"}) {
+    const auto refused = split_port(std::string("quake.example:") + wrong);
+    ASSERT_FALSE(refused.ok()) << wrong;
+    EXPECT_EQ(refused.error().message,
+              std::string("quake.example: port ") + wrong + ": a whole number from 1 to 65535 is wanted");
+  }
 }
 
 TEST(Address, SameHost) {

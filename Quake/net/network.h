@@ -43,12 +43,12 @@ Address ipv4(std::uint8_t a, std::uint8_t b, std::uint8_t c, std::uint8_t d, std
 inline Address broadcast(std::uint16_t port) { return ipv4(255, 255, 255, 255, port); }
 // An address in numbers, with or without a port: "192.0.2.1", "192.0.2.1:26001", "2001:db8::1", "[::1]:26001".
 std::optional<Address> parse_address(std::string_view text, std::uint16_t default_port = kDefaultPort);
-// "host:26001" to host and port; the default where there is none or where it makes no sense.
+// "host:26001" to host and port; the default where there is none. Fails where it is no port.
 struct HostAndPort {
   std::string host;
   std::uint16_t port;
 };
-HostAndPort split_port(std::string_view text, std::uint16_t default_port = kDefaultPort);
+Result<HostAndPort> split_port(std::string_view text, std::uint16_t default_port = kDefaultPort);
 
 // One UDP socket. Closed by its destructor. Nothing here blocks or fails: a datagram that cannot be sent is lost, as
 // any may be.

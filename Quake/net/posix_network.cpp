@@ -143,7 +143,9 @@ class PosixNetwork final : public Network {
 
   Result<Address> resolve(std::string_view name, std::uint16_t default_port) override {
     if (const auto address = parse_address(name, default_port)) return *address;
-    const auto [host, port] = split_port(name, default_port);
+    const auto parts = split_port(name, default_port);
+    if (!parts) return parts.error();
+    const auto& [host, port] = *parts;
     if (host.empty()) return Error{"network: no server is named"};
     addrinfo wanted{};
     wanted.ai_socktype = SOCK_DGRAM;

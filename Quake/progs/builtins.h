@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "base/file_data.h"
 #include "base/result.h"
 #include "base/rng.h"
 
@@ -62,7 +63,7 @@ class BuiltinTable {
 struct Services {
   con::Console* console = nullptr;
   // FRIK_FILE: names as fs/path.h has them, all below data/ but for reading. Usually FileSystem::read and ::write.
-  std::function<std::optional<Bytes>(std::string_view name)> read_file;
+  FileLoader read_file;
   std::function<Status(std::string_view name, ByteView data)> write_file;
   Rng* rng = nullptr;  // the engine's, seeded by -seed
   // Where text without an end of line goes: to the console (errors, eprint), to developers (dprint), to all players

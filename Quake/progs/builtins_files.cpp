@@ -18,8 +18,6 @@ namespace {
 constexpr std::size_t kMaxOpen = 64, kMaxBytes = 16u << 20u;
 enum Mode { kRead = 0, kAppend = 1, kWrite = 2 };
 
-std::string to_text(const Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
-
 class Files {
  public:
   explicit Files(const Services& services) : services_(services) {}
@@ -96,7 +94,12 @@ class Files {
   std::optional<std::string> read(const std::string& name) const {
     if (!services_.read_file) return std::nullopt;
     const auto bytes = services_.read_file(name);
-    return bytes ? std::optional(to_text(*bytes)) : std::nullopt;
+    if (!bytes) return std::nullopt;
+    if (bytes->size() > kMaxBytes) {
+      log_warning("fopen: {} has {} bytes; at most {} can be read", name, bytes->size(), kMaxBytes);
+      return std::nullopt;
+    }
+    return std::string(bytes->text());
   }
   void save(const File& file) const {
     if (!file.writing || !services_.write_file) return;

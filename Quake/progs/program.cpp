@@ -42,6 +42,10 @@ class Loader {
     if (version != kVersion) {
       return reader_.error_at(0, fmt::format("progs of version {}; only version 6 is Quake's", version));
     }
+    if (reader_.size() > kMostProgramBytes) {
+      return reader_.error_at(
+          0, fmt::format("progs of {} bytes; at most {} are taken", reader_.size(), kMostProgramBytes));
+    }
     const std::uint32_t crc = reader_.u32();
     if (crc > 0xffff) return reader_.error_at(4, fmt::format("CRC {} of the header has more than 16 bits", crc));
     program_.crc = static_cast<std::uint16_t>(crc);

@@ -91,7 +91,8 @@ struct Program {
 
 // A vector's opcode whose operand is the last global reaches into these.
 constexpr std::uint32_t kGlobalPadding = 3;
-constexpr std::uint32_t kMaxFieldWords = 65538;  // what 16-bit offsets can name
+constexpr std::uint32_t kMaxFieldWords = 65538;        // what 16-bit offsets can name
+constexpr std::size_t kMostProgramBytes = 64u << 20u;  // of a progs.dat; the largest mods have two million
 
 // `name` is what errors call the file. Memory is bounded by a small multiple of data.size().
 //

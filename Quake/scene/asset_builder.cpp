@@ -18,7 +18,7 @@ formats::Palette read_palette(const FileLoader& loader) {
   constexpr std::string_view kPath = "gfx/palette.lmp";
   formats::Palette greys;
   for (std::size_t i = 0; i < 256; ++i) greys.rgb[i].fill(static_cast<std::uint8_t>(i));
-  const std::optional<Bytes> bytes = loader ? loader(kPath) : std::nullopt;
+  const std::optional<FileData> bytes = loader ? loader(kPath) : std::nullopt;
   if (!bytes) {
     log_warning("{}: no such file; colours are greys", kPath);
     return greys;
@@ -59,7 +59,7 @@ std::uint32_t AssetBuilder::image_file(std::string_view stem, ImageEncoding enco
   std::uint32_t index = kNone;
   for (const char* extension : {".png", ".tga", ".pcx"}) {
     const std::string path = name + extension;
-    const std::optional<Bytes> bytes = load(path);
+    const std::optional<FileData> bytes = load(path);
     if (!bytes || (rank_ && rank_(path) < least_rank)) continue;  // asked last: most files are absent
     auto image = formats::parse_image(*bytes, path);
     if (image) {

@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/file_data.h"
 #include "formats/image.h"
 #include "scene/assets.h"
 #include "scene/library.h"
@@ -27,7 +29,7 @@ class AssetBuilder {
   std::uint32_t add_material(Material material);
   std::uint32_t add_mesh(Mesh mesh);
 
-  std::optional<Bytes> load(std::string_view path) const { return loader_ ? loader_(path) : std::nullopt; }
+  std::optional<FileData> load(std::string_view path) const { return loader_ ? loader_(path) : std::nullopt; }
   // The image in `stem` + .png, .tga or .pcx, the first that is there; kNone if none is, or it is malformed (then one
   // logged sentence). `*` in the stem is `#` in file names.
   // Files that rank below `least_rank` are not there.

@@ -144,7 +144,7 @@ Status ModelLibrary::load_map(std::string_view bsp_path) {
   const auto load_beside = [&](const std::string& file) {
     return impl_->rank && impl_->rank(file) < impl_->rank(path) ? std::nullopt : load(file);
   };
-  const std::optional<Bytes> bytes = load(path);
+  const std::optional<FileData> bytes = load(path);
   if (!bytes) return Error{path + ": no such file"};
   auto bsp = formats::parse_bsp(*bytes, path);
   if (!bsp) return bsp.error();
@@ -152,7 +152,7 @@ Status ModelLibrary::load_map(std::string_view bsp_path) {
   log_all(bsp->warnings);
 
   const std::string vis_path = with_extension(path, ".vis");
-  if (const std::optional<Bytes> vis = load_beside(vis_path)) {
+  if (const std::optional<FileData> vis = load_beside(vis_path)) {
     auto record = formats::parse_vis(*vis, vis_path, map_name + ".bsp", *bsp);
     if (!record) {
       log_warning("{}", record.error().message);
@@ -164,8 +164,12 @@ Status ModelLibrary::load_map(std::string_view bsp_path) {
   std::string entities_name = path;
   for (const std::string& ent_path :
        {with_extension(path, fmt::format("@{:04x}.ent", bsp->entities_crc)), with_extension(path, ".ent")}) {
-    const std::optional<Bytes> ent = load_beside(ent_path);
+    const std::optional<FileData> ent = load_beside(ent_path);
     if (!ent) continue;
+    if (const Status fits = formats::check_entity_text(ent->size(), ent_path); !fits) {
+      log_warning("{}", fits.error().message);
+      continue;
+    }
     bsp->entities.assign(ent->begin(), ent->end());
     entities_name = ent_path;
     break;
@@ -234,7 +238,7 @@ Model ModelLibrary::Impl::load_submodel(const std::string& name) {
 Model ModelLibrary::Impl::load_model(const std::string& name) {
   if (name.empty()) return {};
   if (name[0] == '*' || (map && name == map_path)) return load_submodel(name);
-  const std::optional<Bytes> bytes = loader ? loader(name) : std::nullopt;
+  const std::optional<FileData> bytes = loader ? loader(name) : std::nullopt;
   if (!bytes) {
     log_warning("{}: no such file", name);
     return {};
@@ -244,7 +248,7 @@ Model ModelLibrary::Impl::load_model(const std::string& name) {
     return Model{};
   };
   // Quake goes by what the file says of itself, not by its name.
-  const std::string_view magic(reinterpret_cast<const char*>(bytes->data()), std::min<std::size_t>(bytes->size(), 4));
+  const std::string_view magic = bytes->text().substr(0, 4);
   if (magic == "IDPO") {
     auto mdl = formats::parse_mdl(*bytes, name);
     if (!mdl) return refuse(mdl.error());

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/bytes.h"
+#include "base/file_data.h"
 #include "base/result.h"
 #include "formats/bsp.h"
 #include "formats/mdl.h"
@@ -68,8 +68,6 @@ struct AmbientLight {
   vec3 radiance{0.0f};   // 1 shows a texture as it was painted
   bool instead = false;  // the map has nothing that gives light: this is there in its place
 };
-
-using FileLoader = std::function<std::optional<Bytes>(std::string_view path)>;  // nullopt: no such file; never throws
 
 // How near the player's own data a file is that is there, as fs::FileSystem::game_index_of. A map's .ent and .vis count
 // if they rank no lower than the map. Images instead of a model's or map's own count from anywhere (packs of textures

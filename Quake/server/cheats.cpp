@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "base/number.h"
 #include "server/link.h"
 
 namespace fb::sv {
@@ -15,6 +16,8 @@ using progs::to_int;
 // Quake's items and weapons; the mission packs use some of the bits for other things.
 constexpr std::int32_t kShotgun = 1, kSuperShotgun = 2, kNailgun = 4, kSuperNailgun = 8, kGrenadeLauncher = 16,
                        kRocketLauncher = 32, kLightning = 64;
+constexpr double kFarthest = 1e6;  // units: as far as a map's vertices may be
+constexpr double kMostGiven = 1e6;
 constexpr std::array<std::int32_t, 3> kArmors = {8192, 16384, 32768};
 constexpr std::int32_t kProximityGun = 1 << 16, kMjolnir = 1 << 7, kLaserCannon = 1 << 23;    // hipnotic
 constexpr std::int32_t kLavaNailgun = 4096, kLavaSuperNailgun = 8192, kMultiGrenade = 16384,  // rogue
@@ -50,15 +53,21 @@ std::string setpos(const CheatCall& call) {
     return fmt::format("usage: setpos <x> <y> <z> [<pitch> <yaw> <roll>]\nnow: {} {} {} {} {} {}\n", to_int(at.x),
                        to_int(at.y), to_int(at.z), to_int(angles.x), to_int(angles.y), to_int(angles.z));
   }
+  std::array<float, 6> numbers{};
+  for (std::size_t i = 1; i < args.size(); ++i) {
+    const auto number = number_in("setpos", args[i], -kFarthest, kFarthest);
+    if (!number) return number.error().message + "\n";
+    numbers[i - 1] = static_cast<float>(*number);
+  }
   std::string said;
   if (player.get(fields::movetype) != static_cast<float>(kMoveNoClip)) {
     player.set(fields::movetype, static_cast<float>(kMoveNoClip));
     said = "noclip ON\n";
   }
   player.set(fields::velocity, vec3(0.0f));
-  player.set(fields::origin, vec3(args.number(1), args.number(2), args.number(3)));
+  player.set(fields::origin, vec3(numbers[0], numbers[1], numbers[2]));
   if (args.size() == 7) {
-    player.set(fields::angles, vec3(args.number(4), args.number(5), args.number(6)));
+    player.set(fields::angles, vec3(numbers[3], numbers[4], numbers[5]));
     player.set(fields::fixangle, 1.0f);
   }
   link_edict(call.level, call.player);
@@ -137,9 +146,11 @@ std::string give(const CheatCall& call) {
   Level& level = call.level;
   Edict player = level.edict(call.player);
   const std::string& what = call.args[1];
-  const int count = call.args.integer(2);
-  const auto amount = static_cast<float>(count);
   if (what.empty()) return "usage: give <what> [<how many>]\n";
+  const auto number = number_in("give " + what, call.args.size() > 2 ? call.args[2] : "0", -kMostGiven, kMostGiven);
+  if (!number) return number.error().message + "\n";
+  const int count = static_cast<int>(*number);
+  const auto amount = static_cast<float>(count);
   const auto ammo = [&](progs::Field<float> shown, const char* quakes, const char* rogues, bool rogues_own) {
     give_ammo(level, player, shown, quakes, rogues, rogues_own, amount);
   };

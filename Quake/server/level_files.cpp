@@ -24,7 +24,7 @@ bool counts_beside(const LevelFiles& files, const std::string& path, const std::
 void use_external_visibility(const LevelFiles& files, const std::string& name, formats::Bsp& bsp) {
   const std::string path = fmt::format("maps/{}.vis", name);
   if (!counts_beside(files, path, name)) return;
-  const std::optional<Bytes> bytes = files.read(path);
+  const std::optional<FileData> bytes = files.read(path);
   if (!bytes) return;
   auto record = formats::parse_vis(*bytes, path, name + ".bsp", bsp);
   if (!record) return log_warning("{}", record.error().message);
@@ -39,8 +39,12 @@ std::string use_external_entities(const LevelFiles& files, const std::string& na
   for (const std::string& path :
        {fmt::format("maps/{}@{:04x}.ent", name, bsp.entities_crc), fmt::format("maps/{}.ent", name)}) {
     if (!counts_beside(files, path, name)) continue;
-    const std::optional<Bytes> bytes = files.read(path);
+    const std::optional<FileData> bytes = files.read(path);
     if (!bytes) continue;
+    if (const Status fits = formats::check_entity_text(bytes->size(), path); !fits) {
+      log_warning("{}", fits.error().message);
+      continue;
+    }
     log_info("{}: entities of the map are from here", path);
     bsp.entities.assign(bytes->begin(), bytes->end());
     return path;
@@ -49,7 +53,7 @@ std::string use_external_entities(const LevelFiles& files, const std::string& na
 }
 
 Result<std::shared_ptr<const progs::Program>> load_level_program(const LevelFiles& files) {
-  const std::optional<Bytes> bytes = files.read("progs.dat");
+  const std::optional<FileData> bytes = files.read("progs.dat");
   if (!bytes) return Error{"progs.dat: no such file: without it there is no game"};
   auto program = progs::load_program(*bytes, "progs.dat");
   if (!program) return program.error();
@@ -85,7 +89,7 @@ LevelModel with_box(std::string_view name, const Box& box) {
   return {std::string(name), std::nullopt, box.mins, box.maxs};
 }
 
-Result<LevelModel> read_brush_model(const Bytes& bytes, std::string_view name) {
+Result<LevelModel> read_brush_model(const FileData& bytes, std::string_view name) {
   auto parsed = formats::parse_bsp(bytes, name);
   if (!parsed) return parsed.error();
   LevelModel model = with_box(name, brush_box(parsed->models.at(0)));
@@ -100,8 +104,8 @@ Result<LevelModel> read_brush_model(const Bytes& bytes, std::string_view name) {
   return model;
 }
 
-Result<LevelModel> read_model(const Bytes& bytes, std::string_view name) {
-  const std::string_view magic(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 4));
+Result<LevelModel> read_model(const FileData& bytes, std::string_view name) {
+  const std::string_view magic = bytes.text().substr(0, 4);
   if (magic == "IDPO") {
     auto mdl = formats::parse_mdl(bytes, name);
     return mdl ? Result<LevelModel>(with_box(name, alias_box(*mdl))) : mdl.error();
@@ -128,7 +132,7 @@ Result<LoadedMap> load_map(const LevelFiles& files, std::string_view name) {
   LoadedMap map;
   map.name = name;
   const std::string path = fmt::format("maps/{}.bsp", name);
-  const std::optional<Bytes> bytes = files.read(path);
+  const std::optional<FileData> bytes = files.read(path);
   if (!bytes) return Error{fmt::format("{}: no such map", path)};
   auto bsp = formats::parse_bsp(*bytes, path);
   if (!bsp) return bsp.error();
@@ -159,7 +163,7 @@ std::vector<LevelModel> map_models(const std::string& map_name, const std::share
 }
 
 LevelModel load_model(const FileReader& read, std::string_view name) {
-  const std::optional<Bytes> bytes = read ? read(name) : std::nullopt;
+  const std::optional<FileData> bytes = read ? read(name) : std::nullopt;
   if (!bytes) {
     log_warning("{}: no such model", name);
     return with_box(name, {});

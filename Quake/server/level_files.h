@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/bytes.h"
+#include "base/file_data.h"
 #include "base/result.h"
 #include "formats/bsp.h"
 #include "progs/program.h"
@@ -17,7 +17,7 @@
 
 namespace fb::sv {
 
-using FileReader = std::function<std::optional<Bytes>(std::string_view name)>;
+using FileReader = FileLoader;
 
 struct LevelFiles {
   FileReader read;

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "base/number.h"
 #include "progs/text_tokens.h"
 
 namespace fb::sv {
@@ -25,7 +26,7 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-std::optional<float> take_number(std::string_view& text) { return con::parse_number(take_word(text)); }
+std::optional<double> take_number(std::string_view& text) { return parse_number(take_word(text)); }
 
 Error cut_short(std::string_view name, std::string_view what) {
   return Error{fmt::format("{}: the saved game has no {}, or one that makes no sense", name, what)};
@@ -48,23 +49,22 @@ Result<SaveGame> parse_save(std::string_view text, std::string_view name) {
   SaveHeader& header = save.header;
   const auto version = take_number(text);
   if (!version) return Error{fmt::format("{}: no saved game", name)};
-  if (*version != static_cast<float>(kSaveVersion))
+  if (*version != kSaveVersion)
     return Error{fmt::format("{}: a saved game of version {}, not {}", name, *version, kSaveVersion)};
   header.comment = take_word(text);
   for (float& parm : header.spawn_parms) {
     const auto value = take_number(text);
-    if (!value) return cut_short(name, "spawn parms");
-    parm = *value;
+    if (!value || !std::isfinite(static_cast<float>(*value))) return cut_short(name, "spawn parms");
+    parm = static_cast<float>(*value);
   }
   const auto skill = take_number(text);
   if (!skill) return cut_short(name, "skill");
-  header.skill = std::clamp(progs::to_int(*skill + 0.1f), 0, 3);
+  header.skill = std::clamp(progs::to_int(static_cast<float>(*skill) + 0.1f), 0, 3);
   header.map = take_word(text);
   if (header.map.empty()) return cut_short(name, "map");
-  const std::string time(take_word(text));
-  char* end = nullptr;
-  header.time = std::strtod(time.c_str(), &end);
-  if (time.empty() || *end != '\0' || !std::isfinite(header.time) || header.time < 0.0) return cut_short(name, "time");
+  const auto time = take_number(text);
+  if (!time || *time < 0.0) return cut_short(name, "time");
+  header.time = *time;
   for (int i = 0; i < net::kMaxLightStyles; ++i) {
     header.light_styles.emplace_back(take_word(text));
     if (header.light_styles.back().empty()) return cut_short(name, "light styles");

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "base/log.h"
+#include "base/progress.h"
+#include "base/stop.h"
 #include "progs/entity_text.h"
 #include "server/mod_cvars.h"
 #include "server/physics.h"
@@ -250,8 +252,10 @@ Status Server::run(double seconds, double step) {
   if (!(seconds > 0.0) || !(step > 0.0)) return ok_status();
   level_->paused = level_->paused && clients_->active_count() > 0;
   const double frames = std::ceil(seconds / step - 1e-6);
-  for (double i = 0; i < frames; ++i) {
+  Progress progress("sv_run, second of the game", static_cast<std::uint64_t>(seconds), {.lines = true});
+  for (double i = 0; i < frames && !stop_wanted(); ++i) {
     frame(step, now_);
+    progress.update(static_cast<std::uint64_t>((i + 1) * step));
     if (!active()) return last_error_.value_or(Error{"the game has ended"});
   }
   return ok_status();

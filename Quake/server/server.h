@@ -75,7 +75,8 @@ class Server {
   // One tick: new clients, what they say, physics unless paused, what they are told. `seconds` of game time, above 0;
   // `now` as connections have it. Nothing happens without a game.
   void frame(double seconds, double now);
-  // Frames one behind the other until this much of the game has gone by: sv_run. Of `step` seconds each.
+  // Frames one behind the other until this much of the game has gone by, or the program is told to end
+  // (base/stop.h): sv_run. Of `step` seconds each. What lasts says on stderr how far it is.
   Status run(double seconds, double step);
 
   // Single player's time stands while the console or a menu is open.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/log.h"
+#include "base/number.h"
 #include "progs/entity_text.h"
 
 namespace fb::sv {
@@ -13,6 +14,8 @@ namespace fields = progs::fields;
 void report(const Status& status) {
   if (!status) log_error("{}", status.error().message);
 }
+
+constexpr double kMostRunSeconds = 1e9;  // a client's time ends there
 
 double run_step(const con::Console& console) {
   const con::Cvar* fixed = console.find_cvar("host_framerate");
@@ -71,13 +74,18 @@ void Server::Commands::add_game_commands() {
   add("restart", "begins the level again", [&server](const con::Args&) { report(server.restart()); });
   add("maxplayers", "maxplayers <n>: how many may play in the games to come", [&server](const con::Args& args) {
     if (args.size() != 2) return log_info("maxplayers is {}", server.max_clients());
-    if (const Status status = server.set_max_clients(args.integer(1)); !status) return report(status);
+    const auto count = whole_number_in<int>("maxplayers", args[1], 1, net::kMaxClients);
+    if (!count) return server.console().fail(count.error());
+    if (const Status status = server.set_max_clients(*count); !status) return report(status);
     server.console().set("deathmatch", server.max_clients() == 1 ? "0" : "1");
   });
   add("sv_run", "sv_run <seconds>: takes the game on as fast as possible, by host_framerate or tenths of a second",
       [&server](const con::Args& args) {
         if (args.size() != 2) return log_info("sv_run <seconds>: takes the game on as fast as possible");
-        report(server.run(static_cast<double>(args.number(1)), run_step(server.console())));
+        const auto seconds = number_in("sv_run", args[1], 0.0, kMostRunSeconds);
+        if (!seconds) return server.console().fail(seconds.error());
+        if (!server.active()) return server.console().fail({"sv_run: no game runs here"});
+        report(server.run(*seconds, run_step(server.console())));
       });
   add("sv_dump", "sv_dump [file]: the whole state of the level as text", [&server](const con::Args& args) {
     if (!server.active()) return log_error("sv_dump: no game runs here");
@@ -112,10 +120,11 @@ void Server::Commands::add_edict_commands() {
     });
   };
   add_for_level("edict", "edict <number>: all that one thing's fields hold", [](Level& level, const con::Args& args) {
-    const EdictId id{static_cast<std::uint32_t>(args.integer(1))};
-    if (args.size() != 2 || !level.edicts().valid(id))
-      return log_info("edict <number>: there are those from 0 to {}", level.edicts().count() - 1);
-    log_info("{}", progs::print_edict(*level.vm, id));
+    const std::uint32_t last = static_cast<std::uint32_t>(level.edicts().count()) - 1;
+    if (args.size() != 2) return log_info("edict <number>: there are those from 0 to {}", last);
+    const auto number = whole_number_in<std::uint32_t>("edict", args[1], 0, last);
+    if (!number) return log_info("{}", number.error().message);
+    log_info("{}", progs::print_edict(*level.vm, EdictId{*number}));
   });
   add_for_level("edicts", "all that all things' fields hold", [](Level& level, const con::Args&) {
     log_info("{} entities", level.edicts().count());

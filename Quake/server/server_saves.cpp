@@ -13,6 +13,8 @@ namespace {
 
 namespace fields = progs::fields;
 
+constexpr std::size_t kMostSaveBytes = 64u << 20u;  // an edict's text is some 1000
+
 // NAME.sav; fails for names that lead out of the game's directory.
 Result<std::string> save_file_name(std::string_view typed) {
   const auto name = fs::normalise(typed);
@@ -61,7 +63,10 @@ Status Server::load_game(std::string_view typed) {
   if (options_.max_clients != 1) return Error{"a saved game is for one player: set maxplayers to 1"};
   const auto bytes = services_.read_save ? services_.read_save(*name) : services_.read_file(*name);
   if (!bytes) return Error{fmt::format("{}: no such saved game", *name)};
-  const auto save = parse_save({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, *name);
+  if (bytes->size() > kMostSaveBytes)
+    return Error{
+        fmt::format("{}: a saved game of {} bytes; at most {} are taken", *name, bytes->size(), kMostSaveBytes)};
+  const auto save = parse_save(bytes->text(), *name);
   if (!save) return save.error();
   const auto map_name = map_name_of(save->header.map);
   if (!map_name) return Error{fmt::format("{}: {}", *name, map_name.error().message)};

@@ -11,14 +11,12 @@
 #include <string>
 #include <string_view>
 
-#include "base/bytes.h"
+#include "base/file_data.h"
 #include "formats/image.h"
 #include "formats/wad.h"
 #include "scene/draw_list.h"
 
 namespace fb::ui {
-
-using FileLoader = std::function<std::optional<Bytes>(std::string_view path)>;
 
 // A rectangle of the atlas, texels.
 struct Picture {

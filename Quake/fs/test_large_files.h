@@ -1,0 +1,32 @@
+// For tests: files of gigabytes that take no room, being holes but for what they begin with.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "base/bytes.h"
+#include "fs/test_paks.h"
+
+namespace fb::fs {
+
+constexpr std::uint32_t kLargeSize = 0x7fffff00u;  // bytes
+
+// False where the file system has no holes, or no room.
+inline bool put_large(const std::filesystem::path& path, std::string_view beginning, std::uint64_t size = kLargeSize) {
+  std::error_code failed;
+  std::filesystem::create_directories(path.parent_path(), failed);
+  std::ofstream(path, std::ios::binary) << beginning;
+  std::filesystem::resize_file(path, size, failed);
+  return !failed;
+}
+
+// A pak whose only entry has kLargeSize bytes, and begins like this.
+inline bool put_large_pak(const std::filesystem::path& path, std::string_view entry, std::string_view beginning) {
+  Bytes pak = make_pak({{std::string(entry), std::string(beginning)}});
+  const std::size_t directory = pak.size() - 64;
+  for (std::size_t i = 0; i < 4; ++i) pak[directory + 60 + i] = static_cast<std::uint8_t>(kLargeSize >> (8 * i));
+  return put_large(path, {reinterpret_cast<const char*>(pak.data()), pak.size()}, 12ull + kLargeSize);
+}
+
+}  // namespace fb::fs
