@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -48,6 +49,7 @@ void Progress::update(std::uint64_t done) {
   if (now - last_ < interval && !(rewrites_ && shown_ && done == total_)) return;
   last_ = now;
   shown_ = true;
+  done = std::min(done, total_);
   const double left = done > 0 ? (now - start_) / static_cast<double>(done) * static_cast<double>(total_ - done) : 0.0;
   fmt::print(options_.file, "{}{}: {} of {}, {:.0f} s left{}", rewrites_ ? "\r" : "", what_, done, total_, left,
              rewrites_ ? "   " : "\n");

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -84,7 +85,10 @@ void want_stop(int signal) { wanted_signal = signal; }
 void take_stop_as_quit() { wanted_signal = 0; }
 
 int exit_status_or_signal(int status) {
-  if (const int signal = wanted_signal; signal != 0) die_by(signal);
+  if (const int signal = wanted_signal; signal != 0) {
+    std::fflush(nullptr);
+    die_by(signal);
+  }
   return status;
 }
 

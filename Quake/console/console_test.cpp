@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "base/stop.h"
 #include "base/test_directory.h"
 #include "fs/file.h"
 
@@ -43,6 +44,29 @@ class ConsoleTest : public testing::Test {
 TEST_F(ConsoleTest, SemicolonsNewlinesQuotesComments) {
   console.execute("do a; do b\ndo \"c; d\" // ; do e\nDO f");
   EXPECT_THAT(done, ElementsAre("a", "b", "c; d", "f"));
+}
+
+TEST_F(ConsoleTest, ACommandThatFailedIsRemembered) {
+  console.add_cvar({"n", "1", "", kCvarPlain, 0, 9});
+  console.execute("inc n 2");
+  EXPECT_FALSE(console.failed());
+  EXPECT_THAT(said("inc n abc"), ElementsAre("inc abc: a number is wanted"));
+  EXPECT_EQ(console.cvar("n").value(), 3.0f);
+  EXPECT_TRUE(console.failed());
+}
+
+TEST_F(ConsoleTest, AScriptThatIsTooLongIsNotRead) {
+  scripts["long.cfg"] = std::string(CommandBuffer::kMaxBytes + 1, '\n');
+  EXPECT_THAT(said("exec long.cfg; do behind"),
+              ElementsAre("exec long.cfg: a script of 8388609 bytes; at most 8388608 are taken"));
+  EXPECT_THAT(done, ElementsAre("behind"));
+}
+
+TEST_F(ConsoleTest, WhoIsToldToEndExecutesNothingMore) {
+  console.add_command("end", "end: as a signal does", [](const Args&) { want_stop(15); });
+  console.execute("do a; end; do b");
+  EXPECT_THAT(done, ElementsAre("a"));
+  take_stop_as_quit();
 }
 
 TEST_F(ConsoleTest, UnknownCommandsAreOneSentence) {

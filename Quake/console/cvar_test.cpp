@@ -65,6 +65,20 @@ TEST(Cvar, OpenRanges) {
   EXPECT_EQ(Cvar({"x", "1", ""}).range_text(), "");
 }
 
+TEST(Cvar, BetweenZeroAndItsLeastThereIsNothing) {
+  CvarSpec spec{"x", "0", "", kCvarPlain, 0.0f, 1.0f};
+  spec.least_above_zero = 0.25f;
+  Cvar cvar(std::move(spec));
+  EXPECT_EQ(cvar.set("1e-8"), "x: 1e-8 is not allowed (0, or 0.25 to 1), so it is 0.25 now.");
+  EXPECT_EQ(cvar.value(), 0.25f);
+  EXPECT_EQ(cvar.set("0"), "");
+  EXPECT_EQ(cvar.value(), 0.0f);
+  cvar.set("-1");
+  EXPECT_EQ(cvar.value(), 0.0f);
+  EXPECT_EQ(cvar.set("1e99"), "x: \"1e99\" is not a number, so it stays 0 (0, or 0.25 to 1).")
+      << "too large for a float";
+}
+
 TEST(Cvar, ListenersHearChangesOnly) {
   int calls = 0;
   float heard = 0.0f;

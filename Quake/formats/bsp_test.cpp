@@ -453,6 +453,14 @@ TEST(Bsp, EntitiesCrc) {
   EXPECT_EQ(parse_bsp(write_bsp(room), "x")->entities_crc, 0x29b1);
 }
 
+TEST(Bsp, EntitiesHaveALimit) {
+  Bsp room = box_room(BspVersion::kBsp29);
+  room.entities = std::string(kMostEntityText + 1, ' ');
+  const auto refused = parse_bsp(write_bsp(room), "x");
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().message, "x: entities lump: 16777217 bytes of entities; at most 16777216 are taken");
+}
+
 // --- external visibility ---
 
 class Vis : public ::testing::Test {
@@ -489,6 +497,11 @@ TEST_F(Vis, NoRecord) {
   const auto record = parse_vis(file(), "x.vis", "start.bsp", map_);
   ASSERT_TRUE(record.ok());
   EXPECT_FALSE(record->has_value());
+}
+TEST_F(Vis, RecordOfNothing) {
+  const auto record = parse_vis(Bytes(36 * 1000), "x.vis", "room.bsp", map_);
+  ASSERT_FALSE(record.ok());
+  EXPECT_EQ(record.error().message, "x.vis: offset 0: record of 0 bytes has no visibility and leafs");
 }
 TEST_F(Vis, LeafsOfAnotherMap) {
   const auto record = parse_vis(file(), "x.vis", "other.bsp", map_);

@@ -2,8 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include "console/console.h"
+
 namespace fb::host {
 namespace {
+
+TEST(FrameTimer, NoFrameIsShorterThanTheShortest) {
+  con::Console console;
+  register_time_cvars(console);
+  console.execute("host_framerate 0.00000001");
+  const TimeSettings settings = read_time_settings(console);
+  EXPECT_FLOAT_EQ(static_cast<float>(settings.frame_rate), 0.0001f);
+  EXPECT_EQ(console.scrollback().latest(1).back().text,
+            "host_framerate: 0.00000001 is not allowed (0, or 0.0001 to 1), so it is 0.0001 now.");
+  console.execute("host_framerate 0");
+  EXPECT_EQ(read_time_settings(console).frame_rate, 0.0) << "real time";
+}
 
 TEST(FrameTimer, UpTo72FramesASecondEachFrameIsATick) {
   FrameTimer timer;

@@ -28,6 +28,13 @@ check "headless without a command says what to give" fails_with "+timedemo" "$bu
 check "missing data says what to give" fails_with "-basedir" "$build/fullbright" -headless -basedir "$scratch" +timedemo demo1
 check "help" grep -q -- -capture_every <<<"$("$build/fullbright" --help)"
 check "the laboratory's help" grep -q reference <<<"$("$build/fullbright-lab" --help)"
+for wrong in abc nan inf 0 -1 1e9 0x10; do
+  check "--spp $wrong is refused" fails_with "--spp $wrong: a whole number from 1 to 16777216 is wanted" \
+    "$build/fullbright-lab" render --scene cbox --spp "$wrong"
+done
+check "--fps nan is refused" fails_with "--fps nan: a number from 0.1 to 10000 is wanted" "$build/fullbright-lab" render --scene cbox --fps nan
+check "a cvar's wrong value is refused with its reason" fails_with '--set r_spp=abc: r_spp: "abc" is not a number' \
+  "$build/fullbright-lab" render --scene cbox --set r_spp=abc
 check "an unknown scene names those there are" fails_with cbox "$build/fullbright-lab" render --scene nowhere
 
 if [[ -e $data/id1/pak0.pak ]] && command -v fteqcc >/dev/null; then
@@ -52,6 +59,22 @@ if [[ -e $data/id1/pak0.pak ]] && command -v fteqcc >/dev/null; then
     ! timeout 60 "$build/fullbright" "$@" -basedir "$data" -userdir "$scratch/user" +map nowhere +quit +echo behind \
       >"$scratch/log" 2>&1 </dev/null && grep -q 'maps/nowhere.bsp' "$scratch/log" && ! grep -q '^behind' "$scratch/log"
   }
+  refused() {  # refused SENTENCE COMMAND...: a server does not do this, says why, goes on, and fails in the end
+    local sentence=$1
+    shift
+    ! timeout 60 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -seed 1 -basedir "$data" -userdir "$scratch/user" \
+      +map start "$@" +echo behind +quit >"$scratch/log" 2>&1 </dev/null && grep -q "$sentence" "$scratch/log" && grep -q '^behind' "$scratch/log"
+  }
+  for wrong in inf nan abc -5 1e300; do
+    check "sv_run $wrong is refused" refused "^error: sv_run $wrong: a number from 0 to 1000000000 is wanted" "+sv_run $wrong"
+  done
+  check "so is maxplayers x" refused '^error: maxplayers x: a whole number from 1 to 16 is wanted' "+maxplayers x"
+  tiny_frames() {
+    timeout 60 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -seed 1 -basedir "$data" -userdir "$scratch/user" \
+      +host_framerate 0.00000001 +map start +sv_run 1 +quit >"$scratch/log" 2>&1 </dev/null &&
+      grep -q '^host_framerate: 0.00000001 is not allowed' "$scratch/log"
+  }
+  check "a run of tiny frames ends, and says what a frame is at least" tiny_frames
   check "a map that is none is an error of a server" no_such_map -dedicated 1 -port $((20000 + RANDOM))
 else
   echo "skipped: servers, for want of LibreQuake's data or fteqcc"

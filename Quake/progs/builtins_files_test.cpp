@@ -83,6 +83,8 @@ TEST_F(FileBuiltinsTest, Limits) {
   EXPECT_THAT(says(R"(local float f; local string s; s = "0123456789abcdef"; f = fopen("big", 2);
                       while (strlen(s) < 60000) s = strcat(s, s); while (1) fputs(f, s, s, s, s);)"),
               HasSubstr("data/big would have more than 16777216 bytes"));
+  files_["data/long"] = std::string((16u << 20u) + 1, 'x');
+  EXPECT_EQ(says("put(fopen(\"long\", 0));"), "-1");
 }
 
 TEST_F(FileBuiltinsTest, WithoutFilesThereAreNone) {

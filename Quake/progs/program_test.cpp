@@ -92,6 +92,15 @@ TEST(Program, DamagedAnywhereItIsRefusedOrRunsInItsMemory) {
   set_log_level(LogLevel::kInfo);
 }
 
+TEST(Program, TooLarge) {
+  Bytes bytes = sample().build();
+  ASSERT_TRUE(load_program(bytes, kName).ok());
+  bytes.resize(kMostProgramBytes + 1);
+  const auto program = load_program(bytes, kName);
+  ASSERT_FALSE(program.ok());
+  EXPECT_THAT(program.error().message, HasSubstr("made.dat: offset 0: progs of 67108865 bytes; at most 67108864"));
+}
+
 TEST(Program, OtherVersions) {
   Bytes bytes = sample().build();
   bytes[0] = 7;

@@ -60,7 +60,8 @@ inline Compiled compile(const std::string& source, const std::string& options = 
   const std::string command = fmt::format("cd '{}' && fteqcc {} -Tstandard -srcfile progs.src >log.txt 2>&1",
                                           directory.path().string(), options);
   if (std::system(command.c_str()) == 0) {
-    if (auto bytes = fs::read_whole_file(directory.path() / "progs.dat")) compiled.progs = *bytes;
+    if (auto bytes = fs::read_whole_file(directory.path() / "progs.dat"))
+      compiled.progs.assign(bytes->begin(), bytes->end());
   }
   std::stringstream log;
   log << std::ifstream(directory.path() / "log.txt").rdbuf();

@@ -184,6 +184,13 @@ TEST_F(ReceiveTest, CheatsAreNotForDeathmatch) {
   EXPECT_EQ(edict(1).get(fields::origin), vec3(10, 20, 30));
   EXPECT_EQ(edict(1).get(fields::movetype), static_cast<float>(kMoveNoClip));
   EXPECT_EQ(player.last<svc::SetAngle>().angles.y, 5.625f);  // to the nearest 256th of a turn
+  for (const char* wrong : {"give h abc", "give a nan", "setpos nan 0 0", "setpos 0 inf 0", "setpos 0 0 1e9"})
+    player.command(wrong);
+  frame(3);
+  EXPECT_EQ(edict(1).get(fields::health), 250.0f);
+  EXPECT_EQ(edict(1).get(fields::origin), vec3(10, 20, 30));
+  EXPECT_THAT(player.prints(), HasSubstr("give h abc: a number from -1000000 to 1000000 is wanted"));
+  EXPECT_THAT(player.prints(), HasSubstr("setpos 1e9: a number from -1000000 to 1000000 is wanted"));
   level_->vm->set(globals::deathmatch, 1.0f);
   player.command("god 0");
   frame(3);

@@ -1,5 +1,8 @@
 #include "server/server.h"
 
+#include <csignal>
+
+#include "base/stop.h"
 #include "server/test_server.h"
 
 namespace fb::sv {
@@ -225,6 +228,31 @@ TEST_F(ServerGameTest, RunsByFixedFrames) {
                               "save", "load nothing", "changelevel", "sv_run -1", "sv_run x", "maxplayers 4"})
     console_.execute(command);
   EXPECT_TRUE(server_->active());
+}
+
+TEST_F(ServerGameTest, ARunIsOfSecondsThatMakeSense) {
+  start(kThing, thing("a"));
+  const double before = level().time;
+  for (const char* wrong : {"inf", "nan", "abc", "-5", "1e300", "\"\"", "1e9x"}) {
+    console_.execute(std::string("sv_run ") + wrong);
+    EXPECT_TRUE(console_.failed()) << wrong;
+    EXPECT_EQ(level().time, before) << wrong;
+  }
+}
+
+// As a signal does, in the midst of a run: by a cvar that QuakeC sets.
+TEST_F(ServerGameTest, ARunEndsWhereTheProgramIsToldToEnd) {
+  con::CvarSpec told{"told", "0", ""};
+  told.on_change = [](const con::Cvar&) { want_stop(SIGTERM); };
+  console_.add_cvar(std::move(told));
+  start(R"(void() worldspawn = {}; void() thinks = { cvar_set("told", "1"); };
+           void() thing = { self.think = thinks; self.nextthink = time + 5; };)",
+        thing(""));
+  console_.execute("sv_run 1000000; set behind 1");
+  take_stop_as_quit();
+  EXPECT_NEAR(level().time, 6.0, 0.3);
+  EXPECT_EQ(console_.find_cvar("behind"), nullptr) << "nothing is executed any more";
+  EXPECT_TRUE(server_->active()) << "whoever ends the program ends the game";
 }
 
 TEST_F(ServerGameTest, ExternalEntities) {

@@ -34,7 +34,7 @@ inline Bytes compile_rules(const std::string& more) {
       fmt::format("cd '{}' && fteqcc -O0 -Tstandard -srcfile progs.src >log.txt 2>&1", directory.path().string());
   Bytes progs;
   if (std::system(command.c_str()) == 0)
-    if (auto bytes = fs::read_whole_file(directory.path() / "progs.dat")) progs = *bytes;
+    if (auto bytes = fs::read_whole_file(directory.path() / "progs.dat")) progs.assign(bytes->begin(), bytes->end());
   return progs;
 }
 
