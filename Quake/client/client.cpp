@@ -252,6 +252,17 @@ Status Client::map_view(std::string_view name) {
   return status;
 }
 
+void Client::give_up(const Error& why) {
+  impl_->demo_loop_next = -1;
+  stop();
+  disconnect();
+  impl_->showing_map = false;
+  impl_->session.state.signon = 0;
+  impl_->snapshots.forget();
+  log_error("{}", why.message);
+  impl_->error = why;
+}
+
 void Client::advance(double seconds) { impl_->advance(seconds); }
 bool Client::active() const { return impl_->active(); }
 void Client::set_view_size(int width, int height) {

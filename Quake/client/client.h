@@ -143,6 +143,8 @@ class Client {
   Status connect(std::string_view server);
   // Leaves the game, ends recording, and shuts a local server down.
   void disconnect();
+  // Ends what is shown, a game, a demo or a map, for something that went wrong elsewhere; says so in last_error().
+  void give_up(const Error& why);
   bool connected() const;   // to a server, be it in the midst of signing on
   bool connecting() const;  // still asking
   bool recording() const;

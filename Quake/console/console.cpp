@@ -1,11 +1,13 @@
 #include "console/console.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 #include <iterator>
 
 #include "base/check.h"
 #include "base/log.h"
+#include "base/out_of_memory.h"
 #include "base/stop.h"
 #include "fs/file.h"
 
@@ -118,7 +120,12 @@ void Console::insert(std::string_view text, CommandBuffer::Origin origin) {
 
 void Console::execute() {
   if (executing_) return;
-  executing_ = true;
+  // Also where something throws.
+  struct Executing {
+    explicit Executing(bool& flag) : flag_(flag) { flag_ = true; }
+    ~Executing() { flag_ = false; }
+    bool& flag_;
+  } executing(executing_);
   wait_ = false;
   int commands = 0;
   while (!wait_ && !stop_wanted()) {
@@ -133,7 +140,6 @@ void Console::execute() {
     run(Args(*command));
   }
   buffer_.forget_depth();
-  executing_ = false;
 }
 
 void Console::execute(std::string_view text) {
@@ -157,7 +163,11 @@ void Console::run(const Args& args) {
   const std::string& name = args[0];
   if (const auto command = commands_.find(name); command != commands_.end()) {
     const Handler handler = command->second.handler;  // it may replace itself
-    handler(args);
+    try {
+      handler(args);
+    } catch (const std::bad_alloc& failure) {
+      log_error("{}: {}", name, sentence_of(failure));
+    }
     return;
   }
   if (const auto alias = aliases_.find(name); alias != aliases_.end()) {

@@ -29,6 +29,7 @@
 
 namespace fb::con {
 
+// Where it finds no memory it may throw std::bad_alloc: the console says so, and goes on with the next command.
 using Handler = std::function<void(const Args&)>;
 // What a command's argument may be, given what is typed of it so far.
 using ArgumentCompleter = std::function<std::vector<std::string>(std::string_view typed)>;

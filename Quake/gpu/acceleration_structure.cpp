@@ -39,20 +39,22 @@ void destroy(Device* device, VkAccelerationStructureKHR& handle) {
   handle = VK_NULL_HANDLE;
 }
 
-// A structure over the whole of `storage`, which is made larger if need be; true if that changed the handle.
+// A structure over the whole of `storage`, both made larger if need be; true if that changed the handle. Where there is
+// no memory for it the former one stays.
 bool ensure_structure(Device& device, VkAccelerationStructureTypeKHR type, VkDeviceSize bytes, const char* name,
                       Buffer& storage, VkAccelerationStructureKHR& handle) {
   if (handle && bytes <= storage.size()) return false;
-  destroy(&device, handle);
-  if (!storage)
-    storage = Buffer(device, BufferUse::kAccelerationStructure, bytes, name);
-  else
-    storage.reserve(bytes);
+  Buffer larger(device, BufferUse::kAccelerationStructure, std::max(bytes, storage.size() + storage.size() / 2), name);
   auto info = vk_struct<VkAccelerationStructureCreateInfoKHR>(VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR);
-  info.buffer = storage.handle();
-  info.size = storage.size();
+  info.buffer = larger.handle();
+  info.size = larger.size();
   info.type = type;
-  FB_VK(device.impl().acceleration.create(device.handle(), &info, nullptr, &handle));
+  const auto vkCreateAccelerationStructureKHR = device.impl().acceleration.create;
+  VkAccelerationStructureKHR made = VK_NULL_HANDLE;
+  FB_VK(vkCreateAccelerationStructureKHR(device.handle(), &info, nullptr, &made));
+  destroy(&device, handle);
+  handle = made;
+  storage = std::move(larger);
   device.impl().set_name(VK_OBJECT_TYPE_ACCELERATION_STRUCTURE_KHR, reinterpret_cast<std::uint64_t>(handle), name);
   return true;
 }
@@ -89,9 +91,10 @@ VkAccelerationStructureGeometryKHR triangle_geometry(Device& device, const Trian
     // One degenerate triangle: less trodden paths than an empty list's are where drivers differ.
     Buffer& zeros = device.impl().no_triangle;
     if (!zeros) {
-      zeros = Buffer(device, BufferUse::kGeometry, 64, "no triangle");
+      Buffer made(device, BufferUse::kGeometry, 64, "no triangle");
       const std::uint32_t words[16] = {};
-      upload_now(device, zeros, words, sizeof(words));
+      upload_now(device, made, words, sizeof(words));
+      zeros = std::move(made);
     }
     triangles.vertexData.deviceAddress = zeros.address();
     triangles.maxVertex = 0;
@@ -196,17 +199,19 @@ bool TopLevel::reserve(Device& device, std::uint32_t instances, BuildPreference 
   FB_CHECK(device.has_ray_query());
   device_ = &device;
   if (handle_ && instances <= capacity_) return false;
-  capacity_ = std::max(capacity_, instances);
-  const VkDeviceSize table = std::max(1u, capacity_) * sizeof(VkAccelerationStructureInstanceKHR);
+  const std::uint32_t capacity = std::max(capacity_, instances);
+  const VkDeviceSize table = std::max(1u, capacity) * sizeof(VkAccelerationStructureInstanceKHR);
   if (!instances_)
     instances_ = Buffer(device, BufferUse::kUpload, table, "top level instances");
   else
     instances_.reserve(table);
   constexpr auto kType = VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR;
   const auto geometry = instance_geometry(instances_.address());
-  const auto sizes = build_sizes(device.impl(), build_info(kType, preference, geometry), capacity_);
+  const auto sizes = build_sizes(device.impl(), build_info(kType, preference, geometry), capacity);
   ensure_scratch(device, sizes.buildScratchSize, scratch_);
-  return ensure_structure(device, kType, sizes.accelerationStructureSize, "top level", storage_, handle_);
+  const bool changed = ensure_structure(device, kType, sizes.accelerationStructureSize, "top level", storage_, handle_);
+  capacity_ = capacity;
+  return changed;
 }
 
 void TopLevel::build(Device& device, Commands& commands, std::span<const TopLevelInstance> instances,

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "base/check.h"
+#include "base/out_of_memory.h"
 #include "gpu/device_impl.h"
 #include "gpu/pipeline.h"
 #include "gpu/vulkan_error.h"
@@ -45,13 +47,13 @@ struct BindingTable::Impl {
       : device(d),
         unset_storage(d, BufferUse::kStorage, 256, "unset storage buffer"),
         unset_uniform(d, BufferUse::kUniform, 16384, "unset uniform buffer") {}
+  ~Impl();
 
   void set(Slot& slot, const Buffer& buffer) {
     const VkBuffer handle = buffer ? buffer.handle() : unset_storage.handle();
     if (buffer && buffer.size() > device.limits().max_storage_buffer_range)
-      fatal(__FILE__, __LINE__,
-            fmt::format("buffer \"{}\" of {} bytes is bound to shaders; {} binds {} at most", buffer.name(),
-                        buffer.size(), device.report().name, device.limits().max_storage_buffer_range));
+      throw OutOfMemory(fmt::format("\"{}\" needs a buffer of {} bytes; {} binds {} at most", buffer.name(),
+                                    buffer.size(), device.report().name, device.limits().max_storage_buffer_range));
     if (slot.serial == buffer.serial() && slot.buffer == handle) return;
     slot = {handle, buffer.serial(), true};
     dirty = true;
@@ -71,7 +73,31 @@ struct BindingTable::Impl {
   VkPipelineLayout layout = VK_NULL_HANDLE;
   VkDescriptorPool pool = VK_NULL_HANDLE;
   std::array<VkDescriptorSet, 2> sets{};
+
+  void make_views();
 };
+
+BindingTable::Impl::~Impl() {
+  const VkDevice handle = device.handle();
+  for (VkBufferView view : views) vkDestroyBufferView(handle, view, nullptr);
+  vkDestroyDescriptorPool(handle, pool, nullptr);
+  vkDestroyPipelineLayout(handle, layout, nullptr);
+  for (VkDescriptorSetLayout set_layout : set_layouts) vkDestroyDescriptorSetLayout(handle, set_layout, nullptr);
+}
+
+// Views of texel buffers that changed, each in the place of the former one.
+void BindingTable::Impl::make_views() {
+  for (std::uint32_t i = 0; i < kTexelBuffers; ++i) {
+    if (!texels[i].dirty) continue;
+    auto info = vk_struct<VkBufferViewCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO);
+    info.buffer = texels[i].buffer;
+    info.format = VK_FORMAT_R32G32B32A32_UINT;
+    info.range = texel_bytes[i];
+    VkBufferView view = VK_NULL_HANDLE;
+    FB_VK(vkCreateBufferView(device.handle(), &info, nullptr, &view));
+    vkDestroyBufferView(device.handle(), std::exchange(views[i], view), nullptr);
+  }
+}
 
 BindingTable::BindingTable(Device& device) : impl_(std::make_unique<Impl>(device)) {
   const VkDevice handle = device.handle();
@@ -85,7 +111,8 @@ BindingTable::BindingTable(Device& device) : impl_(std::make_unique<Impl>(device
     scene.push_back(compute_binding(kTexelBinding + i, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER));
   for (std::uint32_t i = 0; i < kFrameBuffers; ++i)
     frame.push_back(compute_binding(i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER));
-  impl_->set_layouts = {make_set_layout(handle, scene), make_set_layout(handle, frame)};
+  impl_->set_layouts[0] = make_set_layout(handle, scene);
+  impl_->set_layouts[1] = make_set_layout(handle, frame);
 
   VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, kPushConstantBytes};
   auto layout = vk_struct<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
@@ -116,13 +143,7 @@ BindingTable::BindingTable(Device& device) : impl_(std::make_unique<Impl>(device
   for (std::uint32_t i = 0; i < kTexelBuffers; ++i) set_texels(i, impl_->unset_storage);
 }
 
-BindingTable::~BindingTable() {
-  const VkDevice handle = impl_->device.handle();
-  for (VkBufferView view : impl_->views) vkDestroyBufferView(handle, view, nullptr);
-  vkDestroyDescriptorPool(handle, impl_->pool, nullptr);
-  vkDestroyPipelineLayout(handle, impl_->layout, nullptr);
-  for (VkDescriptorSetLayout layout : impl_->set_layouts) vkDestroyDescriptorSetLayout(handle, layout, nullptr);
-}
+BindingTable::~BindingTable() = default;
 
 void BindingTable::set_scene(std::uint32_t binding, const Buffer& buffer) {
   FB_CHECK_LT(binding, kSceneBuffers);
@@ -162,9 +183,12 @@ void BindingTable::set_tlas(VkAccelerationStructureKHR tlas) {
 void BindingTable::flush() const {
   Impl& table = *impl_;
   if (!table.dirty) return;
+  // What may fail comes first: what is dirty stays so until it is written.
+  table.make_views();
   std::vector<VkDescriptorBufferInfo> infos;
   std::vector<VkWriteDescriptorSet> writes;
   infos.reserve(kSceneBuffers + kFrameBuffers + 1);  // the writes point into it
+  writes.reserve(infos.capacity() + kTexelBuffers + 1);
   const auto write = [&](Slot& slot, VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type) {
     if (!slot.dirty) return;
     slot.dirty = false;
@@ -187,12 +211,6 @@ void BindingTable::flush() const {
   for (std::uint32_t i = 0; i < kTexelBuffers; ++i) {
     if (!table.texels[i].dirty) continue;
     table.texels[i].dirty = false;
-    vkDestroyBufferView(table.device.handle(), table.views[i], nullptr);
-    auto info = vk_struct<VkBufferViewCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO);
-    info.buffer = table.texels[i].buffer;
-    info.format = VK_FORMAT_R32G32B32A32_UINT;
-    info.range = table.texel_bytes[i];
-    FB_VK(vkCreateBufferView(table.device.handle(), &info, nullptr, &table.views[i]));
     auto out = vk_struct<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
     out.dstSet = table.sets[0];
     out.dstBinding = kTexelBinding + i;

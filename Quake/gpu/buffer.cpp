@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/check.h"
-#include "base/log.h"
+#include "base/out_of_memory.h"
 #include "gpu/commands.h"
 #include "gpu/device_impl.h"
 #include "gpu/vulkan_error.h"
@@ -70,46 +70,57 @@ VkDeviceMemory allocate(const Device::Impl& device, BufferUse use, const VkMemor
       if (needs.size > device.memory.memoryHeaps[device.memory.memoryTypes[type].heapIndex].size) continue;
       info.memoryTypeIndex = type;
       VkDeviceMemory memory = VK_NULL_HANDLE;
-      if (vkAllocateMemory(device.device, &info, nullptr, &memory) == VK_SUCCESS) return memory;
+      if (FB_VK_TRY(vkAllocateMemory(device.device, &info, nullptr, &memory)) == VK_SUCCESS) return memory;
     }
   }
   return VK_NULL_HANDLE;
 }
 
+double mebibytes(VkDeviceSize bytes) { return static_cast<double>(bytes) / 1048576.0; }
+
 [[noreturn]] void out_of_memory(const Device::Impl& device, const std::string& name, VkDeviceSize bytes) {
-  fatal(__FILE__, __LINE__,
-        fmt::format("{} is out of memory: no {:.1f} MiB for \"{}\" beside the {:.1f} MiB that are in use",
-                    device.report.name, static_cast<double>(bytes) / 1048576.0, name,
-                    static_cast<double>(device.allocated_bytes) / 1048576.0));
+  throw OutOfMemory(fmt::format("{} is out of memory: no {:.1f} MiB for \"{}\" beside the {:.1f} MiB that are in use",
+                                device.report.name, mebibytes(bytes), name, mebibytes(device.allocated_bytes)));
+}
+
+// What the device says it cannot have is not tried: some drivers take it and break later.
+void check_limits(const Device::Impl& device, BufferUse use, const std::string& name, VkDeviceSize bytes) {
+  const bool bound = use == BufferUse::kStorage || use == BufferUse::kGeometry;
+  const VkDeviceSize most = bound ? std::min(device.limits.max_storage_buffer_range, device.limits.max_allocation_bytes)
+                                  : device.limits.max_allocation_bytes;
+  if (bytes > most)
+    throw OutOfMemory(fmt::format("\"{}\" needs a buffer of {:.1f} MiB; {} allows {:.1f} MiB", name, mebibytes(bytes),
+                                  device.report.name, mebibytes(most)));
 }
 
 }  // namespace
 
-Buffer::Buffer(Device& device, BufferUse use, VkDeviceSize bytes, std::string name)
-    : device_(&device), use_(use), name_(std::move(name)) {
+// Delegates, so that what was made before something throws is given back.
+Buffer::Buffer(Device& device, BufferUse use, VkDeviceSize bytes, std::string name) : Buffer() {
   Device::Impl& d = device.impl();
   FB_CHECK_LE(bytes, ~VkDeviceSize{0} - 15);
-  size_ = std::max<VkDeviceSize>(16, (bytes + 15) & ~VkDeviceSize{15});
-  if ((use == BufferUse::kStorage || use == BufferUse::kUpload || use == BufferUse::kGeometry) &&
-      size_ > d.limits.max_storage_buffer_range)
-    log_warning("buffer \"{}\" of {} bytes is larger than {} binds to a shader ({} bytes)", name_, size_, d.report.name,
-                d.limits.max_storage_buffer_range);
+  const VkDeviceSize size = std::max<VkDeviceSize>(16, (bytes + 15) & ~VkDeviceSize{15});
+  check_limits(d, use, name, size);
+  device_ = &device;
+  use_ = use;
+  name_ = std::move(name);
+  size_ = size;
 
   auto info = vk_struct<VkBufferCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO);
   info.size = size_;
   info.usage = usage_flags(use, d.ray_query);
   info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
-  const VkResult made = vkCreateBuffer(d.device, &info, nullptr, &buffer_);
-  if (made == VK_ERROR_OUT_OF_HOST_MEMORY || made == VK_ERROR_OUT_OF_DEVICE_MEMORY) out_of_memory(d, name_, size_);
-  FB_VK(made);
+  const VkResult made = FB_VK_TRY(vkCreateBuffer(d.device, &info, nullptr, &buffer_));
+  if (is_out_of_memory(made)) out_of_memory(d, name_, size_);
+  check_result(made, "vkCreateBuffer", __FILE__, __LINE__);
   VkMemoryRequirements needs;
   vkGetBufferMemoryRequirements(d.device, buffer_, &needs);
   memory_ = allocate(d, use, needs);
   if (!memory_) out_of_memory(d, name_, size_);
-  FB_VK(vkBindBufferMemory(d.device, buffer_, memory_, 0));
-  if (is_mapped(use)) FB_VK(vkMapMemory(d.device, memory_, 0, VK_WHOLE_SIZE, 0, &mapped_));
   allocated_ = needs.size;
   d.allocated_bytes += allocated_;
+  FB_VK(vkBindBufferMemory(d.device, buffer_, memory_, 0));
+  if (is_mapped(use)) FB_VK(vkMapMemory(d.device, memory_, 0, VK_WHOLE_SIZE, 0, &mapped_));
   serial_ = d.next_serial++;
   d.set_name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(buffer_), name_);
 }
@@ -158,12 +169,7 @@ VkDeviceAddress Buffer::address() const {
 bool Buffer::reserve(VkDeviceSize bytes) {
   FB_CHECK(device_ != nullptr);
   if (bytes <= size_) return false;
-  Device& device = *device_;
-  const BufferUse use = use_;
-  const VkDeviceSize larger = std::max(bytes, size_ + size_ / 2);
-  std::string name = std::move(name_);
-  release();  // first, so that the two need not fit side by side
-  *this = Buffer(device, use, larger, std::move(name));
+  *this = Buffer(*device_, use_, std::max(bytes, size_ + size_ / 2), name_);
   return true;
 }
 

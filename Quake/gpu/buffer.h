@@ -25,8 +25,8 @@ enum class BufferUse {
 class Buffer {
  public:
   Buffer() = default;
-  // Rounds the size up to 16 bytes, at least 16; the contents are undefined. Fatal if the device is out of memory
-  // (with the size and name).
+  // Rounds the size up to 16 bytes, at least 16; the contents are undefined. Throws OutOfMemory, with the size and
+  // name, where the device has no memory for it, or allows nothing so large.
   Buffer(Device& device, BufferUse use, VkDeviceSize bytes, std::string name);
   ~Buffer();
   Buffer(Buffer&& other) noexcept;
@@ -43,7 +43,8 @@ class Buffer {
     return {static_cast<T*>(mapped_), static_cast<std::size_t>(size_ / sizeof(T))};
   }
 
-  // Grows to at least `bytes` (by half again), losing the contents; true if the handle changed.
+  // Grows to at least `bytes` (by half again), losing the contents; true if the handle changed. Where there is no
+  // memory for the larger one, this one stays.
   bool reserve(VkDeviceSize bytes);
   // Differs between any two buffers ever made: handles are used again, this is not. 0: no buffer.
   std::uint64_t serial() const { return serial_; }

@@ -1,6 +1,9 @@
 #include "gpu/commands.h"
 
+#include <fmt/format.h>
+
 #include "base/check.h"
+#include "base/out_of_memory.h"
 #include "gpu/device_impl.h"
 #include "gpu/vulkan_struct.h"
 
@@ -22,6 +25,10 @@ void Commands::push_bytes(const void* data, std::uint32_t bytes) {
 void Commands::dispatch(const ComputePipeline& pipeline, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   FB_CHECK(layout_ != VK_NULL_HANDLE);  // bind() comes first
   FB_CHECK(pipeline);
+  const auto& most = device_.limits().max_workgroups;
+  if (x > most[0] || y > most[1] || z > most[2])
+    throw OutOfMemory(fmt::format("\"{}\" has {}x{}x{} workgroups to run; {} takes {}x{}x{} at a time", pipeline.name(),
+                                  x, y, z, device_.report().name, most[0], most[1], most[2]));
   vkCmdBindPipeline(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
   vkCmdDispatch(cmd_, x, y, z);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "base/out_of_memory.h"
 #include "gpu/commands.h"
 #include "gpu/device_choice.h"
 #include "gpu/device_impl.h"
@@ -40,12 +41,18 @@ void load_debug_calls(VkInstance instance, DebugCalls& calls) {
 DeviceLimits read_limits(const PhysicalDevice& physical) {
   auto structure = vk_struct<VkPhysicalDeviceAccelerationStructurePropertiesKHR>(
       VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR);
+  auto maintenance =
+      vk_struct<VkPhysicalDeviceMaintenance3Properties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES);
   auto properties = vk_struct<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
-  if (physical.report.has_ray_query) properties.pNext = &structure;
+  properties.pNext = &maintenance;
+  if (physical.report.has_ray_query) maintenance.pNext = &structure;
   vkGetPhysicalDeviceProperties2(physical.handle, &properties);
   const VkPhysicalDeviceLimits& from = properties.properties.limits;
   DeviceLimits limits;
   limits.max_storage_buffer_range = from.maxStorageBufferRange;
+  limits.max_allocation_bytes = maintenance.maxMemoryAllocationSize;
+  std::copy(std::begin(from.maxComputeWorkGroupCount), std::end(from.maxComputeWorkGroupCount),
+            limits.max_workgroups.begin());
   limits.max_texel_buffer_bytes = VkDeviceSize{from.maxTexelBufferElements} * 16;
   limits.timestamp_period_ns = physical.timestamp_bits ? from.timestampPeriod : 0.0f;
   limits.max_workgroup_invocations = from.maxComputeWorkGroupInvocations;
@@ -81,7 +88,7 @@ VkResult make_device(const PhysicalDevice& physical, bool present, bool ray_quer
   info.pQueueCreateInfos = &queue;
   info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();
-  return vkCreateDevice(physical.handle, &info, nullptr, device);
+  return FB_VK_TRY(vkCreateDevice(physical.handle, &info, nullptr, device));
 }
 
 std::vector<DeviceReport> reports_of(const std::vector<PhysicalDevice>& devices) {
@@ -93,15 +100,21 @@ std::vector<DeviceReport> reports_of(const std::vector<PhysicalDevice>& devices)
 }  // namespace
 
 Result<std::vector<DeviceReport>> list_devices(const DeviceOptions& options) {
-  auto instance = Instance::create(options);
-  if (!instance) return instance.error();
-  std::vector<DeviceReport> reports = reports_of(examine_devices((*instance)->handle(), options));
-  if (reports.empty()) return choose_device(reports, {}).error();
-  if (const auto chosen = choose_device(reports, options.preferred)) reports[*chosen].would_be_chosen = true;
-  return reports;
+  return within_memory([&]() -> Result<std::vector<DeviceReport>> {
+    auto instance = Instance::create(options);
+    if (!instance) return instance.error();
+    std::vector<DeviceReport> reports = reports_of(examine_devices((*instance)->handle(), options));
+    if (reports.empty()) return choose_device(reports, {}).error();
+    if (const auto chosen = choose_device(reports, options.preferred)) reports[*chosen].would_be_chosen = true;
+    return reports;
+  });
 }
 
 Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
+  return within_memory([&] { return make(options); });
+}
+
+Result<std::unique_ptr<Device>> Device::make(const DeviceOptions& options) {
   auto instance = Instance::create(options);
   if (!instance) return instance.error();
   const std::vector<PhysicalDevice> devices = examine_devices((*instance)->handle(), options);
@@ -174,41 +187,79 @@ VkDevice Device::handle() const { return impl_->device; }
 VkQueue Device::queue() const { return impl_->queue; }
 std::uint32_t Device::queue_family() const { return impl_->queue_family; }
 
-void Device::run(const std::function<void(Commands&)>& record) {
-  Impl& d = *impl_;
-  if (d.depth == d.recordings.size()) {
-    Impl::Recording made;
+Device::Impl::Recording& Device::Impl::recording_at(std::size_t at) {
+  if (at == recordings.size()) recordings.emplace_back();
+  Recording& recording = recordings[at];
+  if (!recording.commands) {
     auto allocate = vk_struct<VkCommandBufferAllocateInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO);
-    allocate.commandPool = d.pool;
+    allocate.commandPool = pool;
     allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
     allocate.commandBufferCount = 1;
-    FB_VK(vkAllocateCommandBuffers(d.device, &allocate, &made.commands));
-    auto fence = vk_struct<VkFenceCreateInfo>(VK_STRUCTURE_TYPE_FENCE_CREATE_INFO);
-    FB_VK(vkCreateFence(d.device, &fence, nullptr, &made.fence));
-    d.recordings.push_back(made);
+    FB_VK(vkAllocateCommandBuffers(device, &allocate, &recording.commands));
   }
-  const Impl::Recording recording = d.recordings[d.depth++];
+  if (!recording.fence) {
+    auto fence = vk_struct<VkFenceCreateInfo>(VK_STRUCTURE_TYPE_FENCE_CREATE_INFO);
+    FB_VK(vkCreateFence(device, &fence, nullptr, &recording.fence));
+  }
+  return recording;
+}
 
+// A recording in use. If it is not finished, whatever became of it is waited for and dropped.
+class Device::Impl::Run {
+ public:
+  explicit Run(Impl& device) : device_(device), at_(device.depth) {
+    commands_ = device.recording_at(at_).commands;
+    ++device.depth;
+  }
+  ~Run() {
+    --device_.depth;
+    if (finished_) return;
+    vkDeviceWaitIdle(device_.device);
+    Recording& recording = device_.recordings[at_];
+    vkResetCommandBuffer(recording.commands, 0);
+    // Nobody knows whether it is signalled.
+    vkDestroyFence(device_.device, recording.fence, nullptr);
+    recording.fence = VK_NULL_HANDLE;
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  VkCommandBuffer commands() const { return commands_; }
+  VkFence fence() const { return device_.recordings[at_].fence; }
+  void finish() { finished_ = true; }
+
+ private:
+  Impl& device_;
+  std::size_t at_;
+  VkCommandBuffer commands_ = VK_NULL_HANDLE;
+  bool finished_ = false;
+};
+
+void Device::run(const std::function<void(Commands&)>& record) {
+  Impl& d = *impl_;
+  Impl::Run run(d);
+  const VkCommandBuffer cmd = run.commands();
   auto begin = vk_struct<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-  FB_VK(vkBeginCommandBuffer(recording.commands, &begin));
-  Commands commands(*this, recording.commands);
+  FB_VK(vkBeginCommandBuffer(cmd, &begin));
+  Commands commands(*this, cmd);
   record(commands);
   // The fence alone does not make the device's writes visible to the host.
   auto to_host = vk_struct<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
   to_host.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
   to_host.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
-  vkCmdPipelineBarrier(recording.commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
-                       &to_host, 0, nullptr, 0, nullptr);
-  FB_VK(vkEndCommandBuffer(recording.commands));
+  vkCmdPipelineBarrier(cmd, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &to_host, 0, nullptr,
+                       0, nullptr);
+  FB_VK(vkEndCommandBuffer(cmd));
 
   auto submit = vk_struct<VkSubmitInfo>(VK_STRUCTURE_TYPE_SUBMIT_INFO);
   submit.commandBufferCount = 1;
-  submit.pCommandBuffers = &recording.commands;
-  FB_VK(vkQueueSubmit(d.queue, 1, &submit, recording.fence));
-  FB_VK(vkWaitForFences(d.device, 1, &recording.fence, VK_TRUE, UINT64_MAX));
-  FB_VK(vkResetFences(d.device, 1, &recording.fence));
-  --d.depth;
+  submit.pCommandBuffers = &cmd;
+  const VkFence fence = run.fence();
+  FB_VK(vkQueueSubmit(d.queue, 1, &submit, fence));
+  FB_VK(vkWaitForFences(d.device, 1, &fence, VK_TRUE, UINT64_MAX));
+  FB_VK(vkResetFences(d.device, 1, &fence));
+  run.finish();
 }
 
 }  // namespace fb::gpu

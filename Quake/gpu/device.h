@@ -6,6 +6,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -37,8 +38,10 @@ Result<std::vector<DeviceReport>> list_devices(const DeviceOptions& options);
 
 struct DeviceLimits {
   VkDeviceSize max_storage_buffer_range = 0;
-  VkDeviceSize max_texel_buffer_bytes = 0;  // at 16 bytes a texel
-  float timestamp_period_ns = 0;            // 0: no timestamps
+  VkDeviceSize max_allocation_bytes = 0;
+  std::array<std::uint32_t, 3> max_workgroups{};  // of a dispatch
+  VkDeviceSize max_texel_buffer_bytes = 0;        // at 16 bytes a texel
+  float timestamp_period_ns = 0;                  // 0: no timestamps
   std::uint32_t max_workgroup_invocations = 0;
   VkDeviceSize min_acceleration_structure_scratch_alignment = 0;
 };
@@ -48,6 +51,7 @@ class Commands;
 
 class Device {
  public:
+  // What is out of memory later is thrown (base/out_of_memory.h), by all of this module.
   static Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
   ~Device();
   Device(const Device&) = delete;
@@ -63,7 +67,8 @@ class Device {
   std::uint64_t allocated_bytes() const;
 
   // Records with `record`, submits and waits. The one way to run work without a window. A run inside another's `record`
-  // finishes before the outer one starts. One thread at a time.
+  // finishes before the outer one starts. Where something throws, what was recorded is dropped, and the next run is as
+  // good as any. One thread at a time.
   void run(const std::function<void(Commands&)>& record);
 
   VkInstance instance() const;
@@ -77,6 +82,7 @@ class Device {
 
  private:
   explicit Device(std::unique_ptr<Impl> impl);
+  static Result<std::unique_ptr<Device>> make(const DeviceOptions& options);
   std::unique_ptr<Impl> impl_;
 };
 

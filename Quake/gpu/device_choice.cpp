@@ -11,6 +11,7 @@
 
 #include "base/number.h"
 #include "gpu/pipeline.h"
+#include "gpu/vulkan_error.h"
 #include "gpu/vulkan_struct.h"
 
 namespace fb::gpu {
@@ -42,9 +43,14 @@ int type_rank(std::string_view type) {
 std::vector<VkExtensionProperties> device_extensions(VkPhysicalDevice device) {
   std::uint32_t count = 0;
   std::vector<VkExtensionProperties> list;
-  if (vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr) != VK_SUCCESS) return list;
+  const auto enumerate = [&](VkExtensionProperties* into) {
+    const VkResult result = FB_VK_TRY(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, into));
+    throw_if_out_of_memory(result, "vkEnumerateDeviceExtensionProperties");
+    if (result < 0) count = 0;
+  };
+  enumerate(nullptr);
   list.resize(count);
-  if (vkEnumerateDeviceExtensionProperties(device, nullptr, &count, list.data()) < 0) count = 0;
+  enumerate(list.data());
   list.resize(count);
   return list;
 }
@@ -166,9 +172,14 @@ std::string names_of(std::span<const DeviceReport> reports) {
 std::vector<PhysicalDevice> examine_devices(VkInstance instance, const DeviceOptions& options) {
   std::uint32_t count = 0;
   std::vector<VkPhysicalDevice> handles;
-  if (vkEnumeratePhysicalDevices(instance, &count, nullptr) < 0) return {};
+  const auto enumerate = [&](VkPhysicalDevice* into) {
+    const VkResult result = FB_VK_TRY(vkEnumeratePhysicalDevices(instance, &count, into));
+    throw_if_out_of_memory(result, "vkEnumeratePhysicalDevices");
+    return result >= 0;  // else no driver could be started
+  };
+  if (!enumerate(nullptr)) return {};
   handles.resize(count);
-  if (vkEnumeratePhysicalDevices(instance, &count, handles.data()) < 0) return {};
+  if (!enumerate(handles.data())) return {};
   handles.resize(count);
   std::vector<PhysicalDevice> devices;
   for (VkPhysicalDevice handle : handles) devices.push_back(examine(handle, options));

@@ -52,6 +52,8 @@ struct Device::Impl {
     VkFence fence = VK_NULL_HANDLE;
   };
   VkCommandPool pool = VK_NULL_HANDLE;
+  Recording& recording_at(std::size_t depth);  // made if it is not there
+  class Run;                                   // in device.cpp
   std::vector<Recording> recordings;
   std::size_t depth = 0;
 

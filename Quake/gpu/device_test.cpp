@@ -6,6 +6,7 @@
 #include <bit>
 #include <numeric>
 
+#include "base/out_of_memory.h"
 #include "base/rng.h"
 #include "gpu/commands.h"
 #include "gpu/test_device.h"
@@ -220,13 +221,31 @@ TEST_F(GpuTest, PassesAreTimed) {
   }
 }
 
-TEST_F(GpuTest, BufferBeyondTheBindingLimitIsFatalWhenBound) {
-  const VkDeviceSize limit = device_->limits().max_storage_buffer_range;
-  if (limit > (VkDeviceSize{256} << 20u)) GTEST_SKIP() << "the limit is too large to go beyond in a test";
-  GTEST_FLAG_SET(death_test_style, "threadsafe");  // the driver has threads
-  Buffer large(*device_, BufferUse::kStorage, limit + 16, "too large");
+TEST_F(GpuTest, BuffersBeyondTheDevicesLimitsAreRefusedBeforeAnythingIsAllocated) {
+  const VkDeviceSize before = device_->allocated_bytes();
+  const DeviceLimits& limits = device_->limits();
+  ASSERT_GT(limits.max_allocation_bytes, 0u);
+  EXPECT_THAT([&] { Buffer(*device_, BufferUse::kStorage, limits.max_storage_buffer_range + 16, "too large"); },
+              testing::ThrowsMessage<OutOfMemory>(testing::HasSubstr("\"too large\" needs a buffer of")));
+  EXPECT_THAT([&] { Buffer(*device_, BufferUse::kReadback, limits.max_allocation_bytes + 16, "larger"); },
+              testing::ThrowsMessage<OutOfMemory>(testing::HasSubstr(device_->report().name + " allows")));
+  EXPECT_EQ(device_->allocated_bytes(), before);
+}
+
+TEST_F(GpuTest, DispatchesBeyondTheDevicesLimitAreRefused) {
   BindingTable table(*device_);
-  EXPECT_DEATH(table.set_scene(0, large), "too large");
+  const ComputePipeline pipeline(*device_, table, test_arithmetic_spv, "arithmetic");
+  const std::uint32_t most = device_->limits().max_workgroups[1];
+  ASSERT_GT(most, 0u);
+  if (most == ~0u) GTEST_SKIP() << "there is no limit";
+  EXPECT_THAT(
+      [&] {
+        device_->run([&](Commands& commands) {
+          commands.bind(table);
+          commands.dispatch(pipeline, 1, most + 1);
+        });
+      },
+      testing::ThrowsMessage<OutOfMemory>(testing::HasSubstr("\"arithmetic\"")));
 }
 
 // The counter that all the others hold to zero does count.

@@ -27,9 +27,14 @@ constexpr const char* kNoDriver =
 std::vector<VkExtensionProperties> instance_extensions(const char* layer) {
   std::uint32_t count = 0;
   std::vector<VkExtensionProperties> list;
-  if (vkEnumerateInstanceExtensionProperties(layer, &count, nullptr) != VK_SUCCESS) return list;
+  const auto enumerate = [&](VkExtensionProperties* into) {
+    const VkResult result = FB_VK_TRY(vkEnumerateInstanceExtensionProperties(layer, &count, into));
+    throw_if_out_of_memory(result, "vkEnumerateInstanceExtensionProperties");
+    if (result < 0) count = 0;
+  };
+  enumerate(nullptr);
   list.resize(count);
-  if (vkEnumerateInstanceExtensionProperties(layer, &count, list.data()) < 0) count = 0;
+  enumerate(list.data());
   list.resize(count);
   return list;
 }
@@ -42,9 +47,15 @@ bool contains(const std::vector<VkExtensionProperties>& list, const char* name) 
 
 bool has_validation_layer() {
   std::uint32_t count = 0;
-  if (vkEnumerateInstanceLayerProperties(&count, nullptr) != VK_SUCCESS) return false;
-  std::vector<VkLayerProperties> layers(count);
-  if (vkEnumerateInstanceLayerProperties(&count, layers.data()) < 0) return false;
+  std::vector<VkLayerProperties> layers;
+  const auto enumerate = [&](VkLayerProperties* into) {
+    const VkResult result = FB_VK_TRY(vkEnumerateInstanceLayerProperties(&count, into));
+    throw_if_out_of_memory(result, "vkEnumerateInstanceLayerProperties");
+    if (result < 0) count = 0;
+  };
+  enumerate(nullptr);
+  layers.resize(count);
+  enumerate(layers.data());
   layers.resize(count);
   for (const auto& layer : layers)
     if (std::strcmp(layer.layerName, kValidationLayer) == 0) return true;
@@ -121,7 +132,7 @@ VkResult make_instance(const InstanceRequest& request, const VkDebugUtilsMesseng
     features.pNext = info.pNext;
     info.pNext = &features;
   }
-  return vkCreateInstance(&info, nullptr, instance);
+  return FB_VK_TRY(vkCreateInstance(&info, nullptr, instance));
 }
 
 }  // namespace
@@ -157,9 +168,9 @@ Result<std::unique_ptr<Instance>> Instance::create(const DeviceOptions& options)
   if (!keep) FB_VK(make_instance(*request, nullptr, &keep));
 #endif
   if (listens) {
-    const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
+    const auto create_messenger = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
         vkGetInstanceProcAddr(made->handle_, "vkCreateDebugUtilsMessengerEXT"));
-    if (create) FB_VK(create(made->handle_, &messenger, nullptr, &made->messenger_));
+    if (create_messenger) FB_VK(create_messenger(made->handle_, &messenger, nullptr, &made->messenger_));
   }
   return made;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/out_of_memory.h"
 #include "gpu/device_impl.h"
 #include "gpu/vulkan_error.h"
 #include "gpu/vulkan_struct.h"
@@ -13,13 +14,9 @@ namespace fb::gpu {
 
 ComputePipeline::ComputePipeline(Device& device, const BindingTable& table, std::span<const std::uint32_t> spirv,
                                  std::string name, std::span<const SpecializationConstant> constants)
-    : device_(&device), name_(std::move(name)) {
-  auto module_info = vk_struct<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
-  module_info.codeSize = spirv.size_bytes();
-  module_info.pCode = spirv.data();
-  VkShaderModule module = VK_NULL_HANDLE;
-  FB_VK(vkCreateShaderModule(device.handle(), &module_info, nullptr, &module));
-
+    : ComputePipeline() {  // delegates, so that the pipeline is given back if something throws behind it
+  device_ = &device;
+  name_ = std::move(name);
   std::vector<VkSpecializationMapEntry> entries;
   for (std::size_t i = 0; i < constants.size(); ++i)
     entries.push_back(
@@ -32,6 +29,12 @@ ComputePipeline::ComputePipeline(Device& device, const BindingTable& table, std:
   specialization.dataSize = constants.size_bytes();
   specialization.pData = constants.data();
 
+  auto module_info = vk_struct<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
+  module_info.codeSize = spirv.size_bytes();
+  module_info.pCode = spirv.data();
+  VkShaderModule module = VK_NULL_HANDLE;
+  FB_VK(vkCreateShaderModule(device.handle(), &module_info, nullptr, &module));
+
   auto info = vk_struct<VkComputePipelineCreateInfo>(VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO);
   info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
   info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
@@ -39,8 +42,12 @@ ComputePipeline::ComputePipeline(Device& device, const BindingTable& table, std:
   info.stage.pName = "main";
   info.stage.pSpecializationInfo = &specialization;
   info.layout = table.layout();
-  const VkResult result = vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_);
+  const VkResult result =
+      FB_VK_TRY(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_));
   vkDestroyShaderModule(device.handle(), module, nullptr);
+  if (is_out_of_memory(result))
+    throw OutOfMemory(fmt::format("{} is out of memory: it cannot compile shader \"{}\" ({})", device.report().name,
+                                  name_, result_name(result)));
   if (result != VK_SUCCESS)
     fatal(__FILE__, __LINE__,
           fmt::format("{} does not compile shader \"{}\": {}", device.report().name, name_, result_name(result)));

@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
+#include <utility>
 #include <vector>
 
 #include "base/check.h"
+#include "base/out_of_memory.h"
 #include "gpu/device_impl.h"
 #include "gpu/vulkan_error.h"
 #include "gpu/vulkan_struct.h"
@@ -51,10 +54,16 @@ VkSemaphore make_semaphore(VkDevice device) {
 struct Swapchain::Impl {
   Impl(Device& d, VkSurfaceKHR s, bool v) : device(d), surface(s), vsync(v) {}
   ~Impl();
+  // Where memory runs out nothing is left but the surface, and the next make() begins anew.
   Status make(std::uint32_t width, std::uint32_t height);
+  bool present(const Picture& picture);
+
+  Status make_images(std::uint32_t width, std::uint32_t height);
+  void make_recording();
   void forget_images();
-  void record_copy(const Buffer& pixels, VkImage image);
-  bool present(const Buffer& pixels);
+  void forget_all();
+  void record_copy(const Picture& picture, VkImage image);
+  bool copy_and_present(const Picture& picture);
 
   Device& device;
   VkSurfaceKHR surface;
@@ -71,12 +80,7 @@ struct Swapchain::Impl {
 };
 
 Swapchain::Impl::~Impl() {
-  vkDeviceWaitIdle(device.handle());
-  forget_images();
-  if (swapchain) vkDestroySwapchainKHR(device.handle(), swapchain, nullptr);
-  if (acquired) vkDestroySemaphore(device.handle(), acquired, nullptr);
-  if (fence) vkDestroyFence(device.handle(), fence, nullptr);
-  if (pool) vkDestroyCommandPool(device.handle(), pool, nullptr);
+  forget_all();
   vkDestroySurfaceKHR(device.instance(), surface, nullptr);
 }
 
@@ -86,14 +90,37 @@ void Swapchain::Impl::forget_images() {
   images.clear();
 }
 
+void Swapchain::Impl::forget_all() {
+  const VkDevice handle = device.handle();
+  vkDeviceWaitIdle(handle);
+  vkDestroySwapchainKHR(handle, std::exchange(swapchain, VK_NULL_HANDLE), nullptr);
+  forget_images();
+  vkDestroySemaphore(handle, std::exchange(acquired, VK_NULL_HANDLE), nullptr);
+  vkDestroyFence(handle, std::exchange(fence, VK_NULL_HANDLE), nullptr);
+  vkDestroyCommandPool(handle, std::exchange(pool, VK_NULL_HANDLE), nullptr);
+  commands = VK_NULL_HANDLE;
+}
+
 Status Swapchain::Impl::make(std::uint32_t width, std::uint32_t height) {
+  try {
+    if (Status made = make_images(width, height); !made) return made;
+    make_recording();
+    return ok_status();
+  } catch (const std::bad_alloc& failure) {
+    forget_all();
+    return Error{"the window's swapchain could not be made: " + sentence_of(failure)};
+  }
+}
+
+Status Swapchain::Impl::make_images(std::uint32_t width, std::uint32_t height) {
   const VkPhysicalDevice physical = device.physical();
   VkBool32 presents = VK_FALSE;
-  if (vkGetPhysicalDeviceSurfaceSupportKHR(physical, device.queue_family(), surface, &presents) != VK_SUCCESS ||
+  if (FB_VK_TRY(vkGetPhysicalDeviceSurfaceSupportKHR(physical, device.queue_family(), surface, &presents)) !=
+          VK_SUCCESS ||
       !presents)
     return Error{fmt::format("{} cannot show pictures in this window", device.report().name)};
   VkSurfaceCapabilitiesKHR can;
-  const VkResult asked = vkGetPhysicalDeviceSurfaceCapabilitiesKHR(physical, surface, &can);
+  const VkResult asked = FB_VK_TRY(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(physical, surface, &can));
   if (asked != VK_SUCCESS) return Error{"the window's surface is gone: " + result_name(asked)};
   if (!(can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT))
     return Error{fmt::format("{} cannot copy pictures into this window", device.report().name)};
@@ -127,24 +154,45 @@ Status Swapchain::Impl::make(std::uint32_t width, std::uint32_t height) {
   info.clipped = VK_TRUE;
   info.oldSwapchain = swapchain;
   VkSwapchainKHR made = VK_NULL_HANDLE;
-  const VkResult result = vkCreateSwapchainKHR(device.handle(), &info, nullptr, &made);
-  if (swapchain) vkDestroySwapchainKHR(device.handle(), swapchain, nullptr);
-  swapchain = made;
+  const VkResult result = FB_VK_TRY(vkCreateSwapchainKHR(device.handle(), &info, nullptr, &made));
+  vkDestroySwapchainKHR(device.handle(), std::exchange(swapchain, VK_NULL_HANDLE), nullptr);
   forget_images();
-  if (result != VK_SUCCESS) {
-    swapchain = VK_NULL_HANDLE;
-    return Error{"the window's swapchain could not be made: " + result_name(result)};
-  }
+  if (result != VK_SUCCESS) return Error{"the window's swapchain could not be made: " + result_name(result)};
+  swapchain = made;
   extent = size;
   std::uint32_t count = 0;
   FB_VK(vkGetSwapchainImagesKHR(device.handle(), swapchain, &count, nullptr));
   images.resize(count);
   FB_VK(vkGetSwapchainImagesKHR(device.handle(), swapchain, &count, images.data()));
+  copied.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) copied.push_back(make_semaphore(device.handle()));
   return ok_status();
 }
 
-void Swapchain::Impl::record_copy(const Buffer& pixels, VkImage image) {
+// What every copy uses, made once.
+void Swapchain::Impl::make_recording() {
+  const VkDevice handle = device.handle();
+  if (!acquired) acquired = make_semaphore(handle);
+  if (!fence) {
+    auto info = vk_struct<VkFenceCreateInfo>(VK_STRUCTURE_TYPE_FENCE_CREATE_INFO);
+    FB_VK(vkCreateFence(handle, &info, nullptr, &fence));
+  }
+  if (!pool) {
+    auto info = vk_struct<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
+    info.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
+    info.queueFamilyIndex = device.queue_family();
+    FB_VK(vkCreateCommandPool(handle, &info, nullptr, &pool));
+  }
+  if (!commands) {
+    auto allocate = vk_struct<VkCommandBufferAllocateInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO);
+    allocate.commandPool = pool;
+    allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    allocate.commandBufferCount = 1;
+    FB_VK(vkAllocateCommandBuffers(handle, &allocate, &commands));
+  }
+}
+
+void Swapchain::Impl::record_copy(const Picture& picture, VkImage image) {
   auto begin = vk_struct<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   FB_VK(vkBeginCommandBuffer(commands, &begin));
@@ -157,10 +205,20 @@ void Swapchain::Impl::record_copy(const Buffer& pixels, VkImage image) {
   to.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
   vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0,
                        nullptr, 1, &to);
+  if (picture.width < extent.width || picture.height < extent.height) {
+    const VkClearColorValue black{};
+    vkCmdClearColorImage(commands, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &black, 1, &to.subresourceRange);
+    VkImageMemoryBarrier cleared = to;
+    cleared.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+    cleared.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0,
+                         nullptr, 1, &cleared);
+  }
   VkBufferImageCopy region{};
+  region.bufferRowLength = picture.width;
   region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-  region.imageExtent = {extent.width, extent.height, 1};
-  vkCmdCopyBufferToImage(commands, pixels.handle(), image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+  region.imageExtent = {std::min(picture.width, extent.width), std::min(picture.height, extent.height), 1};
+  vkCmdCopyBufferToImage(commands, picture.pixels->handle(), image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
   VkImageMemoryBarrier shown = to;
   shown.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
   shown.dstAccessMask = 0;  // the semaphore makes it visible to presentation
@@ -171,14 +229,24 @@ void Swapchain::Impl::record_copy(const Buffer& pixels, VkImage image) {
   FB_VK(vkEndCommandBuffer(commands));
 }
 
-bool Swapchain::Impl::present(const Buffer& pixels) {
+bool Swapchain::Impl::present(const Picture& picture) {
   if (!swapchain) return false;
-  FB_CHECK_LE(VkDeviceSize{extent.width} * extent.height * 4, pixels.size());
+  try {
+    return copy_and_present(picture);
+  } catch (const std::bad_alloc&) {
+    forget_all();  // an image may be acquired, a semaphore signalled
+    throw;
+  }
+}
+
+bool Swapchain::Impl::copy_and_present(const Picture& picture) {
+  FB_CHECK_LE(VkDeviceSize{picture.width} * picture.height * 4, picture.pixels->size());
   std::uint32_t index = 0;
-  VkResult result = vkAcquireNextImageKHR(device.handle(), swapchain, UINT64_MAX, acquired, VK_NULL_HANDLE, &index);
+  VkResult result =
+      FB_VK_TRY(vkAcquireNextImageKHR(device.handle(), swapchain, UINT64_MAX, acquired, VK_NULL_HANDLE, &index));
   if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_ERROR_SURFACE_LOST_KHR) return false;
-  FB_VK(result);
-  record_copy(pixels, images[index]);
+  check_result(result, "vkAcquireNextImageKHR", __FILE__, __LINE__);
+  record_copy(picture, images[index]);
 
   const VkPipelineStageFlags wait_stage = VK_PIPELINE_STAGE_TRANSFER_BIT;
   auto submit = vk_struct<VkSubmitInfo>(VK_STRUCTURE_TYPE_SUBMIT_INFO);
@@ -196,11 +264,11 @@ bool Swapchain::Impl::present(const Buffer& pixels) {
   info.swapchainCount = 1;
   info.pSwapchains = &swapchain;
   info.pImageIndices = &index;
-  result = vkQueuePresentKHR(device.queue(), &info);
+  result = FB_VK_TRY(vkQueuePresentKHR(device.queue(), &info));
   FB_VK(vkWaitForFences(device.handle(), 1, &fence, VK_TRUE, UINT64_MAX));
   FB_VK(vkResetFences(device.handle(), 1, &fence));
   if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_ERROR_SURFACE_LOST_KHR) return false;
-  FB_VK(result);
+  check_result(result, "vkQueuePresentKHR", __FILE__, __LINE__);
   // Asked each time: some drivers never say that the window's size has changed, others call a swapchain suboptimal for
   // good whatever its size.
   VkSurfaceCapabilitiesKHR can;
@@ -213,19 +281,6 @@ Result<std::unique_ptr<Swapchain>> Swapchain::create(Device& device, VkSurfaceKH
                                                      std::uint32_t height, bool vsync) {
   auto impl = std::make_unique<Impl>(device, surface, vsync);
   if (const Status made = impl->make(width, height); !made) return made.error();
-  const VkDevice handle = device.handle();
-  impl->acquired = make_semaphore(handle);
-  auto fence = vk_struct<VkFenceCreateInfo>(VK_STRUCTURE_TYPE_FENCE_CREATE_INFO);
-  FB_VK(vkCreateFence(handle, &fence, nullptr, &impl->fence));
-  auto pool = vk_struct<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
-  pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-  pool.queueFamilyIndex = device.queue_family();
-  FB_VK(vkCreateCommandPool(handle, &pool, nullptr, &impl->pool));
-  auto allocate = vk_struct<VkCommandBufferAllocateInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO);
-  allocate.commandPool = impl->pool;
-  allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-  allocate.commandBufferCount = 1;
-  FB_VK(vkAllocateCommandBuffers(handle, &allocate, &impl->commands));
   return std::unique_ptr<Swapchain>(new Swapchain(std::move(impl)));
 }
 
@@ -234,7 +289,7 @@ Swapchain::~Swapchain() = default;
 std::uint32_t Swapchain::width() const { return impl_->extent.width; }
 std::uint32_t Swapchain::height() const { return impl_->extent.height; }
 bool Swapchain::swaps_red_and_blue() const { return impl_->format == VK_FORMAT_B8G8R8A8_UNORM; }
-bool Swapchain::present(const Buffer& pixels) { return impl_->present(pixels); }
+bool Swapchain::present(const Picture& picture) { return impl_->present(picture); }
 Status Swapchain::resize(std::uint32_t width, std::uint32_t height) { return impl_->make(width, height); }
 
 }  // namespace fb::gpu

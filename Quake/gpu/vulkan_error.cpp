@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "base/check.h"
+#include "base/out_of_memory.h"
 
 namespace fb::gpu {
 
@@ -28,6 +31,7 @@ std::string result_name(VkResult result) {
     FB_RESULT_NAME(VK_ERROR_FORMAT_NOT_SUPPORTED);
     FB_RESULT_NAME(VK_ERROR_FRAGMENTED_POOL);
     FB_RESULT_NAME(VK_ERROR_OUT_OF_POOL_MEMORY);
+    FB_RESULT_NAME(VK_ERROR_FRAGMENTATION);
     FB_RESULT_NAME(VK_ERROR_SURFACE_LOST_KHR);
     FB_RESULT_NAME(VK_ERROR_NATIVE_WINDOW_IN_USE_KHR);
     FB_RESULT_NAME(VK_SUBOPTIMAL_KHR);
@@ -38,7 +42,29 @@ std::string result_name(VkResult result) {
   }
 }
 
+bool is_out_of_memory(VkResult result) {
+  switch (result) {
+    case VK_ERROR_OUT_OF_HOST_MEMORY:
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+    case VK_ERROR_MEMORY_MAP_FAILED:
+    case VK_ERROR_TOO_MANY_OBJECTS:
+    case VK_ERROR_FRAGMENTED_POOL:
+    case VK_ERROR_OUT_OF_POOL_MEMORY:
+    case VK_ERROR_FRAGMENTATION:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void throw_if_out_of_memory(VkResult result, const char* call) {
+  if (!is_out_of_memory(result)) return;
+  const std::string_view name = std::string_view(call).substr(0, std::string_view(call).find('('));
+  throw OutOfMemory(fmt::format("the Vulkan driver is out of memory: {} gave {}", name, result_name(result)));
+}
+
 VkResult check_result(VkResult result, const char* call, const char* file, int line) {
+  throw_if_out_of_memory(result, call);
   if (result < 0) fatal(file, line, fmt::format("Vulkan: {} gave {}", call, result_name(result)));
   return result;
 }

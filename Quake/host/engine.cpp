@@ -124,6 +124,16 @@ bool Engine::busy() {
   return client_ && (client_->playing() || client_->connected() || client_->connecting());
 }
 
+bool Engine::playing() const {
+  return (server_ && server_->active()) ||
+         (client_ && (client_->active() || client_->playing() || client_->connected() || client_->connecting()));
+}
+
+void Engine::give_up(const Error& why) {
+  if (client_) client_->give_up(why);
+  if (server_) server_->shutdown();
+}
+
 bool Engine::went_wrong() const {
   return console_.failed() || (client_ && client_->last_error()) || (server_ && server_->last_error());
 }

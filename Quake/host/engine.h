@@ -63,6 +63,10 @@ class Engine {
   void frame(const FramePlan& plan, const vec2& mouse, double now);
   // Is there a game, a demo, a connection or a search for servers under way, or a command to come?
   bool busy();
+  // A game, a demo or a map is shown, or a game runs here.
+  bool playing() const;
+  // Ends it, for something that went wrong: one sentence, and the console goes on.
+  void give_up(const Error& why);
   // The last game or demo ended by itself, or did not begin, for something that went wrong; or a command was refused.
   bool went_wrong() const;
 

@@ -10,6 +10,7 @@
 #include "host/dedicated.h"
 #include "host/device_list.h"
 #include "host/game.h"
+#include "host/guarded_main.h"
 
 namespace fb::host {
 namespace {
@@ -47,5 +48,7 @@ int run_program(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
   fb::stop_on_signals("fullbright", fb::StopMode::kInSteps);
-  return fb::exit_status_or_signal(fb::host::run_program({argv + 1, argv + argc}));
+  return fb::exit_status_or_signal(fb::host::guarded_main("fullbright", [&] {
+    return fb::host::run_program({argv + 1, argv + argc});
+  }));
 }

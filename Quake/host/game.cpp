@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/log.h"
+#include "base/out_of_memory.h"
 #include "base/stop.h"
 #include "lab/image_io.h"
 #include "platform/clock.h"
@@ -81,7 +82,10 @@ Status Game::open_device() {
   auto renderer = render::Renderer::create(*device_, render::read_render_settings(engine_->console()));
   if (!renderer) return renderer.error();
   renderer_ = std::move(*renderer);
+  drawer_.emplace(*renderer_);
+  drawer_->resize(size);
   renderer_->resize(size.x, size.y);
+  if (auto status = renderer_->fit(settings()); !status) return status.error();
   engine_->client().set_view_size(static_cast<int>(size.x), static_cast<int>(size.y));
   log_info("{}: {}, rays by {}", version_text(), device_->report().name, renderer_->intersector_name());
   return window_ ? open_swapchain() : ok_status();
@@ -108,7 +112,7 @@ void Game::fit_to_window() {
     exit_status_ = 1;
     return;
   }
-  renderer_->resize(swapchain_->width(), swapchain_->height());
+  drawer_->resize({swapchain_->width(), swapchain_->height()});
   engine_->client().set_view_size(static_cast<int>(swapchain_->width()), static_cast<int>(swapchain_->height()));
 }
 
@@ -202,20 +206,26 @@ void Game::capture() {
   }
 }
 
+render::RenderSettings Game::settings() const {
+  render::RenderSettings settings = render::read_render_settings(engine_->console());
+  if (settings.denoise < 0) settings.denoise = 1;
+  return settings;
+}
+
 bool Game::draw_frame() {
   cl::Client& client = engine_->client();
   if (!client.active() && !window_) return false;
   client.build_snapshot(snapshot_);
+  if (!client.active()) snapshot_.assets = nullptr;  // a level that has been left takes no memory on the device
   snapshot_.frame = frame_;
   // Frames that are measured or recorded show the game alone.
   const bool overlay = window_ != nullptr || engine_->console().cvar("scr_showfps").on();
+  const render::RenderSettings wanted = settings();
   const scene::DrawList* list =
-      overlay ? &screen_.draw(client.hud(), client.active(), renderer_->output_size(), platform::now_seconds())
-              : nullptr;
-  render::RenderSettings settings = render::read_render_settings(engine_->console());
-  if (settings.denoise < 0) settings.denoise = 1;
-  renderer_->render(snapshot_, list, settings);
-  if (swapchain_ && !swapchain_->present(renderer_->output_pixels())) fit_to_window();
+      overlay ? &screen_.draw(client.hud(), client.active(), drawer_->size(wanted), platform::now_seconds()) : nullptr;
+  drawer_->draw(snapshot_, list, wanted);
+  const uvec2 size = renderer_->output_size();
+  if (swapchain_ && !swapchain_->present({&renderer_->output_pixels(), size.x, size.y})) fit_to_window();
   capture();
   ++frame_;
   return true;
@@ -239,24 +249,33 @@ void Game::save_config() {
   if (const auto status = engine_->console().write_config(*path); !status) log_error("{}", status.error().message);
 }
 
+// False: there is nothing more to do.
+bool Game::frame() {
+  mouse_ = vec2(0.0f);
+  handle_events();
+  engine_->execute_commands(platform::now_seconds());
+  if (quit_ || stop_wanted()) return false;
+  const double passed = seconds_passed();
+  engine_->frame(timer_.plan(passed, read_time_settings(engine_->console())), mouse_, platform::now_seconds());
+  report_timing();
+  const bool drawn = draw_frame();
+  if (drawn && engine_->client().timing()) pass_report_.add(renderer_->pass_times());
+  return !options_.headless || engine_->busy();
+}
+
 int Game::run() {
-  con::Console& console = engine_->console();
-  cl::Client& client = engine_->client();
   set_reproduction_hint([this] {
     return fmt::format("demo {}, frame {}, {}x{}, {}", engine_->client().demo_name(), frame_,
                        renderer_->output_size().x, renderer_->output_size().y, device_->report().name);
   });
   while (!quit_ && !stop_wanted()) {
-    mouse_ = vec2(0.0f);
-    handle_events();
-    engine_->execute_commands(platform::now_seconds());
-    if (quit_ || stop_wanted()) break;
-    const double passed = seconds_passed();
-    engine_->frame(timer_.plan(passed, read_time_settings(console)), mouse_, platform::now_seconds());
-    report_timing();
-    const bool drawn = draw_frame();
-    if (drawn && client.timing()) pass_report_.add(renderer_->pass_times());
-    if (options_.headless && !engine_->busy()) break;
+    const bool playing = engine_->playing();
+    try {
+      if (!frame()) break;
+    } catch (const std::bad_alloc& failure) {
+      if (!playing && !engine_->playing()) throw;  // nothing to give up
+      engine_->give_up(Error{sentence_of(failure)});
+    }
   }
   if (options_.headless && engine_->went_wrong()) exit_status_ = 1;
   set_reproduction_hint(nullptr);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "gpu/device.h"
 #include "gpu/swapchain.h"
 #include "host/engine.h"
+#include "host/frame_drawer.h"
 #include "host/options.h"
 #include "host/pass_report.h"
 #include "host/screen.h"
@@ -22,7 +24,8 @@ class Game {
  public:
   static Result<std::unique_ptr<Game>> create(const GameOptions& options);
   ~Game();
-  // Until `quit`; headless also until there is nothing left to do. The exit status.
+  // Until `quit`; headless also until there is nothing left to do. The exit status. Memory that runs out in a game or a
+  // demo ends that; where nothing is played it is thrown.
   int run();
 
  private:
@@ -34,6 +37,8 @@ class Game {
   void handle_events();
   void follow_focus();
   double seconds_passed();
+  render::RenderSettings settings() const;
+  bool frame();
   bool draw_frame();
   void capture();
   void report_timing();
@@ -46,6 +51,7 @@ class Game {
   std::unique_ptr<gpu::Device> device_;
   std::unique_ptr<gpu::Swapchain> swapchain_;
   std::unique_ptr<render::Renderer> renderer_;
+  std::optional<FrameDrawer> drawer_;
   scene::FrameSnapshot snapshot_;
   PassReport pass_report_;
   bool quit_ = false, was_timing_ = false;

@@ -4,10 +4,13 @@
 #include <fmt/ranges.h>
 
 #include "base/stop.h"
+#include "host/guarded_main.h"
 #include "host/lab_stage.h"
 #include "host/options.h"
 
-int main(int argc, char** argv) {
+namespace {
+
+int run(int argc, char** argv) {
   using namespace fb::host;
   fb::stop_on_signals("fullbright-lab", fb::StopMode::kAtOnce);
   CLI::App app("The laboratory of Fullbright: frames, references and measurements, without a window.",
@@ -25,4 +28,10 @@ int main(int argc, char** argv) {
   for (const LabCommand& command : commands)
     if (*command.app) return command.run();
   return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return fb::host::guarded_main("fullbright-lab", [&] { return run(argc, argv); });
 }

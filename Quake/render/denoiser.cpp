@@ -32,16 +32,21 @@ void Denoiser::resize(uvec2 render, const RenderSettings& settings, const gpu::B
   const uvec2 size = on_ ? render : uvec2(0);
   table_.set_texels(kGBufferTexels, gbuffer);
   if (size == size_) return;
-  size_ = size;
+  const auto bind = [&] {
+    table_.set_texels(kHistoryTexels, buffer_);
+    table_.set_frame(shared::kBindHistory, buffer_);
+  };
+  size_ = uvec2(0);  // until the new one is there
   valid_ = false;
   buffer_ = gpu::Buffer();  // the old one's memory goes first
+  bind();
   if (on_) {
     const VkDeviceSize pixels = static_cast<VkDeviceSize>(size.x) * size.y;
     buffer_ = gpu::Buffer(device_, gpu::BufferUse::kStorage, pixels * shared::kHistorySections * sizeof(glm::uvec4),
                           "history");
   }
-  table_.set_texels(kHistoryTexels, buffer_);
-  table_.set_frame(shared::kBindHistory, buffer_);
+  size_ = size;
+  bind();
 }
 
 void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,

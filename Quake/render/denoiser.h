@@ -27,6 +27,8 @@ class Denoiser {
 
   // Makes room for the history, or frees it; what was there is lost when the size changes.
   void resize(uvec2 render, const RenderSettings& settings, const gpu::Buffer& gbuffer);
+  // The next frame's history is none: what was to be written to it may not have been.
+  void forget() { valid_ = false; }
   // This frame's rows of the uniform block. `still`: the same snapshot was rendered just before.
   void fill(shared::FrameConstants& constants, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
             bool still);

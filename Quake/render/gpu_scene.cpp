@@ -353,6 +353,13 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+void GpuScene::forget() {
+  impl_->assets.forget();
+  impl_->copies.forget();
+  impl_->rays.forget();
+  impl_->recorded = false;
+}
+
 void GpuScene::record(gpu::Commands& commands) {
   const VkAccelerationStructureKHR before = impl_->rays.top_level();
   impl_->record_tables(commands);

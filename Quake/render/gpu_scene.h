@@ -57,6 +57,8 @@ class GpuScene {
 
   // Host part: uploads, tables, the tree over instances, the list of lights if it is wanted. Between submissions.
   void prepare(const scene::FrameSnapshot& snapshot, const EmissionScales& emission, bool wants_lights = false);
+  // What was prepared was not all done on the device: the next frame uploads and builds everything.
+  void forget();
   // Device part: copies, poses, refits, acceleration structures. Ends with a barrier.
   void record(gpu::Commands& commands);
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <queue>
+#include <utility>
 
 #include "base/check.h"
 #include "base/log.h"
@@ -141,10 +143,8 @@ void SceneAssets::clear() {
 }
 
 void SceneAssets::update(const scene::Assets& assets) {
-  if (assets.generation != generation_) {
-    clear();
-    generation_ = assets.generation;
-  }
+  // None until all is there: what ends this early is done anew.
+  if (assets.generation != std::exchange(generation_, 0)) clear();
   if (palette_.kept() == 0) {
     std::array<vec4, 256> colors;
     for (std::size_t i = 0; i < 256; ++i) {
@@ -156,6 +156,7 @@ void SceneAssets::update(const scene::Assets& assets) {
   }
   if (images_added_ < assets.images.size()) add_images(assets);
   if (meshes_.size() < assets.meshes.size()) add_meshes(assets);
+  generation_ = assets.generation;
 }
 
 void SceneAssets::add_images(const scene::Assets& assets) {

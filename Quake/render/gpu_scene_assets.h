@@ -54,6 +54,8 @@ class SceneAssets {
 
   // Uploads what is new; everything, if the generation is another one. Between submissions.
   void update(const scene::Assets& assets);
+  // The next update uploads everything.
+  void forget() { generation_ = 0; }
 
   std::vector<MeshRecord>& meshes() { return meshes_; }
   const std::vector<MeshRecord>& meshes() const { return meshes_; }
@@ -67,7 +69,7 @@ class SceneAssets {
   const gpu::Buffer& images() const { return images_.buffer(); }
   const gpu::Buffer& texels() const { return texels_.buffer(); }
   const gpu::Buffer& palette() const { return palette_.buffer(); }
-  std::uint64_t generation() const { return generation_; }
+  std::uint64_t generation() const { return generation_; }  // 0: of no assets
   std::uint32_t triangle_count() const { return attributes_.kept(); }
   std::uint32_t largest_mesh() const { return largest_mesh_; }  // triangles
   std::uint64_t device_bytes() const;

@@ -71,8 +71,8 @@ void RayStructures::record(gpu::Commands& commands, SceneAssets& assets, const I
     spare.mask = 0;
     list.resize(list.size() + list.size() / 2 + 16, spare);
   }
-  capacity_ = std::max({capacity_, list.size(), std::size_t{1}});
   top_.build(device_, commands, list, preference_);
+  capacity_ = std::max({capacity_, list.size(), std::size_t{1}});
 }
 
 }  // namespace fb::render

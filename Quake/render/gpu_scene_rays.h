@@ -30,6 +30,11 @@ class RayStructures {
   bool must_grow() const { return instances_.size() > capacity_ || capacity_ == 0; }
   // After the posed copies' corners have been written.
   void record(gpu::Commands& commands, SceneAssets& assets, const InstanceCopies& copies);
+  // What was recorded may not have been done: all is built anew.
+  void forget() {
+    copies_.clear();
+    capacity_ = 0;
+  }
   VkAccelerationStructureKHR top_level() const { return top_.handle(); }
 
  private:

@@ -30,17 +30,19 @@ void Guide::prepare(const RenderSettings& settings, std::uint64_t vertices) {
   vertices_ = vertices;
   const auto make = [&](gpu::Buffer& buffer, std::uint32_t binding, std::uint64_t bytes, const char* name) {
     buffer = gpu::Buffer();  // the old one's memory goes first
+    table_.set_frame(binding, buffer);
     buffer = gpu::Buffer(device_, gpu::BufferUse::kStorage, bytes, name);
     table_.set_frame(binding, buffer);
     forget_ = true;
   };
   if (states != state_count_ || cells != cell_count_) {
-    state_count_ = states;
-    cell_count_ = cells;
+    state_count_ = cell_count_ = 0;  // until both are there
     make(states_, shared::kBindGuideStates, states * kStateBytes, "guide states");
     // Entries, the list of touched ones, its two counters, and the winning proposal of every state.
     make(cache_, shared::kBindGuideCache, (std::uint64_t{cells} * (shared::kCacheWords + 1) + 4 + states) * 4,
          "guide cache");
+    state_count_ = states;
+    cell_count_ = cells;
     log_info("path guiding: {} states and {} cached cells in {} MB", states, cells, bytes() >> 20);
   }
   const std::uint64_t proposals = resolve_ ? vertices * kProposalBytes : 16;
@@ -50,7 +52,6 @@ void Guide::prepare(const RenderSettings& settings, std::uint64_t vertices) {
 }
 
 void Guide::release() {
-  if (state_count_ == 0) return;
   states_ = gpu::Buffer();
   cache_ = gpu::Buffer();
   proposals_ = gpu::Buffer();

@@ -30,10 +30,8 @@ const LightList::Means& LightList::means(const scene::Assets& assets, std::uint3
   means_.resize(assets.images.size());
   std::optional<Means>& known = means_[image];
   if (known) return *known;
-  known.emplace();
-  known->all = scene::mean_color(assets.palette, assets.images[image]);
-  known->glowing = scene::mean_glow(assets.palette, assets.images[image]);
-  return *known;
+  return known.emplace(Means{scene::mean_color(assets.palette, assets.images[image]),
+                             scene::mean_glow(assets.palette, assets.images[image])});
 }
 
 float LightList::sky_radiance(const scene::Assets& assets, const scene::Sky& sky) {

@@ -30,7 +30,14 @@ Overlay::Overlay(gpu::Device& device, gpu::BindingTable& table) : device_(device
   atlas_ = gpu::Buffer(device, gpu::BufferUse::kStorage, 16, "draw atlas");
 }
 
+void Overlay::bind() {
+  table_.set_frame(shared::kBindQuads, quads_);
+  table_.set_frame(shared::kBindTiles, tiles_);
+  table_.set_frame(shared::kBindAtlas, atlas_);
+}
+
 void Overlay::prepare(const scene::DrawList* list, std::uint32_t width, std::uint32_t height) {
+  bind();  // even if there is nothing to draw: the last list's preparation may have ended early
   empty_ = list == nullptr || list->quads.empty();
   if (empty_) return;
   if (list->atlas && list->atlas->revision != atlas_revision_ && !list->atlas->texels.empty()) {
@@ -73,9 +80,7 @@ void Overlay::prepare(const scene::DrawList* list, std::uint32_t width, std::uin
     quads[i] = {vec4(q.min.x, q.min.y, q.max.x, q.max.y), vec4(q.uv_min.x, q.uv_min.y, q.uv_max.x, q.uv_max.y),
                 q.color};
   }
-  table_.set_frame(shared::kBindQuads, quads_);
-  table_.set_frame(shared::kBindTiles, tiles_);
-  table_.set_frame(shared::kBindAtlas, atlas_);
+  bind();
 }
 
 }  // namespace fb::render

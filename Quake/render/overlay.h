@@ -17,6 +17,8 @@ class Overlay {
   std::uint32_t atlas_width() const { return atlas_width_; }
 
  private:
+  void bind();
+
   gpu::Device& device_;
   gpu::BindingTable& table_;
   gpu::Buffer quads_, tiles_, atlas_;

@@ -8,10 +8,12 @@
 #include "base/check.h"
 #include "base/hash.h"
 #include "base/log.h"
+#include "base/out_of_memory.h"
 #include "gpu/pipeline.h"
 #include "render/frame_constants.h"
 #include "render/guide.h"
 #include "render/overlay.h"
+#include "render/picture_size.h"
 #include "render/shader_set.h"
 #include "shared/rng.h"
 
@@ -85,6 +87,9 @@ struct Renderer::Impl {
   }
 
   void resize_buffers(uvec2 render, uvec2 output);
+  void fit(const RenderSettings& settings);
+  void render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw, const RenderSettings& asked);
+  void forget_frame();
   void prepare_guide(const RenderSettings& settings, bool new_assets);
   void fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings);
   void record(gpu::Commands& commands);
@@ -142,10 +147,12 @@ void Renderer::set_swap_red_blue(bool swap) { impl_->swap_red_blue = swap; }
 
 void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
   if (render == render_size && wanted_output == allocated_output) return;
+  render_size = allocated_output = uvec2(0);  // until all are there
   const VkDeviceSize pixels = static_cast<VkDeviceSize>(render.x) * render.y;
   const VkDeviceSize shown = static_cast<VkDeviceSize>(wanted_output.x) * wanted_output.y;
   const auto make = [&](Buffer& buffer, std::uint32_t binding, VkDeviceSize bytes, const char* name) {
     buffer = Buffer();  // the old one's memory goes first
+    table.set_frame(binding, buffer);
     buffer = Buffer(device, BufferUse::kStorage, bytes, name);
     table.set_frame(binding, buffer);
   };
@@ -159,6 +166,21 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
   render_size = render;
   allocated_output = wanted_output;
   restart = true;
+}
+
+// Buffers of the picture's size.
+void Renderer::Impl::fit(const RenderSettings& settings) {
+  check_picture_size(device, output_size, settings);
+  resize_buffers(scaled_size(output_size, settings), output_size);
+  denoiser.resize(render_size, settings, gbuffer);
+}
+
+// The frame ended early: what it was to write, and what says that it was written, is as good as lost.
+void Renderer::Impl::forget_frame() {
+  restart = true;
+  scene.forget();
+  guide.reset();
+  denoiser.forget();
 }
 
 void Renderer::Impl::prepare_guide(const RenderSettings& settings, bool new_assets) {
@@ -245,8 +267,25 @@ void Renderer::Impl::record(gpu::Commands& commands) {
   dispatch("present", shaders.pass("present"), tiles(output_size.x, 8), tiles(output_size.y, 8));
 }
 
-void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw, const RenderSettings& asked) {
-  Impl& r = *impl_;
+Status Renderer::fit(const RenderSettings& settings) {
+  return within_memory([&] {
+    impl_->fit(settings);
+    return ok_status();
+  });
+}
+
+void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw,
+                      const RenderSettings& settings) {
+  try {
+    impl_->render(snapshot, draw, settings);
+  } catch (...) {
+    impl_->forget_frame();
+    throw;
+  }
+}
+
+void Renderer::Impl::render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw,
+                            const RenderSettings& asked) {
   if (!snapshot.assets) {  // nothing loaded yet: an empty scene
     scene::FrameSnapshot empty = snapshot;
     empty.assets = std::make_shared<scene::Assets>();
@@ -255,39 +294,33 @@ void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawLis
   }
   const auto& known = estimators();
   if (std::any_of(known.begin(), known.end(), [&](const EstimatorInfo& e) { return e.name == asked.estimator; })) {
-    r.estimator = asked.estimator;
-    r.said_unknown_estimator = false;
-  } else if (!std::exchange(r.said_unknown_estimator, true)) {
-    if (r.estimator.empty()) r.estimator = known.front().name;
-    log_warning("r_estimator {}: there is no such estimator; {} stays", asked.estimator, r.estimator);
+    estimator = asked.estimator;
+    said_unknown_estimator = false;
+  } else if (!std::exchange(said_unknown_estimator, true)) {
+    if (estimator.empty()) estimator = known.front().name;
+    log_warning("r_estimator {}: there is no such estimator; {} stays", asked.estimator, estimator);
   }
-  r.info = &*std::find_if(known.begin(), known.end(), [&](const EstimatorInfo& e) { return e.name == r.estimator; });
-  const RenderSettings settings = settings_for(*r.info, asked);
+  info = &*std::find_if(known.begin(), known.end(), [&](const EstimatorInfo& e) { return e.name == estimator; });
+  const RenderSettings settings = settings_for(*info, asked);
 
-  const auto scaled = [&](std::uint32_t size) {
-    return std::max(1u, static_cast<std::uint32_t>(std::lround(static_cast<float>(size) * settings.scale)));
-  };
-  r.resize_buffers(uvec2(scaled(r.output_size.x), scaled(r.output_size.y)), r.output_size);
-  r.denoiser.resize(r.render_size, settings, r.gbuffer);
-  r.scene.prepare(snapshot, emission_scales(settings), r.info->samples_lights);
-  r.prepare_guide(settings, snapshot.assets->generation != r.generation);
+  fit(settings);
+  scene.prepare(snapshot, emission_scales(settings), info->samples_lights);
+  prepare_guide(settings, snapshot.assets->generation != generation);
 
   // Features only grow while the assets stay: no compilation in mid-game when something comes and goes.
-  const std::uint64_t generation = snapshot.assets->generation;
-  if (generation != r.generation) r.features = SceneFeatures{};
-  r.generation = generation;
-  const SceneFeatures& features = r.scene.features();
+  if (snapshot.assets->generation != generation) features = SceneFeatures{};
+  generation = snapshot.assets->generation;
   const bool all = settings.force_features != 0;
-  r.features.alpha_test |= features.alpha_test || all;
-  r.features.translucent |= features.translucent || all;
-  r.features.specular |= features.specular || all;
+  features.alpha_test |= scene.features().alpha_test || all;
+  features.translucent |= scene.features().translucent || all;
+  features.specular |= scene.features().specular || all;
 
-  r.overlay.prepare(draw, r.output_size.x, r.output_size.y);
-  r.fill_constants(snapshot, settings);
-  r.table.flush();
-  r.device.run([&](gpu::Commands& commands) { r.record(commands); });
-  ++r.accumulated;
-  r.pass_times = r.timer.read();
+  overlay.prepare(draw, output_size.x, output_size.y);
+  fill_constants(snapshot, settings);
+  table.flush();
+  device.run([&](gpu::Commands& commands) { record(commands); });
+  ++accumulated;
+  pass_times = timer.read();
 }
 
 void Renderer::restart_accumulation() { impl_->restart = true; }

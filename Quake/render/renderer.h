@@ -44,8 +44,14 @@ class Renderer {
   // The lowest byte of output pixels is blue (for swapchains that want it).
   void set_swap_red_blue(bool swap);
 
-  // Renders one frame and waits for it. The same snapshot again (nothing moved, same time) accumulates. An unknown
-  // estimator or a ray query where there is none keeps the former choice and says so once.
+  // Makes what the output size and these settings need now, not at the next frame. Fails where there is no memory for
+  // it, or the device takes nothing so large; then nothing is left to read until a frame has been rendered.
+  Status fit(const RenderSettings& settings);
+
+  // Renders one frame and waits for it. Throws OutOfMemory or std::bad_alloc; the next frame is rendered all the same
+  // if size and settings are what there is memory for, and what was learnt and accumulated begins anew. The same
+  // snapshot again (nothing moved, same time) accumulates. An unknown estimator or a ray query where there is none
+  // keeps the former choice and says so once.
   void render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw, const RenderSettings& settings);
   // Starts accumulation anew at the next frame.
   void restart_accumulation();

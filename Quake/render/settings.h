@@ -86,6 +86,7 @@ struct RenderSettings {
 #undef FB_FIELD
   std::string estimator = "pt";
   Intersector intersector = Intersector::kAuto;
+  bool operator==(const RenderSettings&) const = default;
 };
 
 // Emission factors by kind, as GpuScene wants them.

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <new>
 #include <tuple>
 #include <utility>
 #include <system_error>
 
 #include "base/check.h"
 #include "base/log.h"
+#include "base/out_of_memory.h"
 #include "scene/alias_mesh.h"
 #include "scene/animation.h"
 #include "scene/asset_builder.h"
@@ -128,6 +130,8 @@ struct ModelLibrary::Impl {
     builder = std::make_unique<AssetBuilder>(loader, rank);
   }
 
+  void take_map(const std::string& path, formats::Bsp bsp, const std::vector<world::Entity>& entities);
+  void forget_map();
   Model load_model(const std::string& name);
   Model load_submodel(const std::string& name);
   std::uint32_t instance_colored(std::uint32_t& index, const char* name, EmissionKind kind);
@@ -139,6 +143,10 @@ ModelLibrary::ModelLibrary(FileLoader loader, FileRank rank)
 void ModelLibrary::clear() { *impl_ = Impl(impl_->loader, impl_->rank); }
 
 Status ModelLibrary::load_map(std::string_view bsp_path) {
+  return within_memory([&] { return load_map_file(bsp_path); });
+}
+
+Status ModelLibrary::load_map_file(std::string_view bsp_path) {
   const std::string path(bsp_path), map_name(stem_of(bsp_path));
   const auto load = [&](const std::string& file) { return impl_->loader ? impl_->loader(file) : std::nullopt; };
   const auto load_beside = [&](const std::string& file) {
@@ -180,24 +188,42 @@ Status ModelLibrary::load_map(std::string_view bsp_path) {
   else
     log_warning("{}; the map has no lights", parsed.error().message);
 
-  // Nothing can fail from here on.
-  if (impl_->map) clear();
-  Impl& impl = *impl_;
+  // Nothing can fail from here on but for want of memory. The former map stays whole until this one is.
+  const auto fresh = impl_->map ? std::make_unique<Impl>(impl_->loader, impl_->rank) : nullptr;
+  Impl& impl = fresh ? *fresh : *impl_;
   std::erase_if(impl.models, [](const auto& entry) { return entry.second.kind == ModelKind::kMissing; });
-  impl.map_path = path;
-  impl.map = std::move(*bsp);
-  MapMaterials materials(*impl.builder, *impl.map, path, liquid_alphas(entities), surface_lights(entities, *impl.map));
-  for (std::uint32_t i = 0; i < impl.map->models.size(); ++i)
-    impl.map_meshes.push_back(
-        add_brush_mesh(*impl.builder, *impl.map, i, materials, i == 0 ? path : fmt::format("*{}", i)));
-  impl.lights = scene::entity_lights(entities, *impl.map);
-  impl.sky = make_layered_sky(*impl.builder, *impl.map, dome_radiance(entities));
-  impl.sky.suns = suns(entities);
-  impl.ambient.radiance = ambient_radiance(entities);
-  if (impl.ambient.radiance == vec3(0.0f) &&
-      !has_light_source(impl.builder->assets(), impl.map_meshes, entities, impl.lights, impl.sky))
-    impl.ambient = {vec3(1.0f), true};
+  try {
+    impl.take_map(path, std::move(*bsp), entities);
+  } catch (const std::bad_alloc& failure) {
+    if (!fresh) impl.forget_map();
+    return Error{fmt::format("{}: {}", path, sentence_of(failure))};
+  }
+  if (fresh) *impl_ = std::move(*fresh);
   return ok_status();
+}
+
+void ModelLibrary::Impl::take_map(const std::string& path, formats::Bsp bsp,
+                                  const std::vector<world::Entity>& entities) {
+  map_path = path;
+  map = std::move(bsp);
+  MapMaterials materials(*builder, *map, path, liquid_alphas(entities), surface_lights(entities, *map));
+  for (std::uint32_t i = 0; i < map->models.size(); ++i)
+    map_meshes.push_back(add_brush_mesh(*builder, *map, i, materials, i == 0 ? path : fmt::format("*{}", i)));
+  lights = scene::entity_lights(entities, *map);
+  sky = make_layered_sky(*builder, *map, dome_radiance(entities));
+  sky.suns = suns(entities);
+  ambient.radiance = ambient_radiance(entities);
+  if (ambient.radiance == vec3(0.0f) && !has_light_source(builder->assets(), map_meshes, entities, lights, sky))
+    ambient = {vec3(1.0f), true};
+}
+
+void ModelLibrary::Impl::forget_map() {
+  map.reset();
+  map_path.clear();
+  map_meshes.clear();
+  lights.clear();
+  sky = {};
+  ambient = {};
 }
 
 const formats::Bsp* ModelLibrary::map() const { return impl_->map ? &*impl_->map : nullptr; }

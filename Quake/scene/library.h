@@ -83,7 +83,8 @@ class ModelLibrary {
   void clear();
   // Loads a map: mesh of the world and of every submodel ("*1"...), textures with replacements from textures/
   // (<map>/<name> then <name>; .png .tga .pcx; _luma, _glow, _norm, _gloss), sky, entity lights, suns.
-  // External maps/x@<crc>.ent or else x.ent, and x.vis, beside it are used, by their rank. On failure nothing changes.
+  // External maps/x@<crc>.ent or else x.ent, and x.vis, beside it are used, by their rank. On failure, also for want of
+  // memory, nothing changes.
   Status load_map(std::string_view bsp_path);
   const formats::Bsp* map() const;
   const std::string& map_entities() const;
@@ -110,6 +111,7 @@ class ModelLibrary {
   std::shared_ptr<const Assets> assets() const;
 
  private:
+  Status load_map_file(std::string_view bsp_path);
   struct Impl;
   std::shared_ptr<Impl> impl_;
 };

@@ -71,7 +71,6 @@ class BoxModelTest : public testing::LevelTest {
 
 constexpr vec3 kPlayerMins(-16, -16, -24), kPlayerMaxs(16, 16, 32);
 
-
 TEST_F(BoxModelTest, BlocksWithHullsOfItsOwn) {
   place(formats::testing::write_bsp(box_model(vec3(0, 0, 0), vec3(32, 32, 64))));
   const MoveTrace hit = move_to_box(vec3(0.0f), vec3(0.0f));

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "base/log.h"
+#include "base/out_of_memory.h"
 #include "base/progress.h"
 #include "base/stop.h"
 #include "progs/entity_text.h"
@@ -74,39 +76,59 @@ Status Server::note_failure(Status status) {
   return status;
 }
 
-Status Server::map(std::string_view name) { return note_failure(map_game(name)); }
+Status Server::map(std::string_view name) {
+  return note_failure(within_memory([&] { return map_game(name); }));
+}
+
+Result<LoadedMap> Server::load_level(std::string_view name) {
+  return within_memory([&] { return load_map(level_files(), name); });
+}
+
+// A level that nobody joins for want of memory would run for ever.
+Status Server::start_locally() {
+  const Status started = within_memory([&] {
+    if (local_start_) local_start_();
+    return ok_status();
+  });
+  return started ? started : end_level(started.error());
+}
 
 Status Server::map_game(std::string_view typed) {
   const auto name = map_name_of(typed);
   if (!name) return name.error();
-  const auto loaded = load_map(level_files(), *name);
+  const auto loaded = load_level(*name);
   if (!loaded) return loaded.error();
   shutdown();
   server_flags_ = 0.0f;
   if (Status status = begin(*loaded); !status) return status;
-  if (local_start_) local_start_();
-  return ok_status();
+  return start_locally();
 }
 
 Status Server::changelevel(std::string_view typed) {
   if (!active()) return Error{"changelevel: no game runs here"};
   const auto name = map_name_of(typed);
   if (!name) return name.error();
-  const auto loaded = load_map(level_files(), *name);
+  const auto loaded = load_level(*name);
   if (!loaded) return loaded.error();
-  server_flags_ = level_->vm->get(globals::serverflags);
-  clients_->save_spawn_parms();
-  if (level_->failed()) return end_level(*level_->error());
-  clients_->send_reconnect(now_);
-  return begin(*loaded);
+  const Status left = within_memory([&]() -> Status {
+    server_flags_ = level_->vm->get(globals::serverflags);
+    clients_->save_spawn_parms();
+    if (level_->failed()) return *level_->error();
+    clients_->send_reconnect(now_);
+    return ok_status();
+  });
+  return left ? begin(*loaded) : end_level(left.error());
 }
 
 Status Server::restart() {
   if (!active()) return Error{"restart: no game runs here"};
-  const auto loaded = load_map(level_files(), level_->map_name);
+  const auto loaded = load_level(level_->map_name);
   if (!loaded) return loaded.error();
-  clients_->send_reconnect(now_);
-  return begin(*loaded);
+  const Status left = within_memory([&] {
+    clients_->send_reconnect(now_);
+    return ok_status();
+  });
+  return left ? begin(*loaded) : end_level(left.error());
 }
 
 void Server::request_changelevel(std::string name) {
@@ -115,24 +137,32 @@ void Server::request_changelevel(std::string name) {
 
 void Server::shutdown() {
   if (!level_) return;
-  clients_->drop_all(now_);
+  try {
+    clients_->drop_all(now_);
+  } catch (const std::bad_alloc&) {
+    // They find out for themselves.
+  }
   clients_->end_level();
   level_.reset();
   context_.level = nullptr;
   next_level_.clear();
 }
 
-// What went wrong ends the game, and the program goes on.
+// What went wrong ends the game, and the program goes on. QuakeC is not asked any more.
 Status Server::end_level(const Error& why) {
   last_error_ = why;
+  if (level_) level_->fail(why.message);
   shutdown();
   return why;
 }
 
 Status Server::begin(const LoadedMap& map) {
-  if (Status status = spawn_server(map); !status) return end_level(status.error());
-  clients_->finish_level();
-  if (level_->failed()) return end_level(*level_->error());
+  const Status begun = within_memory([&]() -> Status {
+    if (Status status = spawn_server(map); !status) return status;
+    clients_->finish_level();
+    return level_->failed() ? Status(*level_->error()) : ok_status();
+  });
+  if (!begun) return end_level(begun.error());
   log_info("Server spawned: {}", map.name);
   last_error_.reset();
   return ok_status();
@@ -239,7 +269,11 @@ void Server::frame(double seconds, double now) {
     if (Status status = changelevel(name); !status) log_error("{}", status.error().message);
     if (!level_) return;
   }
-  run_frame(seconds);
+  try {
+    run_frame(seconds);
+  } catch (const std::bad_alloc& failure) {
+    level_->fail(sentence_of(failure));
+  }
   if (level_->failed()) {
     const Error why = *level_->error();
     log_error("{}", why.message);

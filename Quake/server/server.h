@@ -8,7 +8,7 @@
 //   each frame: server.frame(seconds_of_game, now);
 //
 // What a map, a mod or a save gets wrong ends at most the level, with one sentence in the log and in last_error(); the
-// console goes on. One thread uses a Server.
+// console goes on. So does memory that runs out. One thread uses a Server.
 //
 // Registers the console's map, changelevel, restart, maxplayers, save, load, edict, edicts, edictcount, profile, sv_run
 // and sv_dump, and the cvars of simulation, players and mods. The console must outlive it.
@@ -113,6 +113,8 @@ class Server {
   Status end_level(const Error& why);
   Status load_game(std::string_view name);
   Status map_game(std::string_view name);
+  Result<LoadedMap> load_level(std::string_view name);
+  Status start_locally();
   Status note_failure(Status status);
   void run_frame(double seconds);
   void run_physics(double seconds);

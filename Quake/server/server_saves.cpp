@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "base/log.h"
+#include "base/out_of_memory.h"
 #include "fs/path.h"
 #include "server/link.h"
 #include "server/save_game.h"
@@ -55,7 +56,9 @@ Status Server::save(std::string_view typed) {
   return services_.write_file(*name, ByteView(bytes, text.size()));
 }
 
-Status Server::load(std::string_view name) { return note_failure(load_game(name)); }
+Status Server::load(std::string_view name) {
+  return note_failure(within_memory([&] { return load_game(name); }));
+}
 
 Status Server::load_game(std::string_view typed) {
   const auto name = save_file_name(typed);
@@ -76,13 +79,15 @@ Status Server::load_game(std::string_view typed) {
 
   shutdown();
   console_.set("skill", std::to_string(save->header.skill));
-  if (Status status = spawn_server(*map); !status) return end_level(status.error());
-  if (Status status = resume(*save, *name); !status) return end_level(status.error());
-  clients_->finish_level();
-  if (level_->failed()) return end_level(*level_->error());
+  const Status resumed = within_memory([&]() -> Status {
+    if (Status status = spawn_server(*map); !status) return status;
+    if (Status status = resume(*save, *name); !status) return status;
+    clients_->finish_level();
+    return level_->failed() ? Status(*level_->error()) : ok_status();
+  });
+  if (!resumed) return end_level(resumed.error());
   last_error_.reset();
-  if (local_start_) local_start_();
-  return ok_status();
+  return start_locally();
 }
 
 Status Server::resume(const SaveGame& save, std::string_view name) {

@@ -1,0 +1,19 @@
+// How large a picture is rendered, and how large it may be on a device.
+#pragma once
+
+#include "base/maths.h"
+#include "gpu/device.h"
+#include "render/settings.h"
+
+namespace fb::render {
+
+// What is rendered for an output of this size (r_scale).
+uvec2 scaled_size(uvec2 output, const RenderSettings& settings);
+
+// The largest output of about this shape, at most this size, of which no buffer is larger than the device's limits.
+uvec2 largest_output(const gpu::DeviceLimits& limits, uvec2 output, const RenderSettings& settings);
+
+// Throws OutOfMemory, with a size that would do, where the device's limits do not allow the picture.
+void check_picture_size(const gpu::Device& device, uvec2 output, const RenderSettings& settings);
+
+}  // namespace fb::render
