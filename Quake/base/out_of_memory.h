@@ -4,6 +4,7 @@
 // console, and the programs' main(), each with one sentence.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <new>
 #include <string>
@@ -24,6 +25,9 @@ class OutOfMemory : public std::bad_alloc {
 
 // What is to be told of it; std::bad_alloc has no sentence of its own.
 std::string sentence_of(const std::bad_alloc& failure);
+
+// "4.0 GiB", "12.5 MiB", "300 bytes".
+std::string memory_text(std::uint64_t bytes);
 
 // What `work` gives, a Result; memory that runs out in it is an error like others.
 template <typename Work>

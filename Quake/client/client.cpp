@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
 
 #include "base/log.h"
+#include "base/out_of_memory.h"
 #include "client/client_impl.h"
 #include "client/interpolate.h"
 #include "client/map_view.h"
@@ -241,15 +243,20 @@ const std::optional<TimeDemoResult>& Client::last_time_demo() const { return imp
 Status Client::map_view(std::string_view name) {
   stop();
   disconnect();
-  const Status status = load_map_view(name, impl_->library, impl_->session, impl_->view);
-  if (!status.ok()) return status;
-  impl_->showing_map = true;
-  impl_->snapshots.forget();
-  impl_->read_settings();  // it can be seen at once, before any advance
-  impl_->tell_of_even_light(map_path(name));
-  impl_->refresh_sky();
-  place_entities(impl_->session);
-  return status;
+  try {
+    const Status status = load_map_view(name, impl_->library, impl_->session, impl_->view);
+    if (!status.ok()) return status;
+    impl_->showing_map = true;
+    impl_->snapshots.forget();
+    impl_->read_settings();  // it can be seen at once, before any advance
+    impl_->tell_of_even_light(map_path(name));
+    impl_->refresh_sky();
+    place_entities(impl_->session);
+    return status;
+  } catch (const std::bad_alloc& failure) {
+    impl_->showing_map = false;  // the former view is gone, too
+    return Error{sentence_of(failure)};
+  }
 }
 
 void Client::give_up(const Error& why) {

@@ -52,8 +52,9 @@ struct BindingTable::Impl {
   void set(Slot& slot, const Buffer& buffer) {
     const VkBuffer handle = buffer ? buffer.handle() : unset_storage.handle();
     if (buffer && buffer.size() > device.limits().max_storage_buffer_range)
-      throw OutOfMemory(fmt::format("\"{}\" needs a buffer of {} bytes; {} binds {} at most", buffer.name(),
-                                    buffer.size(), device.report().name, device.limits().max_storage_buffer_range));
+      throw OutOfMemory(fmt::format("\"{}\" needs a buffer of {}; {} binds {} at most", buffer.name(),
+                                    memory_text(buffer.size()), device.report().name,
+                                    memory_text(device.limits().max_storage_buffer_range)));
     if (slot.serial == buffer.serial() && slot.buffer == handle) return;
     slot = {handle, buffer.serial(), true};
     dirty = true;

@@ -76,11 +76,9 @@ VkDeviceMemory allocate(const Device::Impl& device, BufferUse use, const VkMemor
   return VK_NULL_HANDLE;
 }
 
-double mebibytes(VkDeviceSize bytes) { return static_cast<double>(bytes) / 1048576.0; }
-
 [[noreturn]] void out_of_memory(const Device::Impl& device, const std::string& name, VkDeviceSize bytes) {
-  throw OutOfMemory(fmt::format("{} is out of memory: no {:.1f} MiB for \"{}\" beside the {:.1f} MiB that are in use",
-                                device.report.name, mebibytes(bytes), name, mebibytes(device.allocated_bytes)));
+  throw OutOfMemory(fmt::format("{} is out of memory: {} for \"{}\" are not to be had beside the {} in use",
+                                device.report.name, memory_text(bytes), name, memory_text(device.allocated_bytes)));
 }
 
 // What the device says it cannot have is not tried: some drivers take it and break later.
@@ -89,8 +87,8 @@ void check_limits(const Device::Impl& device, BufferUse use, const std::string& 
   const VkDeviceSize most = bound ? std::min(device.limits.max_storage_buffer_range, device.limits.max_allocation_bytes)
                                   : device.limits.max_allocation_bytes;
   if (bytes > most)
-    throw OutOfMemory(fmt::format("\"{}\" needs a buffer of {:.1f} MiB; {} allows {:.1f} MiB", name, mebibytes(bytes),
-                                  device.report.name, mebibytes(most)));
+    throw OutOfMemory(fmt::format("\"{}\" needs a buffer of {}; {} allows {}", name, memory_text(bytes),
+                                  device.report.name, memory_text(most)));
 }
 
 }  // namespace

@@ -1,46 +1,45 @@
 // For tests: Vulkan calls that run out of memory when the test wants them to.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
-#include <vector>
+#include <string_view>
+#include <utility>
 
 #include "gpu/vulkan_error.h"
 
 namespace fb::gpu {
 
-// While it lives, one call (counted from 0) finds no memory. Where that is vkAllocateMemory, so do the calls right
-// behind it that try another kind of memory. One at a time.
+// While it lives, one call (counted from 0) finds no memory: of all, or of those to `function`. Where that is
+// vkAllocateMemory, so do the calls right behind it, which try another kind of memory. One at a time.
 class FailingCall {
  public:
-  explicit FailingCall(std::size_t nth) {
-    state() = {nth, {}, {}};
-    fails_call = [](const char* call) {
-      State& s = state();
-      s.calls.emplace_back(call);
-      const std::size_t at = s.calls.size() - 1;
-      const bool again = s.calls[at].starts_with("vkAllocateMemory") && at > 0 && s.calls[at - 1] == s.calls[at] &&
-                         !s.failed.empty() && at == s.last + 1;
-      if (at != s.nth && !again) return false;
-      s.failed = s.calls[at];
-      s.last = at;
-      return true;
-    };
+  explicit FailingCall(std::size_t nth, std::string function = "vk") {
+    state() = State{.nth = nth, .function = std::move(function), .failed = {}};
+    fails_call = [](const char* call) { return state().fails(call); };
   }
   ~FailingCall() { fails_call = nullptr; }
   FailingCall(const FailingCall&) = delete;
   FailingCall& operator=(const FailingCall&) = delete;
 
-  // The call that failed, as the source has it; empty if there were not so many.
+  // The function that failed; empty if there were not so many calls.
   const std::string& failed() const { return state().failed; }
-  const std::vector<std::string>& calls() const { return state().calls; }
 
  private:
   struct State {
     std::size_t nth = 0;
-    std::vector<std::string> calls;
+    std::string function;
+    std::size_t calls = 0;
     std::string failed;
-    std::size_t last = 0;
+    bool just_failed = false;
+
+    bool fails(std::string_view call) {
+      const std::string name(call.substr(0, call.find('(')));
+      const bool next_kind = just_failed && name == "vkAllocateMemory" && failed == name;
+      just_failed = next_kind || (name.starts_with(function) && calls++ == nth);
+      if (just_failed) failed = name;
+      return just_failed;
+    }
   };
   static State& state() {
     static State state;

@@ -89,6 +89,33 @@ if [[ -e $data/id1/pak0.pak && -e $scratch/user/id1/progs.dat ]]; then
   check "and where nothing else is to be done" bash -c "! timeout 60 '$build/fullbright' -headless -size 16x16 -basedir '$data' \
     -userdir '$scratch/user' +map nowhere >'$scratch/log' 2>&1"
 fi
+ends_with_one_sentence() {  # ends_with_one_sentence TEXT COMMAND...: exit status 1, and one line on stderr, which holds TEXT
+  local text=$1 status out
+  shift
+  out=$("$@" 2>&1 >/dev/null </dev/null)
+  status=$?
+  [[ $status -eq 1 && $out == *"$text"* && $(wc -l <<<"$out") -eq 1 ]] || { echo "exit status $status: $out" && false; }
+}
+game() { timeout 120 "$build/fullbright" -headless -userdir "$scratch/user" "$@"; }
+if [[ -d $build/game/id1 || -d $data/id1 ]]; then
+  basedir=$build/game
+  [[ -d $basedir/id1 ]] || basedir=$data
+  check "a size that the device does not allow is an error" ends_with_one_sentence "a picture of 16384x16384 needs a buffer of" \
+    game -basedir "$basedir" -size 16384x16384 +map start +quit
+  # However little address space there is, from next to none to what a start takes: a sentence or a game, never a signal.
+  starved() {
+    local kilobytes status
+    for ((kilobytes = 100000; kilobytes < 6000000; kilobytes = kilobytes * 5 / 4)); do
+      (ulimit -v $kilobytes && game -basedir "$basedir" -size 64x36 +map start +wait +quit) >"$scratch/starved" 2>&1 </dev/null
+      status=$?
+      [[ $status -le 1 || $status -eq 127 ]] || { echo "ulimit -v $kilobytes: exit status $status" && cat "$scratch/starved" && return 1; }
+    done
+    [[ $status -eq 0 ]]
+  }
+  check "a start with little memory ends with a sentence" starved
+fi
+check "and of the laboratory" ends_with_one_sentence "a picture of 16384x16384 needs a buffer of" \
+  "$build/fullbright-lab" render --quiet --scene cbox --size 16384x16384
 check "a device would be chosen" grep -q '^\* 0\|^\* [0-9]' "$scratch/devices"
 
 hashes() {  # hashes THREADS ARGUMENTS...

@@ -6,9 +6,11 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 
 #include "gpu/buffer.h"
 #include "gpu/swapchain.h"
+#include "gpu/test_failures.h"
 #include "platform/clock.h"
 
 namespace fb::platform {
@@ -49,7 +51,8 @@ std::vector<unsigned char> read_screen() {
   return bytes;
 }
 
-void expect_pattern_on_screen(std::uint32_t width, std::uint32_t height) {
+// The pattern's first columns and rows, and black beyond them.
+void expect_pattern_on_screen(std::uint32_t width, std::uint32_t height, std::uint32_t columns, std::uint32_t rows) {
   const auto screen = read_screen();
   if (screen.empty()) {
     std::puts("ImageMagick's import is not installed: the screen is not looked at");
@@ -59,8 +62,12 @@ void expect_pattern_on_screen(std::uint32_t width, std::uint32_t height) {
   std::size_t wrong = 0;
   for (std::uint32_t y = 0; y < height; ++y)
     for (std::uint32_t x = 0; x < width; ++x)
-      for (int c = 0; c < 3; ++c) wrong += screen[3 * (std::size_t{y} * width + x) + c] != channel(x, y, c);
+      for (int c = 0; c < 3; ++c)
+        wrong += screen[3 * (std::size_t{y} * width + x) + c] != (x < columns && y < rows ? channel(x, y, c) : 0u);
   EXPECT_EQ(wrong, 0u) << "channels of " << width << "x" << height << " pixels differ from what was presented";
+}
+void expect_pattern_on_screen(std::uint32_t width, std::uint32_t height) {
+  expect_pattern_on_screen(width, height, width, height);
 }
 
 bool has_display() {
@@ -103,7 +110,7 @@ TEST(Window, ShowsWhatIsPresented) {
     gpu::Buffer buffer(**device, gpu::BufferUse::kStorage, pixels.size() * 4, "pattern");
     gpu::upload_now(**device, buffer, std::span<const std::uint32_t>(pixels));
     bool current = true;
-    for (int frame = 0; frame < 5; ++frame) current &= shown.present(buffer);
+    for (int frame = 0; frame < 5; ++frame) current &= shown.present({&buffer, shown.width(), shown.height()});
     return current;
   };
   window.poll_events();
@@ -126,6 +133,46 @@ TEST(Window, ShowsWhatIsPresented) {
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(shown.width(), 250u);
   EXPECT_TRUE(show());
+  expect_pattern_on_screen(250, 130);
+
+  // A picture of another size than the window's.
+  const auto show_part = [&](std::uint32_t width, std::uint32_t height) {
+    const auto pixels = pattern(width, height, shown.swaps_red_and_blue());
+    gpu::Buffer buffer(**device, gpu::BufferUse::kStorage, pixels.size() * 4, "part of the pattern");
+    gpu::upload_now(**device, buffer, std::span<const std::uint32_t>(pixels));
+    for (int frame = 0; frame < 5; ++frame) EXPECT_TRUE(shown.present({&buffer, width, height}));
+  };
+  show_part(99, 300);
+  expect_pattern_on_screen(250, 130, 99, 130);
+  show_part(300, 77);
+  expect_pattern_on_screen(250, 130, 250, 77);
+  EXPECT_EQ((*device)->validation_messages(), 0u);
+
+  // Every call that may run out of memory does so once; the swapchain is then made anew.
+  std::size_t nth = 0;
+  for (bool failed = true; failed; ++nth) {
+    {
+      const gpu::FailingCall failing(nth);
+      bool thrown = false, shows = false;
+      const Status made_anew = shown.resize(250, 130);
+      if (made_anew) {
+        try {
+          const auto pixels = pattern(250, 130, shown.swaps_red_and_blue());
+          gpu::Buffer buffer(**device, gpu::BufferUse::kUpload, pixels.size() * 4, "pattern");
+          gpu::upload_now(**device, buffer, std::span<const std::uint32_t>(pixels));
+          shows = shown.present({&buffer, 250, 130});
+        } catch (const std::bad_alloc&) {
+          thrown = true;
+        }
+      }
+      failed = !failing.failed().empty();
+      EXPECT_EQ(failed, !shows) << failing.failed();
+      EXPECT_EQ(failed, !made_anew || thrown || !shows) << failing.failed();
+    }
+    ASSERT_TRUE(shown.resize(250, 130)) << "after call " << nth;
+    ASSERT_TRUE(show()) << "after call " << nth;
+  }
+  EXPECT_GT(nth, 15u);
   expect_pattern_on_screen(250, 130);
   EXPECT_EQ((*device)->validation_messages(), 0u);
 }

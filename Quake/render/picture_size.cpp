@@ -31,8 +31,6 @@ std::uint64_t buffer_limit(const gpu::DeviceLimits& limits) {
   return std::min(limits.max_storage_buffer_range, limits.max_allocation_bytes);
 }
 
-std::string mebibytes(std::uint64_t bytes) { return fmt::format("{:.0f} MiB", static_cast<double>(bytes) / 1048576.0); }
-
 }  // namespace
 
 uvec2 scaled_size(uvec2 output, const RenderSettings& settings) {
@@ -43,11 +41,16 @@ uvec2 scaled_size(uvec2 output, const RenderSettings& settings) {
 }
 
 uvec2 largest_output(const gpu::DeviceLimits& limits, uvec2 output, const RenderSettings& settings) {
-  const std::uint64_t limit = buffer_limit(limits), needed = largest_buffer(output, settings);
-  if (needed <= limit) return output;
-  const double factor = std::sqrt(static_cast<double>(limit) / static_cast<double>(needed));
-  uvec2 size(std::max(1.0, output.x * factor), std::max(1.0, output.y * factor));
-  while (largest_buffer(size, settings) > limit && size.x * size.y > 1) size = glm::max(size, uvec2(2)) - 1u;
+  const double limit = static_cast<double>(buffer_limit(limits));
+  uvec2 size = output;
+  const auto excess = [&] { return static_cast<double>(largest_buffer(size, settings)) / limit; };
+  while (excess() > 1 && (size.x > 1 || size.y > 1)) {
+    const double factor = 1 / std::sqrt(excess());
+    const auto smaller = [&](std::uint32_t side) {
+      return std::max(1u, std::min(side - 1, static_cast<std::uint32_t>(side * factor)));
+    };
+    size = {smaller(size.x), smaller(size.y)};
+  }
   return size;
 }
 
@@ -56,8 +59,8 @@ void check_picture_size(const gpu::Device& device, uvec2 output, const RenderSet
   if (most == output) return;
   const std::string scale = settings.scale < 1 ? fmt::format(" (r_scale {:g})", settings.scale) : "";
   throw OutOfMemory(fmt::format("a picture of {}x{}{} needs a buffer of {}; {} allows {}: at most {}x{} in this shape",
-                                output.x, output.y, scale, mebibytes(largest_buffer(output, settings)),
-                                device.report().name, mebibytes(buffer_limit(device.limits())), most.x, most.y));
+                                output.x, output.y, scale, memory_text(largest_buffer(output, settings)),
+                                device.report().name, memory_text(buffer_limit(device.limits())), most.x, most.y));
 }
 
 }  // namespace fb::render

@@ -135,7 +135,9 @@ Result<std::unique_ptr<Renderer>> Renderer::create(gpu::Device& device, const Re
   options.ray_query = settings.intersector == Intersector::kQuery ||
                       (settings.intersector == Intersector::kAuto && device.has_ray_query() && !device.is_software());
   options.build = settings.fast_build != 0 ? gpu::BuildPreference::kFastBuild : gpu::BuildPreference::kFastTrace;
-  return std::unique_ptr<Renderer>(new Renderer(std::make_unique<Impl>(device, options)));
+  return within_memory([&]() -> Result<std::unique_ptr<Renderer>> {
+    return std::unique_ptr<Renderer>(new Renderer(std::make_unique<Impl>(device, options)));
+  });
 }
 
 void Renderer::resize(std::uint32_t width, std::uint32_t height) {
