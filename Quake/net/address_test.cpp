@@ -79,5 +79,42 @@ TEST(SystemNetwork, Resolves) {
   }
 }
 
+TEST(SystemNetwork, WhatIsSwitchedOffSaysSo) {
+  const auto none = system_network({.ipv4 = false, .ipv6 = false});
+  EXPECT_EQ(none->open(Family::kIpv4, 0).error().message, "network: it is switched off by the command line");
+  const auto no_ipv6 = system_network({.ipv6 = false});
+  EXPECT_TRUE(no_ipv6->open(Family::kIpv4, 0).ok());
+  EXPECT_EQ(no_ipv6->open(Family::kIpv6, 0).error().message, "network: IPv6 is switched off by the command line");
+  if (const auto name = no_ipv6->resolve("localhost")) {
+    EXPECT_EQ(name->family, Family::kIpv4);
+  }
+  const auto no_ipv4 = system_network({.ipv4 = false});
+  EXPECT_FALSE(no_ipv4->open(Family::kIpv4, 0).ok());
+  if (const auto name = no_ipv4->resolve("localhost")) {
+    EXPECT_EQ(name->family, Family::kIpv6);
+  }
+}
+
+// All of 127.0.0.0/8 is this machine, on Linux.
+TEST(SystemNetwork, SocketsHaveTheAddressThatIsAskedFor) {
+  const auto network = system_network({.own_address = ipv4(127, 0, 0, 2, 0)});
+  auto socket = network->open(Family::kIpv4, 0);
+  if (!socket) GTEST_SKIP() << socket.error().message;
+  auto other = system_network()->open(Family::kIpv4, 0);
+  ASSERT_TRUE(other.ok());
+  const auto arrives_at = [&](const Address& to) {
+    (*other)->send_to(to, Bytes(4, 1));
+    for (int i = 0; i < 20000; ++i)
+      if ((*socket)->receive_from()) return true;
+    return false;
+  };
+  EXPECT_TRUE(arrives_at(ipv4(127, 0, 0, 2, (*socket)->port())));
+  EXPECT_FALSE(arrives_at(ipv4(127, 0, 0, 1, (*socket)->port()))) << "it listens at its own address alone";
+  EXPECT_FALSE(network->open(Family::kIpv6, 0).ok());
+  const auto nowhere = system_network({.own_address = ipv4(192, 0, 2, 1, 0)})->open(Family::kIpv4, 26000);
+  ASSERT_FALSE(nowhere.ok()) << "an address of the documentation's network, which no machine has";
+  EXPECT_NE(nowhere.error().message.find("192.0.2.1:26000"), std::string::npos) << nowhere.error().message;
+}
+
 }  // namespace
 }  // namespace fb::net

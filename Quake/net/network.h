@@ -74,7 +74,20 @@ class Network {
   virtual Result<Address> resolve(std::string_view name, std::uint16_t default_port = kDefaultPort) = 0;
 };
 
-// The machine's own. Where there is no implementation for the system, open() says so.
-std::unique_ptr<Network> system_network();
+// What of the machine's network may be used.
+struct NetworkOptions {
+  bool ipv4 = true, ipv6 = true;
+  std::optional<Address> own_address =
+      std::nullopt;  // sockets have this one of the machine's addresses, and its family alone is used
+
+  bool uses(Family family) const {
+    if (own_address && own_address->family != family) return false;
+    return family == Family::kIpv4 ? ipv4 : ipv6;
+  }
+  bool any() const { return uses(Family::kIpv4) || uses(Family::kIpv6); }
+};
+
+// The machine's own. Where there is no implementation for the system, or the options leave nothing, open() says so.
+std::unique_ptr<Network> system_network(const NetworkOptions& options = {});
 
 }  // namespace fb::net

@@ -15,7 +15,7 @@ class NoNetwork final : public Network {
   }
 };
 }  // namespace
-std::unique_ptr<Network> system_network() { return std::make_unique<NoNetwork>(); }
+std::unique_ptr<Network> system_network(const NetworkOptions&) { return std::make_unique<NoNetwork>(); }
 }  // namespace fb::net
 
 #else
@@ -28,6 +28,7 @@ std::unique_ptr<Network> system_network() { return std::make_unique<NoNetwork>()
 
 #include <cerrno>
 #include <cstring>
+#include <string>
 
 namespace fb::net {
 namespace {
@@ -116,7 +117,10 @@ class PosixSocket final : public Socket {
 
 class PosixNetwork final : public Network {
  public:
+  explicit PosixNetwork(const NetworkOptions& options) : options_(options) {}
+
   Result<std::unique_ptr<Socket>> open(Family family, std::uint16_t port) override {
+    if (!options_.uses(family)) return Error{"network: " + switched_off(family)};
     const int handle = ::socket(family == Family::kIpv4 ? AF_INET : AF_INET6, SOCK_DGRAM, 0);
     if (handle < 0) return failure("a UDP socket cannot be made");
     auto socket = std::make_unique<PosixSocket>(handle, family);  // closes it if anything below fails
@@ -129,10 +133,12 @@ class PosixNetwork final : public Network {
       return failure("a UDP socket cannot be made not to block");
     Address any;
     any.family = family;
-    any.port = port;
-    SystemAddress system = to_system(any);
-    if (::bind(handle, system.get(), system.size) < 0)
-      return failure("UDP port " + std::to_string(port) + " cannot be had");
+    const Address own = options_.own_address.value_or(any).with_port(port);
+    SystemAddress system = to_system(own);
+    if (::bind(handle, system.get(), system.size) < 0) {
+      const std::string at = options_.own_address ? " at " + own.to_string() : std::string();
+      return failure("UDP port " + std::to_string(port) + at + " cannot be had");
+    }
     system.size = sizeof system.storage;
     if (::getsockname(handle, system.get(), &system.size) < 0) return failure("a UDP socket does not know its port");
     const auto bound = from_system(system.get());
@@ -154,21 +160,33 @@ class PosixNetwork final : public Network {
     if (const int code = ::getaddrinfo(host.c_str(), nullptr, &wanted, &found); code != 0)
       return Error{host + ": " + ::gai_strerror(code)};
     std::optional<Address> address;
-    for (const addrinfo* at = found; at != nullptr && !address; at = at->ai_next) address = from_system(at->ai_addr);
+    for (const addrinfo* at = found; at != nullptr && !address; at = at->ai_next) {
+      address = from_system(at->ai_addr);
+      if (address && !options_.uses(address->family)) address.reset();
+    }
     ::freeaddrinfo(found);
     if (!address) return Error{host + ": has no address that a game can use"};
     return address->with_port(port);
   }
 
  private:
+  std::string switched_off(Family family) const {
+    const std::string off = " is switched off by the command line";
+    if (!options_.any()) return "it" + off;
+    return (family == Family::kIpv4 ? "IPv4" : "IPv6") + off;
+  }
   static Error failure(std::string_view what) {
     return Error{"network: " + std::string(what) + " (" + std::strerror(errno) + ")"};
   }
+
+  NetworkOptions options_;
 };
 
 }  // namespace
 
-std::unique_ptr<Network> system_network() { return std::make_unique<PosixNetwork>(); }
+std::unique_ptr<Network> system_network(const NetworkOptions& options) {
+  return std::make_unique<PosixNetwork>(options);
+}
 
 }  // namespace fb::net
 
