@@ -57,10 +57,27 @@ constexpr Named kNamed[] = {{kKeyTab, "TAB"},
                             {kKeyMouse5, "MOUSE5"},
                             {kKeyWheelUp, "MWHEELUP"},
                             {kKeyWheelDown, "MWHEELDOWN"},
+                            {kKeyLeftThumb, "LTHUMB"},
+                            {kKeyRightThumb, "RTHUMB"},
+                            {kKeyLeftShoulder, "LSHOULDER"},
+                            {kKeyRightShoulder, "RSHOULDER"},
+                            {kKeyAButton, "ABUTTON"},
+                            {kKeyBButton, "BBUTTON"},
+                            {kKeyXButton, "XBUTTON"},
+                            {kKeyYButton, "YBUTTON"},
+                            {kKeyLeftTrigger, "LTRIGGER"},
+                            {kKeyRightTrigger, "RTRIGGER"},
                             {kKeyPause, "PAUSE"},
                             {';', "SEMICOLON"},
                             {'`', "BACKQUOTE"},
                             {'~', "TILDE"}};
+
+// Keys of a name and a number, from 1.
+struct Numbered {
+  int first, count;
+  std::string_view name;
+};
+constexpr Numbered kNumbered[] = {{kKeyF1, 12, "F"}, {kKeyJoy1, 4, "JOY"}, {kKeyAux1, 32, "AUX"}};
 
 bool same_word(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -70,7 +87,8 @@ bool same_word(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string key_name(int key) {
-  if (key >= kKeyF1 && key <= kKeyF12) return fmt::format("F{}", key - kKeyF1 + 1);
+  for (const Numbered& keys : kNumbered)
+    if (key >= keys.first && key < keys.first + keys.count) return fmt::format("{}{}", keys.name, key - keys.first + 1);
   for (const Named& named : kNamed)
     if (named.key == key) return std::string(named.name);
   if (key > kKeySpace && key < kKeyBackspace) return std::string(1, static_cast<char>(key));
@@ -82,8 +100,9 @@ int key_from_name(std::string_view name) {
     const auto c = static_cast<unsigned char>(name[0]);
     return c > kKeySpace && c < kKeyBackspace ? std::tolower(c) : kKeyNone;
   }
-  for (int key = kKeyF1; key <= kKeyF12; ++key)
-    if (same_word(name, key_name(key))) return key;
+  for (const Numbered& keys : kNumbered)
+    for (int key = keys.first; key < keys.first + keys.count; ++key)
+      if (same_word(name, key_name(key))) return key;
   for (const Named& named : kNamed)
     if (same_word(name, named.name)) return named.key;
   return kKeyNone;

@@ -51,10 +51,23 @@ enum Key : int {
   kKeyMouse1 = 200,  // left
   kKeyMouse2,        // right
   kKeyMouse3,        // middle
+  // Those of joysticks and game controllers have names alone yet, so that configurations keep what is bound to them.
+  kKeyJoy1 = 203,  // to JOY4
+  kKeyAux1 = 207,  // to AUX32
   kKeyWheelUp = 239,
   kKeyWheelDown,
   kKeyMouse4,
   kKeyMouse5,
+  kKeyLeftThumb,
+  kKeyRightThumb,
+  kKeyLeftShoulder,
+  kKeyRightShoulder,
+  kKeyAButton,
+  kKeyBButton,
+  kKeyXButton,
+  kKeyYButton,
+  kKeyLeftTrigger,
+  kKeyRightTrigger,
   kKeyPause = 255,
 };
 

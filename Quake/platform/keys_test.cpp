@@ -33,6 +33,18 @@ TEST(Keys, NamesGoBothWays) {
   EXPECT_EQ(names.count("KP_NUMLOCK"), 1u);
 }
 
+// So that a configuration that other engines share loses none of its bindings.
+TEST(Keys, JoysticksAndControllersHaveQuakeSpasmsNumbers) {
+  EXPECT_EQ(key_from_name("JOY1"), 203);
+  EXPECT_EQ(key_from_name("joy4"), 206);
+  EXPECT_EQ(key_from_name("AUX1"), 207);
+  EXPECT_EQ(key_from_name("AUX32"), 238);
+  EXPECT_EQ(key_from_name("LTHUMB"), 243);
+  EXPECT_EQ(key_from_name("RTRIGGER"), 252);
+  EXPECT_EQ(key_from_name("JOY5"), kKeyNone);
+  EXPECT_EQ(key_from_name("AUX33"), kKeyNone);
+}
+
 TEST(Keys, NamesInAnyCase) {
   EXPECT_EQ(key_from_name("mouse1"), kKeyMouse1);
   EXPECT_EQ(key_from_name("f11"), kKeyF1 + 10);
