@@ -88,7 +88,7 @@ Status Client::Impl::start(FileData data, std::string_view name, DemoMode mode) 
   session.state.message_view_angles = {};
   session.reconnect = false;
   session.rng = Rng(0x66756c6c62726967ull);
-  session.particles = ParticleSystem();
+  session.particles = ParticleSystem(session.particles.capacity());
   view = {};
   view_memory = {};
   snapshots.forget();
@@ -272,6 +272,7 @@ void Client::give_up(const Error& why) {
 
 void Client::advance(double seconds) { impl_->advance(seconds); }
 bool Client::active() const { return impl_->active(); }
+void Client::set_particle_limit(std::size_t limit) { impl_->session.particles.set_capacity(limit); }
 void Client::set_view_size(int width, int height) {
   impl_->width = width;
   impl_->height = height;

@@ -163,6 +163,8 @@ class Client {
 
   // The image's size in pixels, for the field of view (fov, fov_adapt). Default 640x480.
   void set_view_size(int width, int height);
+  // The most particles that there are at a time.
+  void set_particle_limit(std::size_t limit);
   // Looks from here instead of from the player's eyes; the player's body is then seen by all. fov_x 0: the player's.
   void set_camera(const std::optional<scene::Camera>& camera);
 

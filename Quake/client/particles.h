@@ -34,6 +34,7 @@ class ParticleSystem {
 
   void clear();
   void set_capacity(std::size_t capacity) { capacity_ = capacity; }
+  std::size_t capacity() const { return capacity_; }
   const std::vector<Particle>& particles() const { return particles_; }
 
   // Moves everything on from `time` by `seconds` and forgets what died before `time`.

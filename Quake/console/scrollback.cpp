@@ -42,6 +42,11 @@ void Scrollback::clear() {
   bytes_ = 0;
 }
 
+void Scrollback::set_max_bytes(std::size_t max_bytes) {
+  std::lock_guard lock(mutex_);
+  max_bytes_ = max_bytes;
+}
+
 void Scrollback::set_time(double seconds) {
   std::lock_guard lock(mutex_);
   time_ = seconds;

@@ -1,4 +1,5 @@
-// What was said: the last megabyte of log lines, for the console's window and for the notify lines on top of the game.
+// What was said: the last megabyte of log lines (or -consize's), for the console's window and for the notify lines on
+// top of the game.
 #pragma once
 
 #include <cstddef>
@@ -27,6 +28,8 @@ class Scrollback {
   // One line, or several where the text has newlines.
   void add(LogLevel level, std::string_view text);
   void clear();
+  // What is kept from the next line on.
+  void set_max_bytes(std::size_t max_bytes);
   // The time that lines are given from now on, seconds.
   void set_time(double seconds);
 

@@ -44,6 +44,16 @@ TEST(Scrollback, OldLinesMakeRoom) {
   EXPECT_LT(lines.latest(1).front().text.size(), 10000u);
 }
 
+TEST(Scrollback, RoomMayChange) {
+  Scrollback lines(1000000);
+  for (int i = 0; i < 1000; ++i) lines.add(LogLevel::kInfo, "line");
+  ASSERT_EQ(lines.size(), 1000u);
+  lines.set_max_bytes(16384);
+  lines.add(LogLevel::kInfo, "last");
+  EXPECT_LT(lines.size(), 16384u / sizeof(ScrollLine));
+  EXPECT_EQ(lines.latest(1)[0].text, "last");
+}
+
 TEST(Scrollback, RecentLinesByTime) {
   Scrollback lines;
   lines.set_time(1.0);
