@@ -89,9 +89,11 @@ void Console::add_builtins() {
     } else if (const Cvar* cvar = find_cvar(args[1])) {
       const std::string range = cvar->range_text();
       log_info("{}: {}", cvar->name(), cvar->spec().help.empty() ? "(set at the console)" : cvar->spec().help);
+      const char* kept = !cvar->archived()    ? ""
+                         : cvar->has_effect() ? ", kept in config.cfg"
+                                              : ", kept in config.cfg where it is not at its default";
       log_info("   is \"{}\", default \"{}\"{}{}{}", cvar->string(), cvar->default_string(),
-               range.empty() ? "" : ", " + range, cvar->archived() ? ", kept in config.cfg" : "",
-               (cvar->spec().flags & kCvarRom) != 0 ? ", read-only" : "");
+               range.empty() ? "" : ", " + range, kept, (cvar->spec().flags & kCvarRom) != 0 ? ", read-only" : "");
     } else {
       log_info("There is no command, alias or cvar \"{}\".", args[1]);
     }

@@ -57,12 +57,14 @@ Cvar& Console::add_cvar(CvarSpec spec) {
     cvars_.emplace(reference.name(), std::move(cvar));
     return reference;
   }
-  // The user was first. His object stays, for whoever holds it, and becomes what the program says.
+  // The user was first, or another engine's configuration. That object stays, for whoever holds it, and becomes what
+  // the program says.
   Cvar& cvar = *known->second;
-  if ((cvar.spec().flags & kCvarUser) == 0)
+  if ((cvar.spec().flags & (kCvarUser | kCvarNoEffect)) == 0)
     fatal(__FILE__, __LINE__, fmt::format("there is a cvar {} already", spec.name));
-  const std::string wanted = cvar.string();
-  const bool archived = cvar.archived();
+  const bool users = (cvar.spec().flags & kCvarUser) != 0;
+  const std::string wanted = users || cvar.string() != cvar.default_string() ? cvar.string() : spec.default_value;
+  const bool archived = users && cvar.archived();
   Cvar fresh(std::move(spec));
   cvar.spec_ = std::move(fresh.spec_);
   std::move(fresh.listeners_.begin(), fresh.listeners_.end(), std::back_inserter(cvar.listeners_));
@@ -222,6 +224,7 @@ std::string Console::config_text() const {
   }
   for (const auto& [name, cvar] : cvars_) {
     if (!cvar->archived()) continue;
+    if (!cvar->has_effect() && cvar->string() == cvar->default_string()) continue;
     // One that the program does not know must come back as the user's own.
     if ((cvar->spec().flags & kCvarUser) != 0) text += "seta ";
     text += name + ' ' + in_quotes(cvar->string()) + '\n';

@@ -59,7 +59,8 @@ class Console {
   void set_argument_completer(std::string_view command, ArgumentCompleter completer);
   bool has_command(std::string_view name) const;
 
-  // Cvars. If the user has already `set` one of this name, its value is kept where it is allowed.
+  // Cvars. If the user has already `set` one of this name, or there is one without effect, its value is kept where it
+  // is allowed.
   Cvar& add_cvar(CvarSpec spec);
   Cvar& add_cvar(std::string name, std::string default_value, std::string help, unsigned flags = kCvarPlain);
   Cvar* find_cvar(std::string_view name);

@@ -14,6 +14,9 @@ enum CvarFlags : unsigned {
   kCvarArchive = 1,  // goes into config.cfg
   kCvarRom = 2,      // the console shows it and does not set it
   kCvarUser = 4,     // made by `set` at the console, not by the program
+  // Another engine's: nothing listens to it. Archived, it is in config.cfg only where it is not at its default, so that
+  // a configuration that engines share loses nothing and one's own holds no strangers.
+  kCvarNoEffect = 8,
 };
 
 class Cvar;
@@ -48,6 +51,7 @@ class Cvar {
   const CvarSpec& spec() const { return spec_; }
   bool has_range() const { return spec_.min || spec_.max || spec_.integer; }
   bool archived() const { return (spec_.flags & kCvarArchive) != 0; }
+  bool has_effect() const { return (spec_.flags & kCvarNoEffect) == 0; }
   // "1 to 4096", "at least 0", "any whole number"; empty where anything goes.
   std::string range_text() const;
 

@@ -18,19 +18,22 @@ bool is_plain_word(std::string_view name) {
 }  // namespace
 
 void Console::add_cvar_builtins() {
-  add_command("cvarlist", "cvarlist [prefix]: list the cvars; a star marks those kept in config.cfg",
-              [this](const Args& args) {
-                std::size_t count = 0;
-                for (const auto& [name, cvar] : cvars_) {
-                  if (!name_starts_with(name, args[1])) continue;
-                  log_info("{} {} \"{}\"", cvar->archived() ? "*" : " ", name, cvar->string());
-                  ++count;
-                }
-                if (args.size() > 1)
-                  log_info("{} cvars beginning with \"{}\"", count, args[1]);
-                else
-                  log_info("{} cvars", count);
-              });
+  add_command(
+      "cvarlist",
+      "cvarlist [prefix]: list the cvars; a star marks those kept in config.cfg, a dash those without effect here",
+      [this](const Args& args) {
+        std::size_t count = 0;
+        for (const auto& [name, cvar] : cvars_) {
+          if (!name_starts_with(name, args[1])) continue;
+          const char* mark = !cvar->has_effect() ? "-" : cvar->archived() ? "*" : " ";
+          log_info("{} {} \"{}\"", mark, name, cvar->string());
+          ++count;
+        }
+        if (args.size() > 1)
+          log_info("{} cvars beginning with \"{}\"", count, args[1]);
+        else
+          log_info("{} cvars", count);
+      });
 
   add_command("set", "set <cvar> <value>: set a cvar, or make one",
               [this](const Args& args) { set_user_cvar(args, false); });
