@@ -1,9 +1,14 @@
 // The console: cvars, commands, what is printed, and what the engine can do.
 #include "console/console.h"
 
+#include <cstddef>
 #include <memory>
+#include <set>
+#include <string>
+#include <string_view>
 
 #include "base/log.h"
+#include "console/args.h"
 #include "progs/builtins_detail.h"
 #include "progs/output.h"
 #include "progs/vm.h"
@@ -11,21 +16,49 @@
 namespace fb::progs {
 namespace {
 
+// Mods ask for other engines' cvars, some on every tick: each name that is not there is told of once, which, with a
+// table a level, is once a level.
+class MissingCvars {
+ public:
+  void tell(std::string_view name, const char* doing) {
+    if (told_.size() > kMostNames || told_.contains(name)) return;
+    told_.emplace(name);
+    if (told_.size() > kMostNames)
+      log_info("QuakeC asks for more cvars that are not there; no more of them are named.");
+    else
+      log_info("QuakeC {} \"{}\", a cvar that is not there (said once a level).", doing, name);
+  }
+
+ private:
+  static constexpr std::size_t kMostNames = 64;
+  std::set<std::string, con::NameLess> told_;
+};
+
 void add_cvar_builtins(BuiltinTable& table, con::Console* console) {
   const auto find = [console](Vm& vm) -> con::Cvar* {
     const std::string_view name = vm.parm_string(0);
     return console ? console->find_cvar(name) : nullptr;
   };
-  table.set(45, "cvar", [find](Vm& vm) {
+  const auto missing = std::make_shared<MissingCvars>();
+  const auto read = [console, find, missing](Vm& vm) -> const con::Cvar* {
     const con::Cvar* cvar = find(vm);
+    if (!cvar && console && !vm.failed()) missing->tell(vm.parm_string(0), "reads");
+    return cvar;
+  };
+  table.set(45, "cvar", [read](Vm& vm) {
+    const con::Cvar* cvar = read(vm);
     vm.return_float(cvar ? cvar->value() : 0.0f);
   });
-  table.set(72, "cvar_set", [console](Vm& vm) {
+  table.set(72, "cvar_set", [console, missing](Vm& vm) {
     const std::string name(vm.parm_string(0)), value(vm.parm_string(1));
-    if (console && !vm.failed()) console->set(name, value);
+    if (!console || vm.failed()) return;
+    if (console->find_cvar(name))
+      console->set(name, value);
+    else
+      missing->tell(name, "sets");
   });
-  table.set(448, "cvar_string", [find](Vm& vm) {
-    const con::Cvar* cvar = find(vm);
+  table.set(448, "cvar_string", [read](Vm& vm) {
+    const con::Cvar* cvar = read(vm);
     vm.return_string(cvar ? std::string_view(cvar->string()) : std::string_view());
   });
   table.add_extension("DP_QC_CVAR_STRING");

@@ -6,6 +6,7 @@
 namespace fb::progs {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 class EntityBuiltinsTest : public testing::QcTest {};
@@ -115,6 +116,27 @@ TEST_F(ConsoleBuiltinsTest, Cvars) {
                  "put(registercvar(\"echo\", \"8\")); put(cvar_type(\"mine\")); put(cvar_type(\"skill\")); "
                  "put(cvar_type(\"no\"));"),
             "1 0 7 0 17 27 0");
+}
+
+// Mods ask for other engines' cvars on every tick.
+TEST_F(ConsoleBuiltinsTest, AMissingCvarIsToldOfOnce) {
+  std::vector<std::string> lines;
+  set_log_level(LogLevel::kInfo);
+  const int listener =
+      add_log_listener([&](LogLevel, std::string_view line) { lines.emplace_back(line.substr(0, line.find(','))); });
+  ASSERT_TRUE(start(std::string(testing::kBuiltinSource) +
+                    "void() main = { put(cvar(\"gone\")); puts(cvar_string(\"GONE\")); cvar_set(\"away\", \"1\");"
+                    " put(cvar(\"away\")); put(cvar_type(\"asked\")); put(cvar(\"skill\")); };"));
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(error_of(), "");
+  EXPECT_EQ(output(), "0 [] 0 0 1");
+  EXPECT_EQ(console_.find_cvar("away"), nullptr);
+  EXPECT_THAT(lines, ElementsAre("QuakeC reads \"gone\"", "QuakeC sets \"away\""));
+  lines.clear();
+  ASSERT_TRUE(start(std::string(testing::kBuiltinSource) +
+                    "void() main = { local float i; i = 0; while (i < 1000) { cvar(ftos(i)); i = i + 1; } };"));
+  EXPECT_EQ(error_of(), "");
+  EXPECT_EQ(lines.size(), 65u) << "not without end either";
+  remove_log_listener(listener);
 }
 
 TEST_F(ConsoleBuiltinsTest, Commands) {

@@ -55,6 +55,28 @@ TEST_F(ServerGameTest, SkillAndDeathmatchLeaveThingsOut) {
   EXPECT_EQ(level().vm->get(testing::globals::deathmatch), 0.0f);
 }
 
+TEST_F(ServerGameTest, AMissingCvarIsToldOfOnceALevel) {
+  int told = 0, others = 0;
+  put_progs(std::string(testing::kModSource) +
+            "void() StartFrame = { if (cvar(\"nobodys\") || cvar(\"campaign\") || cvar(\"horde\") || "
+            "cvar(\"sv_cheats\")) says(\"set\"); cvar_set(\"campaign\", \"0\"); };");
+  put_map("test", room());
+  make_server();
+  set_log_level(LogLevel::kInfo);
+  const int listener = add_log_listener(
+      [&](LogLevel, std::string_view line) { ++(line.find("\"nobodys\"") != std::string_view::npos ? told : others); });
+  ASSERT_TRUE(server_->map("test").ok());
+  others = 0;
+  frames(100);
+  EXPECT_EQ(told, 1);
+  EXPECT_EQ(others, 0) << "the re-release's cvars are there";
+  ASSERT_TRUE(server_->map("test").ok());
+  frames(100);
+  EXPECT_EQ(told, 2);
+  EXPECT_EQ(said(), "");
+  remove_log_listener(listener);
+}
+
 TEST_F(ServerGameTest, NoMonsters) {
   put_progs(testing::kModSource + std::string(kThing) + "void() monster_x = { says(\"monster\"); };");
   put_map("test", room(), thing("a") + "{ \"classname\" \"monster_x\" }");
