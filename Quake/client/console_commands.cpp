@@ -94,6 +94,7 @@ void Client::Impl::register_console() {
   ensure_cvar(console, name, text_of(value), help, is_archived(name) ? con::kCvarArchive : con::kCvarPlain);
   FB_CLIENT_CVARS(FB_REGISTER)
 #undef FB_REGISTER
+  ensure_cvar(console, "cl_startdemos", "1", "0: startdemos shows no demos", con::kCvarArchive);
   ensure_cvar(console, "r_nolerp_list", kNoLerpModels, "models whose poses are not blended, with commas between",
               con::kCvarPlain);
 
@@ -119,7 +120,7 @@ void Client::Impl::register_console() {
                         for (std::size_t i = 1; i < args.size() && i <= kMaxDemoLoop; ++i) demo_loop.push_back(args[i]);
                         const bool busy = demo || link || attempt || showing_map || held;
                         held = false;
-                        demo_loop_next = busy ? -1 : 0;
+                        demo_loop_next = busy || !console.cvar("cl_startdemos").on() ? -1 : 0;
                         next_demo();
                       });
   console.add_command("demos", "goes on with the demos of startdemos", [this](const con::Args&) {

@@ -27,6 +27,7 @@ Result<FsOptions> options_from_arguments(std::span<const std::string> arguments)
     if (given(fmt::format("-{}", pack).c_str())) add_once(options.games, pack);
   }
   for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] == "-nohome") options.user_dir = std::filesystem::path();
     const bool game = arguments[i] == "-game", user = arguments[i] == "-userdir", box = arguments[i] == "-basegame";
     if (!game && !user && !box && arguments[i] != "-basedir") continue;
     if (i + 1 == arguments.size()) return Error{fmt::format("{} needs a directory after it", arguments[i])};

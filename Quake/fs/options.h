@@ -1,5 +1,5 @@
-// Where game data is, as the command line says it: -basedir DIR, -userdir DIR, -basegame DIR, -game DIR, -hipnotic,
-// -rogue, -quoth.
+// Where game data is, as the command line says it: -basedir DIR, -userdir DIR, -nohome, -basegame DIR, -game DIR,
+// -hipnotic, -rogue, -quoth.
 #pragma once
 
 #include <filesystem>

@@ -32,6 +32,13 @@ TEST(FsOptions, TheUserDirectoryMayBeNamed) {
   EXPECT_NE(options_from_arguments(cut).error().message.find("-userdir"), std::string::npos);
 }
 
+TEST(FsOptions, WithoutAHomeFilesAreBesideTheGame) {
+  const FsOptions options = parse({"-nohome", "-basedir", "base"});
+  ASSERT_TRUE(options.user_dir.has_value());
+  EXPECT_TRUE(options.user_dir->empty());
+  EXPECT_FALSE(parse({"-basedir", "base"}).user_dir.has_value());
+}
+
 TEST(FsOptions, TheBaseGameIsNamedByItself) {
   const FsOptions options = parse({"-basegame", "box"});
   EXPECT_EQ(options.base_game, "box");

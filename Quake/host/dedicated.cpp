@@ -23,8 +23,8 @@ Result<int> run_dedicated(const GameOptions& options) {
     console.forget_commands();
   });
   // What a player's configuration says besides is nothing to a server.
-  for (const char* name : {"bind", "unbind", "unbindall", "startdemos"})
-    console.add_command(name, "nothing: a server has no keys and plays no demos", [](const con::Args&) {});
+  for (const char* name : {"bind", "unbind", "unbindall", "startdemos", "vid_restart"})
+    console.add_command(name, "nothing: a server has no keys, no window and plays no demos", [](const con::Args&) {});
   console.set_scripts_may_name_nothing(true);
   engine.queue_configuration(options.arguments);
 

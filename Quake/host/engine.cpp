@@ -1,9 +1,11 @@
 #include "host/engine.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <random>
 
 #include "base/log.h"
+#include "console/quakespasm_cvars.h"
 #include "render/settings.h"
 
 namespace fb::host {
@@ -13,6 +15,11 @@ EngineOptions engine_options(const GameOptions& options) {
   engine.max_clients = options.max_clients;
   engine.port = static_cast<std::uint16_t>(options.port);
   engine.seed = options.seed.value_or(std::random_device{}());
+  engine.network = options.network;
+  engine.protocol = options.protocol;
+  engine.console_log = options.console_log;
+  engine.console_kilobytes = options.console_kilobytes;
+  engine.particles = options.particles;
   return engine;
 }
 
@@ -35,14 +42,29 @@ Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::ve
     : files_(std::move(files)),
       library_(files_.loader(), [this](std::string_view path) { return files_.game_index_of(path); }),
       rng_(options.seed),
-      network_(net::system_network()),
+      network_(net::system_network(options.network)),
       server_list_(console_, *network_) {
+  if (options.console_log) open_log();
+  if (options.console_kilobytes) console_.scrollback().set_max_bytes(std::size_t{*options.console_kilobytes} * 1024);
   console_.set_file_loader(files_.loader());
   console_.add_cvar({"net_messagetimeout", "300", "seconds of silence that end a connection; for those to come",
                      con::kCvarPlain, 1.0f, 86400.0f});
   register_time_cvars(console_);
   if (options.server) make_server(options, arguments);
   if (options.client) make_client();
+  console_.add_cvar("cmdline", fmt::format("{}", fmt::join(arguments, " ")), "what the program was started with",
+                    con::kCvarRom);
+  con::add_quakespasm_cvars(console_);
+  if (options.protocol && options.server) console_.set("sv_protocol", std::to_string(*options.protocol));
+  if (options.particles && options.client) client_->set_particle_limit(*options.particles);
+}
+
+// It is no reason not to play that there is nowhere to write to.
+void Engine::open_log() {
+  const auto path = files_.write_path("qconsole.log");
+  auto log = path ? ConsoleLog::open(*path) : Result<std::unique_ptr<ConsoleLog>>(path.error());
+  if (!log) return log_error("{}", log.error().message);
+  log_ = std::move(*log);
 }
 
 Engine::~Engine() {
@@ -82,6 +104,10 @@ void Engine::make_client() {
 }
 
 Status Engine::listen(const EngineOptions& options) {
+  if (!options.network.any()) {
+    log_info("Nobody can join: the command line has switched the network off.");
+    return ok_status();
+  }
   auto opened = net::DatagramListener::open(
       *network_, options.port, [this] { return server_->clients().status(now_); }, std::random_device{}());
   if (!opened) return opened.error();

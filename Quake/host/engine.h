@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "client/client.h"
 #include "console/console.h"
 #include "fs/filesystem.h"
+#include "host/console_log.h"
 #include "host/frame_timer.h"
 #include "host/options.h"
 #include "host/server_list.h"
@@ -30,6 +32,10 @@ struct EngineOptions {
   int max_clients = 1;     // above 1 others may join over the network
   std::uint16_t port = net::kDefaultPort;
   std::uint64_t seed = 0;  // of QuakeC's random numbers
+  net::NetworkOptions network = {};
+  std::optional<int> protocol = std::nullopt;  // what sv_protocol begins with; none: its default
+  bool console_log = false;                    // into qconsole.log, see console_log.h
+  std::optional<std::uint32_t> console_kilobytes = std::nullopt, particles = std::nullopt;
 };
 
 // With a client; without -seed the seed is another one each time.
@@ -72,11 +78,13 @@ class Engine {
 
  private:
   Engine(fs::FileSystem files, const EngineOptions& options, const std::vector<std::string>& arguments);
+  void open_log();
   void make_server(const EngineOptions& options, const std::vector<std::string>& arguments);
   void make_client();
   Status listen(const EngineOptions& options);
 
   fs::FileSystem files_;
+  std::unique_ptr<ConsoleLog> log_;
   con::Console console_;
   scene::ModelLibrary library_;
   Rng rng_;

@@ -190,6 +190,44 @@ TEST_F(EngineTest, HighFrameRatesDoNotChangeThePhysics) {
   EXPECT_NEAR(distances[2], distances[0], 2 * 320.0f / 72.0f);
 }
 
+TEST_F(EngineTest, TheCommandLinesProtocolIsTheServers) {
+  for (const int protocol : {15, 999}) {
+    auto engine = make({.protocol = protocol});
+    ASSERT_TRUE(engine);
+    engine->console().append("map start\n");
+    run(*engine, 40, [&] { return engine->client().active(); });
+    EXPECT_TRUE(engine->client().active()) << log;
+    EXPECT_EQ(engine->server().clients().protocol().version, protocol);
+  }
+}
+
+TEST_F(EngineTest, TheConsolesLogIsAFile) {
+  auto engine = make({.console_log = true});
+  ASSERT_TRUE(engine);
+  engine->console().append("map start\necho a word\n");
+  run(*engine, 3, [] { return false; });
+  const auto bytes = fs::read_whole_file(folder / "id1" / "qconsole.log");
+  ASSERT_TRUE(bytes.has_value());
+  const std::string text(bytes->begin(), bytes->end());
+  EXPECT_THAT(text, HasSubstr("Server spawned: start\n"));
+  EXPECT_THAT(text, HasSubstr("\na word\n"));
+}
+
+TEST_F(EngineTest, WithoutANetworkGamesAreAlone) {
+  const net::NetworkOptions off{.ipv4 = false, .ipv6 = false};
+  auto server = make({.client = false, .dedicated = true, .max_clients = 2, .network = off});
+  ASSERT_TRUE(server) << "a launcher's -nolan is no reason to end";
+  EXPECT_THAT(log, HasSubstr("Nobody can join"));
+  auto engine = make({.network = off});
+  ASSERT_TRUE(engine);
+  engine->console().append("connect 127.0.0.1\n");
+  run(*engine, 3, [] { return false; });
+  EXPECT_THAT(log, HasSubstr("switched off by the command line"));
+  engine->console().append("map start\n");
+  run(*engine, 40, [&] { return engine->client().active(); });
+  EXPECT_TRUE(engine->client().active()) << log;
+}
+
 TEST_F(EngineTest, OthersJoinOverTheNetwork) {
   auto server = make({.client = false, .dedicated = true, .max_clients = 2, .port = 26977});
   auto player = make({.server = false});

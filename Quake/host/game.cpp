@@ -127,6 +127,8 @@ void Game::register_commands() {
     console.remove_command("startdemos");
     console.add_command("startdemos", "nothing: without a window no demos are shown in turn", [](const con::Args&) {});
   }
+  // QuakeSpasm's config.cfg ends with it.
+  console.add_command("vid_restart", "nothing: the window is as the command line says", [](const con::Args&) {});
   console.add_command("viewmap", "viewmap <map>: shows a map's world from its first player start, without a game",
                       [this](const con::Args& args) {
                         if (args.size() != 2) {
@@ -172,7 +174,7 @@ void Game::follow_focus() {
   const bool in_game = client.connected() && client.active();
   if (in_game && !was_in_game_) screen_.close_console();
   was_in_game_ = in_game;
-  const bool grab = in_game && !screen_.console_open() && window_->focused();
+  const bool grab = options_.mouse && in_game && !screen_.console_open() && window_->focused();
   if (grab != window_->mouse_grabbed()) window_->grab_mouse(grab);
   engine_->server().hold(in_game && screen_.console_open());
 }

@@ -128,6 +128,7 @@ Status set_cvar(con::Console& console, const std::string& assignment, const std:
   const std::string name = assignment.substr(0, equals), value = assignment.substr(equals + 1);
   con::Cvar* cvar = console.find_cvar(name);
   if (!cvar) return Error{fmt::format("{}: there is no cvar {}", option, name)};
+  if (!cvar->has_effect()) return Error{fmt::format("{}: {}: {}", option, name, cvar->spec().help)};
   if ((cvar->spec().flags & con::kCvarRom) != 0) return Error{fmt::format("{}: {} is read-only", option, name)};
   if (const std::string sentence = cvar->set(value); !sentence.empty())
     return Error{fmt::format("{}: {}", option, sentence)};

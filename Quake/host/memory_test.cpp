@@ -1,5 +1,5 @@
-// Every allocation of the host's memory fails once, where maps are loaded, levels begin and run, and a scene goes to the
-// device. A program of its own, for its operator new.
+// Every allocation of the host's memory fails once, where maps are loaded, levels begin and run, and a scene goes to
+// the device. A program of its own, for its operator new.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -70,9 +70,9 @@ namespace {
 
 using testing::HasSubstr;
 
-// Calls `work` with the nth allocation failing, for n from 0 on until there are not so many. `check(sentence)` is called
-// after each failure, with what was thrown; empty if it was dealt with below. Past the first few hundred allocations
-// every `stride`-th is tried.
+// Calls `work` with the nth allocation failing, for n from 0 on until there are not so many. `check(sentence)` is
+// called after each failure, with what was thrown; empty if it was dealt with below. Past the first few hundred
+// allocations every `stride`-th is tried.
 std::size_t fail_each(std::size_t stride, const std::function<void()>& work,
                       const std::function<void(const std::string& thrown)>& check) {
   std::size_t failures = 0;
@@ -110,8 +110,8 @@ class LibraryMemoryTest : public testing::Test {
     set_log_level(LogLevel::kError);
     files.add_palette();
     files.files["maps/a.bsp"] = small_map("{\"classname\" \"worldspawn\"}");
-    files.files["maps/b.bsp"] =
-        small_map("{\"classname\" \"worldspawn\" \"_sunlight\" \"128\"}{\"classname\" \"light\" \"origin\" \"32 32 64\"}");
+    files.files["maps/b.bsp"] = small_map(
+        "{\"classname\" \"worldspawn\" \"_sunlight\" \"128\"}{\"classname\" \"light\" \"origin\" \"32 32 64\"}");
   }
   void TearDown() override { set_log_level(LogLevel::kInfo); }
   scene::test::TestFiles files;
@@ -215,8 +215,10 @@ class ServerMemoryTest : public sv::testing::ServerTest {
  protected:
   void start_game() {
     put_map("other", room(), R"({ "classname" "thing" })");
-    start("void() think = { self.nextthink = time + 0.1; }; void() thing = { self.think = think; self.nextthink = time + 0.1; };",
-          R"({ "classname" "thing" })");
+    start(
+        "void() think = { self.nextthink = time + 0.1; }; void() thing = { self.think = think; self.nextthink = time + "
+        "0.1; };",
+        R"({ "classname" "thing" })");
   }
 };
 

@@ -4,22 +4,132 @@
 
 #include <algorithm>
 #include <cctype>
-#include <limits>
+#include <cstdint>
+#include <map>
+#include <string_view>
 
 #include "base/number.h"
+#include "host/option_table.h"
 
 namespace fb::host {
 namespace {
 
-constexpr std::uint32_t kMostPlayers = 16, kUsualPlayers = 8, kLargestSide = 16384;
+constexpr std::size_t kHelpColumn = 23, kHelpWidth = 120;
 
-template <typename T>
-Status read_whole_number(const std::string& option, const std::string& text, T& value, T low,
-                         T high = std::numeric_limits<T>::max()) {
-  const auto number = whole_number_in<T>(option, text, low, high);
-  if (!number) return number.error();
-  value = *number;
-  return ok_status();
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+bool begins_option(const std::string& word) { return word.starts_with('-'); }
+bool begins_command(const std::string& word) { return word.starts_with('+'); }
+// "-1" and "-.5" are numbers of a command's.
+bool is_negative_number(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && (is_digit(word[1]) || word[1] == '.');
+}
+
+Error unknown(const std::string& word) {
+  if (!begins_option(word))
+    return Error{fmt::format("{}: options begin with -, commands with +; -help lists the options", word)};
+  const Option* near = nearest_option(word);
+  const std::string meant = near ? fmt::format(" (is {} meant?)", near->name) : std::string();
+  return Error{fmt::format("{}: there is no such option{}; -help lists them", word, meant)};
+}
+
+// Goes through the arguments once.
+class Parser {
+ public:
+  explicit Parser(const std::vector<std::string>& arguments) : arguments_(arguments) { options_.arguments = arguments; }
+
+  Result<GameOptions> parse() {
+    while (at_ < arguments_.size()) {
+      const std::string& word = arguments_[at_++];
+      if (begins_command(word)) {
+        skip_command();
+      } else if (const Option* option = find_option(word); !option) {
+        return unknown(word);
+      } else if (const Status status = take(*option); !status) {
+        return status.error();
+      }
+    }
+    fill_size();
+    return options_;
+  }
+
+ private:
+  bool at_end() const { return at_ == arguments_.size(); }
+  const std::string& here() const { return arguments_[at_]; }
+
+  // What follows, up to the next '+' or '-', is the command's.
+  void skip_command() {
+    options_.has_commands = true;
+    while (!at_end() && !begins_command(here()) && (!begins_option(here()) || is_negative_number(here()))) ++at_;
+  }
+
+  // The value that the option's row asks for; "" where there is none and none is needed.
+  Result<std::string> value_of(const Option& option) {
+    const std::string_view wanted = option.value;
+    if (wanted.empty()) return std::string();
+    const bool perhaps = wanted.starts_with('['), does_nothing = option.apply == nullptr;
+    if (perhaps && (at_end() || here().empty() || !is_digit(here()[0]))) return std::string();
+    if (does_nothing && (at_end() || begins_option(here()) || begins_command(here()))) return std::string();
+    if (at_end()) return Error{fmt::format("{}: needs a value; -help lists the options", option.name)};
+    return arguments_[at_++];
+  }
+
+  Status take(const Option& option) {
+    const auto value = value_of(option);
+    if (!value) return value.error();
+    if (option.apply == nullptr) return ok_status();
+    if (const Status status = option.apply(options_, *value); !status)
+      return Error{fmt::format("{} {}: {}", option.name, *value, status.error().message)};
+    return ok_status();
+  }
+
+  // One side of the picture's size gives the other.
+  void fill_size() {
+    uvec2& size = options_.size;
+    if (size.x != 0 && size.y == 0) size.y = std::max(1u, size.x * 9 / 16);
+    if (size.y != 0 && size.x == 0) size.x = std::max(1u, size.y * 16 / 9);
+  }
+
+  const std::vector<std::string>& arguments_;
+  GameOptions options_;
+  std::size_t at_ = 0;
+};
+
+std::string written(const Option& option) {
+  return *option.value == '\0' ? option.name : fmt::format("{} {}", option.name, option.value);
+}
+
+std::string help_of_what_works() {
+  std::string text;
+  for (const Option& option : option_table()) {
+    if (option.apply != nullptr && option.help != nullptr)
+      text += fmt::format("  {:<{}}{}\n", written(option) + " ", kHelpColumn - 2, option.help);
+  }
+  return text;
+}
+
+// A reason, and behind it the options that do nothing for it, in lines of kHelpWidth.
+std::string help_of_what_is_ignored() {
+  std::vector<std::string> reasons;
+  std::map<std::string, std::vector<std::string>> by_reason;
+  for (const Option& option : option_table()) {
+    if (option.apply != nullptr) continue;
+    if (by_reason[option.help].empty()) reasons.emplace_back(option.help);
+    by_reason[option.help].push_back(written(option));
+  }
+  std::string text;
+  for (const std::string& reason : reasons) {
+    std::string line = "  " + reason + ":";
+    for (const std::string& name : by_reason[reason]) {
+      if (line.size() + 1 + name.size() > kHelpWidth) {
+        text += line + "\n";
+        line = "   ";
+      }
+      line += " " + name;
+    }
+    text += line + "\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -34,122 +144,15 @@ Result<uvec2> parse_size(const std::string& text) {
   return uvec2(*width, *height);
 }
 
-Result<GameOptions> parse_game_options(const std::vector<std::string>& arguments) {
-  GameOptions options;
-  options.arguments = arguments;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& a = arguments[i];
-    const auto value = [&](std::string& out) -> Status {
-      if (i + 1 >= arguments.size()) return Error{fmt::format("{}: needs a value; -help lists the options", a)};
-      out = arguments[++i];
-      return ok_status();
-    };
-    if (!a.empty() && a[0] == '+') {
-      // What follows, up to the next '+' or '-', is the command's.
-      options.has_commands = true;
-      while (i + 1 < arguments.size() && arguments[i + 1][0] != '+' &&
-             (arguments[i + 1][0] != '-' ||
-              (arguments[i + 1].size() > 1 && (std::isdigit(arguments[i + 1][1]) || arguments[i + 1][1] == '.')))) {
-        ++i;
-      }
-      continue;
-    }
-    std::string text;
-    // -dedicated and -listen: how many may play, if it says so.
-    const auto players = [&]() -> Status {
-      std::uint32_t count = kUsualPlayers;
-      const bool given = i + 1 < arguments.size() && !arguments[i + 1].empty() && std::isdigit(arguments[i + 1][0]);
-      if (given) {
-        if (auto s = read_whole_number(a, arguments[++i], count, 1u, kMostPlayers); !s) return s;
-      }
-      options.max_clients = static_cast<int>(count);
-      return ok_status();
-    };
-    if (a == "-help" || a == "--help" || a == "-h")
-      options.help = true;
-    else if (a == "-version" || a == "--version")
-      options.version = true;
-    else if (a == "-listdevices")
-      options.list_devices = true;
-    else if (a == "-headless")
-      options.headless = true;
-    else if (a == "-fullscreen")
-      options.fullscreen = true;
-    else if (a == "-window")
-      options.fullscreen = false;
-    else if (a == "-validation")
-      options.validation = true;
-    else if (a == "-hipnotic" || a == "-rogue" || a == "-quoth")
-      continue;  // fs/options.h
-    else if (a == "-basedir" || a == "-basegame" || a == "-game" || a == "-userdir") {
-      if (auto s = value(text); !s) return s.error();
-    } else if (a == "-device") {
-      if (auto s = value(options.device); !s) return s.error();
-    } else if (a == "-size") {
-      if (auto s = value(text); !s) return s.error();
-      auto size = parse_size(text);
-      if (!size) return Error{"-size: " + size.error().message};
-      options.size = *size;
-    } else if (a == "-width" || a == "-height") {
-      if (auto s = value(text); !s) return s.error();
-      std::uint32_t& side = a == "-width" ? options.size.x : options.size.y;
-      if (auto s = read_whole_number(a, text, side, 1u, kLargestSide); !s) return s.error();
-    } else if (a == "-dedicated" || a == "-listen") {
-      options.dedicated = options.dedicated || a == "-dedicated";
-      if (auto s = players(); !s) return s.error();
-    } else if (a == "-port") {
-      if (auto s = value(text); !s) return s.error();
-      if (auto s = read_whole_number(a, text, options.port, 1u, 65535u); !s) return s.error();
-    } else if (a == "-seed") {
-      if (auto s = value(text); !s) return s.error();
-      std::uint64_t seed = 0;
-      if (auto s = read_whole_number(a, text, seed, std::uint64_t{0}); !s) return s.error();
-      options.seed = seed;
-    } else if (a == "-capture") {
-      if (auto s = value(options.capture); !s) return s.error();
-    } else if (a == "-capture_every") {
-      if (auto s = value(text); !s) return s.error();
-      if (auto s = read_whole_number(a, text, options.capture_every, 1u); !s) return s.error();
-    } else {
-      return Error{fmt::format("{}: there is no such option; -help lists them", a)};
-    }
-  }
-  if (options.size.x == 0 || options.size.y == 0) {
-    if (options.size.x != 0)
-      options.size.y = std::max(1u, options.size.x * 9 / 16);
-    else if (options.size.y != 0)
-      options.size.x = std::max(1u, options.size.y * 16 / 9);
-  }
-  return options;
-}
+Result<GameOptions> parse_game_options(const std::vector<std::string>& arguments) { return Parser(arguments).parse(); }
 
 std::string version_text() { return "fullbright " FULLBRIGHT_VERSION; }
 
 std::string game_help() {
-  return version_text() +
-         R"(: Quake, path traced.
-
-usage: fullbright [options] [+command arguments ...]
-
-  -basedir DIR         folder that holds id1 (default: the current one if it does, else the base game)
-  -game DIR            a mod's folder beside id1; several count, the last wins
-  -hipnotic -rogue -quoth   the mission packs
-  -userdir DIR         the player's own files (default: ~/.fullbright)
-  -basegame DIR        the game in the box (default: beside the program); its code plays data that has no progs.dat
-  -headless            no window; needs a command, e.g. +timedemo demo1
-  -size WxH            of the picture (default 1280x720, headless 640x360)
-  -fullscreen -window  how the window opens
-  -device NAME         part of a device's name, or its index
-  -listdevices         what devices there are, what each lacks, which would be chosen
-  -dedicated [N]       a server for N players (8), without window or device
-  -listen [N]          a game that others may join
-  -port N              where (26000)
-  -seed N              the same game again: seeds its random numbers
-  -capture DIR         write frames as DIR/frame_000000.png ...
-  -capture_every N     only every N-th frame
-  -validation          Vulkan's validation layers
-  -version -help
-
+  return version_text() + ": Quake, path traced.\n\nusage: fullbright [options] [+command arguments ...]\n\n" +
+         help_of_what_works() + "\nTaken as QuakeSpasm's or its descendants', without effect:\n" +
+         help_of_what_is_ignored() +
+         R"(
 Commands run in order; a timedemo is over before the next one runs:
   fullbright -basedir ~/quake +map start
   fullbright -basedir ~/quake -headless +timedemo demo1 +quit

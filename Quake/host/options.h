@@ -8,27 +8,35 @@
 
 #include "base/maths.h"
 #include "base/result.h"
+#include "net/network.h"
 
 namespace fb::host {
 
 struct GameOptions {
   bool help = false, version = false, list_devices = false;
   bool headless = false, fullscreen = false, validation = false;
-  std::string device;   // part of a name, or an index
-  uvec2 size{0, 0};     // 0: the window's default
-  std::string capture;  // folder for numbered PNG frames; empty: none
+  bool mouse = true;
+  bool console_log = false;  // -condebug
+  std::string device;        // part of a name, or an index
+  uvec2 size{0, 0};          // 0: the window's default
+  std::string capture;       // folder for numbered PNG frames; empty: none
   std::uint32_t capture_every = 1;
   bool has_commands = false;  // any '+'
   bool dedicated = false;
   int max_clients = 1;  // of -dedicated and -listen
   std::uint32_t port = 26000;
-  std::optional<std::uint64_t> seed;   // of the game's random numbers; none: another one each time
-  std::vector<std::string> arguments;  // all of them, for files and stuffcmds
+  net::NetworkOptions network;
+  std::optional<int> protocol;        // the server's; none: what cvar sv_protocol says
+  std::optional<std::uint64_t> seed;  // of the game's random numbers; none: another one each time
+  std::optional<std::uint32_t> particles, console_kilobytes;  // none: what is usual
+  std::vector<std::string> arguments;                         // all of them, for files and stuffcmds
 };
 
-// Fails on an unknown option and on a value that is missing or malformed, with a sentence that names it.
+// By the rows of option_table.h. Fails on an unknown option and on a value that is missing or malformed, with a
+// sentence that names it.
 Result<GameOptions> parse_game_options(const std::vector<std::string>& arguments);
-// "640x360" to a size; each side 1..16384.
+constexpr std::uint32_t kLargestSide = 16384;  // of the picture, pixels
+// "640x360" to a size; each side 1..kLargestSide.
 Result<uvec2> parse_size(const std::string& text);
 std::string game_help();
 std::string version_text();

@@ -1,0 +1,38 @@
+// -condebug: all that is said, line by line in a file too, so that it is there after whatever happens.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+#include "base/log.h"
+#include "base/result.h"
+
+namespace fb::host {
+
+class ConsoleLog {
+ public:
+  // Begins the file anew, and its folders where they are missing.
+  static Result<std::unique_ptr<ConsoleLog>> open(const std::filesystem::path& path);
+  ~ConsoleLog();
+  ConsoleLog(const ConsoleLog&) = delete;
+  ConsoleLog& operator=(const ConsoleLog&) = delete;
+
+ private:
+  // Shared with the listener, which another thread may still be in when it is removed.
+  struct File {
+    std::mutex mutex;
+    std::ofstream stream;
+    std::string name;
+
+    void write(LogLevel level, std::string_view text);
+  };
+  explicit ConsoleLog(std::shared_ptr<File> file);
+
+  int listener_ = 0;
+};
+
+}  // namespace fb::host

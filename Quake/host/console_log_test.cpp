@@ -1,0 +1,56 @@
+#include "host/console_log.h"
+
+#include <gtest/gtest.h>
+
+#include "base/test_directory.h"
+#include "fs/file.h"
+
+namespace fb::host {
+namespace {
+
+std::string text_of(const std::filesystem::path& path) {
+  const auto bytes = fs::read_whole_file(path);
+  return bytes ? std::string(bytes->begin(), bytes->end()) : "no file";
+}
+
+TEST(ConsoleLog, HasEveryLineAtOnceAndEndsWithItsObject) {
+  const TestDirectory directory;
+  const auto path = directory.path() / "mine" / "id1" / "qconsole.log";
+  auto log = ConsoleLog::open(path);
+  ASSERT_TRUE(log.ok()) << log.error().message;
+  log_info("two\nlines");
+  log_warning("odd");
+  log_error("bad");
+  const std::string first = "Log file: " + path.string() + "\n";
+  EXPECT_EQ(text_of(path), first + "two\nlines\nwarning: odd\nerror: bad\n") << "it is there after a crash, too";
+  log->reset();
+  log_info("after");
+  EXPECT_EQ(text_of(path).find("after"), std::string::npos);
+  log = ConsoleLog::open(path);
+  ASSERT_TRUE(log.ok());
+  EXPECT_EQ(text_of(path), first) << "it begins anew";
+}
+
+TEST(ConsoleLog, WhereNothingCanBeWrittenIsASentence) {
+  const TestDirectory directory;
+  directory.put("file", "");
+  const auto log = ConsoleLog::open(directory.path() / "file" / "qconsole.log");
+  ASSERT_FALSE(log.ok());
+  EXPECT_NE(log.error().message.find("-condebug: "), std::string::npos);
+  EXPECT_NE(log.error().message.find("qconsole.log"), std::string::npos) << log.error().message;
+}
+
+// A disk that fills up while the game runs.
+TEST(ConsoleLog, AFullDiskIsToldOfOnce) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  testing::internal::CaptureStderr();
+  const auto log = ConsoleLog::open("/dev/full");
+  for (int i = 0; i < 3; ++i) log_info("line");
+  const std::string said = testing::internal::GetCapturedStderr();
+  const std::size_t at = said.find("-condebug: /dev/full cannot be written any more");
+  ASSERT_NE(at, std::string::npos) << said;
+  EXPECT_EQ(said.find("-condebug", at + 1), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace fb::host

@@ -1,0 +1,285 @@
+#include "host/option_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "base/number.h"
+
+namespace fb::host {
+namespace {
+
+constexpr std::uint32_t kMostPlayers = 16, kUsualPlayers = 8;
+constexpr std::uint32_t kLeastConsole = 16, kMostConsole = 1024 * 1024;  // KB
+constexpr std::uint32_t kLeastParticles = 512, kMostParticles = 32768;   // QuakeSpasm's
+
+Result<std::uint32_t> number_from(const std::string& text, std::uint32_t least, std::uint32_t most) {
+  const auto number = parse_whole_number_unsigned(text);
+  if (!number || *number < least || *number > most)
+    return Error{fmt::format("a whole number from {} to {} is wanted", least, most)};
+  return static_cast<std::uint32_t>(*number);
+}
+
+Status take_number(const std::string& text, std::uint32_t least, std::uint32_t most, std::uint32_t& to) {
+  const auto number = number_from(text, least, most);
+  if (!number) return number.error();
+  to = *number;
+  return ok_status();
+}
+
+Status take_players(GameOptions& options, const std::string& text) {
+  std::uint32_t count = kUsualPlayers;
+  const Status status = text.empty() ? ok_status() : take_number(text, 1, kMostPlayers, count);
+  if (status) options.max_clients = static_cast<int>(count);
+  return status;
+}
+
+Status take_port(GameOptions& options, const std::string& text) { return take_number(text, 1, 65535, options.port); }
+
+Status take_protocol(GameOptions& options, const std::string& text) {
+  const auto protocol = parse_whole_number(text);
+  if (protocol != 15 && protocol != 666 && protocol != 999)
+    return Error{"15 (NetQuake), 666 (FitzQuake) or 999 (RMQ) is wanted"};
+  options.protocol = static_cast<int>(*protocol);
+  return ok_status();
+}
+
+Status take_address(GameOptions& options, const std::string& text) {
+  const auto address = net::parse_address(text);
+  if (!address) return Error{"one of this machine's addresses in numbers is wanted, such as 192.0.2.1"};
+  options.network.own_address = address;
+  return ok_status();
+}
+
+Status take_size(GameOptions& options, const std::string& text) {
+  const auto size = parse_size(text);
+  if (!size) return size.error();
+  options.size = *size;
+  return ok_status();
+}
+
+Status take_seed(GameOptions& options, const std::string& text) {
+  const auto seed = parse_whole_number_unsigned(text);
+  if (!seed) return Error{"a whole number, not below 0, is wanted"};
+  options.seed = seed;
+  return ok_status();
+}
+
+Status take_safe(GameOptions& options, const std::string&) {
+  options.network.ipv4 = options.network.ipv6 = options.mouse = false;
+  return ok_status();
+}
+
+Status switch_off_network(GameOptions& options, const std::string&) {
+  options.network.ipv4 = options.network.ipv6 = false;
+  return ok_status();
+}
+
+// fs/options.h reads these and base_game.h's; here they only have to be known.
+Status read_elsewhere(GameOptions&, const std::string&) { return ok_status(); }
+
+template <bool GameOptions::*kMember, bool kValue = true>
+Status flag(GameOptions& options, const std::string&) {
+  options.*kMember = kValue;
+  return ok_status();
+}
+
+// Why an option does nothing. -help lists those of one reason together.
+constexpr const char* kSound = "there is no sound yet";
+constexpr const char* kJoystick = "there are no game controllers yet";
+constexpr const char* kMemory = "memory is taken as it is needed";
+constexpr const char* kDisplay = "a full screen is the display's as it is, and the path tracer smooths edges itself";
+constexpr const char* kOpenGl = "of OpenGL renderers";
+constexpr const char* kStores = "the game is where -basedir says";
+constexpr const char* kLooks = "there are no menus and no status bar yet";
+constexpr const char* kNothing = "there is nothing here that they would switch";
+
+constexpr Option kOptions[] = {
+    {"-basedir", "DIR", read_elsewhere,
+     "folder that holds id1 (default: the current one if it does, else the base game)"},
+    {"-game", "DIR", read_elsewhere, "a mod's folder beside id1; several count, the last wins"},
+    {"-hipnotic", "", read_elsewhere, "a mission pack, as -rogue and -quoth"},
+    {"-rogue", "", read_elsewhere, nullptr},
+    {"-quoth", "", read_elsewhere, nullptr},
+    {"-userdir", "DIR", read_elsewhere, "the player's own files (default: ~/.fullbright)"},
+    {"-nohome", "", read_elsewhere, "the player's own files are beside the game's"},
+    {"-basegame", "DIR", read_elsewhere,
+     "the game in the box (default: beside the program); its code plays data that has no progs.dat"},
+    {"-headless", "", flag<&GameOptions::headless>, "no window; needs a command, e.g. +timedemo demo1"},
+    {"-size", "WxH", take_size, "of the picture (default 1280x720, headless 640x360)"},
+    {"-width", "N", [](GameOptions& o, const std::string& v) { return take_number(v, 1, kLargestSide, o.size.x); },
+     "the picture's width; without -height it is 16:9"},
+    {"-height", "N", [](GameOptions& o, const std::string& v) { return take_number(v, 1, kLargestSide, o.size.y); },
+     "the same for its height"},
+    {"-fullscreen", "", flag<&GameOptions::fullscreen>, "the window takes the whole display"},
+    {"-window", "", flag<&GameOptions::fullscreen, false>, "it does not"},
+    {"-nomouse", "", flag<&GameOptions::mouse, false>, "leaves the mouse to other programs"},
+    {"-device", "NAME",
+     [](GameOptions& o, const std::string& v) {
+       o.device = v;
+       return ok_status();
+     },
+     "part of a device's name, or its index"},
+    {"-listdevices", "", flag<&GameOptions::list_devices>,
+     "what devices there are, what each lacks, which would be chosen"},
+    {"-particles", "N",
+     [](GameOptions& o, const std::string& v) {
+       std::uint32_t count = 0;
+       const Status status = take_number(v, 1, 1000000000, count);
+       if (status) o.particles = std::clamp(count, kLeastParticles, kMostParticles);
+       return status;
+     },
+     "most particles at a time, 512 to 32768 (2048)"},
+    {"-dedicated", "[N]",
+     [](GameOptions& o, const std::string& v) {
+       o.dedicated = true;
+       return take_players(o, v);
+     },
+     "a server for N players (8), without window or device"},
+    {"-listen", "[N]", take_players, "a game that others may join"},
+    {"-port", "N", take_port, "where (26000)"},
+    {"-udpport", "N", take_port, nullptr},
+    {"-ipxport", "N", take_port, nullptr},
+    {"-ip", "ADDRESS", take_address, "the one of this machine's addresses that the network is used at"},
+    {"-protocol", "N", take_protocol, "what the server speaks: 15, 666 or 999, as cvar sv_protocol (666)"},
+    {"-nolan", "", switch_off_network, "no network; -noudp is the same"},
+    {"-noudp", "", switch_off_network, nullptr},
+    {"-noudp4", "",
+     [](GameOptions& o, const std::string&) {
+       o.network.ipv4 = false;
+       return ok_status();
+     },
+     "no IPv4"},
+    {"-noudp6", "",
+     [](GameOptions& o, const std::string&) {
+       o.network.ipv6 = false;
+       return ok_status();
+     },
+     "no IPv6"},
+    {"-safe", "", take_safe, "as -nolan and -nomouse"},
+    {"-condebug", "", flag<&GameOptions::console_log>,
+     "all that is said into the file qconsole.log of the player's folder"},
+    {"-consize", "N",
+     [](GameOptions& o, const std::string& v) {
+       std::uint32_t size = 0;
+       const Status status = take_number(v, 1, 4000000000u, size);
+       if (status) o.console_kilobytes = std::clamp(size, kLeastConsole, kMostConsole);
+       return status;
+     },
+     "what the console keeps of it, KB (1024)"},
+    {"-seed", "N", take_seed, "the same game again: seeds its random numbers"},
+    {"-capture", "DIR",
+     [](GameOptions& o, const std::string& v) {
+       o.capture = v;
+       return ok_status();
+     },
+     "write frames as DIR/frame_000000.png ..."},
+    {"-capture_every", "N",
+     [](GameOptions& o, const std::string& v) {
+       return take_number(v, 1, std::numeric_limits<std::uint32_t>::max(), o.capture_every);
+     },
+     "only every N-th frame"},
+    {"-validation", "", flag<&GameOptions::validation>, "Vulkan's validation layers"},
+    {"-version", "", flag<&GameOptions::version>, "what this is"},
+    {"--version", "", flag<&GameOptions::version>, nullptr},
+    {"-help", "", flag<&GameOptions::help>, "this"},
+    {"--help", "", flag<&GameOptions::help>, nullptr},
+    {"-h", "", flag<&GameOptions::help>, nullptr},
+
+    {"-nosound", "", nullptr, kSound},
+    {"-sndspeed", "N", nullptr, kSound},
+    {"-mixspeed", "N", nullptr, kSound},
+    {"-noextmusic", "", nullptr, kSound},
+    {"-nocdaudio", "", nullptr, kSound},
+    {"-cddev", "X", nullptr, kSound},
+    {"-nojoy", "", nullptr, kJoystick},
+    {"-heapsize", "N", nullptr, kMemory},
+    {"-zone", "N", nullptr, kMemory},
+    {"-mem", "N", nullptr, kMemory},
+    {"-minmemory", "", nullptr, kMemory},
+    {"-cachesize", "N", nullptr, kMemory},
+    {"-surfcachesize", "N", nullptr, kMemory},
+    {"-current", "", nullptr, kDisplay},
+    {"-bpp", "N", nullptr, kDisplay},
+    {"-refreshrate", "N", nullptr, kDisplay},
+    {"-fsaa", "N", nullptr, kDisplay},
+    {"-stdvid", "", nullptr, kDisplay},
+    {"-dibonly", "", nullptr, kDisplay},
+    {"-noadjustaspect", "", nullptr, kDisplay},
+    {"-novbo", "", nullptr, kOpenGl},
+    {"-nomtex", "", nullptr, kOpenGl},
+    {"-nocombine", "", nullptr, kOpenGl},
+    {"-noadd", "", nullptr, kOpenGl},
+    {"-notexturenpot", "", nullptr, kOpenGl},
+    {"-noglsl", "", nullptr, kOpenGl},
+    {"-noglslgamma", "", nullptr, kOpenGl},
+    {"-noglslalias", "", nullptr, kOpenGl},
+    {"-nowarpmipmaps", "", nullptr, kOpenGl},
+    {"-nopackedpixels", "", nullptr, kOpenGl},
+    {"-nodepthclamp", "", nullptr, kOpenGl},
+    {"-nobufferstorage", "", nullptr, kOpenGl},
+    {"-nomultibind", "", nullptr, kOpenGl},
+    {"-nobindless", "", nullptr, kOpenGl},
+    {"-noclipcontrol", "", nullptr, kOpenGl},
+    {"-steam", "", nullptr, kStores},
+    {"-nosteam", "", nullptr, kStores},
+    {"-nosteamapi", "", nullptr, kStores},
+    {"-gog", "", nullptr, kStores},
+    {"-nogog", "", nullptr, kStores},
+    {"-egs", "", nullptr, kStores},
+    {"-noegs", "", nullptr, kStores},
+    {"-epic", "", nullptr, kStores},
+    {"-noepic", "", nullptr, kStores},
+    {"-nonightdive", "", nullptr, kStores},
+    {"-original", "", nullptr, kStores},
+    {"-preforiginal", "", nullptr, kStores},
+    {"-remaster", "", nullptr, kStores},
+    {"-remastered", "", nullptr, kStores},
+    {"-prefremaster", "", nullptr, kStores},
+    {"-addons", "URL", nullptr, kStores},
+    {"-noaddons", "", nullptr, kStores},
+    {"-fitz", "", nullptr, kLooks},
+    {"-noipx", "", nullptr, kNothing},
+    {"-proghack", "", nullptr, kNothing},
+    {"-nomapchecks", "", nullptr, kNothing},
+    {"-pinnedworkers", "", nullptr, kNothing},
+    {"-multiuser", "", nullptr, kNothing},
+};
+
+// Levenshtein's.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::span<const Option> option_table() { return kOptions; }
+
+const Option* find_option(std::string_view name) {
+  const auto found = std::ranges::find(kOptions, name, &Option::name);
+  return found == std::end(kOptions) ? nullptr : &*found;
+}
+
+const Option* nearest_option(std::string_view name) {
+  const std::size_t near = name.size() > 5 ? 2 : 1;  // mistakes
+  const auto distance = [&](const Option& option) { return edit_distance(name, option.name); };
+  const auto best = std::ranges::min_element(kOptions, {}, distance);
+  return distance(*best) <= near ? &*best : nullptr;
+}
+
+}  // namespace fb::host
