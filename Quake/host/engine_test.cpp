@@ -207,7 +207,7 @@ TEST_F(EngineTest, TheConsolesLogIsAFile) {
   engine->console().append("map start\necho a word\n");
   run(*engine, 3, [] { return false; });
   const auto bytes = fs::read_whole_file(folder / "id1" / "qconsole.log");
-  ASSERT_TRUE(bytes.has_value());
+  ASSERT_TRUE(bytes.ok());
   const std::string text(bytes->begin(), bytes->end());
   EXPECT_THAT(text, HasSubstr("Server spawned: start\n"));
   EXPECT_THAT(text, HasSubstr("\na word\n"));

@@ -143,7 +143,7 @@ constexpr Option kOptions[] = {
      },
      "a server for N players (8), without window or device"},
     {"-listen", "[N]", take_players, "a game that others may join"},
-    {"-port", "N", take_port, "where (26000)"},
+    {"-port", "N", take_port, "where (26000); -udpport and -ipxport are the same"},
     {"-udpport", "N", take_port, nullptr},
     {"-ipxport", "N", take_port, nullptr},
     {"-ip", "ADDRESS", take_address, "the one of this machine's addresses that the network is used at"},
@@ -276,6 +276,7 @@ const Option* find_option(std::string_view name) {
 }
 
 const Option* nearest_option(std::string_view name) {
+  if (name.size() < 4) return nullptr;               // "-x" is near everything short
   const std::size_t near = name.size() > 5 ? 2 : 1;  // mistakes
   const auto distance = [&](const Option& option) { return edit_distance(name, option.name); };
   const auto best = std::ranges::min_element(kOptions, {}, distance);

@@ -203,6 +203,7 @@ TEST(GameOptions, ValuesOfWhatHasNoEffectMayBeMissing) {
 TEST(GameOptions, AMistypedOptionIsNotPassedOver) {
   EXPECT_THAT(parse_game_options({"-hedless"}).error().message, HasSubstr("is -headless meant?"));
   EXPECT_THAT(parse_game_options({"-condbug"}).error().message, HasSubstr("is -condebug meant?"));
+  EXPECT_THAT(parse_game_options({"-x"}).error().message, Not(HasSubstr("meant")));
   EXPECT_THAT(parse_game_options({"-frobnicate"}).error().message, Not(HasSubstr("meant")));
   EXPECT_THAT(parse_game_options({"start"}).error().message, HasSubstr("start: options begin with -"));
 }
