@@ -37,6 +37,7 @@ constexpr Row kRows[] = {
     {"snd_show", "0", false, "shows which sounds are heard", kSound},
     {"sndspeed", "11025", false, "rate that sounds are loaded at, Hz", kSound},
     {"volume", "0.7", true, "volume of sounds", kSound},
+    {"joy_deadzone", "0.175", true, "dead part of both sticks, until QuakeSpasm 0.95", kPad},
     {"joy_deadzone_look", "0.175", true, "dead part of the stick that looks", kPad},
     {"joy_deadzone_move", "0.175", true, "dead part of the stick that walks", kPad},
     {"joy_deadzone_trigger", "0.2", true, "dead part of the triggers", kPad},
