@@ -250,6 +250,18 @@ TEST_F(Game, TheDemoLoopGoesRound) {
   EXPECT_EQ(played, (std::vector<std::string>{"a.dem", "b.dem", "a.dem"}));
 }
 
+TEST_F(Game, TheDemoLoopMayBeSwitchedOff) {
+  put("a.dem", walk(2));
+  console.append("cl_startdemos 0\nstartdemos a\n");
+  frame(0.1);
+  frame(0.1);
+  EXPECT_FALSE(client.playing());
+  console.append("cl_startdemos 1\nstartdemos a\n");
+  frame(0.1);
+  frame(0.1);
+  EXPECT_TRUE(client.playing());
+}
+
 TEST_F(Game, MapsCanBeSeenWithoutAServer) {
   formats::Bsp room = formats::testing::box_room(formats::BspVersion::kBsp29);
   room.models[1] = room.models[0];

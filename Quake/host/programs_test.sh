@@ -24,6 +24,8 @@ fails_with() {  # fails_with TEXT COMMAND...: exits non-zero with one line on st
 }
 
 check "an unknown option is named" fails_with "-nonsense" "$build/fullbright" -nonsense
+check "a launcher's options are taken" grep -q '^fullbright ' <<<"$("$build/fullbright" -nosound -heapsize 524288 -zone 4096 \
+  -condebug -nolan -protocol 999 -fsaa 4 -version)"
 check "headless without a command says what to give" fails_with "+timedemo" "$build/fullbright" -headless
 check "missing data says what to give" fails_with "-basedir" "$build/fullbright" -headless -basedir "$scratch" +timedemo demo1
 check "help" grep -q -- -capture_every <<<"$("$build/fullbright" --help)"
@@ -192,6 +194,8 @@ check "timedemo's exit status" test $? -eq 0
 check "timedemo prints QuakeSpasm's count" grep -Eq '^1232 frames +[0-9.]+ seconds +[0-9.]+ fps$' "$scratch/timedemo"
 check "timedemo reports the passes' times" grep -q '^gpu ms a frame: .*gbuffer' "$scratch/timedemo"
 check "frames are written" test "$(find "$scratch/frames" -name 'frame_*.png' | wc -l)" -ge 4
+check "a cvar without effect is none of the laboratory's" fails_with "no effect here" "$build/fullbright-lab" render --quiet \
+  --basedir "$data" --map start --set gl_clear=1 --frames 0:0 --size 8x8
 check "a demo repeats with one thread and two" same_with_any_threads --basedir "$data" --demo testdemos/fight.dem --frames 60:63 --size 96x54
 check "60 frames of a fight repeat with one thread and two" repeats --basedir "$data" --demo testdemos/fight.dem
 check "60 frames of demo1 repeat with one thread and two" repeats --basedir "$data" --demo demo1
