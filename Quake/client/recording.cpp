@@ -36,7 +36,7 @@ void Client::Impl::record(const con::Args& args) {
   if (!path.ok()) return log_error("record {}: {}", args[1], path.error().message);
 
   const auto track = whole_number_in<int>("record: CD track", args.size() == 4 ? args[3] : "-1", -1, 255);
-  if (!track) return console.fail(track.error());
+  if (!track) return console.fail(track.error().message);
   if (args.size() > 2) {
     const int before = games;
     console.execute_line("map " + con::in_quotes(args[2]));

@@ -1,6 +1,10 @@
 // The console's own commands, but for those about cvars (cvar_builtins.cpp).
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/log.h"
 #include "console/console.h"
@@ -27,7 +31,7 @@ void Console::add_builtins() {
   add_command("stuffcmds", "stuffcmds: run the commands of the program's command line (+map start)",
               [this](const Args&) {
                 const std::string commands = commands_of_arguments(command_line_);
-                if (!commands.empty()) insert(commands);
+                if (!commands.empty()) insert_once(commands, {CommandBuffer::Origin::kScript, "The command line"});
               });
 
   add_command("alias", "alias [name [commands]]: list, show or make a command of commands", [this](const Args& args) {
@@ -101,24 +105,36 @@ void Console::add_builtins() {
 }
 
 void Console::exec(const std::string& name) {
+  std::string found = name;
   std::optional<FileData> script;
   if (files_) {
-    script = files_(name);
-    if (!script) script = files_(name + ".cfg");
+    script = files_(found);
+    if (!script) script = files_(found = name + ".cfg");
   }
   if (!script) {
+    // Others may name scripts that need not be there, as quake.rc does; who names one on the command line wants it.
+    if (executing_ && buffer_.origin() == CommandBuffer::Origin::kScript)
+      return fail(fmt::format("couldn't exec {}", name));
     log_info("couldn't exec {}", name);
     return;
   }
   if (script->size() > CommandBuffer::kMaxBytes)
     return log_warning("exec {}: a script of {} bytes; at most {} are taken", name, script->size(),
                        CommandBuffer::kMaxBytes);
-  log_info("execing {}", name);
   // Old editors end a file with a zero or ^Z, and new ones begin it with a byte order mark.
   std::string text(script->begin(), script->end());
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   std::replace(text.begin(), text.end(), '\0', ' ');
-  insert(text, CommandBuffer::Origin::kFile);
+  if (insert_once(text, {CommandBuffer::Origin::kFile, found})) log_info("execing {}", name);
+}
+
+// What runs itself would do so for ever: nothing that it does between the two can end that, but for changed aliases.
+bool Console::insert_once(std::string_view text, CommandBuffer::Source source) {
+  const std::vector<std::string> names = buffer_.names_from(source.origin, source.name);
+  if (names.empty()) return insert(text, std::move(source));
+  log_warning("{} runs itself without a wait ({}, {}): that line is passed over.", source.name, fmt::join(names, ", "),
+              source.name);
+  return false;
 }
 
 void Console::list_names(std::string_view part, bool in_help_too) const {

@@ -16,15 +16,16 @@ bool CommandBuffer::append(std::string_view text) {
   return true;
 }
 
-bool CommandBuffer::insert(std::string_view text, Origin origin) {
-  if (depth_ >= kMaxDepth || bytes_ + text.size() + 1 > kMaxBytes) return false;
+CommandBuffer::Inserted CommandBuffer::insert(std::string_view text, Source source) {
+  if (in_ && in_->depth >= kMaxDepth) return Inserted::kTooDeep;
+  if (bytes_ + text.size() + 1 > kMaxBytes) return Inserted::kBufferIsFull;
   Chunk chunk;
   chunk.text = std::string(text) + '\n';
-  chunk.depth = depth_ + 1;
-  chunk.origin = origin;
+  chunk.origin = source.origin;
+  chunk.in = std::make_shared<const Text>(Text{std::move(source), in_, in_ ? in_->depth + 1 : 1});
   bytes_ += chunk.text.size();
   chunks_.push_front(std::move(chunk));
-  return true;
+  return Inserted::kYes;
 }
 
 std::optional<std::string> CommandBuffer::next() {
@@ -35,31 +36,71 @@ std::optional<std::string> CommandBuffer::next() {
   const std::size_t after = std::min(end + 1, chunk.text.size());
   bytes_ -= after - chunk.position;
   chunk.position = after;
-  depth_ = chunk.depth;
+  in_ = chunk.in;
   origin_ = chunk.origin;
   if (chunk.position == chunk.text.size()) chunks_.pop_front();
   return command;
 }
 
-void CommandBuffer::forget_depth() {
-  depth_ = 0;
-  for (Chunk& chunk : chunks_) chunk.depth = 0;
+std::vector<const CommandBuffer::Text*> CommandBuffer::nesting() const {
+  std::vector<const Text*> texts;
+  for (const Text* text = in_.get(); text != nullptr; text = text->outer.get()) texts.push_back(text);
+  std::reverse(texts.begin(), texts.end());
+  return texts;
 }
 
-void CommandBuffer::drop(Origin origin) {
-  const auto dropped = [&](const Chunk& chunk) {
-    return chunk.origin == Origin::kAlias || (origin == Origin::kScript && chunk.origin != Origin::kAppended);
+std::vector<std::string> CommandBuffer::names_from(Origin origin, std::string_view name) const {
+  std::vector<std::string> names;
+  for (const Text* text : nesting()) {
+    if (!names.empty() || (text->source.origin == origin && same_name(text->source.name, name)))
+      names.push_back(text->source.name);
+  }
+  return names;
+}
+
+std::optional<CommandBuffer::Source> CommandBuffer::drop_what_calls_itself() {
+  const std::vector<const Text*> texts = nesting();
+  for (auto text = texts.begin(); text != texts.end(); ++text) {
+    const auto is_same = [&](const Text* other) {
+      return other->source.origin == (*text)->source.origin && same_name(other->source.name, (*text)->source.name);
+    };
+    if (std::any_of(text + 1, texts.end(), is_same)) return drop(**text);
+  }
+  return std::nullopt;
+}
+
+std::optional<CommandBuffer::Source> CommandBuffer::drop_what_multiplies() {
+  const std::vector<const Text*> texts = nesting();
+  const auto is_alias = [](const Text* text) { return text->source.origin == Origin::kAlias; };
+  if (const auto alias = std::find_if(texts.begin(), texts.end(), is_alias); alias != texts.end()) return drop(**alias);
+  // A single script is as long as its file and no longer.
+  return texts.size() > 1 ? std::optional(drop(*texts[1])) : std::nullopt;
+}
+
+CommandBuffer::Source CommandBuffer::drop(const Text& dropped) {
+  const Source source = dropped.source;
+  const auto is_of_it = [&](const Chunk& chunk) {
+    for (const Text* text = chunk.in.get(); text != nullptr; text = text->outer.get()) {
+      if (text == &dropped) return true;
+    }
+    return false;
   };
   for (const Chunk& chunk : chunks_) {
-    if (dropped(chunk)) bytes_ -= chunk.text.size() - chunk.position;
+    if (is_of_it(chunk)) bytes_ -= chunk.text.size() - chunk.position;
   }
-  chunks_.erase(std::remove_if(chunks_.begin(), chunks_.end(), dropped), chunks_.end());
+  chunks_.erase(std::remove_if(chunks_.begin(), chunks_.end(), is_of_it), chunks_.end());
+  return source;
+}
+
+void CommandBuffer::forget_nesting() {
+  in_.reset();
+  for (Chunk& chunk : chunks_) chunk.in.reset();
 }
 
 void CommandBuffer::clear() {
   chunks_.clear();
   bytes_ = 0;
-  depth_ = 0;
+  in_.reset();
 }
 
 std::string commands_of_arguments(const std::vector<std::string>& arguments) {

@@ -17,6 +17,11 @@ namespace {
 // In one execute(), against aliases that multiply without nesting deeply.
 constexpr int kMaxCommands = 100000;
 
+// What sentences call a text.
+std::string name_of(const CommandBuffer::Source& source) {
+  return source.origin == CommandBuffer::Origin::kAlias ? fmt::format("Alias \"{}\"", source.name) : source.name;
+}
+
 }  // namespace
 
 Console::Console() : scrollback_(std::make_shared<Scrollback>()) {
@@ -108,16 +113,40 @@ std::vector<const Cvar*> Console::cvars() const {
   return list;
 }
 
+void Console::fail(std::string_view sentence) {
+  log_error("{}", sentence);
+  failed_ = true;
+}
+
+void Console::fail_unless(const Status& status) {
+  if (!status) fail(status.error().message);
+}
+
 void Console::append(std::string_view text) {
   if (!buffer_.append(text)) log_warning("The command buffer is full; {} bytes of commands are dropped.", text.size());
 }
 
-void Console::insert(std::string_view text) { insert(text, CommandBuffer::Origin::kScript); }
+void Console::insert(std::string_view text) {
+  insert(text, {CommandBuffer::Origin::kScript, std::string(text.substr(0, text.find('\n')))});
+}
 
-void Console::insert(std::string_view text, CommandBuffer::Origin origin) {
-  if (buffer_.insert(text, origin)) return;
-  log_warning("Scripts run scripts without end (or the command buffer is full): all of them are dropped.");
-  buffer_.drop(CommandBuffer::Origin::kScript);
+bool Console::insert(std::string_view text, CommandBuffer::Source source) {
+  const std::string name = name_of(source);
+  switch (buffer_.insert(text, std::move(source))) {
+    case CommandBuffer::Inserted::kYes:
+      return true;
+    case CommandBuffer::Inserted::kBufferIsFull:
+      log_warning("The command buffer is full; {} is dropped.", name);
+      return false;
+    case CommandBuffer::Inserted::kTooDeep:
+      if (const auto dropped = buffer_.drop_what_calls_itself())
+        log_warning("{} runs itself without a wait: it is stopped.", name_of(*dropped));
+      else
+        log_warning("{} is run {} deep by others, more than may be: it is passed over.", name,
+                    CommandBuffer::kMaxDepth);
+      return false;
+  }
+  return false;
 }
 
 void Console::execute() {
@@ -133,15 +162,13 @@ void Console::execute() {
   while (!wait_ && !stop_wanted()) {
     const auto command = buffer_.next();
     if (!command) break;
-    if (++commands > kMaxCommands) {
-      log_warning("{} commands without a wait: what aliases and scripts still had to do is dropped.", kMaxCommands);
-      buffer_.drop(CommandBuffer::Origin::kScript);
-      commands = 0;
-      continue;
-    }
     run(Args(*command));
+    if (++commands < kMaxCommands) continue;
+    commands = 0;
+    if (const auto dropped = buffer_.drop_what_multiplies())
+      log_warning("{} commands without a wait: what {} still had to do is dropped.", kMaxCommands, name_of(*dropped));
   }
-  buffer_.forget_depth();
+  buffer_.forget_nesting();
 }
 
 void Console::execute(std::string_view text) {
@@ -153,11 +180,6 @@ void Console::execute(std::string_view text) {
 void Console::execute_line(std::string_view line) { run(Args(line)); }
 
 bool Console::buffer_empty() const { return buffer_.empty(); }
-
-void Console::fail(const Error& why) {
-  failed_ = true;
-  log_error("{}", why.message);
-}
 
 // Quake's order: commands, aliases, cvars.
 void Console::run(const Args& args) {
@@ -173,9 +195,7 @@ void Console::run(const Args& args) {
     return;
   }
   if (const auto alias = aliases_.find(name); alias != aliases_.end()) {
-    if (buffer_.insert(alias->second, CommandBuffer::Origin::kAlias)) return;
-    log_warning("Alias \"{}\" runs itself without a wait: it is stopped.", name);
-    buffer_.drop(CommandBuffer::Origin::kAlias);
+    insert(alias->second, {CommandBuffer::Origin::kAlias, alias->first});
     return;
   }
   if (Cvar* cvar = find_cvar(name)) {

@@ -85,14 +85,16 @@ class Console {
   // One command, now, without the buffer.
   void execute_line(std::string_view line);
   bool buffer_empty() const;
-  // A command was not done: its sentence goes to the log as an error, and failed() is true from now on, so that a
-  // program without a window ends with an exit status that says so.
-  void fail(const Error& why);
-  bool failed() const { return failed_; }
   // What waits is not executed any more: the program ends.
   void forget_commands() { buffer_.clear(); }
   // The last execute() ended at a `wait`.
   bool waiting() const { return wait_; }
+
+  // For commands that could not do what they were asked to: the sentence goes to the log as an error, and failed() says
+  // from then on that one could not. Programs without a window end with exit status 1 then.
+  void fail(std::string_view sentence);
+  void fail_unless(const Status& status);
+  bool failed() const { return failed_; }
 
   // Where `exec` gets its scripts; without one it says that there are none.
   void set_file_loader(FileLoader loader);
@@ -125,7 +127,9 @@ class Console {
   void add_cvar_builtins();  // cvar_builtins.cpp
   void run(const Args& args);
   void exec(const std::string& name);
-  void insert(std::string_view text, CommandBuffer::Origin origin);
+  // Both: false, having said why, where the text is not taken.
+  bool insert(std::string_view text, CommandBuffer::Source source);
+  bool insert_once(std::string_view text, CommandBuffer::Source source);  // not where it is running already
   void show_or_set(Cvar& cvar, const Args& args);
   // One sentence to the log where there is no such cvar.
   Cvar* cvar_or_sentence(const std::string& name);

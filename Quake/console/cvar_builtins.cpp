@@ -68,7 +68,7 @@ void Console::add_cvar_builtins() {
       log_info("inc <cvar> [amount] : increment cvar");
     } else if (Cvar* cvar = cvar_or_sentence(args[1])) {
       const auto amount = number_of("inc", args.size() == 3 ? args[2] : "1");
-      if (!amount) return fail(amount.error());
+      if (!amount) return fail(amount.error().message);
       set_from_console(*cvar, number_text(cvar->value() + static_cast<float>(*amount)));
     }
   });

@@ -75,7 +75,7 @@ void Server::Commands::add_game_commands() {
   add("maxplayers", "maxplayers <n>: how many may play in the games to come", [&server](const con::Args& args) {
     if (args.size() != 2) return log_info("maxplayers is {}", server.max_clients());
     const auto count = whole_number_in<int>("maxplayers", args[1], 1, net::kMaxClients);
-    if (!count) return server.console().fail(count.error());
+    if (!count) return server.console().fail(count.error().message);
     if (const Status status = server.set_max_clients(*count); !status) return report(status);
     server.console().set("deathmatch", server.max_clients() == 1 ? "0" : "1");
   });
@@ -83,8 +83,8 @@ void Server::Commands::add_game_commands() {
       [&server](const con::Args& args) {
         if (args.size() != 2) return log_info("sv_run <seconds>: takes the game on as fast as possible");
         const auto seconds = number_in("sv_run", args[1], 0.0, kMostRunSeconds);
-        if (!seconds) return server.console().fail(seconds.error());
-        if (!server.active()) return server.console().fail({"sv_run: no game runs here"});
+        if (!seconds) return server.console().fail(seconds.error().message);
+        if (!server.active()) return server.console().fail("sv_run: no game runs here");
         report(server.run(*seconds, run_step(server.console())));
       });
   add("sv_dump", "sv_dump [file]: the whole state of the level as text", [&server](const con::Args& args) {
