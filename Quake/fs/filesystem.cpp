@@ -11,6 +11,7 @@
 
 #include "base/log.h"
 #include "fs/directory_index.h"
+#include "fs/obstacle.h"
 #include "fs/path.h"
 
 namespace fb::fs {
@@ -76,6 +77,34 @@ void add_loose_files(const stdfs::path& directory, const std::string& below, con
   }
 }
 
+// Said at once: what lies in a folder that cannot be read would only be missed later, file by file.
+void warn_of_folders(const stdfs::path& directory) {
+  const auto warn = [](const Status& status) {
+    if (!status) log_warning("{}", status.error().message);
+    return status.ok();
+  };
+  if (!warn(check_listing(directory))) return;
+  std::error_code code;
+  for (stdfs::directory_iterator it(directory, code), end; !code && it != end; it.increment(code)) {
+    if (!is_a_directory(it->path())) continue;
+    if (warn(check_reach(it->path()))) (void)warn(check_listing(it->path()));
+  }
+}
+
+// False where there is none; fails where it is there and cannot be read.
+Result<bool> take_directory(const stdfs::path& directory) {
+  const PathFacts facts = look_at(directory);
+  if (facts.standing == Standing::kAbsent) return false;
+  const bool is_file = facts.standing == Standing::kFile;
+  if (facts.standing != Standing::kDirectory) {
+    return Error{fmt::format("{}: cannot be read: {}", directory.generic_string(),
+                             is_file ? "it is a file, not a directory" : facts.cause)};
+  }
+  if (auto status = check_reach(directory); !status) return status.error();
+  warn_of_folders(directory);
+  return true;
+}
+
 }  // namespace
 
 struct FileSystem::Impl {
@@ -90,10 +119,32 @@ struct FileSystem::Impl {
   Status add_game(const std::string& name, int game_index);
   Status add_base_game_beneath();
   Status add_directory(const stdfs::path& directory, const std::string& label, int game_index);
+  Result<std::unique_ptr<Pak>> open_pak(const stdfs::path& directory, std::string file, const std::string& label);
   std::optional<Hit> find_exact(const std::string& name) const;
   std::optional<Hit> find_ignoring_case(const std::string& name) const;
   std::optional<Hit> locate(std::string_view name) const;
+  std::optional<Error> obstacle(std::string_view name) const;
+  // True the first time.
+  bool note(const std::string& text) const;
 };
+
+// Null where there is none of this name.
+Result<std::unique_ptr<Pak>> FileSystem::Impl::open_pak(const stdfs::path& directory, std::string file,
+                                                        const std::string& label) {
+  PathFacts facts = look_at(directory / file);
+  if (facts.standing == Standing::kAbsent) {
+    const auto other_case = index.find(directory, file);
+    if (!other_case) return std::unique_ptr<Pak>();
+    log_info("{}/{} is taken for {}: its name differs in case.", label, *other_case, file);
+    file = *other_case;
+    facts = look_at(directory / file);
+  }
+  if (facts.standing != Standing::kFile)
+    return Error{fmt::format("{}: cannot be read: {}", (directory / file).generic_string(), facts.cause)};
+  auto pak = Pak::open(directory / file, label + "/" + file);
+  if (!pak) return pak.error();
+  return std::make_unique<Pak>(*std::move(pak));
+}
 
 // Each directory is put before everything that came earlier, each of its paks before the pak below it.
 Status FileSystem::Impl::add_directory(const stdfs::path& directory, const std::string& label, int game_index) {
@@ -104,19 +155,13 @@ Status FileSystem::Impl::add_directory(const stdfs::path& directory, const std::
   loose.directory = directory;
   stack.push_back(std::move(loose));
   for (int number = 0;; ++number) {
-    std::string file = fmt::format("pak{}.pak", number);
-    if (!is_file(directory / file)) {
-      const auto other_case = index.find(directory, file);
-      if (!other_case || !is_file(directory / *other_case)) break;
-      log_info("{}/{} is taken for {}: its name differs in case.", label, *other_case, file);
-      file = *other_case;
-    }
-    auto pak = Pak::open(directory / file, label + "/" + file);
+    auto pak = open_pak(directory, fmt::format("pak{}.pak", number), label);
     if (!pak) return pak.error();
+    if (*pak == nullptr) break;
     Place place;
-    place.label = pak->name();
+    place.label = (*pak)->name();
     place.game_index = game_index;
-    place.pak = std::make_unique<Pak>(*std::move(pak));
+    place.pak = *std::move(pak);
     stack.push_back(std::move(place));
   }
   for (Place& place : stack) places.insert(places.begin(), std::move(place));
@@ -125,17 +170,21 @@ Status FileSystem::Impl::add_directory(const stdfs::path& directory, const std::
 
 Status FileSystem::Impl::add_game(const std::string& name, int game_index) {
   std::string folder = name;
-  if (!is_a_directory(options.base_dir / folder)) {
+  if (look_at(options.base_dir / folder).standing == Standing::kAbsent) {
     if (const auto other_case = index.find(options.base_dir, name)) folder = *other_case;
   }
-  const bool in_base = is_a_directory(options.base_dir / folder);
-  const bool in_user = !user_dir.empty() && is_a_directory(user_dir / name);
-  if (!in_base && !in_user) {
-    return Error{fmt::format("{}: there is no directory {} in it; -basedir DIR says where the game's data is",
-                             options.base_dir.generic_string(), name)};
+  const auto in_base = take_directory(options.base_dir / folder);
+  if (!in_base) return in_base.error();
+  const Result<bool> in_user = user_dir.empty() ? Result<bool>(false) : take_directory(user_dir / name);
+  if (!*in_base && (!in_user || !*in_user)) {
+    return Error{
+        fmt::format("{}: there is no directory {} in it; -basedir DIR says where the game's data is: DIR holds id1",
+                    options.base_dir.generic_string(), name)};
   }
   if (auto status = add_directory(options.base_dir / folder, folder, game_index); !status) return status;
-  if (!user_dir.empty()) {
+  // Without the player's own files a game can be played. Those that are not there may be written yet.
+  if (!in_user) log_warning("{}; what the player has there is left out", in_user.error().message);
+  if (in_user && !user_dir.empty()) {
     if (auto status = add_directory(user_dir / name, "user/" + name, game_index); !status) return status;
   }
   game = name;
@@ -179,14 +228,31 @@ std::optional<Hit> FileSystem::Impl::locate(std::string_view raw_name) const {
   if (!name) return std::nullopt;
   if (auto hit = find_exact(*name)) return hit;
   auto hit = find_ignoring_case(*name);
-  if (hit) {
-    std::lock_guard lock(notes_mutex);
-    if (noted.insert(*name).second) {
-      const std::string real = hit->entry != nullptr ? hit->entry->name : hit->path.filename().generic_string();
-      log_info("{}: found only as {} in {}: its name differs in case.", *name, real, hit->place->label);
-    }
+  if (hit && note(*name)) {
+    const std::string real = hit->entry != nullptr ? hit->entry->name : hit->path.filename().generic_string();
+    log_info("{}: found only as {} in {}: its name differs in case.", *name, real, hit->place->label);
   }
   return hit;
+}
+
+bool FileSystem::Impl::note(const std::string& text) const {
+  std::lock_guard lock(notes_mutex);
+  return noted.insert(text).second;
+}
+
+std::optional<Error> FileSystem::Impl::obstacle(std::string_view raw_name) const {
+  if (const auto hit = locate(raw_name)) {
+    if (hit->entry != nullptr) return std::nullopt;
+    const auto file = RandomAccessFile::open(hit->path);
+    return file ? std::nullopt : std::optional(file.error());
+  }
+  const auto name = normalise(raw_name);
+  if (!name) return std::nullopt;
+  for (const Place& place : places) {
+    if (place.pak) continue;
+    if (auto found = find_obstacle(place.directory, *name)) return found;
+  }
+  return std::nullopt;
 }
 
 FileSystem::FileSystem(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -220,13 +286,20 @@ Result<FileSystem> FileSystem::open(const FsOptions& options) {
 
 Result<FileData> FileSystem::load(std::string_view name) const {
   const auto hit = impl_->locate(name);
-  if (!hit) return Error{fmt::format("{}: no such file in the game's directories and paks", name)};
+  if (!hit) {
+    return impl_->obstacle(name).value_or(
+        Error{fmt::format("{}: no such file in the game's directories and paks", name)});
+  }
   return hit->entry != nullptr ? hit->place->pak->read(*hit->entry) : read_whole_file(hit->path);
 }
 
 std::optional<FileData> FileSystem::read(std::string_view name) const {
   const auto hit = impl_->locate(name);
-  if (!hit) return std::nullopt;
+  if (!hit) {
+    if (const auto obstacle = impl_->obstacle(name); obstacle && impl_->note(obstacle->message))
+      log_warning("{}", obstacle->message);
+    return std::nullopt;
+  }
   auto data = hit->entry != nullptr ? hit->place->pak->read(*hit->entry) : read_whole_file(hit->path);
   if (data) return *std::move(data);
   log_warning("{}", data.error().message);
@@ -246,6 +319,8 @@ std::optional<FileData> FileSystem::read_own(std::string_view raw_name) const {
   }
   return std::nullopt;
 }
+
+std::optional<Error> FileSystem::obstacle(std::string_view name) const { return impl_->obstacle(name); }
 
 bool FileSystem::exists(std::string_view name) const { return impl_->locate(name).has_value(); }
 

@@ -36,13 +36,15 @@ struct FoundFile {
 // simply not found.
 class FileSystem {
  public:
-  // Opens every pak. Fails on a missing id1, a missing gamedir that was asked for, and a pak that is malformed.
+  // Opens every pak. Fails on a missing id1, a missing gamedir that was asked for, a gamedir or a pak that cannot be
+  // read, and a pak that is malformed. Warns of folders in them that cannot be read.
   static Result<FileSystem> open(const FsOptions& options);
   FileSystem(FileSystem&&) noexcept;
   FileSystem& operator=(FileSystem&&) noexcept;
   ~FileSystem();
 
-  // The file's bytes; nullopt where there is none, or, after a logged sentence, where it cannot be read.
+  // The file's bytes; nullopt where there is none, or, after a logged sentence, where it cannot be read. What keeps
+  // files from being found at all is logged once.
   std::optional<FileData> read(std::string_view name) const;
   // The same with the cause.
   Result<FileData> load(std::string_view name) const;
@@ -50,6 +52,9 @@ class FileSystem {
   // (saves). Nullopt as above.
   std::optional<FileData> read_own(std::string_view name) const;
   bool exists(std::string_view name) const;
+  // What keeps a file that is there from being read: its own permissions, a folder's on the way to it, a link to
+  // nothing. Nullopt where nothing does, and where there is no such file.
+  std::optional<Error> obstacle(std::string_view name) const;
   // Where read() finds it: "id1/pak0.pak", "id1" for a loose file, "user/id1" and "user/id1/pak0.pak" below the user
   // directory, "basegame/id1" in the base game beneath other data; empty where it does not.
   std::string source_of(std::string_view name) const;

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <chrono>
 
-#include "base/log.h"
 #include "fs/test_files.h"
+#include "fs/test_log.h"
 
 namespace fb::fs {
 namespace {
@@ -36,17 +36,6 @@ std::string text(const FileSystem& files, std::string_view name) {
   const auto data = files.read(name);
   return data ? as_text(*data) : "(none)";
 }
-
-// Collects what is logged while it lives.
-class LogLines {
- public:
-  LogLines() : handle_(add_log_listener([this](LogLevel, std::string_view line) { lines.emplace_back(line); })) {}
-  ~LogLines() { remove_log_listener(handle_); }
-  std::vector<std::string> lines;
-
- private:
-  int handle_;
-};
 
 // A game in the box beside some other data.
 struct Boxed {

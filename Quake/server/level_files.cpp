@@ -52,9 +52,19 @@ std::string use_external_entities(const LevelFiles& files, const std::string& na
   return map_path;
 }
 
+// Of a file that must be there. `absent` is what its absence is called.
+Result<FileData> read_needed(const LevelFiles& files, const std::string& path, std::string_view absent) {
+  if (files.obstacle) {
+    if (auto obstacle = files.obstacle(path)) return *std::move(obstacle);
+  }
+  std::optional<FileData> bytes = files.read(path);
+  if (!bytes) return Error{fmt::format("{}: {}", path, absent)};
+  return *std::move(bytes);
+}
+
 Result<std::shared_ptr<const progs::Program>> load_level_program(const LevelFiles& files) {
-  const std::optional<FileData> bytes = files.read("progs.dat");
-  if (!bytes) return Error{"progs.dat: no such file: without it there is no game"};
+  const auto bytes = read_needed(files, "progs.dat", "no such file: without it there is no game");
+  if (!bytes) return bytes.error();
   auto program = progs::load_program(*bytes, "progs.dat");
   if (!program) return program.error();
   log_warnings(program->warnings);
@@ -132,8 +142,8 @@ Result<LoadedMap> load_map(const LevelFiles& files, std::string_view name) {
   LoadedMap map;
   map.name = name;
   const std::string path = fmt::format("maps/{}.bsp", name);
-  const std::optional<FileData> bytes = files.read(path);
-  if (!bytes) return Error{fmt::format("{}: no such map", path)};
+  const auto bytes = read_needed(files, path, "no such map");
+  if (!bytes) return bytes.error();
   auto bsp = formats::parse_bsp(*bytes, path);
   if (!bsp) return bsp.error();
   if (bsp->models.empty()) return Error{fmt::format("{}: a map without a world", path)};

@@ -19,10 +19,14 @@ namespace fb::sv {
 
 using FileReader = FileLoader;
 
+// As FileSystem::obstacle: why a file that is there cannot be read.
+using ObstacleFinder = std::function<std::optional<Error>(std::string_view name)>;
+
 struct LevelFiles {
   FileReader read;
-  // As FileSystem::game_index_of; may be absent.
+  // As FileSystem::game_index_of. This and the next may be absent.
   std::function<int(std::string_view name)> game_index_of;
+  ObstacleFinder obstacle;
 };
 
 // A map's name as `map` takes it: "e1m1", also of "e1m1.bsp". Fails for what can name no file below maps/.

@@ -42,6 +42,7 @@ struct ServerServices {
   // Saves: those of the game that is played alone, as FileSystem::read_own. Absent: read_file.
   FileReader read_save;
   std::function<int(std::string_view name)> game_index_of;
+  ObstacleFinder obstacle;  // of both; may be absent
   // Saves and what QuakeC writes: FileSystem::write, whole or not at all.
   std::function<Status(std::string_view name, ByteView data)> write_file;
   Rng* rng = nullptr;  // QuakeC's random(), seeded by -seed; the server's own where there is none
@@ -119,7 +120,7 @@ class Server {
   void run_frame(double seconds);
   void run_physics(double seconds);
   bool stands_still() const;
-  LevelFiles level_files() const { return {services_.read_file, services_.game_index_of}; }
+  LevelFiles level_files() const { return {services_.read_file, services_.game_index_of, services_.obstacle}; }
   LevelModel model(std::string_view name);
 
   con::Console& console_;

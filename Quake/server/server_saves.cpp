@@ -64,6 +64,9 @@ Status Server::load_game(std::string_view typed) {
   const auto name = save_file_name(typed);
   if (!name) return name.error();
   if (options_.max_clients != 1) return Error{"a saved game is for one player: set maxplayers to 1"};
+  if (services_.obstacle) {
+    if (auto obstacle = services_.obstacle(*name)) return *std::move(obstacle);
+  }
   const auto bytes = services_.read_save ? services_.read_save(*name) : services_.read_file(*name);
   if (!bytes) return Error{fmt::format("{}: no such saved game", *name)};
   if (bytes->size() > kMostSaveBytes)

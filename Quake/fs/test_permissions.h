@@ -1,0 +1,47 @@
+// For tests of what may not be read. Root reads everything, so it becomes nobody for a while.
+#pragma once
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace fb::fs {
+
+// While it lives, the files' permissions count. False where that could not be had.
+class PermissionsCount {
+ public:
+  PermissionsCount() : was_root_(::geteuid() == 0) { count_ = !was_root_ || ::seteuid(kNobody) == 0; }
+  ~PermissionsCount() {
+    if (was_root_ && count_) count_ = ::seteuid(0) == 0;
+  }
+  PermissionsCount(const PermissionsCount&) = delete;
+  PermissionsCount& operator=(const PermissionsCount&) = delete;
+  explicit operator bool() const { return count_; }
+
+ private:
+  static constexpr uid_t kNobody = 65534;
+  bool was_root_, count_ = false;
+};
+
+// Takes permissions of a file or folder away until it is gone, so that a test's directory can be removed.
+class WithPermissions {
+ public:
+  WithPermissions(std::filesystem::path path, unsigned mode)
+      : path_(std::move(path)), before_(std::filesystem::status(path_).permissions()) {
+    std::filesystem::permissions(path_, static_cast<std::filesystem::perms>(mode));
+  }
+  ~WithPermissions() {
+    std::error_code ignored;
+    std::filesystem::permissions(path_, before_, ignored);
+  }
+  WithPermissions(const WithPermissions&) = delete;
+  WithPermissions& operator=(const WithPermissions&) = delete;
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::perms before_;
+};
+
+}  // namespace fb::fs
