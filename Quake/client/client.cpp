@@ -84,9 +84,7 @@ Status Client::Impl::start(FileData data, std::string_view name, DemoMode mode) 
   auto opened = DemoPlayback::open(std::move(data), name, mode, frame, clock());
   if (!opened.ok()) return opened.error();
   session.clear();
-  session.state.signon = 0;
   session.state.message_view_angles = {};
-  session.reconnect = false;
   session.rng = Rng(0x66756c6c62726967ull);
   session.particles = ParticleSystem(session.particles.capacity());
   view = {};
@@ -143,6 +141,7 @@ void Client::Impl::read_demo() {
       end_demo(status.error());
       return;
     }
+    session.reconnect = false;  // the frames until the next svc_serverinfo are still the old level's
     if (session.disconnected) {
       session.disconnected = false;
       log_info("Server disconnected");
@@ -184,10 +183,6 @@ void Client::Impl::advance(double seconds) {
     place_entities(session);
   } else if (demo || link) {
     finish_frame();
-    if (demo && session.reconnect) {
-      session.reconnect = false;
-      state.signon = 0;
-    }
     state.old_time = state.time;
     if (link || demo->mode() == DemoMode::kPlay) state.time += seconds;
     if (demo)

@@ -83,7 +83,7 @@ bool Client::Impl::demo_command(const con::Args& args, DemoMode mode) {
   end_demo(std::nullopt);
   const Status status = data ? start(std::move(*data), path, mode) : Status(Error{"couldn't open " + path});
   if (status.ok()) return true;
-  log_error("{}", status.error().message);
+  console.fail_unless(status);
   error = status.error();
   demo_loop_next = -1;
   return false;

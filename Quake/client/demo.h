@@ -1,6 +1,8 @@
 // A demo that plays: its bytes, its reader, and when the next message is due. The rules of timedemo are Quake's: while
-// the signon messages last they are read without end; then each frame reads one. The frame that started the demo and
-// the one in which it ended do not count, and the clock starts with the second frame.
+// the signon messages last they are read without end; then each frame reads one. So the first frame reads the signon,
+// its first update and one message more; a change of level inside the demo takes one frame: that of its svc_serverinfo,
+// which begins the signon anew, and of all that follows up to the first update. The frame that started the demo and the
+// one in which it ended do not count, and the clock starts with the second frame.
 #pragma once
 
 #include <cstdint>

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <fstream>
 #include <system_error>
 
@@ -30,6 +31,11 @@ stdfs::path free_path(const stdfs::path& path) {
   }
 }
 
+// The stream's own failures name no cause; the system's last one is what made it fail.
+Error cannot_be_written(const stdfs::path& path) {
+  return Error{fmt::format("{}: cannot be written: {}", path.string(), std::generic_category().message(errno))};
+}
+
 }  // namespace
 
 struct DemoRecorder::File {
@@ -40,7 +46,7 @@ struct DemoRecorder::File {
     stream.write(reinterpret_cast<const char*>(data.data()), static_cast<std::streamsize>(data.size()));
     // Each message at once: a program that ends badly leaves what it has.
     stream.flush();
-    if (!stream.good()) return Error{fmt::format("{}: cannot be written", part_path(path).string())};
+    if (!stream.good()) return cannot_be_written(part_path(path));
     return ok_status();
   }
 };
@@ -54,6 +60,7 @@ const stdfs::path& DemoRecorder::path() const { return file_->path; }
 Result<DemoRecorder> DemoRecorder::start(const stdfs::path& path, int track) {
   std::error_code failed;
   stdfs::create_directories(path.parent_path(), failed);
+  if (failed) return Error{fmt::format("{}: its directory cannot be made: {}", path.string(), failed.message())};
   const stdfs::path part = part_path(path);
   if (stdfs::exists(part, failed)) {
     const stdfs::path kept = free_path(path);
@@ -64,9 +71,10 @@ Result<DemoRecorder> DemoRecorder::start(const stdfs::path& path, int track) {
   auto file = std::make_unique<File>();
   file->path = path;
   file->stream.open(part, std::ios::binary | std::ios::trunc);
+  if (!file->stream) return cannot_be_written(part);
   const std::string line = fmt::format("{}\n", track);
   if (auto status = file->write({reinterpret_cast<const std::uint8_t*>(line.data()), line.size()}); !status.ok())
-    return Error{fmt::format("{}: cannot be written", path.string())};
+    return status.error();
   return DemoRecorder(std::move(file));
 }
 

@@ -47,8 +47,7 @@ void Client::Impl::connect(std::unique_ptr<net::Connection> connection, std::str
   showing_map = false;
   error.reset();
   session.clear();
-  session.reconnect = false;
-  session.state.signon = session.signon_heard = 0;
+  session.signon_heard = 0;
   view = {};
   ++games;
   last_server = server;
@@ -205,7 +204,7 @@ void Client::Impl::register_game_commands() {
                         }
                         if (const auto status = connect_to(args[1]); !status.ok()) {
                           error = status.error();
-                          log_error("{}", error->message);
+                          console.fail_unless(status);
                         }
                       });
   console.add_command("disconnect", "leaves the game or the demo", [this](const con::Args&) {
@@ -215,12 +214,13 @@ void Client::Impl::register_game_commands() {
   });
   console.add_command("reconnect", "expects another level; without a game: joins the last server again",
                       [this](const con::Args&) {
-                        if (link || demo) {
+                        if (demo) return;  // as in Quake: it says itself where a level begins
+                        if (link) {
                           session.reconnect = true;
                         } else if (last_server.empty()) {
                           log_info("reconnect: there was no server yet");
-                        } else if (const auto status = connect_to(last_server); !status.ok()) {
-                          log_error("{}", status.error().message);
+                        } else {
+                          console.fail_unless(connect_to(last_server));
                         }
                       });
   console.add_command("cmd", "cmd <text>: a command for the server", [this](const con::Args& args) {

@@ -365,8 +365,9 @@ TEST_F(Playing, RecordingWhereNothingCanBeWrittenIsASentence) {
   std::ofstream(folder) << "a file in the way";
   join();
   console.execute("record x");
-  EXPECT_THAT(log, HasSubstr("cannot be written"));
+  EXPECT_THAT(log, HasSubstr("x.dem: its directory cannot be made: Not a directory"));
   EXPECT_FALSE(client.recording());
+  EXPECT_TRUE(console.failed());
   frames(2);
   EXPECT_TRUE(client.connected());
 }

@@ -170,10 +170,6 @@ struct Apply {
     return {};
   }
   std::string operator()(const net::svc::SignonNum& m) const {
-    if (session.reconnect) {  // asked for in this very datagram or frame
-      session.reconnect = false;
-      state.signon = 0;
-    }
     if (m.signon <= state.signon) return fmt::format("signon stage {} when at {}", m.signon, state.signon);
     state.signon = session.signon_heard = m.signon;
     return {};
@@ -311,15 +307,13 @@ std::string Apply::operator()(const net::svc::Damage& m) const {
 }  // namespace
 
 void Session::clear() {
-  const int signon = state.signon;
   const auto view_angles = state.message_view_angles;
   state = ClientState{};
-  state.signon = signon;
   state.message_view_angles = view_angles;
   particles.clear();
   lights.clear();
   beams.clear();
-  disconnected = false;
+  disconnected = reconnect = false;
   stuffed.clear();
 }
 

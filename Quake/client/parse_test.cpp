@@ -28,7 +28,10 @@ TEST(Parse, ServerInfoStartsAnew) {
   s.tell({svc::Time{1.0f}, update(7, 3, {1, 2, 3})});
   EXPECT_EQ(s.state.signon, kSignons) << "the first update is the last stage";
   s.particles.explosion(vec3(0.0f), 0.0);
+  s.tell({svc::StuffText{"reconnect\n"}});
   s.tell({test::server_info()});
+  EXPECT_EQ(s.state.signon, 0);
+  EXPECT_FALSE(s.reconnect);
   EXPECT_EQ(s.state.entities.size(), 1u);
   EXPECT_TRUE(s.particles.particles().empty());
 }

@@ -31,9 +31,9 @@ void Client::Impl::record(const con::Args& args) {
   if (args.size() < 2 || args.size() > 4) return log_info("{}", kRecordHelp);
   if (args.size() == 2 && link && session.state.signon < 2)
     return log_info("Can't record while the game is still loading; try again in a moment.");
-  if (!write_path) return log_error("record {}: there is nowhere to write to", args[1]);
+  if (!write_path) return console.fail(fmt::format("record {}: there is nowhere to write to", args[1]));
   const auto path = write_path(demo_path(args[1]));
-  if (!path.ok()) return log_error("record {}: {}", args[1], path.error().message);
+  if (!path.ok()) return console.fail(fmt::format("record {}: {}", args[1], path.error().message));
 
   const auto track = whole_number_in<int>("record: CD track", args.size() == 4 ? args[3] : "-1", -1, 255);
   if (!track) return console.fail(track.error().message);
@@ -43,7 +43,7 @@ void Client::Impl::record(const con::Args& args) {
     if (games == before) return;  // it has said why
   }
   auto started = DemoRecorder::start(*path, *track);
-  if (!started.ok()) return log_error("{}", started.error().message);
+  if (!started.ok()) return console.fail_unless(started.error());
   std::error_code ignored;
   const bool replaces = std::filesystem::exists(*path, ignored);
   log_info("recording to {}{}", path->string(), replaces ? ", which will be replaced when the recording ends" : "");
@@ -55,7 +55,7 @@ void Client::Impl::record_message(ByteView data) {
   if (!recorder) return;
   const Status status = recorder->add(session.state.view_angles, data);
   if (status.ok()) return;
-  log_error("{}; the recording ends here", status.error().message);
+  console.fail(fmt::format("{}; the recording ends here", status.error().message));
   recorder.reset();
 }
 
@@ -98,7 +98,7 @@ void Client::Impl::stop_recording() {
   if (status.ok())
     log_info("Completed demo {}", recorder->path().string());
   else
-    log_error("{}", status.error().message);
+    console.fail_unless(status);
   recorder.reset();
 }
 

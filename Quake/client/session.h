@@ -23,7 +23,7 @@ struct Session {
   Rng rng{0x66756c6c62726967ull};
   std::uint64_t frame = 1;    // of advance(): what Entity::cut_frame counts in
   bool disconnected = false;  // svc_disconnect
-  bool reconnect = false;     // "reconnect" was stuffed: the next frame starts the signon stages anew
+  bool reconnect = false;     // "reconnect" was stuffed: the level is over for whoever plays on the server
   int levels = 0;             // svc_serverinfos so far
   int signon_heard = 0;       // the last svc_signonnum, for whoever has to answer it and then sets it to 0
   std::string stuffed;        // text after the last line break, until its line is complete
@@ -35,7 +35,7 @@ struct Session {
   // What the server prints.
   std::function<void(const std::string&)> print;
 
-  // Forgets the game and keeps what outlives it: settings, callbacks, the frame count, the signon stage.
+  // Forgets the game and keeps what outlives it: settings, callbacks, the frame count. The signon begins anew.
   void clear();
 };
 

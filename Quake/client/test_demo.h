@@ -49,9 +49,14 @@ class DemoBuilder {
  public:
   explicit DemoBuilder(const net::Protocol& protocol = {}) : protocol_(protocol) {
     bytes_ = {'-', '1', '\n'};
-    add({server_info(protocol), net::svc::SetView{1}, net::svc::SignonNum{1}});
+    level();
+  }
+  // A level begins; `first` is said before anything of it, in the same message.
+  DemoBuilder& level(std::vector<net::ServerMessage> first = {}) {
+    first.insert(first.end(), {server_info(protocol_), net::svc::SetView{1}, net::svc::SignonNum{1}});
+    add(first);
     add({net::svc::SpawnBaseline{1, {}, false}, net::svc::SignonNum{2}});
-    add({net::svc::SignonNum{3}});
+    return add({net::svc::SignonNum{3}});
   }
   DemoBuilder& add(const std::vector<net::ServerMessage>& messages, const vec3& view_angles = vec3(0.0f)) {
     formats::append_dem_message(bytes_, view_angles, datagram(messages, protocol_));
