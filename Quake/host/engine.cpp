@@ -1,7 +1,8 @@
 #include "host/engine.h"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <random>
 
 #include "base/log.h"
@@ -27,7 +28,7 @@ Result<std::unique_ptr<Engine>> Engine::create(const std::vector<std::string>& a
   auto options = fs::options_from_arguments(arguments);
   if (!options) return options.error();
   auto files = fs::FileSystem::open(*options);
-  if (!files) return Error{files.error().message + " (-basedir DIR says where the game data is: DIR holds id1)"};
+  if (!files) return files.error();
   std::unique_ptr<Engine> engine(new Engine(std::move(*files), wanted, arguments));
   if (wanted.server && (wanted.dedicated || wanted.max_clients > 1)) {
     if (auto status = engine->listen(wanted); !status) {
@@ -75,6 +76,7 @@ void Engine::make_server(const EngineOptions& options, const std::vector<std::st
   sv::ServerServices services;
   services.read_file = files_.loader();
   services.read_save = [this](std::string_view name) { return files_.read_own(name); };
+  services.obstacle = [this](std::string_view name) { return files_.obstacle(name); };
   services.game_index_of = [this](std::string_view name) { return files_.game_index_of(name); };
   services.write_file = [this](std::string_view name, ByteView data) { return files_.write(name, data); };
   services.rng = &rng_;
@@ -98,9 +100,7 @@ void Engine::make_client() {
   client_->set_local_server(
       {[this]() -> std::unique_ptr<net::Connection> { return server_->active() ? loopback_.connect(now_) : nullptr; },
        [this] { server_->shutdown(); }});
-  server_->set_local_start([this] {
-    if (const auto status = client_->connect("local"); !status) log_error("{}", status.error().message);
-  });
+  server_->set_local_start([this] { console_.fail_unless(client_->connect("local")); });
 }
 
 Status Engine::listen(const EngineOptions& options) {
@@ -119,8 +119,11 @@ Status Engine::listen(const EngineOptions& options) {
 
 void Engine::queue_configuration(const std::vector<std::string>& arguments) {
   console_.set_command_line(arguments);
-  console_.append(files_.exists("quake.rc") ? "exec quake.rc\n"
-                                            : "exec default.cfg\nexec config.cfg\nexec autoexec.cfg\nstuffcmds\n");
+  if (files_.exists("quake.rc")) return console_.append("exec quake.rc\n");
+  for (const char* script : {"default.cfg", "config.cfg", "autoexec.cfg"}) {
+    if (files_.exists(script)) console_.append(fmt::format("exec {}\n", script));
+  }
+  console_.append("stuffcmds\n");
 }
 
 void Engine::execute_commands(double now) {

@@ -73,7 +73,7 @@ class Engine {
   bool playing() const;
   // Ends it, for something that went wrong: one sentence, and the console goes on.
   void give_up(const Error& why);
-  // The last game or demo ended by itself, or did not begin, for something that went wrong; or a command was refused.
+  // A command could not do what it was asked to, or the last game or demo ended for something that went wrong.
   bool went_wrong() const;
 
  private:

@@ -135,24 +135,28 @@ void Game::register_commands() {
                           log_info("viewmap <map>: shows a map's world from its first player start");
                           return;
                         }
-                        if (auto status = engine_->client().map_view(args[1]); !status)
-                          log_error("{}", status.error().message);
+                        engine_->console().fail_unless(engine_->client().map_view(args[1]));
                       });
   console.add_command("screenshot", "screenshot [name]: writes the picture as NAME.png", [this](const con::Args& args) {
-    const uvec2 size = renderer_->output_size();
-    const std::string name = (args.size() > 1 ? args[1] : fmt::format("fullbright{:04}", captured_++)) + ".png";
-    const auto path = engine_->files().write_path("screenshots/" + name);
-    if (!path) return log_error("{}", path.error().message);
-    std::error_code failed;
-    std::filesystem::create_directories(path->parent_path(), failed);
-    std::vector<std::uint32_t> pixels = renderer_->read_output();
-    if (swapchain_ && swapchain_->swaps_red_and_blue()) {
-      for (std::uint32_t& p : pixels) p = (p & 0xff00ff00u) | ((p & 0xffu) << 16u) | ((p >> 16u) & 0xffu);
-    }
-    const auto status = lab::write_png(path->string(), size.x, size.y, pixels);
-    if (!status) return log_error("{}", status.error().message);
-    log_info("wrote {}", path->string());
+    const std::string name = args.size() > 1 ? args[1] : fmt::format("fullbright{:04}", captured_++);
+    engine_->console().fail_unless(write_screenshot(name + ".png"));
   });
+}
+
+Status Game::write_screenshot(const std::string& name) {
+  const uvec2 size = renderer_->output_size();
+  const auto path = engine_->files().write_path("screenshots/" + name);
+  if (!path) return path.error();
+  std::error_code failed;
+  std::filesystem::create_directories(path->parent_path(), failed);
+  if (failed) return Error{fmt::format("{}: its directory cannot be made: {}", path->string(), failed.message())};
+  std::vector<std::uint32_t> pixels = renderer_->read_output();
+  if (swapchain_ && swapchain_->swaps_red_and_blue()) {
+    for (std::uint32_t& p : pixels) p = (p & 0xff00ff00u) | ((p & 0xffu) << 16u) | ((p >> 16u) & 0xffu);
+  }
+  const auto status = lab::write_png(path->string(), size.x, size.y, pixels);
+  if (status) log_info("wrote {}", path->string());
+  return status;
 }
 
 void Game::handle_events() {
@@ -245,10 +249,8 @@ void Game::report_timing() {
 // Measurements leave no trace, so only a played game is remembered.
 void Game::save_config() {
   const auto path = engine_->files().write_path("config.cfg");
-  if (!path) return log_error("{}", path.error().message);
-  std::error_code ignored;
-  std::filesystem::create_directories(path->parent_path(), ignored);
-  if (const auto status = engine_->console().write_config(*path); !status) log_error("{}", status.error().message);
+  if (!path) return engine_->console().fail_unless(path.error());
+  engine_->console().fail_unless(engine_->console().write_config(*path));
 }
 
 // False: there is nothing more to do.
@@ -279,6 +281,7 @@ int Game::run() {
       engine_->give_up(Error{sentence_of(failure)});
     }
   }
+  client.disconnect();  // ends a recording, which may go wrong, too
   if (options_.headless && engine_->went_wrong()) exit_status_ = 1;
   set_reproduction_hint(nullptr);
   if (window_) {

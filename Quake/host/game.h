@@ -41,6 +41,7 @@ class Game {
   bool frame();
   bool draw_frame();
   void capture();
+  Status write_screenshot(const std::string& name);
   void report_timing();
   void save_config();
 

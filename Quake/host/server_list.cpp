@@ -21,20 +21,21 @@ std::string plain(const std::string& text) {
 
 ServerList::ServerList(con::Console& console, net::Network& network) : network_(network) {
   console.add_command("slist", "slist [address ...]: which servers there are on the local network, or there",
-                      [this](const con::Args& args) { begin(args); });
+                      [this, &console](const con::Args& args) { console.fail_unless(begin(args)); });
 }
 
-void ServerList::begin(const con::Args& args) {
-  if (search_) return;
+Status ServerList::begin(const con::Args& args) {
+  if (search_) return ok_status();
   std::vector<net::Address> targets;
   for (std::size_t i = 1; i < args.size(); ++i) {
     const auto address = network_.resolve(args[i]);
-    if (!address) return log_error("slist: {}", address.error().message);
+    if (!address) return Error{fmt::format("slist: {}", address.error().message)};
     targets.push_back(*address);
   }
   if (targets.empty()) targets.push_back(net::broadcast(net::kDefaultPort));
   log_info("Looking for Quake servers...");
   search_ = std::make_unique<net::ServerSearch>(network_, std::move(targets));
+  return ok_status();
 }
 
 void ServerList::poll(double now) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "base/result.h"
 #include "console/console.h"
 #include "net/server_query.h"
 
@@ -17,7 +18,7 @@ class ServerList {
   bool searching() const { return search_ != nullptr; }
 
  private:
-  void begin(const con::Args& args);
+  Status begin(const con::Args& args);
 
   net::Network& network_;
   std::unique_ptr<net::ServerSearch> search_;

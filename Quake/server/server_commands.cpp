@@ -11,10 +11,6 @@ namespace {
 
 namespace fields = progs::fields;
 
-void report(const Status& status) {
-  if (!status) log_error("{}", status.error().message);
-}
-
 constexpr double kMostRunSeconds = 1e9;  // a client's time ends there
 
 double run_step(const con::Console& console) {
@@ -62,52 +58,58 @@ void Server::Commands::add(std::string name, std::string help, con::Handler hand
 
 void Server::Commands::add_game_commands() {
   Server& server = server_;
-  add("map", "map <name>: begins a new game on this map", [&server](const con::Args& args) {
-    if (args.size() == 2) return report(server.map(args[1]));
+  con::Console& console = server_.console_;
+  add("map", "map <name>: begins a new game on this map", [&server, &console](const con::Args& args) {
+    if (args.size() == 2) return console.fail_unless(server.map(args[1]));
     if (server.active()) return log_info("the level is {}", server.level()->map_name);
     log_info("map <name>: begins a new game on this map");
   });
-  add("changelevel", "changelevel <map>: all players go to this map", [&server](const con::Args& args) {
+  add("changelevel", "changelevel <map>: all players go to this map", [&server, &console](const con::Args& args) {
     if (args.size() < 2) return log_info("changelevel <map>: all players go to this map");
-    report(server.changelevel(args[1]));
+    console.fail_unless(server.changelevel(args[1]));
   });
-  add("restart", "begins the level again", [&server](const con::Args&) { report(server.restart()); });
-  add("maxplayers", "maxplayers <n>: how many may play in the games to come", [&server](const con::Args& args) {
-    if (args.size() != 2) return log_info("maxplayers is {}", server.max_clients());
-    const auto count = whole_number_in<int>("maxplayers", args[1], 1, net::kMaxClients);
-    if (!count) return server.console().fail(count.error().message);
-    if (const Status status = server.set_max_clients(*count); !status) return report(status);
-    server.console().set("deathmatch", server.max_clients() == 1 ? "0" : "1");
-  });
+  add("restart", "begins the level again",
+      [&server, &console](const con::Args&) { console.fail_unless(server.restart()); });
+  add("maxplayers", "maxplayers <n>: how many may play in the games to come",
+      [&server, &console](const con::Args& args) {
+        if (args.size() != 2) return log_info("maxplayers is {}", server.max_clients());
+        const auto count = whole_number_in<int>("maxplayers", args[1], 1, net::kMaxClients);
+        if (!count) return console.fail_unless(count.error());
+        if (const Status status = server.set_max_clients(*count); !status) return console.fail_unless(status);
+        console.set("deathmatch", server.max_clients() == 1 ? "0" : "1");
+      });
   add("sv_run", "sv_run <seconds>: takes the game on as fast as possible, by host_framerate or tenths of a second",
-      [&server](const con::Args& args) {
+      [&server, &console](const con::Args& args) {
         if (args.size() != 2) return log_info("sv_run <seconds>: takes the game on as fast as possible");
         const auto seconds = number_in("sv_run", args[1], 0.0, kMostRunSeconds);
-        if (!seconds) return server.console().fail(seconds.error().message);
-        if (!server.active()) return server.console().fail("sv_run: no game runs here");
-        report(server.run(*seconds, run_step(server.console())));
+        if (!seconds) return console.fail_unless(seconds.error());
+        if (!server.active()) return console.fail("sv_run: no game runs here");
+        console.fail_unless(server.run(*seconds, run_step(console)));
       });
-  add("sv_dump", "sv_dump [file]: the whole state of the level as text", [&server](const con::Args& args) {
-    if (!server.active()) return log_error("sv_dump: no game runs here");
+  add("sv_dump", "sv_dump [file]: the whole state of the level as text", [&server, &console](const con::Args& args) {
+    if (!server.active()) return console.fail("sv_dump: no game runs here");
     const std::string text = server.dump();
     if (args.size() < 2) return log_info("{}", text);
-    if (!server.services_.write_file) return log_error("{}: there is nowhere to write to", args[1]);
+    if (!server.services_.write_file) {
+      return console.fail(fmt::format("sv_dump {}: there is nowhere to write to", args[1]));
+    }
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
-    report(server.services_.write_file(args[1], ByteView(bytes, text.size())));
+    console.fail_unless(server.services_.write_file(args[1], ByteView(bytes, text.size())));
   });
 }
 
 void Server::Commands::add_save_commands() {
   Server& server = server_;
-  add("save", "save <name>: saves the game", [&server](const con::Args& args) {
+  con::Console& console = server_.console_;
+  add("save", "save <name>: saves the game", [&server, &console](const con::Args& args) {
     if (args.size() != 2) return log_info("save <name>: saves the game");
     const Status status = server.save(args[1]);
-    if (!status) return report(status);
+    if (!status) return console.fail_unless(status);
     log_info("saved as {}", args[1]);
   });
-  add("load", "load <name>: goes on with a saved game", [&server](const con::Args& args) {
+  add("load", "load <name>: goes on with a saved game", [&server, &console](const con::Args& args) {
     if (args.size() != 2) return log_info("load <name>: goes on with a saved game");
-    report(server.load(args[1]));
+    console.fail_unless(server.load(args[1]));
   });
 }
 
