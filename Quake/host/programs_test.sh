@@ -78,6 +78,65 @@ if [[ -e $data/id1/pak0.pak ]] && command -v fteqcc >/dev/null; then
   }
   check "a run of tiny frames ends, and says what a frame is at least" tiny_frames
   check "a map that is none is an error of a server" no_such_map -dedicated 1 -port $((20000 + RANDOM))
+
+  # What could not be written: a sentence and status 1, and what was there before stays.
+  server() {  # server ARGUMENT...: a dedicated server that shall end; its status
+    timeout 60 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -basedir "$data" -userdir "$scratch/user" "$@" \
+      >"$scratch/log" 2>&1 </dev/null
+  }
+  own=$scratch/user/id1
+  server +map start +save good +sv_dump good.txt +quit
+  check "what is written is no error" test $? -eq 0 -a -s "$own/good.sav" -a -s "$own/good.txt"
+  cp "$own/good.sav" "$own/good.txt" "$scratch"
+  unwritten() {  # unwritten CAUSE COMMAND ARGUMENT...: fails for this, goes on, and leaves what there was
+    local cause=$1
+    shift
+    server +map start "$@" +echo went on +quit
+    [[ $? -eq 1 && $(grep -c '^error: ' "$scratch/log") -eq 1 ]] && grep -q "^error: .*$cause" "$scratch/log" &&
+      grep -q '^went on' "$scratch/log" && cmp "$own/good.sav" "$scratch/good.sav" && cmp "$own/good.txt" "$scratch/good.txt"
+  }
+  ln -s /dev/full "$own/good.sav.new" && ln -s /dev/full "$own/good.txt.new"
+  check "save to a full disk" unwritten "good.sav: .*No space left" +save good
+  check "sv_dump to a full disk" unwritten "good.txt: .*No space left" +sv_dump good.txt
+  check "a failure stays one whatever follows" unwritten "file/x.sav: .*Not a directory" +sv_dump file +save file/x +save other +map start
+  check "exec of a script that is none" unwritten "couldn't exec none.cfg" +exec none.cfg
+
+  # A configuration that executes itself costs only itself.
+  for loop in "exec autoexec.cfg" "exec other.cfg" "go" "runs"; do
+    printf 'alias go "exec autoexec.cfg"\nalias runs "runs;runs"\n%s\necho the rest\n' "$loop" >"$own/autoexec.cfg"
+    echo "exec autoexec.cfg" >"$own/other.cfg"
+    goes_on() {
+      server +map start +echo the line +quit && grep -q '^the line' "$scratch/log" && grep -q '^the rest' "$scratch/log" &&
+        grep -q 'Server spawned' "$scratch/log" && [[ $(grep -c 'runs itself' "$scratch/log") -eq 1 ]]
+    }
+    check "a configuration with \"$loop\" in it goes on" goes_on
+  done
+  rm "$own/autoexec.cfg" "$own/other.cfg"
+
+  # Data that is there and cannot be read.
+  mkdir -p "$scratch/odd/id1/maps" && chmod 755 "$scratch" "$scratch/odd"
+  ln -s "$scratch/gone.pak" "$scratch/odd/id1/pak0.pak"
+  unreadable() {  # unreadable TEXT COMMAND...: ends with status 1 and one sentence with this text
+    local text=$1
+    shift
+    "$@" timeout 60 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -basedir "$scratch/odd" -userdir "$scratch/none" \
+      +map mine +quit >"$scratch/log" 2>&1 </dev/null
+    [[ $? -eq 1 && $(grep -c "$text" "$scratch/log") -eq 1 ]] && ! grep -q 'no such map' "$scratch/log"
+  }
+  check "a pak that is a link to nothing is named" unreadable "odd/id1/pak0.pak: cannot be read: it is a link to .*gone.pak" env
+  rm "$scratch/odd/id1/pak0.pak" && ln -s nowhere.bsp "$scratch/odd/id1/maps/mine.bsp"
+  check "so is a map" unreadable "^error: .*maps/mine.bsp: cannot be read: it is a link to nowhere.bsp" env
+  as=(env)  # somebody whom permissions bind
+  if [[ $(id -u) -eq 0 ]]; then as=(setpriv --reuid 65534 --clear-groups); fi
+  if "${as[@]}" test -x "$build/fullbright" 2>/dev/null; then
+    chmod 000 "$scratch/odd/id1"
+    check "an id1 that may not be read is named" unreadable "odd/id1: cannot be read: Permission denied" "${as[@]}"
+    chmod 755 "$scratch/odd/id1" && chmod 000 "$scratch/odd/id1/maps"
+    check "so is a folder in it, at the start" unreadable "^warning: .*odd/id1/maps: cannot be read: Permission denied" "${as[@]}"
+    chmod 755 "$scratch/odd/id1/maps"
+  else
+    echo "skipped: what may not be read, for nobody else can run $build/fullbright"
+  fi
 else
   echo "skipped: servers, for want of LibreQuake's data or fteqcc"
 fi
@@ -88,6 +147,14 @@ if ! "$build/fullbright" -listdevices >"$scratch/devices" 2>&1; then
 fi
 if [[ -e $data/id1/pak0.pak && -e $scratch/user/id1/progs.dat ]]; then
   check "a map that is none is an error without a window" no_such_map -headless -size 16x16
+  : >"$scratch/user/id1/screenshots"
+  unshown() {
+    timeout 60 "$build/fullbright" -headless -size 16x16 -basedir "$data" -userdir "$scratch/user" +viewmap start +wait "$@" +quit \
+      >"$scratch/log" 2>&1
+    [[ $? -eq 1 && $(grep -c '^error: .*Not a directory' "$scratch/log") -eq 1 ]]
+  }
+  check "a screenshot that could not be written is an error" unshown +screenshot
+  check "so is a demo" unshown +record screenshots/demo start
   check "and where nothing else is to be done" bash -c "! timeout 60 '$build/fullbright' -headless -size 16x16 -basedir '$data' \
     -userdir '$scratch/user' +map nowhere >'$scratch/log' 2>&1"
 fi
