@@ -77,7 +77,7 @@ VkDeviceMemory allocate(const Device::Impl& device, BufferUse use, const VkMemor
 }
 
 [[noreturn]] void out_of_memory(const Device::Impl& device, const std::string& name, VkDeviceSize bytes) {
-  throw OutOfMemory(fmt::format("{} is out of memory: {} for \"{}\" are not to be had beside the {} in use",
+  throw OutOfMemory(fmt::format("{0} is out of memory: no {1} for \"{2}\" beside the {3} that are in use",
                                 device.report.name, memory_text(bytes), name, memory_text(device.allocated_bytes)));
 }
 

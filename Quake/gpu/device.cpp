@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "base/check.h"
 #include "base/out_of_memory.h"
@@ -132,6 +133,7 @@ Result<std::unique_ptr<Device>> Device::make(const DeviceOptions& options) {
   impl->ray_query = options.ray_query && physical.report.has_ray_query;
   impl->limits = read_limits(physical);
   vkGetPhysicalDeviceMemoryProperties(physical.handle, &impl->memory);
+  impl->leave_driver_room(kRoomToStart);
   const VkResult result = make_device(physical, options.present, impl->ray_query, &impl->device);
   if (result != VK_SUCCESS)
     return Error{fmt::format("Vulkan device {} could not be opened: vkCreateDevice gave {}", physical.report.name,
@@ -163,6 +165,14 @@ Device::Impl::~Impl() {
   for (const Recording& recording : recordings) vkDestroyFence(device, recording.fence, nullptr);
   vkDestroyCommandPool(device, pool, nullptr);
   vkDestroyDevice(device, nullptr);
+}
+
+void Device::Impl::leave_driver_room(std::size_t bytes) const {
+  if (!report.is_software) return;
+  void* const volatile room = std::malloc(bytes);  // volatile: what is given back at once is asked for all the same
+  std::free(room);
+  if (room == nullptr)
+    throw OutOfMemory(fmt::format("the system has not the {} left that {} may need", memory_text(bytes), report.name));
 }
 
 void Device::Impl::set_name(VkObjectType type, std::uint64_t object, std::string_view name) const {
@@ -256,6 +266,7 @@ void Device::run(const std::function<void(Commands&)>& record) {
   submit.commandBufferCount = 1;
   submit.pCommandBuffers = &cmd;
   const VkFence fence = run.fence();
+  d.leave_driver_room();
   FB_VK(vkQueueSubmit(d.queue, 1, &submit, fence));
   FB_VK(vkWaitForFences(d.device, 1, &fence, VK_TRUE, UINT64_MAX));
   FB_VK(vkResetFences(d.device, 1, &fence));

@@ -3,6 +3,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstddef>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,8 @@ struct AccelerationStructureCalls {
   PFN_vkCmdBuildAccelerationStructuresKHR build = nullptr;
 };
 
+constexpr std::size_t kRoomToStart = 192u << 20u, kRoomToWork = 64u << 20u;  // of a software driver, bytes
+
 // Names and labels for debuggers and validation messages; null without VK_EXT_debug_utils.
 struct DebugCalls {
   PFN_vkSetDebugUtilsObjectNameEXT set_name = nullptr;
@@ -31,6 +34,9 @@ struct DebugCalls {
 
 struct Device::Impl {
   ~Impl();
+  // Throws OutOfMemory where the host has little left and the driver is software: lavapipe and its compiler end or
+  // break the program where they find no memory themselves.
+  void leave_driver_room(std::size_t bytes = kRoomToWork) const;
   void set_name(VkObjectType type, std::uint64_t object, std::string_view name) const;
 
   std::unique_ptr<Instance> instance;

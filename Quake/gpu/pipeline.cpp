@@ -29,6 +29,7 @@ ComputePipeline::ComputePipeline(Device& device, const BindingTable& table, std:
   specialization.dataSize = constants.size_bytes();
   specialization.pData = constants.data();
 
+  device.impl().leave_driver_room();
   auto module_info = vk_struct<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
   module_info.codeSize = spirv.size_bytes();
   module_info.pCode = spirv.data();

@@ -216,8 +216,8 @@ class ServerMemoryTest : public sv::testing::ServerTest {
   void start_game() {
     put_map("other", room(), R"({ "classname" "thing" })");
     start(
-        "void() think = { self.nextthink = time + 0.1; }; void() thing = { self.think = think; self.nextthink = time + "
-        "0.1; };",
+        "void() ponder = { self.nextthink = time + 0.1; }; void() thing = { self.think = ponder; self.nextthink = time "
+        "+ 0.1; };",
         R"({ "classname" "thing" })");
   }
 };

@@ -58,9 +58,9 @@ void check_picture_size(const gpu::Device& device, uvec2 output, const RenderSet
   const uvec2 most = largest_output(device.limits(), output, settings);
   if (most == output) return;
   const std::string scale = settings.scale < 1 ? fmt::format(" (r_scale {:g})", settings.scale) : "";
-  throw OutOfMemory(fmt::format("a picture of {}x{}{} needs a buffer of {}; {} allows {}: at most {}x{} in this shape",
-                                output.x, output.y, scale, memory_text(largest_buffer(output, settings)),
-                                device.report().name, memory_text(buffer_limit(device.limits())), most.x, most.y));
+  throw OutOfMemory(fmt::format("a picture of {}x{}{} needs a buffer of {}; {} allows {} (try at most {}x{})", output.x,
+                                output.y, scale, memory_text(largest_buffer(output, settings)), device.report().name,
+                                memory_text(buffer_limit(device.limits())), most.x, most.y));
 }
 
 }  // namespace fb::render
