@@ -13,7 +13,7 @@ struct ProgressOptions {
   bool quiet = false;
   bool lines = false;  // lines on a terminal, too: where others write between them
   std::FILE* file = stderr;
-  std::function<double()> clock;  // seconds; absent: the machine's
+  std::function<double()> clock = nullptr;  // seconds; absent: the machine's
 };
 
 class Progress {

@@ -17,8 +17,8 @@ namespace fb {
 namespace {
 
 static_assert(std::atomic<int>::is_always_lock_free, "a handler may take no lock");
-std::atomic<int> wanted_signal{0};   // 0: none
-std::atomic<bool> told_once{false};  // also after take_stop_as_quit()
+std::atomic<int> wanted_signal{0};  // 0: none
+std::atomic<bool> told_once{false};
 std::atomic<const char*> program_name{""};
 std::atomic<StopMode> stop_mode{StopMode::kInSteps};
 
@@ -65,6 +65,7 @@ void on_signal(int signal) {
   if (stop_mode == StopMode::kAtOnce || told_once.exchange(true)) die_by(signal);
   wanted_signal = signal;
 #ifndef _WIN32
+  if (stop_mode == StopMode::kAsQuit) return;
   std::signal(SIGALRM, on_alarm);
   ::alarm(kGraceSeconds);
 #endif
@@ -82,10 +83,9 @@ void stop_on_signals(const char* program, StopMode mode) {
 
 bool stop_wanted() { return wanted_signal.load(std::memory_order_relaxed) != 0; }
 void want_stop(int signal) { wanted_signal = signal; }
-void take_stop_as_quit() { wanted_signal = 0; }
 
 int exit_status_or_signal(int status) {
-  if (const int signal = wanted_signal; signal != 0) {
+  if (const int signal = wanted_signal; signal != 0 && stop_mode != StopMode::kAsQuit) {
     std::fflush(nullptr);
     die_by(signal);
   }

@@ -43,10 +43,9 @@ TEST(StopDeathTest, WithNothingToPutInOrderTheFirstDoes) {
 
 TEST(StopDeathTest, TakenAsQuitItIsNoFailure) {
   const auto told = [] {
-    stop_on_signals("quake", StopMode::kInSteps);
+    stop_on_signals("quake", StopMode::kAsQuit);
     std::raise(SIGTERM);
-    take_stop_as_quit();
-    std::exit(stop_wanted() ? 1 : exit_status_or_signal(7));
+    std::exit(stop_wanted() ? exit_status_or_signal(7) : 1);
   };
   EXPECT_EXIT(told(), testing::ExitedWithCode(7), "^$");
 }

@@ -66,7 +66,7 @@ TEST_F(ConsoleTest, WhoIsToldToEndExecutesNothingMore) {
   console.add_command("end", "end: as a signal does", [](const Args&) { want_stop(15); });
   console.execute("do a; end; do b");
   EXPECT_THAT(done, ElementsAre("a"));
-  take_stop_as_quit();
+  want_stop(0);
 }
 
 TEST_F(ConsoleTest, UnknownCommandsAreOneSentence) {

@@ -75,7 +75,7 @@ std::string Cvar::set(std::string_view text) {
     if (spec_.min) value = std::max(value, static_cast<double>(*spec_.min));
     if (spec_.max) value = std::min(value, static_cast<double>(*spec_.max));
     if (value != *given) {
-      taken = double_text(value);
+      taken = spec_.integer ? double_text(value) : number_text(static_cast<float>(value));  // a limit, which is a float
       sentence = fmt::format("{}: {} is not allowed ({}), so it is {} now.", name(), text, range_text(), taken);
     }
   }

@@ -79,6 +79,12 @@ TEST(Cvar, BetweenZeroAndItsLeastThereIsNothing) {
       << "too large for a float";
 }
 
+TEST(Cvar, LimitsAreNamedAsTheyAreWritten) {
+  Cvar cvar({"x", "0", "", kCvarPlain, 0.0f, 0.1f});
+  EXPECT_EQ(cvar.set("5"), "x: 5 is not allowed (0 to 0.1), so it is 0.1 now.");
+  EXPECT_EQ(cvar.string(), "0.1");
+}
+
 TEST(Cvar, ListenersHearChangesOnly) {
   int calls = 0;
   float heard = 0.0f;

@@ -24,7 +24,9 @@ inline bool put_large(const std::filesystem::path& path, std::string_view beginn
 
 // A pak whose only entry has kLargeSize bytes, and begins like this.
 inline bool put_large_pak(const std::filesystem::path& path, std::string_view entry, std::string_view beginning) {
-  Bytes pak = make_pak({{std::string(entry), std::string(beginning)}});
+  std::string page(beginning);
+  page.resize(4096);  // then the directory, which nobody should come to
+  Bytes pak = make_pak({{std::string(entry), page}});
   const std::size_t directory = pak.size() - 64;
   for (std::size_t i = 0; i < 4; ++i) pak[directory + 60 + i] = static_cast<std::uint8_t>(kLargeSize >> (8 * i));
   return put_large(path, {reinterpret_cast<const char*>(pak.data()), pak.size()}, 12ull + kLargeSize);

@@ -15,6 +15,8 @@
 namespace fb::host {
 namespace {
 
+constexpr const char* kProgram = "fullbright";
+
 int run_program(const std::vector<std::string>& arguments) {
   const auto options = parse_game_options(with_base_game(arguments));
   if (!options) {
@@ -35,6 +37,7 @@ int run_program(const std::vector<std::string>& arguments) {
     if (!status) fmt::print(stderr, "fullbright: {}\n", status.error().message);
     return status ? *status : 1;
   }
+  if (!options->headless) stop_on_signals(kProgram, StopMode::kAsQuit);
   auto game = Game::create(*options);
   if (!game) {
     fmt::print(stderr, "fullbright: {}\n", game.error().message);
@@ -47,8 +50,8 @@ int run_program(const std::vector<std::string>& arguments) {
 }  // namespace fb::host
 
 int main(int argc, char** argv) {
-  fb::stop_on_signals("fullbright", fb::StopMode::kInSteps);
-  return fb::exit_status_or_signal(fb::host::guarded_main("fullbright", [&] {
+  fb::stop_on_signals(fb::host::kProgram, fb::StopMode::kInSteps);
+  return fb::exit_status_or_signal(fb::host::guarded_main(fb::host::kProgram, [&] {
     return fb::host::run_program({argv + 1, argv + argc});
   }));
 }

@@ -284,10 +284,7 @@ int Game::run() {
   client.disconnect();  // ends a recording, which may go wrong, too
   if (options_.headless && engine_->went_wrong()) exit_status_ = 1;
   set_reproduction_hint(nullptr);
-  if (window_) {
-    take_stop_as_quit();  // of who is at the window; a script's program dies by its signal
-    save_config();
-  }
+  if (window_) save_config();
   return exit_status_;
 }
 

@@ -6,6 +6,7 @@
 #include "base/log.h"
 #include "base/test_directory.h"
 #include "base/test_memory.h"
+#include "formats/test_files.h"
 #include "fs/test_large_files.h"
 #include "host/engine.h"
 #include "server/test_map.h"
@@ -39,7 +40,7 @@ constexpr Case kCases[] = {
 class LargeFilesTest : public testing::Test {
  protected:
   void SetUp() override {
-    formats::Bsp room = sv::testing::MapBuilder(vec3(-512, -512, 0), vec3(512, 512, 256)).build();
+    const formats::Bsp room = sv::testing::MapBuilder(vec3(-512, -512, 0), vec3(512, 512, 256)).build();
     game_.put("id1/maps/room.bsp", formats::testing::write_bsp(room));
     listener_ = add_log_listener([this](LogLevel, std::string_view line) { log_ += std::string(line) + "\n"; });
   }

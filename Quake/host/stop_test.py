@@ -43,8 +43,10 @@ class Case:
         self.running.catch_up()
         return status
 
-    def is_stopped_by(self, number, seconds=AT_ONCE, program="fullbright"):
+    def is_stopped_by(self, number, seconds=AT_ONCE, program="fullbright", before_grace=False):
+        start = time.monotonic()
         status = self.tell(number, seconds)
+        assert not before_grace or time.monotonic() - start < GRACE - 1, f"{self.name}: ended by the grace period"
         assert status == -number, f"{self.name}: status {status}\n" + "\n".join(self.running.lines[-20:])
         sentences = [line for line in self.running.lines if "stopped by" in line]
         assert sentences == [f"{program}: stopped by {number.name}"], sentences
@@ -63,11 +65,11 @@ def servers(build, game):
     run.wait_for("^Server spawned")
     line = run.wait_for("^sv_run", 30)
     assert re.fullmatch(r"sv_run, second of the game: \d+ of 1000000, \d+ s left", line), line
-    run.is_stopped_by(signal.SIGTERM)
+    run.is_stopped_by(signal.SIGTERM, before_grace=True)
     run = dedicated("sv_run of tiny frames", "+host_framerate", "0.00000001", "+map", "start", "+sv_run", "1e6", "+echo", "behind")
     run.wait_for("^host_framerate: 0.00000001 is not allowed .*so it is 0.0001 now")
     run.wait_for("^Server spawned")
-    run.is_stopped_by(signal.SIGINT)
+    run.is_stopped_by(signal.SIGINT, before_grace=True)
     idle = dedicated("a server that waits", "+map", "start")
     idle.wait_for("^Server spawned")
     idle.is_stopped_by(signal.SIGTERM)
@@ -120,9 +122,12 @@ def laboratory(build, folder):
 
 
 def window(build, game, folder):
-    case = Case(build, "a game in a window", "fullbright", "-size", "320x180", *game, "+map", "start")
+    case = Case(build, "a game in a window", "fullbright", "-size", "320x180", "-capture", folder / "shown", *game, "+map", "start")
     case.wait_for("^Server spawned")
-    time.sleep(2)
+    until = time.monotonic() + 60 * SLOW
+    while not (folder / "shown" / "frame_000001.png").exists():  # by then its shaders are compiled
+        assert time.monotonic() < until and case.is_running(), "there are no pictures"
+        time.sleep(0.1)
     config = folder / "id1" / "config.cfg"
     assert not config.exists()
     status = case.tell(signal.SIGTERM)

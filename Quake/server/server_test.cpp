@@ -271,7 +271,7 @@ TEST_F(ServerGameTest, ARunEndsWhereTheProgramIsToldToEnd) {
            void() thing = { self.think = thinks; self.nextthink = time + 5; };)",
         thing(""));
   console_.execute("sv_run 1000000; set behind 1");
-  take_stop_as_quit();
+  want_stop(0);
   EXPECT_NEAR(level().time, 6.0, 0.3);
   EXPECT_EQ(console_.find_cvar("behind"), nullptr) << "nothing is executed any more";
   EXPECT_TRUE(server_->active()) << "whoever ends the program ends the game";
