@@ -1,7 +1,10 @@
 // The client on a server: signing on, moving, commands, what goes wrong; and demos that it records.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -370,6 +373,47 @@ TEST_F(Playing, RecordingWhereNothingCanBeWrittenIsASentence) {
   EXPECT_TRUE(console.failed());
   frames(2);
   EXPECT_TRUE(client.connected());
+}
+
+// The process's files may not grow beyond a size, as on a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(std::uintmax_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+TEST_F(Playing, AFullDiskEndsTheRecordingAloneAndSpoilsNothing) {
+  stdfs::create_directories(folder);
+  std::ofstream(folder / "x.dem") << "the old one";
+  join();
+  console.append("record x\n");
+  frames(3);
+  ASSERT_TRUE(client.recording());
+  const auto recorded = stdfs::file_size(folder / "x.dem.part");
+  {
+    const FullDisk full(recorded);
+    frames(2);
+  }
+  EXPECT_THAT(log, HasSubstr("x.dem.part: cannot be written: File too large; the recording ends here"));
+  EXPECT_TRUE(console.failed());
+  EXPECT_FALSE(client.recording());
+  EXPECT_TRUE(client.connected());
+  EXPECT_EQ(read_whole(folder / "x.dem").size(), 11u) << "the old one";
+  EXPECT_EQ(stdfs::file_size(folder / "x.dem.part"), recorded) << "and what was recorded";
 }
 
 TEST(ServerLinkOverUdp, ConnectsPlaysAndTimesOut) {
