@@ -136,7 +136,8 @@ class QuakeSpasm:
         while not found and running and time.monotonic() < until:
             time.sleep(0.1)
             running = game.poll() is None
-            found = re.search(r"^(-?\d+) frames .* fps$", log.read_text(errors="replace"), re.M)
+            # Behind a finale's text the line begins with what is left of a bar.
+            found = re.search(r"(-?\d+) frames .* fps$", log.read_text(errors="replace"), re.M)
         game.kill()
         game.wait()
         if not found:
