@@ -23,8 +23,8 @@ struct AccelerationStructureCalls {
   PFN_vkCmdBuildAccelerationStructuresKHR build = nullptr;
 };
 
-// Of a software driver, bytes: what lavapipe takes of the address space at its start (its threads' stacks and heaps, on a
-// processor of two cores a third of this), and what a shader's compilation and a frame may take.
+// Of a software driver, bytes: what lavapipe takes of the address space at its start (its threads' stacks and heaps, on
+// a processor of two cores a third of this), and what a shader's compilation and a frame may take.
 constexpr std::size_t kRoomToStart = 512u << 20u, kRoomToWork = 64u << 20u;
 
 // Names and labels for debuggers and validation messages; null without VK_EXT_debug_utils.
