@@ -216,7 +216,8 @@ class ServerMemoryTest : public sv::testing::ServerTest {
   void start_game() {
     put_map("other", room(), R"({ "classname" "thing" })");
     start(
-        "void() ponder = { self.nextthink = time + 0.1; }; void() thing = { self.think = ponder; self.nextthink = time "
+        "void() ponder = { says(ftos(time)); self.nextthink = time + 0.1; }; void() thing = { self.think = ponder; "
+        "self.nextthink = time "
         "+ 0.1; };",
         R"({ "classname" "thing" })");
   }
@@ -230,7 +231,9 @@ TEST_F(ServerMemoryTest, ALevelThatDoesNotFitLeavesTheFormerOneOrNone) {
   Status status = ok_status();
   const std::size_t failures = fail_each(
       23, [&] { status = server_->map("other"); },
-      [&](const std::string&) {
+      [&](const std::string& thrown) {
+        ASSERT_EQ(thrown, "") << "it is the server's to deal with";
+        ASSERT_THAT(status.error().message, HasSubstr("no memory"));
         stayed |= server_->active();
         ended |= !server_->active();
         if (server_->active()) server_->frame(0.1, 1.0);
@@ -246,14 +249,16 @@ TEST_F(ServerMemoryTest, ALevelThatDoesNotFitLeavesTheFormerOneOrNone) {
 TEST_F(ServerMemoryTest, ATickThatFindsNoMemoryEndsTheGameAtMost) {
   start_game();
   if (!server_) return;
-  fail_each(
+  const std::size_t failures = fail_each(
       1, [&] { server_->frame(0.1, 1.0); },
-      [&](const std::string&) {
+      [&](const std::string& thrown) {
+        ASSERT_EQ(thrown, "");
         if (server_->active()) return;
         ASSERT_TRUE(server_->last_error().has_value());
         ASSERT_TRUE(server_->map("test").ok());
         server_->frame(0.1, 1.0);
       });
+  EXPECT_GT(failures, 1u);
   EXPECT_TRUE(server_->active());
 }
 
