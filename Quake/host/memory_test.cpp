@@ -215,12 +215,13 @@ class ServerMemoryTest : public sv::testing::ServerTest {
  protected:
   void start_game() {
     put_map("other", room(), R"({ "classname" "thing" })");
-    start(
-        "void() ponder = { says(\"words that are too long for a string to hold them in place\"); self.nextthink = time "
-        "+ 0.1; }; void() thing = { self.think = ponder; "
-        "self.nextthink = time "
-        "+ 0.1; };",
-        R"({ "classname" "thing" })");
+    start(R"(
+        void() ponder = {
+          says("words that are too long for a string to hold them in place");
+          self.nextthink = time + 0.1;
+        };
+        void() thing = { self.think = ponder; self.nextthink = time + 0.1; };)",
+          R"({ "classname" "thing" })");
   }
 };
 
