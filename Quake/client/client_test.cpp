@@ -426,12 +426,13 @@ TEST_F(Game, AMapWithoutAnyLightIsShownInAnEvenOne) {
 }
 
 TEST_F(Game, EvenLightIsWhatTheMapAsksFor) {
-  files.files["maps/faint.bsp"] = dull_room("{\"classname\" \"worldspawn\" \"_minlight\" \"32\"}");
+  files.files["maps/faint.bsp"] =
+      dull_room("{\"classname\" \"worldspawn\" \"_minlight\" \"128\" \"_mincolor\" \"0 0 1\"}");
   files.files["maps/lamp.bsp"] = dull_room("{\"classname\" \"worldspawn\"}{\"classname\" \"light\"}");
-  for (const auto& [map, radiance] : {std::pair("faint", 0.25f), std::pair("lamp", 0.0f)}) {
+  for (const auto& [map, radiance] : {std::pair("faint", vec3(0, 0, 1)), std::pair("lamp", vec3(0.0f))}) {
     ASSERT_TRUE(client.map_view(map).ok());
     client.build_snapshot(snapshot);
-    EXPECT_EQ(snapshot.ambient, vec3(radiance)) << map;
+    EXPECT_EQ(snapshot.ambient, radiance) << map;
   }
   EXPECT_THAT(log, Not(HasSubstr("even light")));
 }

@@ -18,6 +18,7 @@ constexpr float kLightmapUnit = 128.0f;       // the lightmap value that shows a
 constexpr float kMaxSurfaceRadiance = 20.0f;  // small faces would be blinding
 constexpr float kDefaultLight = 300.0f;
 constexpr float kMaxLight = 1e5f, kMinWait = 0.01f;  // beyond these are typing errors
+constexpr float kMaxMinlight = 255.0f;               // a lightmap holds no more
 constexpr float kDefaultCone = 40.0f;                // degrees
 constexpr float kMinSunRadius = 1.0f;  // degrees: smaller suns are all noise to a path tracer without light sampling
 
@@ -265,7 +266,8 @@ vec3 ambient_radiance(const std::vector<Entity>& entities) {
   const float value = world.number(world.has(minlight) ? minlight : "light", 0.0f);
   if (!(value > 0.0f)) return vec3(0.0f);
   const bool long_name = world.has(either(world, "_minlight_color"));
-  return light_color(world, long_name ? "_minlight_color" : "_mincolor") * (std::min(value, kMaxLight) / kLightmapUnit);
+  const vec3 color = world.color(either(world, long_name ? "_minlight_color" : "_mincolor")).value_or(vec3(1.0f));
+  return linear_color(color * (std::min(value, kMaxMinlight) / kLightmapUnit));
 }
 
 }  // namespace fb::scene
