@@ -427,7 +427,7 @@ TEST_F(Game, AMapWithoutAnyLightIsShownInAnEvenOne) {
 
 TEST_F(Game, EvenLightIsWhatTheMapAsksFor) {
   files.files["maps/faint.bsp"] =
-      dull_room("{\"classname\" \"worldspawn\" \"_minlight\" \"128\" \"_mincolor\" \"0 0 1\"}");
+      dull_room("{\"classname\" \"worldspawn\" \"_minlight\" \"256\" \"_mincolor\" \"0 0 1\"}");
   files.files["maps/lamp.bsp"] = dull_room("{\"classname\" \"worldspawn\"}{\"classname\" \"light\"}");
   for (const auto& [map, radiance] : {std::pair("faint", vec3(0, 0, 1)), std::pair("lamp", vec3(0.0f))}) {
     ASSERT_TRUE(client.map_view(map).ok());

@@ -110,7 +110,7 @@ TEST_F(LightSources, ModelsThatAreShown) {
 TEST_F(LightSources, WhatTheMapAsksForCounts) {
   for (const std::uint8_t index : {kDull, kGlowing}) {
     test::MapBuilder map = floor("floor", index);
-    map.bsp.entities = "{\"classname\" \"worldspawn\" \"_minlight\" \"128\" \"_mincolor\" \"1 0 0\"}";
+    map.bsp.entities = "{\"classname\" \"worldspawn\" \"_minlight\" \"256\" \"_mincolor\" \"1 0 0\"}";
     const AmbientLight light = ambient_of(map);
     EXPECT_EQ(light.radiance, vec3(1, 0, 0));
     EXPECT_FALSE(light.instead);

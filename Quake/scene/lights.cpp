@@ -18,8 +18,9 @@ constexpr float kLightmapUnit = 128.0f;       // the lightmap value that shows a
 constexpr float kMaxSurfaceRadiance = 20.0f;  // small faces would be blinding
 constexpr float kDefaultLight = 300.0f;
 constexpr float kMaxLight = 1e5f, kMinWait = 0.01f;  // beyond these are typing errors
-constexpr float kMaxMinlight = 255.0f;               // a lightmap holds no more
-constexpr float kDefaultCone = 40.0f;                // degrees
+constexpr float kLightToolRange = 0.5f;              // light tools halve what they have added up
+constexpr float kMaxLightmap = 255.0f;
+constexpr float kDefaultCone = 40.0f;  // degrees
 constexpr float kMinSunRadius = 1.0f;  // degrees: smaller suns are all noise to a path tracer without light sampling
 
 // A key with or without its leading underscore.
@@ -267,7 +268,7 @@ vec3 ambient_radiance(const std::vector<Entity>& entities) {
   if (!(value > 0.0f)) return vec3(0.0f);
   const bool long_name = world.has(either(world, "_minlight_color"));
   const vec3 color = world.color(either(world, long_name ? "_minlight_color" : "_mincolor")).value_or(vec3(1.0f));
-  return linear_color(color * (std::min(value, kMaxMinlight) / kLightmapUnit));
+  return linear_color(color * (std::min(kLightToolRange * value, kMaxLightmap) / kLightmapUnit));
 }
 
 }  // namespace fb::scene

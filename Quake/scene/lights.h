@@ -53,9 +53,9 @@ std::vector<Sun> suns(const std::vector<world::Entity>& entities);
 // without the key.
 float dome_radiance(const std::vector<world::Entity>& entities);
 
-// _minlight or light of the worldspawn (_minlight_color, _mincolor): radiance from everywhere; zero without the keys. A
-// lightmap of that value shows a white wall at value / 128 on screen, which as light is much less (sRGB), and faint is
-// how mappers mean it: 20 is 0.02. To light tools it is a minimum; here it comes on top, as light adds up.
+// _minlight or light of the worldspawn (_minlight_color, _mincolor): radiance from everywhere; zero without the keys.
+// The tools' lightmaps hold half of the value (of _minlight 22, 11), which shows a white wall at value / 256 on screen
+// and as light is much less (sRGB): 20 is 0.007. To the tools it is a minimum; here it comes on top, as light adds up.
 vec3 ambient_radiance(const std::vector<world::Entity>& entities);
 
 }  // namespace fb::scene

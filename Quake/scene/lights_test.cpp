@@ -132,12 +132,12 @@ TEST(Suns, KeysOfTheWorld) {
 
 TEST(Ambient, KeysOfTheWorld) {
   const auto radiance = [](std::string_view text) { return ambient_radiance(entities_of(text)); };
-  const auto shown = [](float value) { return vec3(linear_from_srgb(value / 128.0f)); };
-  EXPECT_EQ(radiance("{classname worldspawn _minlight 128}"), vec3(1.0f)) << "as painted";
+  const auto shown = [](float value) { return vec3(linear_from_srgb(value / 256.0f)); };
+  EXPECT_EQ(radiance("{classname worldspawn _minlight 256}"), vec3(1.0f)) << "as painted";
   EXPECT_EQ(radiance("{classname worldspawn _minlight 32}"), shown(32));
   EXPECT_EQ(radiance("{classname worldspawn light 64}"), shown(64));
   EXPECT_EQ(radiance("{classname worldspawn light 64 _minlight 32}"), shown(32));
-  EXPECT_NEAR(radiance("{classname worldspawn _minlight 20}").x, 0.0210f, 1e-4f);
+  EXPECT_NEAR(radiance("{classname worldspawn _minlight 20}").x, 0.006957f, 1e-6f);
   for (const char* key : {"_minlight_color", "minlight_color", "_mincolor"}) {
     const vec3 colored = radiance(std::string("{classname worldspawn minlight 64 ") + key + " \"127.5 255 0\"}");
     EXPECT_NEAR(glm::length(colored - vec3(shown(32).x, shown(64).y, 0.0f)), 0.0f, 1e-6f) << key;
@@ -147,7 +147,7 @@ TEST(Ambient, KeysOfTheWorld) {
         "{classname worldspawn light bright}", "{classname worldspawn}{classname light light 300 _minlight 30}"})
     EXPECT_EQ(radiance(none), vec3(0.0f)) << none;
   EXPECT_EQ(ambient_radiance({}), vec3(0.0f));
-  EXPECT_EQ(radiance("{classname worldspawn _minlight 1e38}"), shown(255)) << "no lightmap holds more";
+  EXPECT_EQ(radiance("{classname worldspawn _minlight 1e38}"), shown(510)) << "no lightmap holds more";
 }
 
 TEST(Sky, LayersOfItsTexture) {
