@@ -281,7 +281,7 @@ int Game::run() {
       engine_->give_up(Error{sentence_of(failure)});
     }
   }
-  client.disconnect();  // ends a recording, which may go wrong, too
+  engine_->client().disconnect();  // ends a recording, which may go wrong, too
   if (options_.headless && engine_->went_wrong()) exit_status_ = 1;
   set_reproduction_hint(nullptr);
   if (window_) save_config();
