@@ -455,7 +455,7 @@ TEST(Bsp, EntitiesCrc) {
 
 TEST(Bsp, EntitiesHaveALimit) {
   Bsp room = box_room(BspVersion::kBsp29);
-  room.entities = std::string(kMostEntityText + 1, ' ');
+  room.entities = std::string(kMostEntityText, ' ');  // and the zero behind it
   const auto refused = parse_bsp(write_bsp(room), "x");
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().message, "x: entities lump: 16777217 bytes of entities; at most 16777216 are taken");
