@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "base/check.h"
 #include "base/out_of_memory.h"
@@ -12,6 +11,10 @@
 #include "gpu/device_impl.h"
 #include "gpu/vulkan_error.h"
 #include "gpu/vulkan_struct.h"
+
+#ifdef __unix__
+#include <sys/mman.h>
+#endif
 
 namespace fb::gpu {
 namespace {
@@ -37,6 +40,16 @@ void load_debug_calls(VkInstance instance, DebugCalls& calls) {
       vkGetInstanceProcAddr(instance, "vkCmdBeginDebugUtilsLabelEXT"));
   calls.end_label =
       reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(vkGetInstanceProcAddr(instance, "vkCmdEndDebugUtilsLabelEXT"));
+}
+
+// Whether the system would give so much more. Asked of it directly: an allocator may keep what it gets.
+bool has_room([[maybe_unused]] std::size_t bytes) {
+#ifdef __unix__
+  void* const room = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) return false;
+  munmap(room, bytes);
+#endif
+  return true;
 }
 
 DeviceLimits read_limits(const PhysicalDevice& physical) {
@@ -168,10 +181,7 @@ Device::Impl::~Impl() {
 }
 
 void Device::Impl::leave_driver_room(std::size_t bytes) const {
-  if (!report.is_software) return;
-  void* const volatile room = std::malloc(bytes);  // volatile: what is given back at once is asked for all the same
-  std::free(room);
-  if (room == nullptr)
+  if (report.is_software && !has_room(bytes))
     throw OutOfMemory(fmt::format("the system has not the {} left that {} may need", memory_text(bytes), report.name));
 }
 

@@ -28,6 +28,7 @@ void register_host_cvars(con::Console& console) {
 Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
     : options_(options), engine_(std::move(engine)), screen_(engine_->console(), engine_->files().loader()) {}
 Game::~Game() {
+  set_reproduction_hint(nullptr);
   swapchain_.reset();  // before the device, the device before the window
   renderer_.reset();
   device_.reset();
@@ -283,7 +284,6 @@ int Game::run() {
   }
   engine_->client().disconnect();  // ends a recording, which may go wrong, too
   if (options_.headless && engine_->went_wrong()) exit_status_ = 1;
-  set_reproduction_hint(nullptr);
   if (window_) save_config();
   return exit_status_;
 }
