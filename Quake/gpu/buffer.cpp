@@ -82,23 +82,26 @@ VkDeviceMemory allocate(const Device::Impl& device, BufferUse use, const VkMemor
 }
 
 // What the device says it cannot have is not tried: some drivers take it and break later.
-void check_limits(const Device::Impl& device, BufferUse use, const std::string& name, VkDeviceSize bytes) {
-  const bool bound = use == BufferUse::kStorage || use == BufferUse::kGeometry;
-  const VkDeviceSize most = bound ? std::min(device.limits.max_storage_buffer_range, device.limits.max_allocation_bytes)
-                                  : device.limits.max_allocation_bytes;
-  if (bytes > most)
+void check_limits(const Device& device, BufferUse use, const std::string& name, VkDeviceSize bytes) {
+  if (const VkDeviceSize most = largest_buffer(device, use); bytes > most)
     throw OutOfMemory(fmt::format("\"{}\" needs a buffer of {}; {} allows {}", name, memory_text(bytes),
-                                  device.report.name, memory_text(most)));
+                                  device.report().name, memory_text(most)));
 }
 
 }  // namespace
+
+VkDeviceSize largest_buffer(const Device& device, BufferUse use) {
+  const DeviceLimits& limits = device.limits();
+  const bool bound = use == BufferUse::kStorage || use == BufferUse::kGeometry;
+  return bound ? std::min(limits.max_storage_buffer_range, limits.max_allocation_bytes) : limits.max_allocation_bytes;
+}
 
 // Delegates, so that what was made before something throws is given back.
 Buffer::Buffer(Device& device, BufferUse use, VkDeviceSize bytes, std::string name) : Buffer() {
   Device::Impl& d = device.impl();
   FB_CHECK_LE(bytes, ~VkDeviceSize{0} - 15);
   const VkDeviceSize size = std::max<VkDeviceSize>(16, (bytes + 15) & ~VkDeviceSize{15});
-  check_limits(d, use, name, size);
+  check_limits(device, use, name, size);
   device_ = &device;
   use_ = use;
   name_ = std::move(name);
@@ -167,7 +170,9 @@ VkDeviceAddress Buffer::address() const {
 bool Buffer::reserve(VkDeviceSize bytes) {
   FB_CHECK(device_ != nullptr);
   if (bytes <= size_) return false;
-  *this = Buffer(*device_, use_, std::max(bytes, size_ + size_ / 2), name_);
+  // Room to grow, but not beyond what the device binds: what is needed may still fit.
+  const VkDeviceSize roomy = std::min(size_ + size_ / 2, largest_buffer(*device_, use_));
+  *this = Buffer(*device_, use_, std::max(bytes, roomy), name_);
   return true;
 }
 

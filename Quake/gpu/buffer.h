@@ -22,6 +22,9 @@ enum class BufferUse {
   kScratch,
 };
 
+// Bytes of the largest buffer for this use: what the device allocates and, where shaders see it, binds.
+VkDeviceSize largest_buffer(const Device& device, BufferUse use);
+
 class Buffer {
  public:
   Buffer() = default;

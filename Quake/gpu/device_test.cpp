@@ -64,6 +64,15 @@ TEST_F(GpuTest, ReserveGrowsByHalfAgainAndOnlyWhenItMust) {
   EXPECT_EQ(buffer.size(), 10000u);
 }
 
+TEST_F(GpuTest, ReserveGrowsNoFurtherThanTheDeviceBinds) {
+  const VkDeviceSize most = std::min(device_->limits().max_storage_buffer_range, VkDeviceSize{1} << 27u);
+  if (most < device_->limits().max_storage_buffer_range)
+    GTEST_SKIP() << "the device binds more than this test allocates";
+  Buffer buffer(*device_, BufferUse::kStorage, most / 4 * 3, "grows");
+  EXPECT_TRUE(buffer.reserve(buffer.size() + 16));
+  EXPECT_EQ(buffer.size(), most / 16 * 16);
+}
+
 TEST_F(GpuTest, UploadsComeBack) {
   // More than a staging buffer at once, to an odd place.
   const Words words = random_words(5'000'001);

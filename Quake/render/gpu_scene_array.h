@@ -28,8 +28,10 @@ class DeviceArray {
   void reserve(std::uint64_t items) {
     std::uint64_t needed = std::max<std::uint64_t>(items * sizeof(T), 256);
     if (buffer_ && buffer_.size() >= needed) return;
-    // The first size is taken at its word (a map's assets come at once), later ones get some slack.
-    gpu::Buffer larger(device_, use_, buffer_ ? needed + needed / 4 : needed, name_);
+    // The first size is taken at its word (a map's assets come at once), later ones get some slack, where there is
+    // room.
+    const std::uint64_t roomy = std::min(buffer_ ? needed + needed / 4 : needed, gpu::largest_buffer(device_, use_));
+    gpu::Buffer larger(device_, use_, std::max(needed, roomy), name_);
     if (kept_ > 0) {
       device_.run([&](gpu::Commands& commands) { commands.copy(buffer_, larger, std::uint64_t{kept_} * sizeof(T)); });
     }
