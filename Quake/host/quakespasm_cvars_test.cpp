@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/number.h"
+#include "base/number.h"
 #include "base/test_directory.h"
 #include "host/engine.h"
 
@@ -274,8 +276,8 @@ TEST_F(QuakeSpasmCvarsTest, AreThereWithTheirDefaults) {
     ASSERT_NE(cvar, nullptr) << theirs.name;
     const auto ours = kOurs.find(theirs.name);
     const std::string wanted = ours == kOurs.end() ? theirs.value : ours->second;
-    const auto number = con::parse_number(wanted);
-    const bool same = number ? con::parse_number(cvar->default_string()) == number : cvar->default_string() == wanted;
+    const auto number = parse_number(wanted);
+    const bool same = number ? parse_number(cvar->default_string()) == number : cvar->default_string() == wanted;
     EXPECT_TRUE(same) << theirs.name << " is " << cvar->default_string() << " and should be " << wanted;
     EXPECT_FALSE(cvar->spec().help.empty()) << theirs.name;
   }
