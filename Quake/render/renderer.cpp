@@ -239,8 +239,7 @@ void Renderer::Impl::record(gpu::Commands& commands) {
   path_variant.resolve = resolve;
   path_variant.accesses = accesses;
   path_variant.bucket = bucket;
-  path_variant.tail = info->tail;
-  path_variant.show_guide =
+  path_variant.show_view =
       info->learns && constants.debug_view >= shared::kFirstGuideView && constants.debug_view < shared::kNanView;
 
   timer.reset(commands.handle());

@@ -20,6 +20,8 @@
 #include "mcpg_nee_bvh.spv.h"
 #include "mcpg_nee_query.spv.h"
 #include "mcpg_query.spv.h"
+#include "mcpg_tail_bvh.spv.h"
+#include "mcpg_tail_query.spv.h"
 #include "nee_bvh.spv.h"
 #include "nee_query.spv.h"
 #include "present.spv.h"
@@ -46,7 +48,7 @@ const std::array kShaders{
     Shader{"nee", nee_bvh_spv, nee_query_spv},
     Shader{"mcpg", mcpg_bvh_spv, mcpg_query_spv},
     Shader{"mcpg_nee", mcpg_nee_bvh_spv, mcpg_nee_query_spv},
-    Shader{"mcpg_tail", mcpg_bvh_spv, mcpg_query_spv},  // Variant::tail
+    Shader{"mcpg_tail", mcpg_tail_bvh_spv, mcpg_tail_query_spv},
     Shader{"guide_states", guide_states_spv, {}},
     Shader{"guide_cache", guide_cache_spv, {}},
     Shader{"accumulate", accumulate_spv, {}},
@@ -84,8 +86,7 @@ const gpu::ComputePipeline& ShaderSet::get(std::string_view name, const Variant&
                                gpu::SpecializationConstant{2, variant.resolve},
                                gpu::SpecializationConstant{3, variant.accesses},
                                gpu::SpecializationConstant{4, variant.bucket},
-                               gpu::SpecializationConstant{5, variant.tail},
-                               gpu::SpecializationConstant{6, variant.show_guide},
+                               gpu::SpecializationConstant{6, variant.show_view},
                                tracing[0],
                                tracing[1]};
     gpu::ComputePipeline pipeline(device_, table_, variant.ray_query ? shader.query : shader.plain, std::string(name),

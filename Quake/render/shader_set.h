@@ -19,11 +19,10 @@ struct Variant {
   bool ray_query = false;
   bool candidates = false;  // alpha tests or translucency
   bool specular = false;
-  // Of estimators that learn (constants 2 to 6).
+  // Of estimators that learn (constants 2 to 4).
   bool resolve = false;
   std::uint32_t accesses = 1, bucket = 1;
-  bool tail = false;
-  bool show_guide = false;  // r_debug 20 to 29
+  bool show_view = false;  // a debug view of the technique's own: r_debug 20 to 29
   auto operator<=>(const Variant&) const = default;
 };
 

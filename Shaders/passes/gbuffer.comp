@@ -5,7 +5,7 @@
 #extension GL_EXT_ray_query : require
 #endif
 #include "lib/pixel.glsl"
-#include "lib/path_vertex.glsl"
+#include "lib/interaction.glsl"
 
 void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float depth) {
   vec3 before = previous_pixel(previous_position(hit));

@@ -1,4 +1,4 @@
-// Estimator `mcpg`: Markov chain path guiding (Alber 2025). Unbiased for paths of at most frame.bounces reflections: what
+// Technique `mcpg`: Markov chain path guiding (Alber 2025). Unbiased for paths of at most frame.bounces reflections: what
 // it learnt only shapes the density that it samples from.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -6,8 +6,9 @@
 #if INTERSECTOR_QUERY
 #extension GL_EXT_ray_query : require
 #endif
-#define ESTIMATOR_LEARNS 1
-#define ESTIMATOR_SAMPLES_LIGHTS 0
-#include "lib/guide_debug.glsl"
+const bool kEndsInField = false;
+#include "estimators/mcpg/steps.glsl"
+#include "lib/steps/no_direct.glsl"
+#include "estimators/mcpg/views.glsl"
 
 #include "lib/paths_main.glsl"

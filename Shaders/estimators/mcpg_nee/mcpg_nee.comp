@@ -1,4 +1,4 @@
-// Estimator `mcpg_nee`: as `mcpg`, and every vertex looks for a light of the list and for a sun. What it learns is the light
+// Technique `mcpg_nee`: as `mcpg`, and every vertex looks for a light of the list and for a sun. What it learns is the light
 // that this leaves: by reflection, and from what is near. Unbiased as `mcpg` is.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -6,8 +6,9 @@
 #if INTERSECTOR_QUERY
 #extension GL_EXT_ray_query : require
 #endif
-#define ESTIMATOR_LEARNS 1
-#define ESTIMATOR_SAMPLES_LIGHTS 1
-#include "lib/guide_debug.glsl"
+const bool kEndsInField = false;
+#include "estimators/mcpg/steps.glsl"
+#include "lib/steps/direct_list.glsl"
+#include "estimators/mcpg/views.glsl"
 
 #include "lib/paths_main.glsl"

@@ -1,13 +1,16 @@
-// A vertex of a path: where, how it is oriented, what it reflects, and whence it is seen.
-#ifndef FB_LIB_PATH_VERTEX
-#define FB_LIB_PATH_VERTEX
+// A vertex of a path: an interaction with a surface. Where it is, whence it is seen, and how light scatters there.
+//
+// Scatter has three questions, which agree with each other: sample (a direction, and f cos / pdf of it), eval (f cos of any
+// direction, with the density that sample has there). Densities are per solid angle. Zero below the geometric surface.
+#ifndef FB_LIB_INTERACTION
+#define FB_LIB_INTERACTION
 #include "lib/surface.glsl"
 
 const uint kMaskCamera = 1u;
 const uint kMaskIndirect = 2u;
 const float kRayEnd = 1e6;  // beyond any map: coordinates end at 32768
 
-struct PathVertex {
+struct Vertex {
   vec3 position;
   vec3 previous;        // where the point was in the former frame; only known of what the camera sees
   vec3 normal;          // geometric, on the side of `view`
@@ -16,8 +19,8 @@ struct PathVertex {
   Bsdf bsdf;
 };
 
-PathVertex make_path_vertex(Surface s, vec3 view) {
-  return PathVertex(s.position, s.position, s.normal, s.shading_normal, view, s.bsdf);
+Vertex make_vertex(Surface s, vec3 view) {
+  return Vertex(s.position, s.position, s.normal, s.shading_normal, view, s.bsdf);
 }
 
 // An orthonormal frame about n (Duff 2017); to_world(v) = frame * v.
@@ -27,8 +30,8 @@ mat3 frame_about(vec3 n) {
   return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
 }
 
-// Samples the BSDF at a vertex: f cos / pdf, zero if the direction goes below the geometric surface.
-vec3 sample_vertex_bsdf(PathVertex v, inout uint rng, out vec3 direction) {
+// A direction, and f cos / pdf of it; zero if it goes below the geometric surface.
+vec3 scatter_sample(Vertex v, inout uint rng, out vec3 direction) {
   mat3 to_world = frame_about(v.shading_normal);
   vec3 u = vec3(rng_uniform(rng), rng_uniform(rng), FEATURE_SPECULAR ? rng_uniform(rng) : 1.0);
   vec3 local;
@@ -41,5 +44,13 @@ vec3 sample_vertex_bsdf(PathVertex v, inout uint rng, out vec3 direction) {
   }
   direction = to_world * local;
   return dot(direction, v.normal) > 0.0 ? weight : vec3(0.0);
+}
+
+// f cos of a direction, and the density that scatter_sample has there.
+vec3 scatter_eval(Vertex v, vec3 direction, out float pdf) {
+  mat3 to_world = frame_about(v.shading_normal);
+  vec3 wo = v.view * to_world, wi = direction * to_world;
+  pdf = bsdf_pdf(v.bsdf, wo, wi);
+  return dot(direction, v.normal) > 0.0 ? bsdf_eval(v.bsdf, wo, wi) : vec3(0.0);
 }
 #endif

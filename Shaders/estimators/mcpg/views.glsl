@@ -1,10 +1,7 @@
-// What the guide knows at the first vertex, as colours: r_debug 20 to 29. Compiled only while it is looked at: lavapipe runs
-// both sides of a branch.
-#ifndef FB_LIB_GUIDE_DEBUG
-#define FB_LIB_GUIDE_DEBUG
-#include "lib/guide.glsl"
-
-layout(constant_id = 6) const bool SHOW_GUIDE = false;
+// Step `views`: what is known at the first vertex, as colours (r_debug 20 to 29).
+#ifndef FB_MCPG_VIEWS
+#define FB_MCPG_VIEWS
+#include "estimators/mcpg/propose.glsl"
 
 vec3 heat(float x) { return clamp(vec3(1.5 - abs(4.0 * x - 3.0), 1.5 - abs(4.0 * x - 2.0), 1.5 - abs(4.0 * x - 1.0)), 0.0, 1.0); }
 vec3 cell_color(uint h) {
@@ -13,7 +10,7 @@ vec3 cell_color(uint h) {
 }
 
 // The state of most weight in the finest cell about a vertex, that cell, and whether other cells' states lie in its slots.
-GuideState strongest_state(PathVertex v, GuideCell cell, out bool collides) {
+GuideState strongest_state(Vertex v, GuideCell cell, out bool collides) {
   GuideState best = empty_guide_state();
   collides = false;
   for (uint j = 0u; j < GUIDE_BUCKET; ++j) {
@@ -24,7 +21,7 @@ GuideState strongest_state(PathVertex v, GuideCell cell, out bool collides) {
   return best;
 }
 
-vec3 guide_debug_color(PathVertex v, uint rng) {
+vec3 view_color(Vertex v, Path path, uint rng) {
   uint level = grid_level(distance(v.position, frame.camera_position.xyz), frame.guide_grid.x, 0.0);
   GridKey key = grid_vertex(v.position, exp2(float(level)), adaptive_tag(level, v.normal), vec3(0.5));
   GuideCell cell = GuideCell((key.hash & (frame.guide_states / GUIDE_BUCKET - 1u)) * GUIDE_BUCKET, key.check);
@@ -33,7 +30,7 @@ vec3 guide_debug_color(PathVertex v, uint rng) {
   vec3 to_target = s.target - v.position;
   bool known = s.weight > 0.0 && dot(to_target, to_target) > 1e-6;
   GuideView view = view_state(s, known ? to_target : v.normal, v.normal);
-  CacheCell cached = find_cache_cell(v.position, v.normal);
+  CacheCell cached = find_cache_cell(v.position, v.normal, path.group_rng);
   bool has_cache = cached.entry != kNoIndex;
   switch (frame.debug_view) {
     case 20u: return known ? view.direction * 0.5 + 0.5 : vec3(0.0);
@@ -48,13 +45,14 @@ vec3 guide_debug_color(PathVertex v, uint rng) {
       return has_cache ? sqrt(x / (1.0 + x)) : vec3(0.5, 0.0, 0.5);
     }
     case 28u: {
-      vec3 direction;
-      sample_direction(v, true, frame.bounces <= 1u, rng, direction);
-      return guide.chosen != kNoIndex ? vec3(0.1, 0.8, 0.2) : guide.has_lobes ? vec3(0.2, 0.3, 0.9) : vec3(0.8, 0.2, 0.1);
+      path.last = frame.bounces <= 1u;
+      Guidance g;
+      prepare(v, field_at(v.position, v.normal, path), path, rng, g);
+      propose(v, g, rng);
+      return g.choice.state != kNoIndex ? vec3(0.1, 0.8, 0.2) : g.total > 0.0 ? vec3(0.2, 0.3, 0.9) : vec3(0.8, 0.2, 0.1);
     }
     default:
-      guide.cell_frames = has_cache ? guide_cache[cached.entry + kCacheCount] & 0xffffu : 0u;
-      return heat(learnt_share(cached));
+      return heat(learnt_share(cached, has_cache ? cache_frames(cached.entry) : 0u));
   }
 }
 #endif

@@ -1,10 +1,12 @@
-// Sampling of what glows: triangles from the list of lights (power-proportional, uniform over a triangle), suns by their
+// Step `direct` by a list of lights and suns. Sampling of what glows: triangles from the list of lights (power-proportional, uniform over a triangle), suns by their
 // discs. All densities are per solid angle as seen from the origin of the ray.
-#ifndef FB_LIB_LIGHTS
-#define FB_LIB_LIGHTS
-#include "lib/path_vertex.glsl"
+#ifndef FB_LIB_STEPS_DIRECT_LIST
+#define FB_LIB_STEPS_DIRECT_LIST
+#include "lib/path_state.glsl"
 
 layout(set = 0, binding = 13, std430) readonly buffer LightBlock { uvec2 lights[]; };
+
+const bool kLooksForLight = true;
 
 bool has_lights() { return frame.light_first < frame.light_end; }
 
@@ -74,24 +76,16 @@ vec3 light_emission(uint instance, uint triangle, vec2 bary, vec3 direction, out
   return shade_point(m, instance, hit_uv(instances[instance].first_attribute + triangle, bary), false).emission;
 }
 
-// f cos, and the density of sample_vertex_bsdf.
-vec3 vertex_bsdf(PathVertex v, vec3 direction, out float pdf) {
-  mat3 to_world = frame_about(v.shading_normal);
-  vec3 wo = v.view * to_world, wi = direction * to_world;
-  pdf = bsdf_pdf(v.bsdf, wo, wi);
-  return dot(direction, v.normal) > 0.0 ? bsdf_eval(v.bsdf, wo, wi) : vec3(0.0);
-}
-
 // The emission that a direction meets is shared by the balance heuristic (Veach and Guibas 1995): frame.light_candidates
 // samples of the list, one of the suns, one of the BSDF. It stands for whatever else samples directions, too: shares need
 // only add up to one.
 float density_of_all(float list, float sun, float bsdf) { return float(frame.light_candidates) * list + sun + bsdf; }
 
 // The share of emission that was met by a direction of the path's own.
-float chance_share(PathVertex v, Hit hit, vec3 direction, vec3 emission) {
+float met_share(Vertex v, Hit hit, vec3 direction, vec3 emission) {
   if (emission == vec3(0.0)) return 1.0;
   float bsdf;
-  vertex_bsdf(v, direction, bsdf);
+  scatter_eval(v, direction, bsdf);
   float all = density_of_all(hit_light_pdf(hit, direction), is_sky(hit) ? sun_pdf(direction) : 0.0, bsdf);
   return all > 0.0 ? bsdf / all : 1.0;
 }
@@ -108,7 +102,7 @@ const Aim kNoAim = Aim(vec3(0.0), vec3(0.0), 0.0, 0.0, kNoIndex, kNoIndex);
 
 // One of frame.light_candidates points of lights, chosen by what each would bring if nothing stood between (resampled
 // importance sampling, Talbot 2005).
-Aim aim_at_light(PathVertex v, vec3 origin, inout uint rng) {
+Aim aim_at_light(Vertex v, vec3 origin, inout uint rng) {
   Aim aim = kNoAim;
   float sum = 0.0, target = 0.0;
   for (uint i = 0u; i < frame.light_candidates; ++i) {
@@ -121,7 +115,7 @@ Aim aim_at_light(PathVertex v, vec3 origin, inout uint rng) {
     float reach = length(way);
     vec3 direction = way / max(reach, 1e-20);
     float bsdf, density = light_pdf(element, instance, t, reach, direction);
-    vec3 f = vertex_bsdf(v, direction, bsdf);
+    vec3 f = scatter_eval(v, direction, bsdf);
     if (f == vec3(0.0) || !(density > 0.0)) continue;
     bool sky;
     vec3 emission = light_emission(instance, triangle, bary, direction, sky);
@@ -139,21 +133,19 @@ Aim aim_at_light(PathVertex v, vec3 origin, inout uint rng) {
 }
 
 // Its weight is left to what is met.
-Aim aim_at_sun(PathVertex v, inout uint rng, out float bsdf) {
+Aim aim_at_sun(Vertex v, inout uint rng, out float bsdf) {
   Aim aim = kNoAim;
   aim.direction = sample_sun(rng);
   aim.reach = kRayEnd;
-  aim.f = vertex_bsdf(v, aim.direction, bsdf);
+  aim.f = scatter_eval(v, aim.direction, bsdf);
   return aim;
 }
 
 const uint kToLight = 0u, kToSun = 1u, kWays = 2u;
 
-// Light that the vertex reflects to its viewer from a light of the list and from a sun. `irradiance`: what falls on it
-// from them, over pi.
-vec3 look_for_lights(PathVertex v, vec3 origin, out vec3 irradiance, inout uint rng) {
-  vec3 sum = vec3(0.0);
-  irradiance = vec3(0.0);
+// From a light of the list and from a sun.
+Direct look_for_light(Vertex v, vec3 origin, inout uint rng) {
+  Direct direct = Direct(vec3(0.0), vec3(0.0));
   for (uint way = 0u; way < kWays; ++way) {
     if (way == kToLight ? !has_lights() : frame.sun_count == 0u) continue;
     Aim aim;
@@ -170,9 +162,9 @@ vec3 look_for_lights(PathVertex v, vec3 origin, out vec3 irradiance, inout uint 
       aim.weight = 1.0 / density_of_all(hit_light_pdf(hit, aim.direction), sun, bsdf);
     }
     vec3 light = load_surface(hit, aim.direction, false, true).emission * aim.weight;
-    sum += aim.f * light;
-    irradiance += light * (max(dot(aim.direction, v.shading_normal), 0.0) / kPiShared);
+    direct.radiance += aim.f * light;
+    direct.irradiance += light * (max(dot(aim.direction, v.shading_normal), 0.0) / kPiShared);
   }
-  return sum;
+  return direct;
 }
 #endif

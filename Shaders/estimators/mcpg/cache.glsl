@@ -2,10 +2,10 @@
 // in a biased estimator, for the end of paths); an unbiased estimator's picture never holds it.
 //
 // Readers see the former frame's means; this frame's samples are added up in fixed point beside them, with atomic
-// additions, whose order does not matter, and folded in by passes/guide_cache.comp. So there are no locks, and the same
+// additions, whose order does not matter, and folded in by fold_cache.comp. So there are no locks, and the same
 // samples give the same cache in any order.
-#ifndef FB_LIB_GUIDE_CACHE
-#define FB_LIB_GUIDE_CACHE
+#ifndef FB_MCPG_CACHE
+#define FB_MCPG_CACHE
 #include "lib/frame_bindings.glsl"
 #include "shared/color.h"
 #include "shared/guide.h"
@@ -20,7 +20,6 @@ void store_guide_motion(uint at, uvec2 motion) {
 
 const uint kCacheTries = 4u;  // two places for a cell, then two for a coarser one
 const uint kCacheStale = 120u;  // frames after which another cell may take an entry
-const uint kTailFrames = 4u;    // frames that must have trained a cell before a path may end in it
 
 uint guide_list_at() { return frame.guide_cells * kCacheWords; }
 // Two counters take turns: while one counts, the other is set to zero for the next frame.
@@ -32,9 +31,6 @@ uint guide_winner_at() { return frame.guide_cells * (kCacheWords + 1u) + 4u; }
 // Multiplication by an odd number and exclusive or with a constant permute the words.
 uint proposal_rank(uint proposal) { return ((proposal + 1u) * 2654435769u) ^ hash_u32(frame.guide_frame); }
 
-// Numbers that choose among cells: the same for lanes that run together (4x2 pixels), so that these share memory.
-uint guide_rng;
-
 struct CacheCell {
   uint entry;  // first word of the entry that holds the cell, or kNoIndex
   uint claim;  // first word of the entry that it could have, or kNoIndex
@@ -44,11 +40,12 @@ struct CacheCell {
 uint cache_frames(uint entry) { return guide_cache[entry + kCacheCount] & 0xffffu; }
 uint cache_age(uint entry) { return (frame.guide_frame - (guide_cache[entry + kCacheCount] >> 16u)) & 0xffffu; }
 
-// The cell about a point; where its entry holds another cell, a coarser one.
-CacheCell find_cache_cell(vec3 p, vec3 n) {
+// The cell about a point; where its entry holds another cell, a coarser one. Lanes that run together choose alike, so that
+// they share memory.
+CacheCell find_cache_cell(vec3 p, vec3 n, inout uint group_rng) {
   CacheCell cell = CacheCell(kNoIndex, kNoIndex, 0u);
-  vec3 u = vec3(rng_uniform(guide_rng), rng_uniform(guide_rng), rng_uniform(guide_rng));
-  uint level = grid_level(distance(p, frame.camera_position.xyz), frame.guide_pick.w, rng_uniform(guide_rng));
+  vec3 u = vec3(rng_uniform(group_rng), rng_uniform(group_rng), rng_uniform(group_rng));
+  uint level = grid_level(distance(p, frame.camera_position.xyz), frame.guide_pick.w, rng_uniform(group_rng));
   for (uint i = 0u; i < kCacheTries && cell.entry == kNoIndex; ++i) {
     uint at = min(level + (i >> 1u), kGridLevels - 1u);
     GridKey key = grid_vertex(p, exp2(float(at)), kCacheTag + adaptive_tag(at, n), u);

@@ -1,0 +1,31 @@
+// Step `field`: the irradiance cache. For training; where kEndsInField (mcpg_tail, biased) it also ends paths.
+#ifndef FB_MCPG_FIELD
+#define FB_MCPG_FIELD
+#include "estimators/mcpg/cache.glsl"
+#include "lib/path_state.glsl"
+
+const bool kHasField = true;
+const uint kTailFrames = 4u;  // that must have trained a cell before a path may end in it
+
+struct Field {
+  CacheCell cell;
+};
+
+Field field_at(vec3 position, vec3 normal, inout Path path) {
+  return Field(find_cache_cell(position, normal, path.group_rng));
+}
+
+// A path that ends in the field must not lack light (nor must the cache, which learns from such paths): a place of which
+// nothing is known is thought to be lit like the one that sees it.
+vec3 field_reflection(Field there, Field here, Surface s) {
+  uint entry = there.cell.entry;
+  if (kEndsInField && (entry == kNoIndex || cache_frames(entry) < kTailFrames)) entry = here.cell.entry;
+  bool known = entry != kNoIndex && (frame.guide_flags & kGuideUseCache) != 0u;
+  return known ? s.bsdf.albedo * cached_reflection(entry) : vec3(0.0);
+}
+
+bool field_suffices(Field there, Field here) {
+  uint a = there.cell.entry, b = here.cell.entry;
+  return (a != kNoIndex && cache_frames(a) >= kTailFrames) || (b != kNoIndex && cache_frames(b) >= kTailFrames);
+}
+#endif

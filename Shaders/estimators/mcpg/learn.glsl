@@ -1,0 +1,83 @@
+// Step `learning`: what a path met trains the irradiance cache and, by maximum likelihood (Alber 2025, Alg. 3), a state.
+//
+// Beyond the paper: only a share of the paths trains where much is known, to save time; an emitter that is new is never
+// passed by.
+#ifndef FB_MCPG_LEARN
+#define FB_MCPG_LEARN
+#include "estimators/mcpg/train_cache.glsl"
+#include "estimators/mcpg/transition_buckets.glsl"
+#include "estimators/mcpg/transition_paper.glsl"
+
+const bool kLearns = true;
+const bool kFollowsMotion = true;
+const float kFarTarget = 32768.0;  // as far as a map reaches: where light from beyond is thought to be
+
+const uint kYoungFrames = 32u;
+const uint kManyPaths = 16u;  // of a pixel: a share of them is enough, and a cell's sums have no room for all
+
+// Little is known at the vertex yet, or it is this path's turn.
+bool trains_here(Guidance g, Path path) {
+  return path.trains || (frame.spp <= kManyPaths && (g.cache.entry == kNoIndex || g.cache_frames < kYoungFrames));
+}
+
+// Light that was looked for goes into the cell; the sample is counted where the path's own direction trains it.
+void learn_direct(Guidance g, Direct direct, Path path, inout uint rng) {
+  if (!trains_here(g, path)) return;
+  if (g.cache.entry == kNoIndex || g.pdf == 0.0 || direct.irradiance == vec3(0.0)) return;
+  add_to_cache(g.cache.entry, direct.irradiance, rng_uniform(rng));
+}
+
+// A direction below the surface: a sample of zero, without which the cell's means would be those of the others.
+void learn_waste(Guidance g, Path path) {
+  uint entry = g.cache.entry;
+  if (trains_here(g, path) && g.below && entry != kNoIndex)
+    list_touched(entry, atomicAdd(guide_cache[entry + kCacheTouched], 1u));
+}
+
+vec3 hit_velocity(Hit hit, vec3 position) {
+  if (hit.instance == kNoIndex || (instances[hit.instance].flags & kInstanceMoves) == 0u) return vec3(0.0);
+  return (position - previous_position(hit)) / max(frame.time - frame.prev_time, 1e-4);
+}
+
+// Folds the sample into the state of a transition, and stores it.
+void update_state(Vertex v, Transition t, vec3 hit_position, vec3 velocity, float score, float emitted, uint proposal) {
+  GuideState s = t.state;
+  vec3 expected = predicted_target(s);
+  vec3 to_target = (s.count > 0u ? expected : hit_position) - v.position;
+  if (!(dot(to_target, to_target) > 1e-6)) return;
+  float scale = view_state(s, to_target, v.normal).scale;
+  bool seen = score > 0.0 && t.value >= 0.1 * s.weight * scale;
+  // The light is gone: nothing where it should be, and nobody saw it in the former frame (Alber 2025, Section 5).
+  bool lost = (frame.guide_flags & kGuideLoss) != 0u && t.matched && t.near && t.value < 0.02 * s.weight * scale &&
+              guide_age(s) > 1u;
+  if (seen) s.target = expected;
+  s = update_guide_state(s, v.position, hit_position, t.value / scale, score > 0.0 ? emitted / score : 0.0,
+                         frame.guide_learn.y, frame.guide_learn.z, (frame.guide_flags & kGuideInWorld) != 0u);
+  if (lost) s.weight = 0.0;
+  if (seen) {
+    s.time = frame.guide_frame & 0xffffu;
+    s.velocity = velocity;
+  }
+  s.check = t.check;
+  store_guide_state(s, t.slot, proposal);
+}
+
+void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout Path path, inout uint rng) {
+  GuideSlot slot = find_slot(g, p.direction);
+  bool trains = trains_here(g, path);
+  bool is_new = g.choice.state == kNoIndex && !slot.matched && incident.emission != vec3(0.0);
+  if (!trains && !is_new) return;
+  vec3 position = incident.origin + p.direction * min(incident.hit.t, kFarTarget);
+  vec3 velocity = hit_velocity(incident.hit, position);
+
+  float emitted = luminance(p.weight * incident.emission);
+  float score = emitted + luminance(p.weight * incident.reflection);  // f / pdf
+  if (isnan(score) || isinf(score)) return;
+  if (trains) train_cell(v, g, p.direction, incident, emitted, score - emitted, rng);
+
+  Transition t;
+  bool accepted = GUIDE_BUCKET == 1u ? paper_transition(v, g, score, path.group_rng, rng, t)
+                                     : bucket_transition(v, g, slot, position, score, emitted, rng, t);
+  if (accepted) update_state(v, t, position, velocity, score, emitted, path.vertex);
+}
+#endif

@@ -1,0 +1,83 @@
+// Step `proposal`: a direction from the lobes or from the BSDF (Alber 2025, Alg. 2), weighted by the density of both together,
+// given the states that were loaded: f cos / pdf is unbiased whatever they hold (eq. 6).
+//
+// Beyond the paper: how often the lobes are sampled is learnt (r_mc_learn_share 0: fixed, as there).
+#ifndef FB_MCPG_PROPOSE
+#define FB_MCPG_PROPOSE
+#include "estimators/mcpg/field.glsl"
+#include "estimators/mcpg/mixture.glsl"
+
+const float kLeastUseful = 0.06;
+
+// How often to guide at a point: of several probabilities, which were all tried on the same samples, the ones with low
+// second moments of the estimate (off-policy: f^2 / (p_k p) averages f^2 / p_k whatever p the samples are from).
+float learnt_share(CacheCell cell, uint cell_frames) {
+  float prior = frame.guide_learn.x;
+  if ((frame.guide_flags & kGuideLearnShare) == 0u || cell.entry == kNoIndex) return prior;
+  vec4 m = cached_moments(cell.entry);
+  if (!(min(min(m.x, m.y), min(m.z, m.w)) > 0.0)) return prior;
+  // Moments are over the squared mean: less one they are variances, which the floor keeps from being trusted too far.
+  vec4 variance = max(m - 1.0, vec4(0.0)) + 0.03;
+  vec4 w = min(min(variance.x, variance.y), min(variance.z, variance.w)) / variance;
+  w *= w;
+  w *= w;
+  float learnt = dot(w, guide_shares()) / dot(w, vec4(1.0));
+  float n = float(cell_frames);
+  float share = mix(prior, learnt, n / (n + 4.0));
+  // A guided sample that finds nothing costs more than it brings where there is next to nothing to guide to.
+  return clamp(share < kLeastUseful ? 0.0 : share, frame.guide_pick.z, frame.guide_pick.y);
+}
+
+void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g) {
+  g.cache = here.cell;
+  g.cache_frames = g.cache.entry != kNoIndex ? cache_frames(g.cache.entry) : 0u;
+  g.last = path.last;
+  g.moved = (frame.guide_flags & kGuidePrevious) != 0u && v.previous != v.position;
+  load_mixture(v, g, path.group_rng, rng);
+  g.share = g.total > 0.0 ? learnt_share(g.cache, g.cache_frames) : 0.0;
+}
+
+float share_pdf(Guidance g, float guided_pdf, float bsdf_pdf) {
+  return g.share * guided_pdf + (1.0 - g.share) * bsdf_pdf;
+}
+
+Proposal propose(Vertex v, inout Guidance g, inout uint rng) {
+  mat3 to_world = frame_about(v.shading_normal);
+  vec3 view = v.view * to_world;
+  bool guided = rng_uniform(rng) < g.share;
+  vec3 u = vec3(rng_uniform(rng), rng_uniform(rng), rng_uniform(rng));
+  Proposal p;
+  vec3 local;
+  if (guided) {
+    p.direction = vmf_sample(g.choice.lobe.mu, g.choice.lobe.kappa, u.xy);
+    local = p.direction * to_world;
+  } else {
+    g.choice.state = kNoIndex;
+    if (FEATURE_SPECULAR) bsdf_sample(v.bsdf, view, u, local);
+    else local = sample_cosine_hemisphere(u.xy);
+    p.direction = to_world * local;
+  }
+  g.home = g.moved ? 0u : min(uint(rng_uniform(rng) * float(GUIDE_ACCESSES)), GUIDE_ACCESSES - 1u);
+  g.guided_pdf = mixture_pdf(g, p.direction);
+
+  vec3 f;
+  if (FEATURE_SPECULAR) {
+    g.bsdf_pdf = bsdf_pdf(v.bsdf, view, local);
+    f = bsdf_eval(v.bsdf, view, local);
+  } else {
+    g.bsdf_pdf = pdf_cosine_hemisphere(local);
+    f = v.bsdf.albedo * g.bsdf_pdf;
+  }
+  g.pdf = share_pdf(g, g.guided_pdf, g.bsdf_pdf);
+  g.below = !(dot(p.direction, v.normal) > 0.0);
+  bool counts = g.pdf > 0.0 && !g.below && local.z > 0.0;
+  p.weight = counts ? f / g.pdf : vec3(0.0);
+  return p;
+}
+
+float proposal_pdf(Vertex v, Guidance g, vec3 direction) {
+  float bsdf;
+  scatter_eval(v, direction, bsdf);
+  return share_pdf(g, mixture_pdf(g, direction), bsdf);
+}
+#endif

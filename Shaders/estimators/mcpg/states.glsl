@@ -1,0 +1,72 @@
+// The table of states: an ensemble of hash grids (Alber 2025, Section 4), whose cells hold GUIDE_BUCKET states each (the
+// paper's: one).
+#ifndef FB_MCPG_STATES
+#define FB_MCPG_STATES
+#include "estimators/mcpg/cache.glsl"
+#include "lib/path_state.glsl"
+
+layout(constant_id = 2) const bool GUIDE_RESOLVE = false;  // store proposals, which a pass resolves in a fixed order
+layout(constant_id = 3) const uint GUIDE_ACCESSES = 2u;    // cells that are looked at
+layout(constant_id = 4) const uint GUIDE_BUCKET = 4u;      // states in a cell
+const uint kGuideLobes = GUIDE_ACCESSES * GUIDE_BUCKET;    // the paper's N_mc
+
+struct GuideCell {
+  uint first;  // index of its first state
+  uint check;
+};
+
+// The cell that a point falls into, at random: of the adaptive grid (at a random level) or of the static one.
+GuideCell guide_cell(vec3 p, vec3 n, bool adaptive, inout uint group_rng) {
+  vec3 u = vec3(rng_uniform(group_rng), rng_uniform(group_rng), rng_uniform(group_rng));
+  float width = frame.guide_grid.y;
+  uint tag = kStaticTag;
+  if (adaptive) {
+    uint level = grid_level(distance(p, frame.camera_position.xyz), frame.guide_grid.x, rng_uniform(group_rng));
+    level = min(level + grid_coarsening(frame.guide_grid.w, rng_uniform(group_rng)), kGridLevels - 1u);
+    width = exp2(float(level));
+    tag = adaptive_tag(level, n);
+  }
+  GridKey key = grid_vertex(p, width, tag, u);
+  uint buckets = frame.guide_states / GUIDE_BUCKET;
+  return GuideCell((key.hash & (buckets - 1u)) * GUIDE_BUCKET, key.check);
+}
+
+uvec2 load_guide_motion(uint at) {
+  uint word = frame.guide_states + (at >> 1u);
+  return (at & 1u) == 0u ? guide_states[word].xy : guide_states[word].zw;
+}
+GuideState load_guide_state(uint at) {
+  return add_guide_motion(unpack_guide_state(guide_states[at]), load_guide_motion(at));
+}
+
+void store_guide_state(GuideState s, uint at, uint proposal) {
+  if (isnan(s.weight) || isinf(s.weight) || any(isnan(s.target)) || any(isinf(s.target))) {
+    atomicAdd(counters[kCounterGuideNan], 1u);
+    return;
+  }
+  uvec4 words = pack_guide_state(s);
+  uvec2 motion = pack_guide_motion(s);
+  if (GUIDE_RESOLVE) {
+    guide_proposals[proposal * 2u] = words;
+    guide_proposals[proposal * 2u + 1u] = uvec4(motion, at, 0u);
+    atomicMax(guide_cache[guide_winner_at() + at], proposal_rank(proposal));
+  } else {
+    guide_states[at] = words;
+    store_guide_motion(at, motion);
+  }
+}
+
+uint guide_age(GuideState s) { return (frame.guide_frame - s.time) & 0xffffu; }
+
+// Where its light should be now (Alber 2025, eq. 10), for the few frames that this can be trusted.
+vec3 predicted_target(GuideState s) {
+  uint age = guide_age(s);
+  bool moves = (frame.guide_flags & kGuidePredict) != 0u && age <= 8u;
+  return moves ? s.target + s.velocity * (float(age) * max(frame.time - frame.prev_time, 0.0)) : s.target;
+}
+
+GuideView view_state(GuideState s, vec3 to_target, vec3 n) {
+  return view_guide_state(s, to_target, dot(to_target, n) * inversesqrt(dot(to_target, to_target)), frame.guide_learn.w,
+                          (frame.guide_flags & kGuideInWorld) != 0u);
+}
+#endif

@@ -1,0 +1,13 @@
+// What a path's ray met, for steps that learn from it. The technique's Field is defined before.
+#ifndef FB_LIB_INCIDENT
+#define FB_LIB_INCIDENT
+#include "lib/path_state.glsl"
+
+struct Incident {
+  vec3 origin;      // of the ray
+  Hit hit;          // instance kNoIndex: nothing was met
+  vec3 emission;    // radiance that is emitted there: the share that this ray stands for
+  vec3 reflection;  // and reflected, as far as the field knows
+  Field field;      // about the point that was met; about the ray's own vertex where there is none
+};
+#endif
