@@ -63,9 +63,8 @@ void update_state(Vertex v, Transition t, vec3 hit_position, vec3 velocity, floa
 }
 
 void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout Path path, inout uint rng) {
-  GuideSlot slot = find_slot(g, p.direction);
   bool trains = trains_here(g, path);
-  bool is_new = g.choice.state == kNoIndex && !slot.matched && incident.emission != vec3(0.0);
+  bool is_new = g.choice.state == kNoIndex && !g.slot.matched && incident.emission != vec3(0.0);
   if (!trains && !is_new) return;
   vec3 position = incident.origin + p.direction * min(incident.hit.t, kFarTarget);
   vec3 velocity = hit_velocity(incident.hit, position);
@@ -76,8 +75,9 @@ void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout 
   if (trains) train_cell(v, g, p.direction, incident, emitted, score - emitted, rng);
 
   Transition t;
-  bool accepted = GUIDE_BUCKET == 1u ? paper_transition(v, g, score, path.group_rng, rng, t)
-                                     : bucket_transition(v, g, slot, position, score, emitted, rng, t);
+  bool accepted;
+  if (GUIDE_BUCKET == 1u) accepted = paper_transition(v, g, score, path.group_rng, rng, t);
+  else accepted = bucket_transition(v, g, position, score, emitted, rng, t);
   if (accepted) update_state(v, t, position, velocity, score, emitted, path.vertex);
 }
 #endif

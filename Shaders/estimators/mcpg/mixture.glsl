@@ -11,6 +11,16 @@ struct GuideChoice {
   uint state;  // kNoIndex: there is none
 };
 
+// Where what a direction finds is stored: the slot of the home cell whose lobe explains the direction best, or else the one
+// that is worth least.
+struct GuideSlot {
+  uint at, check;  // index of the state; for which cell
+  bool matched;    // the lobe there explains the direction
+  bool near;       // which is nearer to its mean than its mean cosine
+  float part;      // weight in the mixture, if matched
+  float worth;     // of the least one
+};
+
 // What is known at a vertex, and of the direction that is proposed there. (GLSL cannot assign arrays whose size is a
 // specialisation constant: hence one struct, which functions fill.)
 struct Guidance {
@@ -24,7 +34,8 @@ struct Guidance {
   uint cache_frames;   // that it has been trained in
   float share;         // probability of sampling the lobes
   GuideChoice choice;  // what is sampled; state kNoIndex: the BSDF
-  uint home;           // the cell that the result goes to
+  uint home;           // the cell that the result goes to, and where in it
+  GuideSlot slot;
   float pdf, guided_pdf, bsdf_pdf;  // of the direction
   bool below;                       // it points into the surface
 };
@@ -61,15 +72,43 @@ void load_mixture(Vertex v, inout Guidance g, inout uint group_rng, inout uint r
   }
 }
 
-// Density of the lobes, each as often as it is chosen; per solid angle.
-float mixture_pdf(Guidance g, vec3 direction) {
-  float pdf = 0.0;
+const float kMatch = 0.02;  // a direction belongs to a lobe whose pdf there is at least this share of its peak
+
+// Density of the lobes in a direction, each as often as it is chosen; per solid angle. Finds the slot on the way.
+float mixture_pdf(Guidance g, vec3 direction, out GuideSlot slot) {
+  float pdf = 0.0, best = 0.0, least = 3e38, best_part = 0.0;
+  uint best_slot = 0u, least_slot = 0u;
+  slot.near = false;
   [[unroll]] for (uint i = 0u; i < kGuideLobes; ++i) {
     VmfLobe lobe = g.lobes[i];
+    vec2 weight = g.weights[i];
     float t = vmf_one_minus_cosine(lobe.mu, direction) * lobe.kappa;
-    float e = exp(-t), p = e * lobe.scale * g.weights[i].x;
+    float e = exp(-t), p = e * lobe.scale * weight.x;
     pdf += p;
+    bool here = i / GUIDE_BUCKET == g.home;
+    float fit = e > kMatch ? max(p, e * 1e-30) : 0.0;
+    if (here && weight.y > 0.0 && fit > best) {
+      best = fit;
+      best_slot = i;
+      best_part = weight.x;
+      slot.near = t < 1.0;
+    }
+    // Light that no lobe stands for is found by the BSDF alone: its second moment is what a slot is worth.
+    float worth = weight.y * weight.y * lobe.scale;
+    if (here && worth < least) {
+      least = worth;
+      least_slot = i;
+    }
   }
+  GuideCell cell = g.cells[0];
+  [[unroll]] for (uint a = 1u; a < GUIDE_ACCESSES; ++a) {
+    if (a == g.home) cell = g.cells[a];
+  }
+  slot.matched = GUIDE_BUCKET > 1u && best > 0.0;
+  slot.at = cell.first + (slot.matched ? best_slot : least_slot) % GUIDE_BUCKET;
+  slot.check = cell.check;
+  slot.part = g.total > 0.0 ? best_part / g.total : 0.0;
+  slot.worth = least;
   return g.total > 0.0 ? pdf / g.total : 0.0;
 }
 #endif

@@ -58,7 +58,7 @@ Proposal propose(Vertex v, inout Guidance g, inout uint rng) {
     p.direction = to_world * local;
   }
   g.home = g.moved ? 0u : min(uint(rng_uniform(rng) * float(GUIDE_ACCESSES)), GUIDE_ACCESSES - 1u);
-  g.guided_pdf = mixture_pdf(g, p.direction);
+  g.guided_pdf = mixture_pdf(g, p.direction, g.slot);
 
   vec3 f;
   if (FEATURE_SPECULAR) {
@@ -78,6 +78,7 @@ Proposal propose(Vertex v, inout Guidance g, inout uint rng) {
 float proposal_pdf(Vertex v, Guidance g, vec3 direction) {
   float bsdf;
   scatter_eval(v, direction, bsdf);
-  return share_pdf(g, mixture_pdf(g, direction), bsdf);
+  GuideSlot slot;
+  return share_pdf(g, mixture_pdf(g, direction, slot), bsdf);
 }
 #endif
