@@ -1,4 +1,4 @@
-// The estimators there are. Their policies are Shaders/estimators/<name>/<name>.glsl.
+// The estimators there are. Their shaders, Shaders/estimators/NAME/NAME.comp, choose the steps of the path loop.
 #include "render/renderer.h"
 
 namespace fb::render {
