@@ -112,7 +112,8 @@ DECLARES = {
 BRINGS = {
     "iostream": ["ostream", "istream", "ios", "streambuf"],
     "fstream": ["ios"], "sstream": ["ios"], "istream": ["ios", "ostream"], "ostream": ["ios"],
-    "string": ["initializer_list"], "vector": ["initializer_list"], "map": ["initializer_list"],
+    **{name: ["initializer_list"] for name in ("algorithm", "array", "deque", "list", "map", "queue", "random", "set", "string",
+                                               "unordered_map", "unordered_set", "utility", "valarray", "vector")},
 }  # fmt: skip
 # Names that are taken without std:: in front, since they are macros.
 MACROS = {"errno", "FLT_MAX", "FLT_MIN", "FLT_EPSILON", "DBL_MAX", "DBL_MIN", "DBL_EPSILON", "INT_MAX", "INT_MIN", "UINT_MAX",
@@ -126,6 +127,8 @@ C_HEADERS = {name[1:] + ".h": name for name in DECLARES if name.startswith("c")}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:<([\w./]+)>|"([\w./]+)")', re.M)
 NOT_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
+# `for (x : {a, b})` makes a list that nobody names.
+UNNAMED_LIST = re.compile(r"\bfor \([^;()]*[^:]:\s*\{")
 USE = re.compile(r"\bstd::(?:ranges::)?(\w+)|\b(" + "|".join(sorted(MACROS)) + r")\b")
 PLACES = ("Quake", "Shaders", ".")  # where an include in quotes is looked for
 
@@ -174,7 +177,8 @@ class Sources:
         headers = self.standard_headers(path)
         seen = set()
         for number, line in enumerate(code_of(self.text(path)).split("\n"), 1):
-            for name in (a or b for a, b in USE.findall(line)):
+            names = [a or b for a, b in USE.findall(line)] + ["initializer_list"] * bool(UNNAMED_LIST.search(line))
+            for name in names:
                 wanted = HEADERS_OF.get(name)
                 if wanted is None or name in seen or wanted & headers:
                     continue
@@ -208,10 +212,11 @@ def self_test():
         "Quake/a/names.cpp": "#include <algorithm>\n#include <errno.h>\nint f() { return std::clamp(errno, 2, 3); }\n",
         "Quake/a/says.cpp": '// std::clamp\nconst char* s = "std::clamp";\n/* std::sort\n */ const char* r = R"(std::min)";\n',
         "Quake/a/macro.cpp": "float f() { return FLT_MAX; }\n",
+        "Quake/a/list.cpp": "void g(int);\nvoid f() {\n  for (const int x : {1, 2}) g(x);\n}\n",
         "Quake/a/ring.h": '#pragma once\n#include "a/gnir.h"\nstd::string ring();\n',
         "Quake/a/gnir.h": '#pragma once\n#include "a/ring.h"\n#include <string>\n',
     }
-    expected = {("Quake/a/forgets.cpp", 3), ("Quake/a/macro.cpp", 1)}
+    expected = {("Quake/a/forgets.cpp", 3), ("Quake/a/macro.cpp", 1), ("Quake/a/list.cpp", 3)}
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder).resolve()
         for name, text in files.items():

@@ -167,7 +167,7 @@ FB_CONST float kCacheLargest = 64.0f;   // radiance that a sample may bring
 FB_CONST float kMomentFixed = 256.0f;   // steps a unit of relative second moment
 FB_CONST float kMomentLargest = 4096.0f;
 
-// Probabilities of guiding whose second moments are compared (estimators/mcpg/propose.glsl).
+// Probabilities of guiding whose second moments are compared (lib/steps/mcpg/propose.glsl).
 FB_FN vec4 guide_shares() { return vec4(0.0f, 0.3f, 0.6f, 0.85f); }
 
 // frame.guide_flags

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <initializer_list>
+
 #include "base/rng.h"
 #include "shared/rng.h"
 

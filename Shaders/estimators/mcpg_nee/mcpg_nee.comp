@@ -7,8 +7,8 @@
 #extension GL_EXT_ray_query : require
 #endif
 const bool kEndsInField = false;
-#include "estimators/mcpg/steps.glsl"
+#include "lib/steps/mcpg/all.glsl"
 #include "lib/steps/direct_list.glsl"
-#include "estimators/mcpg/views.glsl"
+#include "lib/steps/mcpg/views.glsl"
 
 #include "lib/paths_main.glsl"

@@ -2,7 +2,7 @@
 // paper's: one).
 #ifndef FB_MCPG_STATES
 #define FB_MCPG_STATES
-#include "estimators/mcpg/cache.glsl"
+#include "lib/steps/mcpg/cache.glsl"
 #include "lib/path_state.glsl"
 
 layout(constant_id = 2) const bool GUIDE_RESOLVE = false;  // store proposals, which a pass resolves in a fixed order

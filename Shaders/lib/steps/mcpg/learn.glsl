@@ -4,9 +4,9 @@
 // passed by.
 #ifndef FB_MCPG_LEARN
 #define FB_MCPG_LEARN
-#include "estimators/mcpg/train_cache.glsl"
-#include "estimators/mcpg/transition_buckets.glsl"
-#include "estimators/mcpg/transition_paper.glsl"
+#include "lib/steps/mcpg/train_cache.glsl"
+#include "lib/steps/mcpg/transition_buckets.glsl"
+#include "lib/steps/mcpg/transition_paper.glsl"
 
 const bool kLearns = true;
 const bool kFollowsMotion = true;

@@ -1,7 +1,7 @@
 // Step `views`: what is known at the first vertex, as colours (r_debug 20 to 29).
 #ifndef FB_MCPG_VIEWS
 #define FB_MCPG_VIEWS
-#include "estimators/mcpg/propose.glsl"
+#include "lib/steps/mcpg/propose.glsl"
 
 vec3 heat(float x) { return clamp(vec3(1.5 - abs(4.0 * x - 3.0), 1.5 - abs(4.0 * x - 2.0), 1.5 - abs(4.0 * x - 1.0)), 0.0, 1.0); }
 vec3 cell_color(uint h) {

@@ -2,7 +2,7 @@
 // cells of one state.
 #ifndef FB_MCPG_TRANSITION_PAPER
 #define FB_MCPG_TRANSITION_PAPER
-#include "estimators/mcpg/transition.glsl"
+#include "lib/steps/mcpg/transition.glsl"
 
 bool paper_transition(Vertex v, Guidance g, float score, inout uint group_rng, inout uint rng, out Transition t) {
   t.matched = t.near = false;

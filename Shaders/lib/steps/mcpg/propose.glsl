@@ -4,8 +4,8 @@
 // Beyond the paper: how often the lobes are sampled is learnt (r_mc_learn_share 0: fixed, as there).
 #ifndef FB_MCPG_PROPOSE
 #define FB_MCPG_PROPOSE
-#include "estimators/mcpg/field.glsl"
-#include "estimators/mcpg/mixture.glsl"
+#include "lib/steps/mcpg/field.glsl"
+#include "lib/steps/mcpg/mixture.glsl"
 
 const float kLeastUseful = 0.06;
 

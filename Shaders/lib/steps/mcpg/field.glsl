@@ -1,7 +1,7 @@
 // Step `field`: the irradiance cache. For training; where kEndsInField (mcpg_tail, biased) it also ends paths.
 #ifndef FB_MCPG_FIELD
 #define FB_MCPG_FIELD
-#include "estimators/mcpg/cache.glsl"
+#include "lib/steps/mcpg/cache.glsl"
 #include "lib/path_state.glsl"
 
 const bool kHasField = true;

@@ -2,7 +2,7 @@
 // eq. 6).
 #ifndef FB_MCPG_MIXTURE
 #define FB_MCPG_MIXTURE
-#include "estimators/mcpg/states.glsl"
+#include "lib/steps/mcpg/states.glsl"
 
 // One lobe of it, chosen by its weight.
 struct GuideChoice {

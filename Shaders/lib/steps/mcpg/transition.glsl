@@ -1,7 +1,7 @@
 // What a transition of the Markov chain decides: which state learns from a sample, of what score, and where it is stored.
 #ifndef FB_MCPG_TRANSITION
 #define FB_MCPG_TRANSITION
-#include "estimators/mcpg/propose.glsl"
+#include "lib/steps/mcpg/propose.glsl"
 
 struct Transition {
   GuideState state;  // that learns

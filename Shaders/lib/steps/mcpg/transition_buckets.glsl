@@ -2,7 +2,7 @@
 // lobe of the cell that explains it, or else takes the least one's place; a score is a lobe's share of the energy.
 #ifndef FB_MCPG_TRANSITION_BUCKETS
 #define FB_MCPG_TRANSITION_BUCKETS
-#include "estimators/mcpg/transition.glsl"
+#include "lib/steps/mcpg/transition.glsl"
 
 bool bucket_transition(Vertex v, Guidance g, vec3 hit_position, float score, float emitted, inout uint rng, out Transition t) {
   GuideSlot slot = g.slot;

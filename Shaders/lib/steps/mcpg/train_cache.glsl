@@ -1,7 +1,7 @@
 // What a vertex's sample teaches the irradiance cache's cell, and the second moments there of every probability of guiding.
 #ifndef FB_MCPG_TRAIN_CACHE
 #define FB_MCPG_TRAIN_CACHE
-#include "estimators/mcpg/propose.glsl"
+#include "lib/steps/mcpg/propose.glsl"
 #include "lib/incident.glsl"
 
 // How much larger the second moment of an estimate of that light is than its square, about.
