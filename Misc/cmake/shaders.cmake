@@ -1,22 +1,64 @@
-# fb_shader(NAME SOURCE [DEFINES A=1 ...]) compiles SOURCE with glslang to SPIR-V for Vulkan 1.2 and embeds it: the
-# generated NAME.spv.h holds `inline constexpr std::uint32_t kNameSpv[]`. Shaders/CMakeLists.txt lists every variant.
+# fb_shader(NAME SOURCE [TRACES]) compiles SOURCE with glslang to SPIR-V for Vulkan 1.2 and embeds every variant of it:
+# arrays bound or by address (Shaders/lib/arrays.glsl), and, where it TRACES, through ray query as well (by address:
+# devices with ray query have addresses). fb_shader_table(FILE) then writes a header whose kCompiledShaders lists all.
+#
+# fb_test_shader(NAME SOURCE) embeds one variant as NAME.spv.h with `NAME_spv`.
 find_program(GLSLANG NAMES glslangValidator glslang REQUIRED)
 set(FB_SHADER_DIR ${CMAKE_BINARY_DIR}/shaders)
 file(MAKE_DIRECTORY ${FB_SHADER_DIR})
 
-function(fb_shader name source)
-  cmake_parse_arguments(S "" "" "DEFINES" ${ARGN})
-  set(flags)
-  foreach(define ${S_DEFINES})
-    list(APPEND flags -D${define})
-  endforeach()
+function(fb_compile_shader name source)
   set(out ${FB_SHADER_DIR}/${name}.spv.h)
+  list(TRANSFORM ARGN PREPEND -D)
   add_custom_command(
     OUTPUT ${out}
-    COMMAND ${GLSLANG} -V --quiet --target-env vulkan1.2 -I${CMAKE_SOURCE_DIR}/Shaders ${flags}
-            --vn ${name}_spv --depfile ${out}.d -o ${out} ${CMAKE_CURRENT_SOURCE_DIR}/${source}
+    COMMAND ${GLSLANG} -V --quiet --target-env vulkan1.2 -I${CMAKE_SOURCE_DIR}/Shaders ${ARGN}
+            --vn ${name}_spv --depfile ${out}.d -o ${out} ${source}
     DEPFILE ${out}.d
-    DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${source}
+    DEPENDS ${source}
     COMMENT "glslang ${name}" VERBATIM)
   set_property(GLOBAL APPEND PROPERTY FB_SHADER_HEADERS ${out})
+endfunction()
+
+function(fb_test_shader name source)
+  fb_compile_shader(${name} ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+endfunction()
+
+function(fb_shader name source)
+  cmake_parse_arguments(S "TRACES" "" "" ${ARGN})
+  set(source ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+  fb_compile_shader(${name}_bound ${source} INTERSECTOR_QUERY=0 ARRAYS_BY_ADDRESS=0 ${S_UNPARSED_ARGUMENTS})
+  fb_compile_shader(${name}_address ${source} INTERSECTOR_QUERY=0 ARRAYS_BY_ADDRESS=1 ${S_UNPARSED_ARGUMENTS})
+  set(query "{}")
+  if(S_TRACES)
+    fb_compile_shader(${name}_query ${source} INTERSECTOR_QUERY=1 ARRAYS_BY_ADDRESS=1 ${S_UNPARSED_ARGUMENTS})
+    set(query ${name}_query_spv)
+    set_property(GLOBAL APPEND_STRING PROPERTY FB_SHADER_INCLUDES "#include \"${name}_query.spv.h\"\n")
+  endif()
+  set_property(GLOBAL APPEND_STRING PROPERTY FB_SHADER_INCLUDES
+               "#include \"${name}_address.spv.h\"\n#include \"${name}_bound.spv.h\"\n")
+  set_property(GLOBAL APPEND_STRING PROPERTY FB_SHADER_ROWS
+               "    CompiledShader{\"${name}\", ${name}_bound_spv, ${name}_address_spv, ${query}},\n")
+endfunction()
+
+function(fb_shader_table file)
+  get_property(includes GLOBAL PROPERTY FB_SHADER_INCLUDES)
+  get_property(rows GLOBAL PROPERTY FB_SHADER_ROWS)
+  file(CONFIGURE OUTPUT ${FB_SHADER_DIR}/${file} @ONLY CONTENT
+"// Written by CMake from Shaders/CMakeLists.txt: every shader of the renderer. Include it once.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+@includes@
+struct CompiledShader {
+  std::string_view name;
+  std::span<const std::uint32_t> bound;    // arrays through descriptors
+  std::span<const std::uint32_t> address;  // arrays by device address
+  std::span<const std::uint32_t> query;    // by device address, rays through ray query; empty: traces nothing
+};
+inline const std::array kCompiledShaders{
+@rows@};
+")
 endfunction()

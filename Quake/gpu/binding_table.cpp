@@ -1,5 +1,6 @@
-// The two descriptor sets. Descriptors are written when something changed, always in one call, always while no
-// submission is under way.
+// Descriptors are written when something changed, always in one call, always while no submission is under way.
+#include "gpu/binding_table.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,18 +10,41 @@
 #include "base/check.h"
 #include "base/out_of_memory.h"
 #include "gpu/device_impl.h"
-#include "gpu/pipeline.h"
 #include "gpu/vulkan_error.h"
 #include "gpu/vulkan_struct.h"
 
 namespace fb::gpu {
 namespace {
 
+using namespace shared;
+
+constexpr std::array<std::uint32_t, kSetCount> kArrays{kSceneArrays, kFrameArrays, kTechniqueArrays};
+constexpr std::array<std::uint32_t, kSetCount> kFirstAddress{kFirstSceneAddress, kFirstFrameAddress,
+                                                             kFirstTechniqueAddress};
+static_assert(kAddresses <= 32);  // storage buffers a stage
+constexpr std::uint32_t kLargestUniform = 16384;
+
 struct Slot {
   VkBuffer buffer = VK_NULL_HANDLE;
   std::uint64_t serial = 0;
   bool dirty = true;
+
+  // Whether it changed.
+  bool set(VkBuffer handle, std::uint64_t new_serial) {
+    if (serial == new_serial && buffer == handle) return false;
+    *this = {handle, new_serial, true};
+    return true;
+  }
 };
+
+// A uniform block: where it is bound.
+struct UniformPlace {
+  std::uint32_t set, binding;
+};
+constexpr std::array kUniforms{UniformPlace{kSetScene, kBindFrameConstants},
+                               UniformPlace{kSetTechnique, kBindTechniqueConstants},
+                               UniformPlace{kSetScene, kBindAddresses}};
+constexpr std::size_t kAddressUniform = 2;
 
 VkDescriptorSetLayoutBinding compute_binding(std::uint32_t binding, VkDescriptorType type) {
   VkDescriptorSetLayoutBinding info{};
@@ -31,7 +55,17 @@ VkDescriptorSetLayoutBinding compute_binding(std::uint32_t binding, VkDescriptor
   return info;
 }
 
-VkDescriptorSetLayout make_set_layout(VkDevice device, const std::vector<VkDescriptorSetLayoutBinding>& bindings) {
+VkDescriptorSetLayout make_set_layout(VkDevice device, std::uint32_t set, bool has_tlas) {
+  std::vector<VkDescriptorSetLayoutBinding> bindings;
+  for (std::uint32_t i = 0; i < kArrays[set]; ++i)
+    bindings.push_back(compute_binding(i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER));
+  for (const UniformPlace& uniform : kUniforms)
+    if (uniform.set == set) bindings.push_back(compute_binding(uniform.binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER));
+  if (set == kSetScene) {
+    if (has_tlas) bindings.push_back(compute_binding(kBindTlas, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR));
+    for (std::uint32_t i = 0; i < kTexelBuffers; ++i)
+      bindings.push_back(compute_binding(kBindTexelBuffers + i, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER));
+  }
   auto info = vk_struct<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
   info.bindingCount = static_cast<std::uint32_t>(bindings.size());
   info.pBindings = bindings.data();
@@ -46,36 +80,27 @@ struct BindingTable::Impl {
   explicit Impl(Device& d)
       : device(d),
         unset_storage(d, BufferUse::kStorage, 256, "unset storage buffer"),
-        unset_uniform(d, BufferUse::kUniform, 16384, "unset uniform buffer") {}
+        unset_uniform(d, BufferUse::kUniform, kLargestUniform, "unset uniform buffer"),
+        addresses(d, BufferUse::kUniform, kAddresses * sizeof(uvec4), "array addresses") {}
   ~Impl();
-
-  void set(Slot& slot, const Buffer& buffer) {
-    const VkBuffer handle = buffer ? buffer.handle() : unset_storage.handle();
-    if (buffer && buffer.size() > device.limits().max_storage_buffer_range)
-      throw OutOfMemory(fmt::format("\"{}\" needs a buffer of {}; {} binds {} at most", buffer.name(),
-                                    memory_text(buffer.size()), device.report().name,
-                                    memory_text(device.limits().max_storage_buffer_range)));
-    if (slot.serial == buffer.serial() && slot.buffer == handle) return;
-    slot = {handle, buffer.serial(), true};
-    dirty = true;
-  }
+  void make_layout();
+  void make_sets();
+  void make_views();
+  void write_addresses();
 
   Device& device;
-  Buffer unset_storage, unset_uniform;
-  std::array<Slot, kSceneBuffers> scene;
-  std::array<Slot, kFrameBuffers> frame;
-  Slot uniform;
+  Buffer unset_storage, unset_uniform, addresses;
+  std::array<std::vector<Slot>, kSetCount> arrays;
+  std::array<Slot, kUniforms.size()> uniforms;
   std::array<Slot, kTexelBuffers> texels;
   std::array<VkDeviceSize, kTexelBuffers> texel_bytes{};
   std::array<VkBufferView, kTexelBuffers> views{};
   VkAccelerationStructureKHR tlas = VK_NULL_HANDLE;
   bool tlas_dirty = false, dirty = true;
-  std::array<VkDescriptorSetLayout, 2> set_layouts{};
+  std::array<VkDescriptorSetLayout, kSetCount> set_layouts{};
   VkPipelineLayout layout = VK_NULL_HANDLE;
   VkDescriptorPool pool = VK_NULL_HANDLE;
-  std::array<VkDescriptorSet, 2> sets{};
-
-  void make_views();
+  std::array<VkDescriptorSet, kSetCount> sets{};
 };
 
 BindingTable::Impl::~Impl() {
@@ -84,6 +109,36 @@ BindingTable::Impl::~Impl() {
   vkDestroyDescriptorPool(handle, pool, nullptr);
   vkDestroyPipelineLayout(handle, layout, nullptr);
   for (VkDescriptorSetLayout set_layout : set_layouts) vkDestroyDescriptorSetLayout(handle, set_layout, nullptr);
+}
+
+void BindingTable::Impl::make_layout() {
+  for (std::uint32_t set = 0; set < kSetCount; ++set)
+    set_layouts[set] = make_set_layout(device.handle(), set, device.has_ray_query());
+  VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, kPushConstantBytes};
+  auto info = vk_struct<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
+  info.setLayoutCount = kSetCount;
+  info.pSetLayouts = set_layouts.data();
+  info.pushConstantRangeCount = 1;
+  info.pPushConstantRanges = &push;
+  FB_VK(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout));
+}
+
+void BindingTable::Impl::make_sets() {
+  const VkDescriptorPoolSize sizes[] = {
+      {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, kAddresses},
+      {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, static_cast<std::uint32_t>(kUniforms.size())},
+      {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, kTexelBuffers},
+      {VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, 1}};
+  auto info = vk_struct<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
+  info.maxSets = kSetCount;
+  info.poolSizeCount = device.has_ray_query() ? 4 : 3;
+  info.pPoolSizes = sizes;
+  FB_VK(vkCreateDescriptorPool(device.handle(), &info, nullptr, &pool));
+  auto allocate = vk_struct<VkDescriptorSetAllocateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO);
+  allocate.descriptorPool = pool;
+  allocate.descriptorSetCount = kSetCount;
+  allocate.pSetLayouts = set_layouts.data();
+  FB_VK(vkAllocateDescriptorSets(device.handle(), &allocate, sets.data()));
 }
 
 // Views of texel buffers that changed, each in the place of the former one.
@@ -100,75 +155,56 @@ void BindingTable::Impl::make_views() {
   }
 }
 
+// Addresses of arrays that changed.
+void BindingTable::Impl::write_addresses() {
+  if (!device.has_addresses()) return;
+  const auto words = addresses.mapped_as<uvec4>();
+  for (std::uint32_t set = 0; set < kSetCount; ++set) {
+    for (std::uint32_t i = 0; i < kArrays[set]; ++i) {
+      if (!arrays[set][i].dirty) continue;
+      auto info = vk_struct<VkBufferDeviceAddressInfo>(VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO);
+      info.buffer = arrays[set][i].buffer;
+      const VkDeviceAddress address = vkGetBufferDeviceAddress(device.handle(), &info);
+      words[kFirstAddress[set] + i] =
+          uvec4(static_cast<std::uint32_t>(address), static_cast<std::uint32_t>(address >> 32), 0, 0);
+    }
+  }
+}
+
 BindingTable::BindingTable(Device& device) : impl_(std::make_unique<Impl>(device)) {
-  const VkDevice handle = device.handle();
-  const bool has_tlas = device.has_ray_query();
-  std::vector<VkDescriptorSetLayoutBinding> scene, frame;
-  for (std::uint32_t i = 0; i < kSceneBuffers; ++i)
-    scene.push_back(compute_binding(i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER));
-  scene.push_back(compute_binding(kUniformBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER));
-  if (has_tlas) scene.push_back(compute_binding(kTlasBinding, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR));
-  for (std::uint32_t i = 0; i < kTexelBuffers; ++i)
-    scene.push_back(compute_binding(kTexelBinding + i, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER));
-  for (std::uint32_t i = 0; i < kFrameBuffers; ++i)
-    frame.push_back(compute_binding(i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER));
-  impl_->set_layouts[0] = make_set_layout(handle, scene);
-  impl_->set_layouts[1] = make_set_layout(handle, frame);
-
-  VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, kPushConstantBytes};
-  auto layout = vk_struct<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
-  layout.setLayoutCount = 2;
-  layout.pSetLayouts = impl_->set_layouts.data();
-  layout.pushConstantRangeCount = 1;
-  layout.pPushConstantRanges = &push;
-  FB_VK(vkCreatePipelineLayout(handle, &layout, nullptr, &impl_->layout));
-
-  const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, kSceneBuffers + kFrameBuffers},
-                                        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
-                                        {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, kTexelBuffers},
-                                        {VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, 1}};
-  auto pool = vk_struct<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
-  pool.maxSets = 2;
-  pool.poolSizeCount = has_tlas ? 4 : 3;
-  pool.pPoolSizes = sizes;
-  FB_VK(vkCreateDescriptorPool(handle, &pool, nullptr, &impl_->pool));
-  auto allocate = vk_struct<VkDescriptorSetAllocateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO);
-  allocate.descriptorPool = impl_->pool;
-  allocate.descriptorSetCount = 2;
-  allocate.pSetLayouts = impl_->set_layouts.data();
-  FB_VK(vkAllocateDescriptorSets(handle, &allocate, impl_->sets.data()));
-
-  for (Slot& slot : impl_->scene) slot.buffer = impl_->unset_storage.handle();
-  for (Slot& slot : impl_->frame) slot.buffer = impl_->unset_storage.handle();
-  impl_->uniform.buffer = impl_->unset_uniform.handle();
+  impl_->make_layout();
+  impl_->make_sets();
+  for (std::uint32_t set = 0; set < kSetCount; ++set)
+    impl_->arrays[set].assign(kArrays[set], Slot{impl_->unset_storage.handle()});
+  for (Slot& slot : impl_->uniforms) slot.buffer = impl_->unset_uniform.handle();
+  impl_->uniforms[kAddressUniform].buffer = impl_->addresses.handle();
   for (std::uint32_t i = 0; i < kTexelBuffers; ++i) set_texels(i, impl_->unset_storage);
 }
 
 BindingTable::~BindingTable() = default;
 
-void BindingTable::set_scene(std::uint32_t binding, const Buffer& buffer) {
-  FB_CHECK_LT(binding, kSceneBuffers);
-  impl_->set(impl_->scene[binding], buffer);
+void BindingTable::set_array(std::uint32_t set, std::uint32_t binding, const Buffer& buffer) {
+  FB_CHECK_LT(set, kSetCount);
+  FB_CHECK_LT(binding, kArrays[set]);
+  const Device& device = impl_->device;
+  if (buffer && buffer.size() > device.limits().max_storage_buffer_range)
+    throw OutOfMemory(fmt::format("\"{}\" needs a buffer of {}; {} binds {} at most", buffer.name(),
+                                  memory_text(buffer.size()), device.report().name,
+                                  memory_text(device.limits().max_storage_buffer_range)));
+  impl_->dirty |=
+      impl_->arrays[set][binding].set(buffer ? buffer.handle() : impl_->unset_storage.handle(), buffer.serial());
 }
 
-void BindingTable::set_frame(std::uint32_t binding, const Buffer& buffer) {
-  FB_CHECK_LT(binding, kFrameBuffers);
-  impl_->set(impl_->frame[binding], buffer);
-}
-
-void BindingTable::set_uniform(const Buffer& buffer) {
-  const VkBuffer handle = buffer ? buffer.handle() : impl_->unset_uniform.handle();
-  if (impl_->uniform.serial == buffer.serial() && impl_->uniform.buffer == handle) return;
-  impl_->uniform = {handle, buffer.serial(), true};
-  impl_->dirty = true;
+void BindingTable::set_uniform(std::uint32_t set, const Buffer& buffer) {
+  FB_CHECK(set == kSetScene || set == kSetTechnique);
+  Slot& slot = impl_->uniforms[set == kSetScene ? 0 : 1];
+  impl_->dirty |= slot.set(buffer ? buffer.handle() : impl_->unset_uniform.handle(), buffer.serial());
 }
 
 void BindingTable::set_texels(std::uint32_t index, const Buffer& buffer) {
   FB_CHECK_LT(index, kTexelBuffers);
   const Buffer& seen = buffer ? buffer : impl_->unset_storage;
-  Slot& slot = impl_->texels[index];
-  if (slot.serial == seen.serial() && slot.buffer == seen.handle()) return;
-  slot = {seen.handle(), seen.serial(), true};
+  if (!impl_->texels[index].set(seen.handle(), seen.serial())) return;
   impl_->texel_bytes[index] = std::min(seen.size(), impl_->device.limits().max_texel_buffer_bytes);
   impl_->dirty = true;
 }
@@ -186,57 +222,45 @@ void BindingTable::flush() const {
   if (!table.dirty) return;
   // What may fail comes first: what is dirty stays so until it is written.
   table.make_views();
+  table.write_addresses();
   std::vector<VkDescriptorBufferInfo> infos;
   std::vector<VkWriteDescriptorSet> writes;
-  infos.reserve(kSceneBuffers + kFrameBuffers + 1);  // the writes point into it
+  infos.reserve(kAddresses + kUniforms.size());  // the writes point into it
   writes.reserve(infos.capacity() + kTexelBuffers + 1);
-  const auto write = [&](Slot& slot, VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type) {
-    if (!slot.dirty) return;
-    slot.dirty = false;
-    infos.push_back({slot.buffer, 0, VK_WHOLE_SIZE});
+  const auto write = [&](std::uint32_t set, std::uint32_t binding, VkDescriptorType type) -> VkWriteDescriptorSet& {
     auto out = vk_struct<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
-    out.dstSet = set;
+    out.dstSet = table.sets[set];
     out.dstBinding = binding;
     out.descriptorCount = 1;
     out.descriptorType = type;
-    out.pBufferInfo = &infos.back();
-    writes.push_back(out);
+    return writes.emplace_back(out);
   };
-  for (std::uint32_t i = 0; i < kSceneBuffers; ++i)
-    write(table.scene[i], table.sets[0], i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-  for (std::uint32_t i = 0; i < kFrameBuffers; ++i)
-    write(table.frame[i], table.sets[1], i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-  write(table.uniform, table.sets[0], kUniformBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
+  const auto write_buffer = [&](Slot& slot, std::uint32_t set, std::uint32_t binding, VkDescriptorType type) {
+    if (!std::exchange(slot.dirty, false)) return;
+    infos.push_back({slot.buffer, 0, VK_WHOLE_SIZE});
+    write(set, binding, type).pBufferInfo = &infos.back();
+  };
+  for (std::uint32_t set = 0; set < kSetCount; ++set)
+    for (std::uint32_t i = 0; i < kArrays[set]; ++i)
+      write_buffer(table.arrays[set][i], set, i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+  for (std::size_t i = 0; i < kUniforms.size(); ++i)
+    write_buffer(table.uniforms[i], kUniforms[i].set, kUniforms[i].binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
+  for (std::uint32_t i = 0; i < kTexelBuffers; ++i) {
+    if (!std::exchange(table.texels[i].dirty, false)) continue;
+    write(kSetScene, kBindTexelBuffers + i, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER).pTexelBufferView = &table.views[i];
+  }
   auto structure = vk_struct<VkWriteDescriptorSetAccelerationStructureKHR>(
       VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR);
-  for (std::uint32_t i = 0; i < kTexelBuffers; ++i) {
-    if (!table.texels[i].dirty) continue;
-    table.texels[i].dirty = false;
-    auto out = vk_struct<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
-    out.dstSet = table.sets[0];
-    out.dstBinding = kTexelBinding + i;
-    out.descriptorCount = 1;
-    out.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
-    out.pTexelBufferView = &table.views[i];
-    writes.push_back(out);
-  }
-  if (table.tlas_dirty) {
-    table.tlas_dirty = false;
+  if (std::exchange(table.tlas_dirty, false)) {
     structure.accelerationStructureCount = 1;
     structure.pAccelerationStructures = &table.tlas;
-    auto out = vk_struct<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
-    out.pNext = &structure;
-    out.dstSet = table.sets[0];
-    out.dstBinding = kTlasBinding;
-    out.descriptorCount = 1;
-    out.descriptorType = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
-    writes.push_back(out);
+    write(kSetScene, kBindTlas, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR).pNext = &structure;
   }
   table.dirty = false;
   vkUpdateDescriptorSets(table.device.handle(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
 }
 
 VkPipelineLayout BindingTable::layout() const { return impl_->layout; }
-std::array<VkDescriptorSet, 2> BindingTable::sets() const { return impl_->sets; }
+const std::array<VkDescriptorSet, kSetCount>& BindingTable::sets() const { return impl_->sets; }
 
 }  // namespace fb::gpu

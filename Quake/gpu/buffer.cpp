@@ -17,16 +17,18 @@ namespace {
 
 constexpr VkDeviceSize kStagingBytes = 8u << 20u;
 
-VkBufferUsageFlags usage_flags(BufferUse use, bool ray_query) {
+VkBufferUsageFlags usage_flags(BufferUse use, const Device::Impl& device) {
   constexpr VkBufferUsageFlags kCopy = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-  constexpr VkBufferUsageFlags kBuildInput =
-      VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+  constexpr VkBufferUsageFlags kAddress = VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+  constexpr VkBufferUsageFlags kBuildInput = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
+  const VkBufferUsageFlags array =
+      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | (device.report.has_addresses ? kAddress : VkBufferUsageFlags{0});
   switch (use) {
     case BufferUse::kStorage:
-      return kCopy | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+      return kCopy | array | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
     case BufferUse::kUpload:
     case BufferUse::kGeometry:
-      return kCopy | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | (ray_query ? kBuildInput : 0);
+      return kCopy | array | (device.ray_query ? kBuildInput : VkBufferUsageFlags{0});
     case BufferUse::kReadback:
       return kCopy;
     case BufferUse::kUniform:
@@ -34,7 +36,7 @@ VkBufferUsageFlags usage_flags(BufferUse use, bool ray_query) {
     case BufferUse::kAccelerationStructure:
       return VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
     case BufferUse::kScratch:
-      return VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | (ray_query ? VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT : 0);
+      return array;
   }
   return 0;
 }
@@ -61,7 +63,7 @@ VkDeviceMemory allocate(const Device::Impl& device, BufferUse use, const VkMemor
   auto flags = vk_struct<VkMemoryAllocateFlagsInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO);
   flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
   auto info = vk_struct<VkMemoryAllocateInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO);
-  if (usage_flags(use, device.ray_query) & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT) info.pNext = &flags;
+  if (usage_flags(use, device) & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT) info.pNext = &flags;
   info.allocationSize = needs.size;
   for (const VkMemoryPropertyFlags wish : memory_wishes(use)) {
     for (std::uint32_t type = 0; type < device.memory.memoryTypeCount; ++type) {
@@ -109,7 +111,7 @@ Buffer::Buffer(Device& device, BufferUse use, VkDeviceSize bytes, std::string na
 
   auto info = vk_struct<VkBufferCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO);
   info.size = size_;
-  info.usage = usage_flags(use, d.ray_query);
+  info.usage = usage_flags(use, d);
   info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
   const VkResult made = FB_VK_TRY(vkCreateBuffer(d.device, &info, nullptr, &buffer_));
   if (is_out_of_memory(made)) out_of_memory(d, name_, size_);
@@ -161,7 +163,7 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
 
 VkDeviceAddress Buffer::address() const {
   FB_CHECK(buffer_ != VK_NULL_HANDLE);
-  FB_CHECK(usage_flags(use_, device_->has_ray_query()) & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT);
+  FB_CHECK(usage_flags(use_, device_->impl()) & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT);
   auto info = vk_struct<VkBufferDeviceAddressInfo>(VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO);
   info.buffer = buffer_;
   return vkGetBufferDeviceAddress(device_->handle(), &info);

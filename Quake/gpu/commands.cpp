@@ -12,8 +12,9 @@ namespace fb::gpu {
 void Commands::bind(const BindingTable& table) {
   table.flush();
   layout_ = table.layout();
-  const auto sets = table.sets();
-  vkCmdBindDescriptorSets(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 2, sets.data(), 0, nullptr);
+  const auto& sets = table.sets();
+  vkCmdBindDescriptorSets(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, static_cast<std::uint32_t>(sets.size()),
+                          sets.data(), 0, nullptr);
 }
 
 void Commands::push_bytes(const void* data, std::uint32_t bytes) {

@@ -42,7 +42,7 @@ class Commands {
   VkCommandBuffer handle() const { return cmd_; }
   Device& device() { return device_; }
 
-  void bind(const BindingTable& table);  // both sets, once a recording
+  void bind(const BindingTable& table);  // all sets, once a recording
   template <typename T>
   void push(const T& constants) {
     static_assert(sizeof(T) <= kPushConstantBytes);

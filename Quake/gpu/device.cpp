@@ -82,10 +82,10 @@ VkResult make_device(const PhysicalDevice& physical, bool present, bool ray_quer
   auto structure = vk_struct<VkPhysicalDeviceAccelerationStructureFeaturesKHR>(
       VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR);
   auto query = vk_struct<VkPhysicalDeviceRayQueryFeaturesKHR>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR);
+  core.bufferDeviceAddress = physical.report.has_addresses;
   if (ray_query) {
     extensions.insert(extensions.end(), {VK_KHR_RAY_QUERY_EXTENSION_NAME, VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
                                          VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME});
-    core.bufferDeviceAddress = VK_TRUE;
     structure.accelerationStructure = VK_TRUE;
     query.rayQuery = VK_TRUE;
     core.pNext = &structure;
@@ -197,6 +197,7 @@ void Device::Impl::set_name(VkObjectType type, std::uint64_t object, std::string
 
 const DeviceReport& Device::report() const { return impl_->report; }
 bool Device::has_ray_query() const { return impl_->ray_query; }
+bool Device::has_addresses() const { return impl_->report.has_addresses; }
 bool Device::is_software() const { return impl_->report.is_software; }
 const DeviceLimits& Device::limits() const { return impl_->limits; }
 std::uint64_t Device::validation_messages() const { return impl_->instance->validation().count(); }

@@ -1,7 +1,7 @@
 // The Vulkan device: choosing one, what it lacks, its queue, and the one way to submit work. Knows no Quake.
 //
-// All shaders are compute shaders over storage buffers; there are no images but a swapchain's. Two descriptor sets of
-// storage buffers (gpu/binding_table.h) serve every pipeline.
+// All shaders are compute shaders over storage buffers; there are no images but a swapchain's. The descriptor
+// sets of gpu/binding_table.h serve every pipeline.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -32,7 +32,7 @@ struct DeviceReport {
   std::string name, driver;
   std::string type;                // "discrete", "integrated", "virtual", "cpu"
   std::vector<std::string> lacks;  // what it lacks and what follows, one sentence each
-  bool usable = false, has_ray_query = false, is_software = false, would_be_chosen = false;
+  bool usable = false, has_ray_query = false, has_addresses = false, is_software = false, would_be_chosen = false;
 };
 Result<std::vector<DeviceReport>> list_devices(const DeviceOptions& options);
 
@@ -59,7 +59,8 @@ class Device {
 
   const DeviceReport& report() const;
   bool has_ray_query() const;
-  bool is_software() const;  // lavapipe and its like
+  bool has_addresses() const;  // shaders may read buffers by their device address
+  bool is_software() const;    // lavapipe and its like
   const DeviceLimits& limits() const;
   // Warnings and errors of the validation layers so far, each logged once; tests hold this to zero.
   std::uint64_t validation_messages() const;

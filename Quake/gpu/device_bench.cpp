@@ -38,7 +38,7 @@ void empty_dispatches(benchmark::State& state) {
   Buffer factors(*d, BufferUse::kUniform, 16, "factors");
   const std::vector<std::uint32_t> zeros(4);
   upload_now(*d, factors, std::span<const std::uint32_t>(zeros));
-  table.set_uniform(factors);
+  table.set_uniform(shared::kSetScene, factors);
   const ComputePipeline pipeline(*d, table, test_arithmetic_spv, "arithmetic");
   PassTimer timer(*d, dispatches);
   for (auto _ : state) {

@@ -59,6 +59,14 @@ bool has_extension(const std::vector<VkExtensionProperties>& list, const char* n
   return std::any_of(list.begin(), list.end(), [&](const auto& e) { return std::strcmp(e.extensionName, name) == 0; });
 }
 
+bool has_buffer_addresses(VkPhysicalDevice device) {
+  auto core = vk_struct<VkPhysicalDeviceVulkan12Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES);
+  auto features = vk_struct<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2);
+  features.pNext = &core;
+  vkGetPhysicalDeviceFeatures2(device, &features);
+  return core.bufferDeviceAddress == VK_TRUE;
+}
+
 // What stands between the device and ray queries; empty if nothing does. An extension may be there with its feature
 // bit off, so both are asked.
 std::string why_no_ray_query(VkPhysicalDevice device, const std::vector<VkExtensionProperties>& extensions) {
@@ -127,7 +135,7 @@ PhysicalDevice examine(VkPhysicalDevice handle, const DeviceOptions& options) {
     report.lacks.push_back(std::move(why) + ": unusable");
   };
   const VkPhysicalDeviceLimits& limits = properties.limits;
-  constexpr std::uint32_t kStorageBuffers = kSceneBuffers + kFrameBuffers;
+  constexpr std::uint32_t kStorageBuffers = shared::kAddresses;
   if (limits.maxPerStageDescriptorStorageBuffers < kStorageBuffers)
     unusable(fmt::format("{} storage buffers a shader, {} are needed", limits.maxPerStageDescriptorStorageBuffers,
                          kStorageBuffers));
@@ -148,6 +156,7 @@ PhysicalDevice examine(VkPhysicalDevice handle, const DeviceOptions& options) {
   if (device.timestamp_bits == 0 || limits.timestampPeriod <= 0)
     report.lacks.push_back("no timestamps: the time of passes shows as zero");
 
+  report.has_addresses = has_buffer_addresses(handle);
   const std::string no_query = why_no_ray_query(handle, extensions);
   report.has_ray_query = no_query.empty();
   if (!report.has_ray_query) report.lacks.push_back(no_query + ": rays are traced by the BVH in the compute shader");

@@ -108,7 +108,7 @@ TEST_F(GpuTest, FillsAndCopies) {
 TEST_F(GpuTest, ShadersGetSpecialisationAndPushConstants) {
   BindingTable table(*device_);
   Buffer result(*device_, BufferUse::kStorage, 7 * 4, "result");
-  table.set_frame(0, result);
+  table.set_array(shared::kSetFrame, 0, result);
   const std::vector<SpecializationConstant> constants{
       {0, 32}, {1, 0xfedcba98u}, {2, std::bit_cast<std::uint32_t>(0.75f)}, {3, 1}};
   const ComputePipeline pipeline(*device_, table, test_constants_spv, "constants", constants);
@@ -143,11 +143,11 @@ void expect_bindings_follow_changes(Device& device) {
   upload_now(device, source, std::span<const std::uint32_t>(words));
   Buffer factors(device, BufferUse::kUniform, sizeof(Factors), "factors");
   factors.mapped_as<Factors>()[0] = {3, 5, kCount, 1};
-  table.set_scene(3, source);
-  table.set_uniform(factors);
+  table.set_array(shared::kSetScene, 3, source);
+  table.set_uniform(shared::kSetScene, factors);
   for (int pass = 0; pass < 4; ++pass) {
     Buffer target(device, BufferUse::kStorage, kCount * 4 << pass, "target");
-    table.set_frame(14, target);
+    table.set_array(shared::kSetFrame, 13, target);
     table.flush();
     device.run([&](Commands& commands) {
       commands.bind(table);
@@ -198,9 +198,9 @@ TEST_F(GpuTest, PassesAreTimed) {
       target(*device_, BufferUse::kStorage, kCount * 4, "target");
   Buffer factors(*device_, BufferUse::kUniform, sizeof(Factors), "factors");
   factors.mapped_as<Factors>()[0] = {3, 5, kCount, 2000};
-  table.set_scene(3, source);
-  table.set_frame(14, target);
-  table.set_uniform(factors);
+  table.set_array(shared::kSetScene, 3, source);
+  table.set_array(shared::kSetFrame, 13, target);
+  table.set_uniform(shared::kSetScene, factors);
   PassTimer timer(*device_, 4);
   for (int frame = 0; frame < 2; ++frame) {
     device_->run([&](Commands& commands) {

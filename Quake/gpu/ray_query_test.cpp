@@ -67,8 +67,8 @@ class RayQueryTest : public DeviceTest, public testing::WithParamInterface<Build
     Buffer in(*device_, BufferUse::kStorage, rays.size() * sizeof(Ray), "rays");
     Buffer out(*device_, BufferUse::kStorage, rays.size() * sizeof(Hit), "hits");
     upload_now(*device_, in, std::span<const Ray>(rays));
-    table_->set_scene(0, in);
-    table_->set_frame(0, out);
+    table_->set_array(shared::kSetScene, 0, in);
+    table_->set_array(shared::kSetFrame, 0, out);
     table_->set_tlas(top.handle());
     const auto count = static_cast<std::uint32_t>(rays.size());
     device_->run([&](Commands& commands) {

@@ -23,8 +23,8 @@ class VmfDevice {
     Buffer in(device_, BufferUse::kStorage, queries.size() * sizeof(shared::VmfQuery), "queries");
     Buffer out(device_, BufferUse::kStorage, queries.size() * sizeof(shared::VmfAnswer), "answers");
     upload_now(device_, in, std::span<const shared::VmfQuery>(queries));
-    table_.set_scene(0, in);
-    table_.set_frame(0, out);
+    table_.set_array(shared::kSetScene, 0, in);
+    table_.set_array(shared::kSetFrame, 0, out);
     const auto count = static_cast<std::uint32_t>(queries.size());
     device_.run([&](Commands& commands) {
       commands.bind(table_);

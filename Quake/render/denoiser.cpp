@@ -9,8 +9,6 @@
 namespace fb::render {
 namespace {
 
-constexpr std::uint32_t kHistoryTexels = 2, kGBufferTexels = 3;  // indices of texel buffers
-
 // What a wavelet's shader is told.
 struct Level {
   std::int32_t x, y;
@@ -30,11 +28,11 @@ int levels_for(uvec2 size) {
 void Denoiser::resize(uvec2 render, const RenderSettings& settings, const gpu::Buffer& gbuffer) {
   on_ = wanted(settings);
   const uvec2 size = on_ ? render : uvec2(0);
-  table_.set_texels(kGBufferTexels, gbuffer);
+  table_.set_texels(shared::kTexelsGBuffer, gbuffer);
   if (size == size_) return;
   const auto bind = [&] {
-    table_.set_texels(kHistoryTexels, buffer_);
-    table_.set_frame(shared::kBindHistory, buffer_);
+    table_.set_texels(shared::kTexelsHistory, buffer_);
+    table_.set_array(shared::kSetFrame, shared::kBindHistory, buffer_);
   };
   size_ = uvec2(0);  // until the new one is there
   valid_ = false;

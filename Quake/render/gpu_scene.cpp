@@ -10,13 +10,13 @@
 
 #include "base/check.h"
 #include "base/log.h"
-#include "pose.spv.h"
 #include "render/gpu_scene_assets.h"
 #include "render/gpu_scene_copies.h"
 #include "render/gpu_scene_rays.h"
 #include "render/gpu_scene_tables.h"
 #include "render/gpu_scene_tree.h"
 #include "render/light_list.h"
+#include "render/shader_code.h"
 
 namespace fb::render {
 namespace {
@@ -64,8 +64,8 @@ struct GpuScene::Impl {
         jobs(d, gpu::BufferUse::kStorage, "copy jobs"),
         lights(d, gpu::BufferUse::kStorage, "lights"),
         staging(d, gpu::BufferUse::kUpload, 1 << 16, "scene staging") {
-    const gpu::SpecializationConstant constants[]{{0, o.ray_query ? 1u : 0u}};
-    pose = gpu::ComputePipeline(d, t, pose_spv, "pose", constants);
+    const gpu::SpecializationConstant constants[]{{shared::kSpecForQuery, o.ray_query ? 1u : 0u}};
+    pose = make_pipeline(d, t, "pose", false, memory_access(d, o.by_address), constants);
   }
 
   void collect(const scene::FrameSnapshot& snapshot);
@@ -271,22 +271,22 @@ void GpuScene::Impl::stage() {
 }
 
 void GpuScene::Impl::bind() {
-  table.set_scene(shared::kBindNodes, assets.nodes().buffer());
-  table.set_scene(shared::kBindTriangles, assets.triangles().buffer());
-  table.set_texels(0, assets.nodes().buffer());
-  table.set_texels(1, assets.triangles().buffer());
-  table.set_scene(shared::kBindAttributes, assets.attributes());
-  table.set_scene(shared::kBindPoses, assets.poses());
-  table.set_scene(shared::kBindNormals, assets.normals());
-  table.set_scene(shared::kBindInstances, instances.buffer());
-  table.set_scene(shared::kBindLevels, assets.levels());
-  table.set_scene(shared::kBindMaterials, materials.buffer());
-  table.set_scene(shared::kBindImages, assets.images());
-  table.set_scene(shared::kBindTexels, assets.texels());
-  table.set_scene(shared::kBindPalette, assets.palette());
-  table.set_scene(shared::kBindCopyJobs, jobs.buffer());
-  table.set_scene(shared::kBindVertices, assets.vertices().buffer());
-  table.set_scene(shared::kBindLights, lights.buffer());
+  table.set_array(shared::kSetScene, shared::kBindNodes, assets.nodes().buffer());
+  table.set_array(shared::kSetScene, shared::kBindTriangles, assets.triangles().buffer());
+  table.set_texels(shared::kTexelsNodes, assets.nodes().buffer());
+  table.set_texels(shared::kTexelsTriangles, assets.triangles().buffer());
+  table.set_array(shared::kSetScene, shared::kBindAttributes, assets.attributes());
+  table.set_array(shared::kSetScene, shared::kBindPoses, assets.poses());
+  table.set_array(shared::kSetScene, shared::kBindNormals, assets.normals());
+  table.set_array(shared::kSetScene, shared::kBindInstances, instances.buffer());
+  table.set_array(shared::kSetScene, shared::kBindLevels, assets.levels());
+  table.set_array(shared::kSetScene, shared::kBindMaterials, materials.buffer());
+  table.set_array(shared::kSetScene, shared::kBindImages, assets.images());
+  table.set_array(shared::kSetScene, shared::kBindTexels, assets.texels());
+  table.set_array(shared::kSetScene, shared::kBindPalette, assets.palette());
+  table.set_array(shared::kSetScene, shared::kBindCopyJobs, jobs.buffer());
+  table.set_array(shared::kSetScene, shared::kBindVertices, assets.vertices().buffer());
+  table.set_array(shared::kSetScene, shared::kBindLights, lights.buffer());
 }
 
 void GpuScene::Impl::record_tables(gpu::Commands& commands) {
@@ -302,16 +302,6 @@ void GpuScene::Impl::record_rays(gpu::Commands& commands) {
   if (!options.ray_query) return;
   rays.record(commands, assets, copies);
   commands.barrier();
-}
-
-std::array<gpu::SpecializationConstant, 2> trace_constants(const gpu::Device& device) {
-  // lavapipe before Mesa 24 reads storage buffers lane by lane; "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)".
-  int mesa = 99;
-  const std::string& driver = device.report().driver;
-  if (const auto at = driver.find("Mesa "); device.is_software() && at != std::string::npos)
-    mesa = std::atoi(driver.c_str() + at + 5);
-  return {gpu::SpecializationConstant{10, mesa < 24 ? 1u : 0u},
-          gpu::SpecializationConstant{11, device.is_software() ? 1u : 0u}};
 }
 
 GpuScene::GpuScene(gpu::Device& device, gpu::BindingTable& table, const GpuSceneOptions& options)

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "gpu/acceleration_structure.h"
@@ -21,11 +22,8 @@ namespace fb::render {
 struct GpuSceneOptions {
   bool ray_query = false;  // also build acceleration structures, and bind the top level
   gpu::BuildPreference build = gpu::BuildPreference::kFastTrace;
+  std::optional<bool> by_address = {};  // how shaders reach arrays (memory_access()); none: as suits the device
 };
-
-// Specialisation constants 10 and 11 of shaders that trace (Shaders/lib/trace_bvh.glsl): how trees are best read on
-// this device. The same pictures come of all.
-std::array<gpu::SpecializationConstant, 2> trace_constants(const gpu::Device& device);
 
 // What emission of each kind is multiplied by (r_emit_* cvars).
 using EmissionScales = std::array<float, static_cast<std::size_t>(scene::EmissionKind::kCount)>;

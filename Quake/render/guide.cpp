@@ -30,9 +30,9 @@ void Guide::prepare(const RenderSettings& settings, std::uint64_t vertices) {
   vertices_ = vertices;
   const auto make = [&](gpu::Buffer& buffer, std::uint32_t binding, std::uint64_t bytes, const char* name) {
     buffer = gpu::Buffer();  // the old one's memory goes first
-    table_.set_frame(binding, buffer);
+    table_.set_array(shared::kSetTechnique, binding, buffer);
     buffer = gpu::Buffer(device_, gpu::BufferUse::kStorage, bytes, name);
-    table_.set_frame(binding, buffer);
+    table_.set_array(shared::kSetTechnique, binding, buffer);
     forget_ = true;
   };
   if (states != state_count_ || cells != cell_count_) {
@@ -56,7 +56,7 @@ void Guide::release() {
   cache_ = gpu::Buffer();
   proposals_ = gpu::Buffer();
   for (const std::uint32_t binding : {shared::kBindGuideStates, shared::kBindGuideCache, shared::kBindGuideProposals}) {
-    table_.set_frame(binding, states_);
+    table_.set_array(shared::kSetTechnique, binding, states_);
   }
   state_count_ = cell_count_ = 0;
 }

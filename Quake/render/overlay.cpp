@@ -31,9 +31,9 @@ Overlay::Overlay(gpu::Device& device, gpu::BindingTable& table) : device_(device
 }
 
 void Overlay::bind() {
-  table_.set_frame(shared::kBindQuads, quads_);
-  table_.set_frame(shared::kBindTiles, tiles_);
-  table_.set_frame(shared::kBindAtlas, atlas_);
+  table_.set_array(shared::kSetFrame, shared::kBindQuads, quads_);
+  table_.set_array(shared::kSetFrame, shared::kBindTiles, tiles_);
+  table_.set_array(shared::kSetFrame, shared::kBindAtlas, atlas_);
 }
 
 void Overlay::prepare(const scene::DrawList* list, std::uint32_t width, std::uint32_t height) {

@@ -3,18 +3,15 @@
 #include <chrono>
 #include <ratio>
 
-#include "trace_rays_bvh.spv.h"
-#include "trace_rays_query.spv.h"
+#include "render/shader_code.h"
 
 namespace fb::render {
 
 RayList::RayList(gpu::Device& device, const GpuSceneOptions& options, bool candidates)
     : device_(device), table_(device), scene_(device, table_, options) {
-  const auto how = trace_constants(device);
-  const gpu::SpecializationConstant constants[]{{0, candidates ? 1u : 0u}, how[0], how[1]};
-  std::span<const std::uint32_t> code = trace_rays_bvh_spv;
-  if (options.ray_query) code = trace_rays_query_spv;
-  pipeline_ = gpu::ComputePipeline(device, table_, code, "trace rays", constants);
+  const gpu::SpecializationConstant constants[]{{shared::kSpecCandidates, candidates ? 1u : 0u}};
+  pipeline_ = make_pipeline(device, table_, "trace_rays", options.ray_query, memory_access(device, options.by_address),
+                            constants);
 }
 
 void RayList::load(const scene::FrameSnapshot& snapshot, std::span<const shared::ListRay> rays) {
@@ -25,8 +22,8 @@ void RayList::load(const scene::FrameSnapshot& snapshot, std::span<const shared:
   EmissionScales scales;
   scales.fill(1.0f);
   scene_.prepare(snapshot, scales);
-  table_.set_frame(shared::kBindRays, rays_);
-  table_.set_frame(shared::kBindHits, hits_);
+  table_.set_array(shared::kSetFrame, shared::kBindRays, rays_);
+  table_.set_array(shared::kSetFrame, shared::kBindHits, hits_);
   table_.flush();
   device_.run([&](gpu::Commands& commands) {
     commands.bind(table_);

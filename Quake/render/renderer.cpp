@@ -71,19 +71,19 @@ struct Renderer::Impl {
         scene(d, table, options),
         overlay(d, table),
         guide(d, table),
-        shaders(d, table),
+        shaders(d, table, memory_access(d, options.by_address)),
         denoiser(d, table),
         timer(d) {
     uniform = Buffer(d, BufferUse::kUniform, sizeof(shared::FrameConstants), "frame constants");
-    exposure = Buffer(d, BufferUse::kStorage, sizeof(shared::ExposureState) + shared::kHistogramBins * 4, "exposure");
+    exposure = Buffer(d, BufferUse::kStorage, sizeof(shared::ExposureBuffer), "exposure");
     counters = Buffer(d, BufferUse::kStorage, shared::kCounterCount * 4, "counters");
     d.run([&](gpu::Commands& commands) {
       commands.fill(exposure, 0);
       commands.fill(counters, 0);
     });
-    table.set_uniform(uniform);
-    table.set_frame(shared::kBindExposure, exposure);
-    table.set_frame(shared::kBindCounters, counters);
+    table.set_uniform(shared::kSetScene, uniform);
+    table.set_array(shared::kSetFrame, shared::kBindExposure, exposure);
+    table.set_array(shared::kSetFrame, shared::kBindCounters, counters);
   }
 
   void resize_buffers(uvec2 render, uvec2 output);
@@ -134,6 +134,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(gpu::Device& device, const Re
   GpuSceneOptions options;
   options.ray_query = settings.intersector == Intersector::kQuery ||
                       (settings.intersector == Intersector::kAuto && device.has_ray_query() && !device.is_software());
+  if (settings.arrays != ArrayAccess::kAuto) options.by_address = settings.arrays == ArrayAccess::kAddress;
   options.build = settings.fast_build != 0 ? gpu::BuildPreference::kFastBuild : gpu::BuildPreference::kFastTrace;
   return within_memory([&]() -> Result<std::unique_ptr<Renderer>> {
     return std::unique_ptr<Renderer>(new Renderer(std::make_unique<Impl>(device, options)));
@@ -154,9 +155,9 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
   const VkDeviceSize shown = static_cast<VkDeviceSize>(wanted_output.x) * wanted_output.y;
   const auto make = [&](Buffer& buffer, std::uint32_t binding, VkDeviceSize bytes, const char* name) {
     buffer = Buffer();  // the old one's memory goes first
-    table.set_frame(binding, buffer);
+    table.set_array(shared::kSetFrame, binding, buffer);
     buffer = Buffer(device, BufferUse::kStorage, bytes, name);
-    table.set_frame(binding, buffer);
+    table.set_array(shared::kSetFrame, binding, buffer);
   };
   make(gbuffer, shared::kBindGBuffer, pixels * sizeof(shared::GBufferTexel), "G-buffer");
   make(radiance, shared::kBindRadiance, pixels * 16, "radiance");

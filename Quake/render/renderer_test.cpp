@@ -206,6 +206,21 @@ TEST_F(RendererTest, AccumulatingNarrowsTheMeanAndAChangeStartsAnew) {
   EXPECT_EQ(renderer->accumulated_frames(), 1u);
 }
 
+TEST_F(RendererTest, ArraysGiveTheSameBitsBoundAndByAddress) {
+  if (!device_->has_addresses()) GTEST_SKIP() << device_->report().name << " has no buffer device addresses";
+  std::vector<std::vector<vec4>> pictures;
+  for (const ArrayAccess arrays : {ArrayAccess::kBound, ArrayAccess::kAddress}) {
+    RenderSettings s = settings_for(Intersector::kBvh, 1, 2);
+    s.estimator = "mcpg";
+    s.deterministic = 1;
+    s.arrays = arrays;
+    auto renderer = make_renderer(s, 64, 64);
+    for (int frame = 0; frame < 3; ++frame) renderer->render(scene::many_lights(20), nullptr, s);
+    pictures.push_back(renderer->read_linear());
+  }
+  EXPECT_EQ(pictures[0], pictures[1]);
+}
+
 TEST_F(RendererTest, IntersectorsAgree) {
   if (!device_->has_ray_query()) GTEST_SKIP() << device_->report().name << " has no ray query";
   for (const int fast_build : {0, 1}) {

@@ -40,6 +40,10 @@ void register_render_cvars(con::Console& console) {
       "what traces rays: query (VK_KHR_ray_query), bvh (trees in the shader), auto (query on GPUs that have it); "
       "counts from the next start",
       con::kCvarArchive);
+  console.add_cvar("r_arrays", "auto",
+                   "how shaders reach the scene's arrays: bound (descriptors), address (device addresses), auto (the "
+                   "faster one for the driver); counts from the next start",
+                   con::kCvarArchive);
 }
 
 RenderSettings read_render_settings(const con::Console& console) {
@@ -52,6 +56,10 @@ RenderSettings read_render_settings(const con::Console& console) {
   settings.intersector = intersector == "query" ? Intersector::kQuery
                          : intersector == "bvh" ? Intersector::kBvh
                                                 : Intersector::kAuto;
+  const std::string& arrays = console.cvar("r_arrays").string();
+  settings.arrays = arrays == "bound"     ? ArrayAccess::kBound
+                    : arrays == "address" ? ArrayAccess::kAddress
+                                          : ArrayAccess::kAuto;
   return settings;
 }
 

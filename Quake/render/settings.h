@@ -79,6 +79,7 @@
 namespace fb::render {
 
 enum class Intersector { kAuto, kQuery, kBvh };
+enum class ArrayAccess { kAuto, kBound, kAddress };
 
 struct RenderSettings {
 #define FB_FIELD(type, field, cvar, value, low, high, help) type field = value;
@@ -86,13 +87,14 @@ struct RenderSettings {
 #undef FB_FIELD
   std::string estimator = "pt";
   Intersector intersector = Intersector::kAuto;
+  ArrayAccess arrays = ArrayAccess::kAuto;
   bool operator==(const RenderSettings&) const = default;
 };
 
 // Emission factors by kind, as GpuScene wants them.
 EmissionScales emission_scales(const RenderSettings& settings);
 
-// Registers a cvar for every row, r_estimator and r_intersector.
+// Registers a cvar for every row, r_estimator, r_intersector and r_arrays.
 void register_render_cvars(con::Console& console);
 // The cvars' values now.
 RenderSettings read_render_settings(const con::Console& console);

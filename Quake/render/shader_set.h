@@ -1,5 +1,4 @@
-// The compiled shaders, and pipelines made from them when first asked for: few variants, since each costs start-up
-// time.
+// Pipelines, made when first asked for and kept: few variants, since each costs start-up time.
 #pragma once
 
 #include <cstdint>
@@ -10,28 +9,26 @@
 #include <tuple>
 
 #include "gpu/pipeline.h"
-#include "render/gpu_scene.h"
+#include "render/shader_code.h"
 
 namespace fb::render {
 
-// What a tracing pipeline is specialised for (constants 0 to 6 of Shaders/lib; how trees are read is the device's).
+// What a tracing pipeline is specialised for (shared/bindings.h, kSpec*).
 struct Variant {
   bool ray_query = false;
   bool candidates = false;  // alpha tests or translucency
   bool specular = false;
-  // Of estimators that learn (constants 2 to 4).
+  // Of techniques that learn.
   bool resolve = false;
   std::uint32_t accesses = 1, bucket = 1;
   bool show_view = false;  // a debug view of the technique's own: r_debug 20 to 29
   auto operator<=>(const Variant&) const = default;
 };
 
-// Tells one version of an estimator's code from another: a hash of its shader and the G-buffer's.
-std::uint64_t shader_hash(std::string_view estimator);
-
 class ShaderSet {
  public:
-  ShaderSet(gpu::Device& device, const gpu::BindingTable& table) : device_(device), table_(table) {}
+  ShaderSet(gpu::Device& device, const gpu::BindingTable& table, const MemoryAccess& access)
+      : device_(device), table_(table), access_(access) {}
   const gpu::ComputePipeline& gbuffer(const Variant& variant);
   // `estimator` is a name of estimators().
   const gpu::ComputePipeline& paths(std::string_view estimator, const Variant& variant);
@@ -42,6 +39,7 @@ class ShaderSet {
   const gpu::ComputePipeline& get(std::string_view name, const Variant& variant);
   gpu::Device& device_;
   const gpu::BindingTable& table_;
+  MemoryAccess access_;
   std::map<std::tuple<std::string, Variant>, gpu::ComputePipeline, std::less<>> pipelines_;
 };
 

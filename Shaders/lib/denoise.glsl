@@ -7,18 +7,18 @@
 #include "shared/packing.h"
 #include "shared/rng.h"
 
-layout(constant_id = 10) const bool READ_TEXELS = false;
+layout(constant_id = kSpecReadTexels) const bool READ_TEXELS = false;
 
-layout(set = 1, binding = 15, std430) buffer HistoryBlock { uvec4 history[]; };
-layout(set = 1, binding = 15, std430) buffer HistoryWordBlock { uint history_words[]; };
-layout(set = 1, binding = 0, std430) readonly buffer GBufferQuadBlock { uvec4 gbuffer_quads[]; };
-layout(set = 0, binding = 20) uniform usamplerBuffer history_texels;
-layout(set = 0, binding = 21) uniform usamplerBuffer gbuffer_texels;
+FB_FRAME_ARRAY(kBindHistory, 16, , HistoryArray, uvec4, history)
+FB_FRAME_ARRAY(kBindHistory, 4, , HistoryWordArray, uint, history_words)
+FB_FRAME_ARRAY(kBindGBuffer, 16, readonly, GBufferQuadArray, uvec4, gbuffer_quads)
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsHistory) uniform usamplerBuffer history_texels;
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsGBuffer) uniform usamplerBuffer gbuffer_texels;
 
 uint section(uint index) { return index * frame.width * frame.height; }
-uvec4 history_quad(uint at) { return READ_TEXELS ? texelFetch(history_texels, int(at)) : history[at]; }
+uvec4 history_quad(uint at) { return READ_TEXELS ? texelFetch(history_texels, int(at)) : history.at[at]; }
 uvec4 gbuffer_quad(uint at, uint quad) {
-  return READ_TEXELS ? texelFetch(gbuffer_texels, int(at * 5u + quad)) : gbuffer_quads[at * 5u + quad];
+  return READ_TEXELS ? texelFetch(gbuffer_texels, int(at * 5u + quad)) : gbuffer_quads.at[at * 5u + quad];
 }
 // A pixel's PictureTexel.
 uvec2 picture_texel(uint at) {

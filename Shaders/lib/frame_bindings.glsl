@@ -1,25 +1,25 @@
-// Set 1 and the uniform block, for every pass.
+// The frame's constants and arrays, for every pass.
 #ifndef FB_LIB_FRAME_BINDINGS
 #define FB_LIB_FRAME_BINDINGS
+#include "lib/arrays.glsl"
 #include "shared/frame.h"
 
-layout(set = 0, binding = 16, std140) uniform FrameBlock { FrameConstants frame; };
+layout(set = kSetScene, binding = kBindFrameConstants, std140) uniform FrameBlock { FrameConstants frame; };
 
-layout(set = 1, binding = 0, std430) buffer GBufferBlock { GBufferTexel gbuffer[]; };
-layout(set = 1, binding = 1, std430) buffer RadianceBlock { vec4 radiance[]; };
-layout(set = 1, binding = 2, std430) buffer MeanBlock { vec4 mean_radiance[]; };
-layout(set = 1, binding = 3, std430) buffer M2Block { vec4 m2_radiance[]; };
-layout(set = 1, binding = 4, std430) buffer LdrBlock { uint ldr[]; };
-layout(set = 1, binding = 5, std430) buffer SmoothBlock { uint smoothed[]; };
-layout(set = 1, binding = 6, std430) buffer OutputBlock { uint output_pixels[]; };
-layout(set = 1, binding = 7, std430) buffer ExposureBlock { ExposureState exposure_state; uint histogram[]; };
-layout(set = 1, binding = 8, std430) readonly buffer QuadBlock { GpuQuad quads[]; };
-layout(set = 1, binding = 9, std430) readonly buffer TileBlock { uint tiles[]; };
-layout(set = 1, binding = 10, std430) readonly buffer AtlasBlock { uint atlas[]; };
-layout(set = 1, binding = 11, std430) buffer CounterBlock { uint counters[]; };
+FB_FRAME_ARRAY(kBindGBuffer, 16, , GBufferArray, GBufferTexel, gbuffer)
+FB_FRAME_ARRAY(kBindRadiance, 16, , RadianceArray, vec4, radiance)
+FB_FRAME_ARRAY(kBindMean, 16, , MeanArray, vec4, mean_radiance)
+FB_FRAME_ARRAY(kBindM2, 16, , M2Array, vec4, m2_radiance)
+FB_FRAME_ARRAY(kBindLdr, 4, , LdrArray, uint, ldr)
+FB_FRAME_ARRAY(kBindSmooth, 4, , SmoothArray, uint, smoothed)
+FB_FRAME_ARRAY(kBindOutput, 4, , OutputArray, uint, output_pixels)
+FB_FRAME_ARRAY(kBindExposure, 16, , ExposureArray, ExposureBuffer, exposure_buffer)
+FB_FRAME_ARRAY(kBindQuads, 16, readonly, QuadArray, GpuQuad, quads)
+FB_FRAME_ARRAY(kBindTiles, 4, readonly, TileArray, uint, tiles)
+FB_FRAME_ARRAY(kBindAtlas, 4, readonly, AtlasArray, uint, atlas)
+FB_FRAME_ARRAY(kBindCounters, 4, , CounterArray, uint, counters)
+FB_FRAME_ARRAY(kBindPreviousGBuffer, 16, readonly, PreviousGBufferArray, GBufferTexel, previous_gbuffer)
 
-// The guide's (passes that do not learn leave them alone).
-layout(set = 1, binding = 12, std430) buffer GuideStateBlock { uvec4 guide_states[]; };
-layout(set = 1, binding = 13, std430) buffer GuideProposalBlock { uvec4 guide_proposals[]; };
-layout(set = 1, binding = 14, std430) buffer GuideCacheBlock { uint guide_cache[]; };
+// Factor from radiance to what the tone curve takes.
+float exposure_now() { return exposure_buffer.at[0].state.exposure; }
 #endif

@@ -27,7 +27,7 @@ vec2 warped_uv(vec2 uv, uint image_index) {
 }
 
 vec2 hit_uv(uint record, vec2 bary) {
-  GpuAttribute a = attributes[record];
+  GpuAttribute a = attributes.at[record];
   return a.uv0 + (a.uv1 - a.uv0) * bary.x + (a.uv2 - a.uv0) * bary.y;
 }
 
@@ -39,8 +39,8 @@ struct Shade {
 // Colour and own radiance of a point; a sky's radiance is added by who knows the direction. `smooth_texels`: bilinear, else
 // nearest. All texels come through one fetch in a loop, since a driver's compiler takes long over every copy of it.
 Shade shade_point(GpuMaterial m, uint instance_index, vec2 uv, bool smooth_texels) {
-  if ((instances[instance_index].flags & kInstanceHasColor) != 0u) {
-    return Shade(instances[instance_index].color.rgb, instances[instance_index].emission.rgb);
+  if ((instances.at[instance_index].flags & kInstanceHasColor) != 0u) {
+    return Shade(instances.at[instance_index].color.rgb, instances.at[instance_index].emission.rgb);
   }
   bool constant = m.emission_kind == kEmissionConstant;
   if (m.emission_kind == kEmissionSky) return Shade(vec3(0.0), vec3(0.0));

@@ -4,7 +4,7 @@
 #include "lib/path.glsl"
 
 // The technique writes the picture itself: a debug view of its own. A constant, since lavapipe runs both sides of a branch.
-layout(constant_id = 6) const bool SHOW_VIEW = false;
+layout(constant_id = kSpecShowView) const bool SHOW_VIEW = false;
 
 // Where what a texel shows was in the former frame; its position itself unless it moved perceptibly.
 vec3 previous_world(GBufferTexel g, vec2 point) {
@@ -19,11 +19,11 @@ void main() {
   uvec2 pixel = invocation_pixel();
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
   uint at = pixel.y * frame.width + pixel.x;
-  GBufferTexel g = gbuffer[at];
+  GBufferTexel g = gbuffer.at[at];
   vec3 emission = g.emission_specular.rgb;
-  if (SHOW_VIEW) ldr[at] = packUnorm4x8(vec4(0.0, 0.0, 0.0, 1.0));
+  if (SHOW_VIEW) ldr.at[at] = packUnorm4x8(vec4(0.0, 0.0, 0.0, 1.0));
   if (g.position_t.w == 0.0 || g.albedo_roughness.rgb == vec3(0.0) && g.emission_specular.w == 0.0) {
-    radiance[at] = vec4(emission, 0.0);
+    radiance.at[at] = vec4(emission, 0.0);
     return;
   }
   Vertex v;
@@ -39,7 +39,7 @@ void main() {
   if (SHOW_VIEW) {
     Path path = begin_path(pixel, at * frame.spp, 0u);
     path.group_rng = rng_seed(at, frame.frame, 1u, frame.seed);  // each pixel looks for itself
-    ldr[at] = packUnorm4x8(vec4(view_color(v, path, rng_seed(at, frame.frame, 0u, frame.seed)), 1.0));
+    ldr.at[at] = packUnorm4x8(vec4(view_color(v, path, rng_seed(at, frame.frame, 0u, frame.seed)), 1.0));
   }
   vec3 sum = vec3(0.0);
   float lost = 0.0;
@@ -47,11 +47,11 @@ void main() {
     uint rng = rng_seed(at, frame.frame, i, frame.seed);
     vec3 estimate = trace_path(v, begin_path(pixel, at * frame.spp + i, i), rng);
     if (any(isnan(estimate)) || any(isinf(estimate))) {
-      atomicAdd(counters[kCounterNan], 1u);
+      atomicAdd(counters.at[kCounterNan], 1u);
       lost += 1.0;
       estimate = vec3(0.0);
     }
     sum += estimate;
   }
-  radiance[at] = vec4(emission + sum / float(frame.spp), lost);
+  radiance.at[at] = vec4(emission + sum / float(frame.spp), lost);
 }

@@ -1,6 +1,7 @@
-// Set 0: the scene's buffers as render/gpu_scene.cpp fills them (Shaders/shared/scene_gpu.h says what is in each).
+// The scene's arrays as render/gpu_scene.cpp fills them (Shaders/shared/scene_gpu.h says what is in each).
 #ifndef FB_LIB_SCENE_BINDINGS
 #define FB_LIB_SCENE_BINDINGS
+#include "lib/arrays.glsl"
 #include "shared/bvh.h"
 #include "shared/scene_gpu.h"
 
@@ -9,21 +10,22 @@
 #define SCENE_ACCESS readonly
 #endif
 
-layout(set = 0, binding = 0, std430) SCENE_ACCESS buffer NodeBlock { BvhNode nodes[]; };
-layout(set = 0, binding = 1, std430) SCENE_ACCESS buffer TriangleBlock { GpuTriangle triangles[]; };
-layout(set = 0, binding = 2, std430) readonly buffer AttributeBlock { GpuAttribute attributes[]; };
-layout(set = 0, binding = 3, std430) readonly buffer PoseBlock { uvec2 poses[]; };
-layout(set = 0, binding = 4, std430) readonly buffer NormalBlock { uint normals[]; };
-layout(set = 0, binding = 5, std430) readonly buffer InstanceBlock { GpuInstance instances[]; };
-layout(set = 0, binding = 6, std430) readonly buffer LevelBlock { uint levels[]; };
-layout(set = 0, binding = 7, std430) readonly buffer MaterialBlock { GpuMaterial materials[]; };
-layout(set = 0, binding = 8, std430) readonly buffer ImageBlock { GpuImage images[]; };
-layout(set = 0, binding = 9, std430) readonly buffer TexelBlock { uint texels[]; };
-layout(set = 0, binding = 10, std430) readonly buffer PaletteBlock { vec4 palette[256]; };
-layout(set = 0, binding = 11, std430) readonly buffer CopyJobBlock { GpuCopyJob copy_jobs[]; };
-layout(set = 0, binding = 12, std430) SCENE_ACCESS buffer VertexBlock { float posed_vertices[]; };
+FB_SCENE_ARRAY(kBindNodes, 16, SCENE_ACCESS, NodeArray, BvhNode, nodes)
+FB_SCENE_ARRAY(kBindTriangles, 16, SCENE_ACCESS, TriangleArray, GpuTriangle, triangles)
+FB_SCENE_ARRAY(kBindAttributes, 16, readonly, AttributeArray, GpuAttribute, attributes)
+FB_SCENE_ARRAY(kBindPoses, 8, readonly, PoseArray, uvec2, poses)
+FB_SCENE_ARRAY(kBindNormals, 4, readonly, NormalArray, uint, normals)
+FB_SCENE_ARRAY(kBindInstances, 16, readonly, InstanceArray, GpuInstance, instances)
+FB_SCENE_ARRAY(kBindLevels, 4, readonly, LevelArray, uint, levels)
+FB_SCENE_ARRAY(kBindMaterials, 16, readonly, MaterialArray, GpuMaterial, materials)
+FB_SCENE_ARRAY(kBindImages, 16, readonly, ImageArray, GpuImage, images)
+FB_SCENE_ARRAY(kBindTexels, 4, readonly, TexelArray, uint, texels)
+FB_SCENE_ARRAY(kBindPalette, 16, readonly, PaletteArray, vec4, palette)
+FB_SCENE_ARRAY(kBindCopyJobs, 16, readonly, CopyJobArray, GpuCopyJob, copy_jobs)
+FB_SCENE_ARRAY(kBindVertices, 4, SCENE_ACCESS, VertexArray, float, posed_vertices)
+FB_SCENE_ARRAY(kBindLights, 8, readonly, LightArray, uvec2, lights)
 
 #if INTERSECTOR_QUERY
-layout(set = 0, binding = 17) uniform accelerationStructureEXT scene_tlas;
+layout(set = kSetScene, binding = kBindTlas) uniform accelerationStructureEXT scene_tlas;
 #endif
 #endif

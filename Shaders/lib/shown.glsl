@@ -4,6 +4,6 @@
 #include "lib/denoise.glsl"
 
 vec3 shown_radiance(uint at) {
-  return frame.denoise != 0u ? picture_color(picture_texel(at)) : mean_radiance[at].rgb;
+  return frame.denoise != 0u ? picture_color(picture_texel(at)) : mean_radiance.at[at].rgb;
 }
 #endif

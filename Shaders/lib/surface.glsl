@@ -6,7 +6,7 @@
 #include "shared/packing.h"
 
 // False: no surface of the scene has a coat (plain Lambert throughout).
-layout(constant_id = 1) const bool FEATURE_SPECULAR = true;
+layout(constant_id = kSpecSpecular) const bool FEATURE_SPECULAR = true;
 
 struct Surface {
   vec3 position;
@@ -21,17 +21,17 @@ vec3 rows_times_point(vec4 x, vec4 y, vec4 z, vec3 p) {
   return vec3(dot(x.xyz, p) + x.w, dot(y.xyz, p) + y.w, dot(z.xyz, p) + z.w);
 }
 vec3 to_world_point(uint i, vec3 p) {
-  return rows_times_point(instances[i].to_world[0], instances[i].to_world[1], instances[i].to_world[2], p);
+  return rows_times_point(instances.at[i].to_world[0], instances.at[i].to_world[1], instances.at[i].to_world[2], p);
 }
 vec3 to_previous_world_point(uint i, vec3 p) {
-  return rows_times_point(instances[i].prev_to_world[0], instances[i].prev_to_world[1], instances[i].prev_to_world[2], p);
+  return rows_times_point(instances.at[i].prev_to_world[0], instances.at[i].prev_to_world[1], instances.at[i].prev_to_world[2], p);
 }
 vec3 to_world_vector(uint i, vec3 v) {
-  return vec3(dot(instances[i].to_world[0].xyz, v), dot(instances[i].to_world[1].xyz, v), dot(instances[i].to_world[2].xyz, v));
+  return vec3(dot(instances.at[i].to_world[0].xyz, v), dot(instances.at[i].to_world[1].xyz, v), dot(instances.at[i].to_world[2].xyz, v));
 }
 // Normals go by the inverse transposed.
 vec3 to_world_normal(uint i, vec3 n) {
-  return normalize(instances[i].to_object[0].xyz * n.x + instances[i].to_object[1].xyz * n.y + instances[i].to_object[2].xyz * n.z);
+  return normalize(instances.at[i].to_object[0].xyz * n.x + instances.at[i].to_object[1].xyz * n.y + instances.at[i].to_object[2].xyz * n.z);
 }
 
 // Start of a ray that leaves a surface: off it by a little more than positions are rounded by.
@@ -41,28 +41,28 @@ vec3 offset_origin(vec3 position, vec3 normal) {
 }
 
 vec3 pose_vertex(uint at, vec3 scale, vec3 origin) {
-  uint bytes = poses[at].x;
+  uint bytes = poses.at[at].x;
   return vec3(float(bytes & 0xffu), float((bytes >> 8u) & 0xffu), float((bytes >> 16u) & 0xffu)) * scale + origin;
 }
 
 vec3 previous_vertex(uint i, uint vertex) {
-  vec3 scale = instances[i].pose_scale.xyz, origin = instances[i].pose_origin.xyz;
-  vec3 from = pose_vertex(instances[i].prev_pose_a + vertex, scale, origin);
-  vec3 to = pose_vertex(instances[i].prev_pose_b + vertex, scale, origin);
-  return mix(from, to, instances[i].prev_pose_t);
+  vec3 scale = instances.at[i].pose_scale.xyz, origin = instances.at[i].pose_origin.xyz;
+  vec3 from = pose_vertex(instances.at[i].prev_pose_a + vertex, scale, origin);
+  vec3 to = pose_vertex(instances.at[i].prev_pose_b + vertex, scale, origin);
+  return mix(from, to, instances.at[i].prev_pose_t);
 }
 
 // Where a point of the surface was in the previous frame, in the world.
 vec3 previous_position(Hit hit) {
   uint i = hit.instance;
   vec3 v0, e1, e2;
-  if (instances[i].pose_a == kNoIndex) {
-    uint at = instances[i].first_triangle + hit.triangle;
-    v0 = triangles[at].v0.xyz;
-    e1 = triangles[at].e1.xyz;
-    e2 = triangles[at].e2.xyz;
+  if (instances.at[i].pose_a == kNoIndex) {
+    uint at = instances.at[i].first_triangle + hit.triangle;
+    v0 = triangles.at[at].v0.xyz;
+    e1 = triangles.at[at].e1.xyz;
+    e2 = triangles.at[at].e2.xyz;
   } else {
-    GpuAttribute a = attributes[instances[i].first_attribute + hit.triangle];
+    GpuAttribute a = attributes.at[instances.at[i].first_attribute + hit.triangle];
     v0 = previous_vertex(i, a.vertex0);
     e1 = previous_vertex(i, a.vertex1) - v0;
     e2 = previous_vertex(i, a.vertex2) - v0;
@@ -71,23 +71,23 @@ vec3 previous_position(Hit hit) {
 }
 
 vec3 pose_normal(uint vertex, uint pose_a, uint pose_b, float t) {
-  return mix(unpack_direction(poses[pose_a + vertex].y), unpack_direction(poses[pose_b + vertex].y), t);
+  return mix(unpack_direction(poses.at[pose_a + vertex].y), unpack_direction(poses.at[pose_b + vertex].y), t);
 }
 
 // Interpolated vertex normal in the mesh's space; zero where the mesh is flat.
 vec3 smooth_normal(uint instance_index, GpuAttribute a, vec2 bary) {
   vec3 weights = vec3(1.0 - bary.x - bary.y, bary);
-  uint pose_a = instances[instance_index].pose_a;
+  uint pose_a = instances.at[instance_index].pose_a;
   if (pose_a != kNoIndex) {
-    uint pose_b = instances[instance_index].pose_b;
-    float t = instances[instance_index].pose_t;
+    uint pose_b = instances.at[instance_index].pose_b;
+    float t = instances.at[instance_index].pose_t;
     return weights.x * pose_normal(a.vertex0, pose_a, pose_b, t) + weights.y * pose_normal(a.vertex1, pose_a, pose_b, t) +
            weights.z * pose_normal(a.vertex2, pose_a, pose_b, t);
   }
-  uint first = instances[instance_index].first_normal;
+  uint first = instances.at[instance_index].first_normal;
   if (first == kNoIndex) return vec3(0.0);
-  return weights.x * unpack_direction(normals[first + a.vertex0]) + weights.y * unpack_direction(normals[first + a.vertex1]) +
-         weights.z * unpack_direction(normals[first + a.vertex2]);
+  return weights.x * unpack_direction(normals.at[first + a.vertex0]) + weights.y * unpack_direction(normals.at[first + a.vertex1]) +
+         weights.z * unpack_direction(normals.at[first + a.vertex2]);
 }
 
 // Turns a normal map's texel, 0..1 each, about the surface; texture coordinates give the tangent.
@@ -122,17 +122,17 @@ Surface load_surface(Hit hit, vec3 direction, bool smooth_texels, bool end_of_pa
   vec3 sky_factor = vec3(1.0);
   bool sky = hit.instance == kNoIndex;
   if (!sky) {
-    uint record = instances[hit.instance].first_attribute + hit.triangle;
-    GpuAttribute a = attributes[record];
-    s.material = instances[hit.instance].material_base + a.material;
-    GpuMaterial m = materials[s.material];
+    uint record = instances.at[hit.instance].first_attribute + hit.triangle;
+    GpuAttribute a = attributes.at[record];
+    s.material = instances.at[hit.instance].material_base + a.material;
+    GpuMaterial m = materials.at[s.material];
     vec2 uv = hit_uv(record, hit.bary);
     Shade shade = shade_point(m, hit.instance, uv, smooth_texels);
     s.emission = shade.emission;
-    sky = m.emission_kind == kEmissionSky && (instances[hit.instance].flags & kInstanceHasColor) == 0u;
+    sky = m.emission_kind == kEmissionSky && (instances.at[hit.instance].flags & kInstanceHasColor) == 0u;
     sky_factor = m.emission.rgb;
     if (!end_of_path) {
-      GpuTriangle t = triangles[instances[hit.instance].first_triangle + hit.triangle];
+      GpuTriangle t = triangles.at[instances.at[hit.instance].first_triangle + hit.triangle];
       s.position = to_world_point(hit.instance, t.v0.xyz + t.e1.xyz * hit.bary.x + t.e2.xyz * hit.bary.y);
       s.normal = to_world_normal(hit.instance, cross(t.e1.xyz, t.e2.xyz));
       if (dot(s.normal, direction) > 0.0) s.normal = -s.normal;

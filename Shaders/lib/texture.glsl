@@ -20,16 +20,16 @@ vec3 linear_from_srgb(vec3 c) {
 }
 
 Texel fetch_texel(uint image_index, ivec2 p) {
-  GpuImage image = images[image_index];
+  GpuImage image = images.at[image_index];
   uint at = image.first + uint(p.y) * (image.size & 0xffffu) + uint(p.x);
   Texel texel;
   if (image.encoding == kEncodingPalette) {
-    uint index = (texels[at >> 2u] >> ((at & 3u) * 8u)) & 0xffu;
-    texel.color = palette[index].rgb;
+    uint index = (texels.at[at >> 2u] >> ((at & 3u) * 8u)) & 0xffu;
+    texel.color = palette.at[index].rgb;
     texel.alpha = index == kTransparentIndex ? 0.0 : 1.0;
     texel.glows = index >= kFirstFullbright;
   } else {
-    vec4 c = unpackUnorm4x8(texels[at]);
+    vec4 c = unpackUnorm4x8(texels.at[at]);
     texel.color = image.encoding == kEncodingSrgba ? linear_from_srgb(c.rgb) : c.rgb;
     texel.alpha = c.a;
     texel.glows = false;
@@ -38,7 +38,7 @@ Texel fetch_texel(uint image_index, ivec2 p) {
 }
 
 ivec2 image_size(uint image_index) {
-  uint size = images[image_index].size;
+  uint size = images.at[image_index].size;
   return ivec2(size & 0xffffu, size >> 16u);
 }
 

@@ -5,7 +5,7 @@
 #include "lib/scene_bindings.glsl"
 
 // False: every surface stops every ray, nothing is asked.
-layout(constant_id = 0) const bool FEATURE_CANDIDATES = true;
+layout(constant_id = kSpecCandidates) const bool FEATURE_CANDIDATES = true;
 
 struct Hit {
   float t;        // along the direction as it was given, in the world

@@ -7,14 +7,14 @@
 #define FB_LIB_TRACE_BVH
 
 // Fetch through texel buffers: nearly twice as fast as storage buffers on lavapipe before Mesa 24, slower after.
-layout(constant_id = 10) const bool TRACE_TEXELS = false;
+layout(constant_id = kSpecReadTexels) const bool READ_TEXELS = false;
 // Keep the stack in shared memory (for workgroups of at most 64): faster on lavapipe, costs occupancy on GPUs.
-layout(constant_id = 11) const bool SHARED_STACK = true;
+layout(constant_id = kSpecSharedStack) const bool SHARED_STACK = true;
 
-layout(set = 0, binding = 0, std430) readonly buffer NodeQuadBlock { uvec4 node_quads[]; };
-layout(set = 0, binding = 1, std430) readonly buffer TriangleQuadBlock { uvec4 triangle_quads[]; };
-layout(set = 0, binding = 18) uniform usamplerBuffer node_texels;
-layout(set = 0, binding = 19) uniform usamplerBuffer triangle_texels;
+FB_SCENE_ARRAY(kBindNodes, 16, readonly, NodeQuadArray, uvec4, node_quads)
+FB_SCENE_ARRAY(kBindTriangles, 16, readonly, TriangleQuadArray, uvec4, triangle_quads)
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsNodes) uniform usamplerBuffer node_texels;
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTriangles) uniform usamplerBuffer triangle_texels;
 
 const uint kRefDone = 0xffffffffu;       // bottom of the stack
 const float kEdgeTolerance = 1e-5;       // of barycentric weights: closes cracks along shared edges
@@ -31,8 +31,8 @@ void set_stack(uint at, uint value) {
 }
 uint get_stack(uint at) { return SHARED_STACK ? shared_stack[at * 64u + gl_LocalInvocationIndex] : local_stack[at]; }
 
-uvec4 node_quad(uint at) { return TRACE_TEXELS ? texelFetch(node_texels, int(at)) : node_quads[at]; }
-uvec4 triangle_quad(uint at) { return TRACE_TEXELS ? texelFetch(triangle_texels, int(at)) : triangle_quads[at]; }
+uvec4 node_quad(uint at) { return READ_TEXELS ? texelFetch(node_texels, int(at)) : node_quads.at[at]; }
+uvec4 triangle_quad(uint at) { return READ_TEXELS ? texelFetch(triangle_texels, int(at)) : triangle_quads.at[at]; }
 
 // 1 / d, finite where d is zero.
 vec3 safe_reciprocal(vec3 d) {
@@ -81,7 +81,7 @@ Hit trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, inou
                       ((q0.w >> kTriangleVisibilityShift) & mask & kInstanceMaskBits) != 0u;
         if (FEATURE_CANDIDATES && counts && (q0.w & kTriangleAsks) != 0u) {
           uint instance = q0.w >> kTriangleInstanceShift;
-          counts = accept_candidate(Hit(t, vec2(u, v), instance, at - instances[instance].world_triangle), rng);
+          counts = accept_candidate(Hit(t, vec2(u, v), instance, at - instances.at[instance].world_triangle), rng);
         }
         hit.t = counts ? t : hit.t;
         hit.bary = counts ? vec2(u, v) : hit.bary;
@@ -91,7 +91,7 @@ Hit trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, inou
       current = get_stack(--top);
     }
   }
-  if (hit.instance != kNoIndex) hit.triangle -= instances[hit.instance].world_triangle;
+  if (hit.instance != kNoIndex) hit.triangle -= instances.at[hit.instance].world_triangle;
   return hit;
 }
 #endif

@@ -7,16 +7,16 @@ void main() {
   uvec2 pixel = invocation_pixel();
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
   uint at = pixel.y * frame.width + pixel.x;
-  vec3 x = radiance[at].rgb;
+  vec3 x = radiance.at[at].rgb;
   if (frame.accumulated_frames == 0u) {
-    mean_radiance[at] = vec4(x, 1.0);
-    m2_radiance[at] = vec4(0.0);
+    mean_radiance.at[at] = vec4(x, 1.0);
+    m2_radiance.at[at] = vec4(0.0);
     return;
   }
   float n = float(frame.accumulated_frames) + 1.0;
-  vec3 mean = mean_radiance[at].rgb;
+  vec3 mean = mean_radiance.at[at].rgb;
   vec3 delta = x - mean;
   mean += delta / n;
-  m2_radiance[at] += vec4(delta * (x - mean), 0.0);
-  mean_radiance[at] = vec4(mean, n);
+  m2_radiance.at[at] += vec4(delta * (x - mean), 0.0);
+  mean_radiance.at[at] = vec4(mean, n);
 }

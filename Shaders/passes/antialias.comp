@@ -6,7 +6,7 @@
 
 vec3 ldr_at(ivec2 p) {
   p = clamp(p, ivec2(0), ivec2(frame.width, frame.height) - 1);
-  return unpackUnorm4x8(ldr[uint(p.y) * frame.width + uint(p.x)]).rgb;
+  return unpackUnorm4x8(ldr.at[uint(p.y) * frame.width + uint(p.x)]).rgb;
 }
 float luma(vec3 c) { return dot(c, vec3(0.299, 0.587, 0.114)); }
 vec3 ldr_bilinear(vec2 p) {
@@ -20,7 +20,7 @@ void main() {
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
   uint at = pixel.y * frame.width + pixel.x;
   if (frame.fxaa == 0u || frame.debug_view != 0u) {
-    smoothed[at] = ldr[at];
+    smoothed.at[at] = ldr.at[at];
     return;
   }
   ivec2 p = ivec2(pixel);
@@ -30,7 +30,7 @@ void main() {
   float sw = luma(ldr_at(p + ivec2(-1, 1))), s = luma(ldr_at(p + ivec2(0, 1))), se = luma(ldr_at(p + ivec2(1, 1)));
   float low = min(c, min(min(n, s), min(w, e))), high = max(c, max(max(n, s), max(w, e)));
   if (high - low < max(0.05, high * 0.125)) {
-    smoothed[at] = ldr[at];
+    smoothed.at[at] = ldr.at[at];
     return;
   }
   vec2 gradient = vec2(ne + 2.0 * e + se - nw - 2.0 * w - sw, sw + 2.0 * s + se - nw - 2.0 * n - ne);
@@ -45,5 +45,5 @@ void main() {
     float y = luma(wide);
     color = y < low || y > high ? near : wide;
   }
-  smoothed[at] = packUnorm4x8(vec4(color, 1.0));
+  smoothed.at[at] = packUnorm4x8(vec4(color, 1.0));
 }

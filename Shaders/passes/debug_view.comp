@@ -25,37 +25,37 @@ vec3 denoiser_color(uint at, GBufferTexel g) {
     case 12u: return vec3(sqrt(max(moments.y * moments.y - moments.x * moments.x, 0.0)) / max(4.0 * moments.x, 1e-6));
     case 13u: return vec3(log2(1.0 + frames) / 8.0);
     case 14u: return frames == 1.0 ? vec3(1.0, 0.0, 0.0) : frames < 4.0 ? vec3(1.0, 0.7, 0.0) : vec3(0.2 * luminance(g.albedo_roughness.rgb) + 0.1);
-    case 15u: return srgb_from_linear(filmic(demodulate(shown_radiance(at) - r.emission, r.factor) * 0.3 * exposure_state.exposure));
-    default: return srgb_from_linear(filmic(vec3(unpackHalf2x16(past.x), unpackHalf2x16(past.y & 0xffffu).x) * 0.3 * exposure_state.exposure));
+    case 15u: return srgb_from_linear(filmic(demodulate(shown_radiance(at) - r.emission, r.factor) * 0.3 * exposure_now()));
+    default: return srgb_from_linear(filmic(vec3(unpackHalf2x16(past.x), unpackHalf2x16(past.y & 0xffffu).x) * 0.3 * exposure_now()));
   }
 }
 
 // Pixels with samples that were not finite are red on this frame's picture in grey.
 vec3 lost_color(uint at) {
-  vec4 estimate = radiance[at];
-  return estimate.w > 0.0 ? vec3(1.0, 0.0, 0.0) : 0.5 * srgb_from_linear(filmic(vec3(luminance(estimate.rgb) * exposure_state.exposure)));
+  vec4 estimate = radiance.at[at];
+  return estimate.w > 0.0 ? vec3(1.0, 0.0, 0.0) : 0.5 * srgb_from_linear(filmic(vec3(luminance(estimate.rgb) * exposure_now())));
 }
 
 vec3 debug_color(uint at) {
-  GBufferTexel g = gbuffer[at];
+  GBufferTexel g = gbuffer.at[at];
   if (frame.debug_view == kNanView) return lost_color(at);
   if (frame.debug_view >= kFirstGuideView) return vec3(0.0);  // the estimator learns nothing
   switch (frame.debug_view) {
     case 1u: return unpack_direction(g.normal) * 0.5 + 0.5;
     case 2u: return unpack_direction(g.shading_normal) * 0.5 + 0.5;
     case 3u: return srgb_from_linear(g.albedo_roughness.rgb);
-    case 4u: return srgb_from_linear(filmic(g.emission_specular.rgb * exposure_state.exposure));
+    case 4u: return srgb_from_linear(filmic(g.emission_specular.rgb * exposure_now()));
     case 5u: return vec3(exp2(-g.motion.z / 512.0));
     case 6u: return vec3(g.motion.xy / 16.0 + 0.5, 0.5);
     case 7u: return id_color(g.id);
     case 8u: return id_color(g.material_metalness & 0xffffffu);
     case 9u: return vec3(g.albedo_roughness.w, g.emission_specular.w, float(g.material_metalness >> 24u) / 255.0);
-    case 10u: return srgb_from_linear(filmic(radiance[at].rgb * exposure_state.exposure));
+    case 10u: return srgb_from_linear(filmic(radiance.at[at].rgb * exposure_now()));
     case 12u: case 13u: case 14u: case 15u: case 16u: return denoiser_color(at, g);
     default: {  // standard error of the mean, relative to the mean
-      float n = mean_radiance[at].w;
-      float variance = n > 1.0 ? luminance(m2_radiance[at].rgb) / ((n - 1.0) * n) : 0.0;
-      return vec3(sqrt(variance) / max(luminance(mean_radiance[at].rgb), 1e-6));
+      float n = mean_radiance.at[at].w;
+      float variance = n > 1.0 ? luminance(m2_radiance.at[at].rgb) / ((n - 1.0) * n) : 0.0;
+      return vec3(sqrt(variance) / max(luminance(mean_radiance.at[at].rgb), 1e-6));
     }
   }
 }
@@ -65,5 +65,5 @@ void main() {
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
   uint at = pixel.y * frame.width + pixel.x;
   if (frame.debug_view >= kFirstGuideView && frame.debug_view != kNanView && frame.guide_states != 0u) return;
-  ldr[at] = packUnorm4x8(vec4(debug_color(at), 1.0));
+  ldr.at[at] = packUnorm4x8(vec4(debug_color(at), 1.0));
 }

@@ -47,11 +47,11 @@ History find_history(vec2 point, float inverse_depth, vec2 slope, vec3 normal, u
 // A store costs as much as a fetch, word by word: what the wavelet's first level writes anyway is left to it, and what its
 // levels hand on unchanged is written to both of their sections now.
 void write_texels(uint at, uvec4 filter_texel, uint moments) {
-  history[section(kSectionFilter) + at] = filter_texel;
-  history_words[(section(kSectionFilter + 1u) + at) * 4u + 2u] = filter_texel.z;
+  history.at[section(kSectionFilter) + at] = filter_texel;
+  history_words.at[(section(kSectionFilter + 1u) + at) * 4u + 2u] = filter_texel.z;
   uint own = (section(kSectionHistory + frame.history_parity) + at) * 4u;
-  history_words[own + 2u] = moments;
-  history_words[own + 3u] = filter_texel.z;
+  history_words.at[own + 2u] = moments;
+  history_words.at[own + 3u] = filter_texel.z;
 }
 
 // Frames that count after the last level of the frame before has said how much of the history there it trusts.
@@ -64,7 +64,7 @@ float kept_frames(float frames, vec2 point) {
 // Not finite: counted, and as good as black.
 vec3 checked(vec3 x) {
   if (any(isnan(x)) || any(isinf(x))) {
-    atomicAdd(counters[kCounterHistory], 1u);
+    atomicAdd(counters.at[kCounterHistory], 1u);
     return vec3(0.0);
   }
   return clamp(x, vec3(0.0), vec3(kMaxIrradiance));
@@ -78,7 +78,7 @@ void main() {
   vec4 motion = uintBitsToFloat(gbuffer_quad(at, 4u));
   vec3 normal = unpack_direction(words.y), ray = camera_direction(vec2(pixel) + 0.5);
   Reflector r = reflector(gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), words.w, cosine_to(ray, normal));
-  vec3 x = checked(demodulate(radiance[at].rgb - r.emission, r.factor));
+  vec3 x = checked(demodulate(radiance.at[at].rgb - r.emission, r.factor));
   float y = luminance_of(x);
 
   uint id = hash_u32(words.z) >> 24u;

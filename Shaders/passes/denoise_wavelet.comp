@@ -99,18 +99,18 @@ void main() {
   vec3 color = min(reflected_color(at, irradiance, ray), vec3(kMaxHalf));
   uint kept = uint(255.0 * trust(luminance_of(irradiance), deviation, ahead) + 0.5);
   uint to = section(kSectionPicture) * 4u + 2u * at;
-  history_words[to] = packHalf2x16(color.rg);
-  history_words[to + 1u] = packHalf2x16(vec2(color.b, 0.0)) | (kept << 16u);
+  history_words.at[to] = packHalf2x16(color.rg);
+  history_words.at[to + 1u] = packHalf2x16(vec2(color.b, 0.0)) | (kept << 16u);
 #else
   uint to = (section(level.target) + at) * 4u;
-  history_words[to] = pack_rgb9e5(irradiance, 0.5);
-  history_words[to + 1u] = packHalf2x16(vec2(deviation, ahead));
+  history_words.at[to] = pack_rgb9e5(irradiance, 0.5);
+  history_words.at[to + 1u] = packHalf2x16(vec2(deviation, ahead));
 #if LEVEL == 0
   // While nothing moves the history is the plain mean, so that the picture converges.
   uint own = (section(kSectionHistory + frame.history_parity) + at) * 4u;
   vec3 kept = frame.still != 0u ? c.irradiance : irradiance;
-  history_words[own] = packHalf2x16(kept.rg);
-  history_words[own + 1u] = packHalf2x16(vec2(kept.b, 0.0)) | (texel.w << 16u);
+  history_words.at[own] = packHalf2x16(kept.rg);
+  history_words.at[own + 1u] = packHalf2x16(vec2(kept.b, 0.0)) | (texel.w << 16u);
 #endif
 #endif
 }

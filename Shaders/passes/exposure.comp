@@ -10,23 +10,23 @@ layout(local_size_x = 1) in;
 
 void main() {
   uint total = 0u;
-  for (uint i = 0u; i < kHistogramBins; ++i) total += histogram[i];
+  for (uint i = 0u; i < kHistogramBins; ++i) total += exposure_buffer.at[0].histogram[i];
   const float kBrightest = 4.0;  // where the filmic curve comes within a few steps of white
   float bright = -100.0;
   float low = float(total) * 0.20, high = float(total) * 0.95, before = 0.0, weight = 0.0, sum = 0.0;
   for (uint i = 0u; i < kHistogramBins; ++i) {
-    float after = before + float(histogram[i]);
+    float after = before + float(exposure_buffer.at[0].histogram[i]);
     float inside = max(0.0, min(after, high) - max(before, low));
     sum += inside * bin_log2_luminance(i);
     weight += inside;
     if (before < float(total) * 0.9 && after >= float(total) * 0.9) bright = bin_log2_luminance(i);
     before = after;
-    histogram[i] = 0u;
+    exposure_buffer.at[0].histogram[i] = 0u;
   }
   // A part of a dark room's darkness stays: eyes know a cellar from a yard.
-  float wanted = exposure_state.log_exposure;
+  float wanted = exposure_buffer.at[0].state.log_exposure;
   if (weight > 0.0) wanted = min(log2(frame.exposure_target) - 0.85 * sum / weight, log2(kBrightest) - bright);
-  float value = clamp(mix(exposure_state.log_exposure, wanted, frame.adaptation), -6.0, 8.0);
-  exposure_state.log_exposure = value;
-  exposure_state.exposure = frame.exposure * (frame.auto_exposure > 0.0 ? exp2(value) : 1.0);
+  float value = clamp(mix(exposure_buffer.at[0].state.log_exposure, wanted, frame.adaptation), -6.0, 8.0);
+  exposure_buffer.at[0].state.log_exposure = value;
+  exposure_buffer.at[0].state.exposure = frame.exposure * (frame.auto_exposure > 0.0 ? exp2(value) : 1.0);
 }

@@ -18,6 +18,6 @@ void main() {
   }
   barrier();
   for (uint i = lane; i < kHistogramBins; i += 64u) {
-    if (bins[i] != 0u) atomicAdd(histogram[i], bins[i]);
+    if (bins[i] != 0u) atomicAdd(exposure_buffer.at[0].histogram[i], bins[i]);
   }
 }

@@ -4,32 +4,31 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define SCENE_ACCESS coherent
-#define INTERSECTOR_QUERY 0
 #include "lib/scene_bindings.glsl"
 
 layout(local_size_x = 64) in;
-layout(constant_id = 0) const bool FOR_QUERY = false;
+layout(constant_id = kSpecForQuery) const bool FOR_QUERY = false;
 
 const float kFlatTriangle = 1e-6;  // as on the host (render/gpu_scene_assets.cpp)
 
 vec3 pose_position(uint job, uint vertex) {
-  uint a = poses[copy_jobs[job].pose_a + vertex].x, b = poses[copy_jobs[job].pose_b + vertex].x;
+  uint a = poses.at[copy_jobs.at[job].pose_a + vertex].x, b = poses.at[copy_jobs.at[job].pose_b + vertex].x;
   vec3 from = vec3(a & 0xffu, (a >> 8u) & 0xffu, (a >> 16u) & 0xffu);
   vec3 to = vec3(b & 0xffu, (b >> 8u) & 0xffu, (b >> 16u) & 0xffu);
-  return mix(from, to, copy_jobs[job].pose_t) * copy_jobs[job].scale.xyz + copy_jobs[job].origin.xyz;
+  return mix(from, to, copy_jobs.at[job].pose_t) * copy_jobs.at[job].scale.xyz + copy_jobs.at[job].origin.xyz;
 }
 
 void write_vertex(uint at, vec3 p) {
-  posed_vertices[at * 3u] = p.x;
-  posed_vertices[at * 3u + 1u] = p.y;
-  posed_vertices[at * 3u + 2u] = p.z;
+  posed_vertices.at[at * 3u] = p.x;
+  posed_vertices.at[at * 3u + 1u] = p.y;
+  posed_vertices.at[at * 3u + 2u] = p.z;
 }
 
 // The triangle in the mesh's space.
 GpuTriangle object_triangle(uint job, uint index) {
-  uint at = copy_jobs[job].object_triangle + index;
-  if (copy_jobs[job].pose_a == kNoIndex) return triangles[at];
-  GpuAttribute a = attributes[copy_jobs[job].first_attribute + index];
+  uint at = copy_jobs.at[job].object_triangle + index;
+  if (copy_jobs.at[job].pose_a == kNoIndex) return triangles.at[at];
+  GpuAttribute a = attributes.at[copy_jobs.at[job].first_attribute + index];
   vec3 v0 = pose_position(job, a.vertex0), v1 = pose_position(job, a.vertex1), v2 = pose_position(job, a.vertex2);
   vec3 e1 = v1 - v0, e2 = v2 - v0, e3 = v2 - v1;
   float longest = max(max(dot(e1, e1), dot(e2, e2)), dot(e3, e3));
@@ -38,9 +37,9 @@ GpuTriangle object_triangle(uint job, uint index) {
     v1 = v2 = v0;
   }
   GpuTriangle t = GpuTriangle(vec4(v0, 0.0), vec4(e1, 0.0), vec4(e2, 0.0));
-  triangles[at] = t;
+  triangles.at[at] = t;
   if (FOR_QUERY) {
-    uint first = copy_jobs[job].first_vertex + index * 3u;
+    uint first = copy_jobs.at[job].first_vertex + index * 3u;
     write_vertex(first, v0);
     write_vertex(first + 1u, v1);
     write_vertex(first + 2u, v2);
@@ -49,35 +48,35 @@ GpuTriangle object_triangle(uint job, uint index) {
 }
 
 vec3 world_vector(uint job, vec3 v) {
-  return vec3(dot(copy_jobs[job].to_world[0].xyz, v), dot(copy_jobs[job].to_world[1].xyz, v),
-              dot(copy_jobs[job].to_world[2].xyz, v));
+  return vec3(dot(copy_jobs.at[job].to_world[0].xyz, v), dot(copy_jobs.at[job].to_world[1].xyz, v),
+              dot(copy_jobs.at[job].to_world[2].xyz, v));
 }
 
 void make_triangle(uint job, uint index) {
   GpuTriangle t = object_triangle(job, index);
   if (FOR_QUERY) return;
-  vec3 origin = vec3(copy_jobs[job].to_world[0].w, copy_jobs[job].to_world[1].w, copy_jobs[job].to_world[2].w);
+  vec3 origin = vec3(copy_jobs.at[job].to_world[0].w, copy_jobs.at[job].to_world[1].w, copy_jobs.at[job].to_world[2].w);
   // Corners first: neighbours must come to share them to the last bit.
   vec3 v0 = world_vector(job, t.v0.xyz) + origin;
   vec3 v1 = world_vector(job, t.v0.xyz + t.e1.xyz) + origin, v2 = world_vector(job, t.v0.xyz + t.e2.xyz) + origin;
   if (t.e1.xyz == vec3(0.0) && t.e2.xyz == vec3(0.0)) v1 = v2 = v0;
-  bool asks = (attributes[copy_jobs[job].first_attribute + index].flags & kTriangleAlphaTest) != 0u;
-  uint owner = copy_jobs[job].owner | (asks ? kTriangleAsks : 0u);
-  triangles[copy_jobs[job].world_triangle + index] =
+  bool asks = (attributes.at[copy_jobs.at[job].first_attribute + index].flags & kTriangleAlphaTest) != 0u;
+  uint owner = copy_jobs.at[job].owner | (asks ? kTriangleAsks : 0u);
+  triangles.at[copy_jobs.at[job].world_triangle + index] =
       GpuTriangle(vec4(v0, uintBitsToFloat(owner)), vec4(v1 - v0, 0.0), vec4(v2 - v0, 0.0));
 }
 
 // References of the mesh's tree, as the copy's tree has them.
 uint placed(uint job, uint ref) {
-  return ref < kRefLeaf ? ref - copy_jobs[job].mesh_node + copy_jobs[job].first_node
-                        : ref - copy_jobs[job].mesh_triangle + copy_jobs[job].world_triangle;
+  return ref < kRefLeaf ? ref - copy_jobs.at[job].mesh_node + copy_jobs.at[job].first_node
+                        : ref - copy_jobs.at[job].mesh_triangle + copy_jobs.at[job].world_triangle;
 }
 
 // A child's box. Padded at the leaves, since corners are rounded when they are put together.
 void child_box(uint ref, out vec3 low, out vec3 high) {
   if (ref < kRefLeaf) {
-    low = min(nodes[ref].min0, nodes[ref].min1);
-    high = max(nodes[ref].max0, nodes[ref].max1);
+    low = min(nodes.at[ref].min0, nodes.at[ref].min1);
+    high = max(nodes.at[ref].max0, nodes.at[ref].max1);
     return;
   }
   uint at = ref & kRefFirstMask;
@@ -85,7 +84,7 @@ void child_box(uint ref, out vec3 low, out vec3 high) {
   low = vec3(1e30);
   high = vec3(-1e30);
   for (uint i = at; i < at + count; ++i) {
-    vec3 v0 = triangles[i].v0.xyz, v1 = v0 + triangles[i].e1.xyz, v2 = v0 + triangles[i].e2.xyz;
+    vec3 v0 = triangles.at[i].v0.xyz, v1 = v0 + triangles.at[i].e1.xyz, v2 = v0 + triangles.at[i].e2.xyz;
     low = min(low, min(v0, min(v1, v2)));
     high = max(high, max(v0, max(v1, v2)));
   }
@@ -95,26 +94,26 @@ void child_box(uint ref, out vec3 low, out vec3 high) {
 }
 
 void refit_node(uint job, uint index) {
-  uint from = copy_jobs[job].mesh_node + index;
+  uint from = copy_jobs.at[job].mesh_node + index;
   BvhNode node;
-  node.child0 = placed(job, nodes[from].child0);
-  node.child1 = placed(job, nodes[from].child1);
+  node.child0 = placed(job, nodes.at[from].child0);
+  node.child1 = placed(job, nodes.at[from].child1);
   node.pad0 = 0u;
   node.pad1 = 0u;
   child_box(node.child0, node.min0, node.max0);
   child_box(node.child1, node.min1, node.max1);
-  nodes[copy_jobs[job].first_node + index] = node;
+  nodes.at[copy_jobs.at[job].first_node + index] = node;
 }
 
 void main() {
   uint job = gl_WorkGroupID.x, lane = gl_LocalInvocationID.x;
-  for (uint i = lane; i < copy_jobs[job].triangle_count; i += gl_WorkGroupSize.x) make_triangle(job, i);
+  for (uint i = lane; i < copy_jobs.at[job].triangle_count; i += gl_WorkGroupSize.x) make_triangle(job, i);
   if (FOR_QUERY) return;
-  uint entry = copy_jobs[job].first_level_entry;
-  for (uint level = copy_jobs[job].level_count; level-- > 0u;) {
+  uint entry = copy_jobs.at[job].first_level_entry;
+  for (uint level = copy_jobs.at[job].level_count; level-- > 0u;) {
     memoryBarrierBuffer();
     barrier();
-    uint end = copy_jobs[job].level_first[level + 1u];
-    for (uint i = copy_jobs[job].level_first[level] + lane; i < end; i += gl_WorkGroupSize.x) refit_node(job, levels[entry + i]);
+    uint end = copy_jobs.at[job].level_first[level + 1u];
+    for (uint i = copy_jobs.at[job].level_first[level] + lane; i < end; i += gl_WorkGroupSize.x) refit_node(job, levels.at[entry + i]);
   }
 }

@@ -6,7 +6,7 @@
 
 vec3 smoothed_at(ivec2 p) {
   p = clamp(p, ivec2(0), ivec2(frame.width, frame.height) - 1);
-  return unpackUnorm4x8(smoothed[uint(p.y) * frame.width + uint(p.x)]).rgb;
+  return unpackUnorm4x8(smoothed.at[uint(p.y) * frame.width + uint(p.x)]).rgb;
 }
 
 vec3 picture_at(uvec2 pixel) {
@@ -24,7 +24,7 @@ vec3 draw_quad(GpuQuad quad, vec2 point, vec3 below) {
   if (quad.uv.xy != quad.uv.zw) {
     vec2 s = (point - quad.rectangle.xy) / (quad.rectangle.zw - quad.rectangle.xy);
     uvec2 texel = uvec2(mix(quad.uv.xy, quad.uv.zw, s));
-    color *= unpackUnorm4x8(atlas[texel.y * frame.atlas_width + texel.x]);
+    color *= unpackUnorm4x8(atlas.at[texel.y * frame.atlas_width + texel.x]);
   }
   return mix(below, color.rgb, color.a);
 }
@@ -36,8 +36,8 @@ void main() {
   color = mix(color, frame.screen_tint.rgb, frame.screen_tint.a);
   if (frame.draw_quads != 0u) {
     uint tile = (pixel.y / kDrawTile) * frame.quad_tiles_x + pixel.x / kDrawTile;
-    for (uint i = tiles[2u * tile]; i < tiles[2u * tile + 1u]; ++i) color = draw_quad(quads[tiles[i]], vec2(pixel) + 0.5, color);
+    for (uint i = tiles.at[2u * tile]; i < tiles.at[2u * tile + 1u]; ++i) color = draw_quad(quads.at[tiles.at[i]], vec2(pixel) + 0.5, color);
   }
   if (frame.swap_red_blue != 0u) color = color.bgr;
-  output_pixels[pixel.y * frame.output_width + pixel.x] = packUnorm4x8(vec4(color, 1.0));
+  output_pixels.at[pixel.y * frame.output_width + pixel.x] = packUnorm4x8(vec4(color, 1.0));
 }

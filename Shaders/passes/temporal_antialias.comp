@@ -15,11 +15,11 @@ uint pack_rgb10(vec3 c, uint rng) {
 }
 vec3 ldr_at(ivec2 p) {
   p = clamp(p, ivec2(0), ivec2(frame.width, frame.height) - 1);
-  return unpackUnorm4x8(ldr[uint(p.y) * frame.width + uint(p.x)]).rgb;
+  return unpackUnorm4x8(ldr.at[uint(p.y) * frame.width + uint(p.x)]).rgb;
 }
 vec3 shown_before(ivec2 p) {
   p = clamp(p, ivec2(0), ivec2(frame.width, frame.height) - 1);
-  return unpack_rgb10(history_words[shown_word(1u - frame.history_parity, uint(p.y) * frame.width + uint(p.x))]);
+  return unpack_rgb10(history_words.at[shown_word(1u - frame.history_parity, uint(p.y) * frame.width + uint(p.x))]);
 }
 
 // The parabola through three texels each way: keeps edges sharp that are resampled every frame.
@@ -51,9 +51,9 @@ void main() {
     bool inside = all(greaterThan(point, vec2(-0.5))) && point.x < float(frame.width) - 0.5 && point.y < float(frame.height) - 0.5;
     vec3 before = clamp(resample(point), mean - spread, mean + spread);
     // What has just come into sight has no picture before.
-    float frames = float((history_words[(section(kSectionHistory + frame.history_parity) + at) * 4u + 1u] >> 16u) & 0xffu);
+    float frames = float((history_words.at[(section(kSectionHistory + frame.history_parity) + at) * 4u + 1u] >> 16u) & 0xffu);
     if (inside) color = mix(before, color, frames > 0.0 ? max(0.1, 1.0 / frames) : 0.2);
   }
-  history_words[shown_word(frame.history_parity, at)] = pack_rgb10(color, hash_combine(at, frame.frame));
-  smoothed[at] = packUnorm4x8(vec4(color, 1.0));
+  history_words.at[shown_word(frame.history_parity, at)] = pack_rgb10(color, hash_combine(at, frame.frame));
+  smoothed.at[at] = packUnorm4x8(vec4(color, 1.0));
 }

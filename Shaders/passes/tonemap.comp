@@ -10,8 +10,8 @@ void main() {
   uvec2 pixel = invocation_pixel();
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
   uint at = pixel.y * frame.width + pixel.x;
-  vec3 linear = shown_radiance(at) * exposure_state.exposure;
+  vec3 linear = shown_radiance(at) * exposure_now();
   vec3 color = srgb_from_linear(frame.tone_map != 0u ? filmic(linear) : linear);
   float dither = float(hash_u32(at) >> 8u) * (1.0 / 16777216.0) - 0.5;
-  ldr[at] = packUnorm4x8(vec4(color + dither / 255.0, 1.0));
+  ldr.at[at] = packUnorm4x8(vec4(color + dither / 255.0, 1.0));
 }

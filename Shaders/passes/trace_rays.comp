@@ -9,25 +9,25 @@
 #include "shared/ray_list.h"
 
 layout(local_size_x = 64) in;
-layout(set = 1, binding = 0, std430) readonly buffer RayBlock { ListRay rays[]; };
-layout(set = 1, binding = 1, std430) writeonly buffer HitBlock { ListHit hits[]; };
+FB_FRAME_ARRAY(kBindRays, 16, readonly, RayArray, ListRay, rays)
+FB_FRAME_ARRAY(kBindHits, 16, writeonly, HitArray, ListHit, hits)
 layout(push_constant) uniform Constants { uint ray_count; };
 
 bool accept_candidate(Hit candidate, inout uint rng) {
-  return (attributes[instances[candidate.instance].first_attribute + candidate.triangle].vertex0 & 1u) == 0u;
+  return (attributes.at[instances.at[candidate.instance].first_attribute + candidate.triangle].vertex0 & 1u) == 0u;
 }
 
 void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= ray_count) return;
-  ListRay ray = rays[i];
+  ListRay ray = rays.at[i];
   uint rng = i;
   Hit hit = trace(ray.origin, ray.direction, ray.t_min, ray.t_max, ray.mask, rng);
   ListHit result = ListHit(hit.t, hit.bary.x, hit.bary.y, hit.instance, 0u, 0u, 0u, 0u);
   if (hit.instance != kNoIndex) {
-    result.id = instances[hit.instance].id;
-    result.vertex0 = attributes[instances[hit.instance].first_attribute + hit.triangle].vertex0;
+    result.id = instances.at[hit.instance].id;
+    result.vertex0 = attributes.at[instances.at[hit.instance].first_attribute + hit.triangle].vertex0;
     result.triangle = hit.triangle;
   }
-  hits[i] = result;
+  hits.at[i] = result;
 }

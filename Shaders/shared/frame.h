@@ -1,27 +1,8 @@
-// What a frame's passes share: the uniform block, the G-buffer's texel, and set 1's bindings.
+// What a frame's passes share: the uniform block and the elements of the frame's arrays (shared/bindings.h).
 #ifndef FB_SHARED_FRAME_H
 #define FB_SHARED_FRAME_H
 #include "shared/common.h"
 FB_NAMESPACE_BEGIN
-
-// Set 1: the frame.
-FB_CONST uint kBindGBuffer = 0u;  // GBufferTexel[pixels]
-FB_CONST uint kBindRadiance =
-    1u;                        // vec4[pixels]: this frame's estimate (mean of its samples); w: how many were not finite
-FB_CONST uint kBindMean = 2u;  // vec4[pixels]: mean over the accumulated frames (rgb), w their number
-FB_CONST uint kBindM2 = 3u;    // vec4[pixels]: sum of squared deviations from that mean (Welford)
-FB_CONST uint kBindLdr = 4u;   // uint[pixels]: tone-mapped, sRGB, r lowest
-FB_CONST uint kBindSmooth = 5u;           // uint[pixels]: after anti-aliasing
-FB_CONST uint kBindOutput = 6u;           // uint[output pixels]: what is shown
-FB_CONST uint kBindExposure = 7u;         // ExposureState, then the histogram
-FB_CONST uint kBindQuads = 8u;            // GpuQuad[]
-FB_CONST uint kBindTiles = 9u;            // uint[]: a tile's first and last+1 index, then the lists of quads
-FB_CONST uint kBindAtlas = 10u;           // uint[]: texels of 2D drawing
-FB_CONST uint kBindCounters = 11u;        // uint[16]: see kCounter*
-FB_CONST uint kBindGuideStates = 12u;     // uvec4[]: two words of four a state (shared/guide.h)
-FB_CONST uint kBindGuideProposals = 13u;  // uint[]: what a frame's paths want to store, where it is resolved after it
-FB_CONST uint kBindGuideCache = 14u;      // uint[]: the irradiance cache and its list of touched cells
-FB_CONST uint kBindHistory = 15u;         // uvec4[]: the denoiser's past frames (shared/denoise.h)
 
 FB_CONST uint kCounterNan = 0u;       // samples that were NaN or infinite; they count as zero
 FB_CONST uint kCounterGuideNan = 1u;  // states of the guide that were not finite; they were not stored
@@ -91,6 +72,11 @@ struct ExposureState {
   float exposure;      // factor on radiance
   float log_exposure;  // log2 of the automatic part, as it follows the picture
   float pad0, pad1;
+};
+
+struct ExposureBuffer {
+  ExposureState state;
+  uint histogram[128];  // kHistogramBins
 };
 
 struct GpuQuad {   // 48 bytes, output pixels and atlas texels

@@ -4,10 +4,6 @@
 #include "shared/common.h"
 FB_NAMESPACE_BEGIN
 
-// Set 1.
-FB_CONST uint kBindRays = 0u;
-FB_CONST uint kBindHits = 1u;
-
 struct ListRay {  // 48 bytes
   vec3 origin;
   float t_min;

@@ -5,22 +5,6 @@
 #include "shared/common.h"
 FB_NAMESPACE_BEGIN
 
-// Set 0: the scene.
-FB_CONST uint kBindNodes = 0u;       // BvhNode[]: see shared/bvh.h
-FB_CONST uint kBindTriangles = 1u;   // GpuTriangle[]: positions in leaf order, of meshes and of copies
-FB_CONST uint kBindAttributes = 2u;  // GpuAttribute[]: one a mesh triangle, in the same leaf order
-FB_CONST uint kBindPoses = 3u;       // uvec2[]: PoseVertex of all posed meshes
-FB_CONST uint kBindNormals = 4u;     // uint[]: octahedral 2x16 snorm vertex normals of smooth rigid meshes
-FB_CONST uint kBindInstances = 5u;   // GpuInstance[]
-FB_CONST uint kBindLevels = 6u;      // uint[]: nodes of each mesh's tree, by depth (for refitting)
-FB_CONST uint kBindMaterials = 7u;   // GpuMaterial[]: this frame's (animated textures are resolved)
-FB_CONST uint kBindImages = 8u;      // GpuImage[]
-FB_CONST uint kBindTexels = 9u;      // uint[]: all texels
-FB_CONST uint kBindPalette = 10u;    // vec4[256]: linear Rec.709 colour
-FB_CONST uint kBindCopyJobs = 11u;   // GpuCopyJob[]: copies that this frame makes
-FB_CONST uint kBindVertices = 12u;   // float[]: corners of triangles in leaf order, for ray query builds
-FB_CONST uint kBindLights = 13u;     // uvec2[]: triangles that glow, for estimators that sample them (below)
-
 FB_CONST uint kNoIndex = 0xffffffffu;
 
 // 48 bytes: v0, v1 - v0, v2 - v0; in the mesh's space, or, where our own trees are traced, in the world's. There v0.w

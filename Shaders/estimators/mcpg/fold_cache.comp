@@ -8,40 +8,40 @@ layout(local_size_x = 64) in;
 const float kMomentBlendLeast = 0.06;  // of a new frame in an old moment: some 16 frames
 
 void fold_samples(uint entry, uint samples) {
-  uint count = min((guide_cache[entry + kCacheCount] & 0xffffu) + 1u, 65535u);
+  uint count = min((guide_cache.at[entry + kCacheCount] & 0xffffu) + 1u, 65535u);
   float blend = max(1.0 / float(count), frame.cache_blend);
   float scale = 1.0 / (kCacheFixed * float(samples));
   for (uint i = 0u; i < 3u; ++i) {
-    float mean = uintBitsToFloat(guide_cache[entry + kCacheMean + i]);
-    mean = mix(mean, float(guide_cache[entry + kCacheSum + i]) * scale, blend);
-    guide_cache[entry + kCacheMean + i] = floatBitsToUint(mean);
-    guide_cache[entry + kCacheSum + i] = 0u;
+    float mean = uintBitsToFloat(guide_cache.at[entry + kCacheMean + i]);
+    mean = mix(mean, float(guide_cache.at[entry + kCacheSum + i]) * scale, blend);
+    guide_cache.at[entry + kCacheMean + i] = floatBitsToUint(mean);
+    guide_cache.at[entry + kCacheSum + i] = 0u;
   }
-  vec4 sums = vec4(guide_cache[entry + kCacheMomentSum], guide_cache[entry + kCacheMomentSum + 1u],
-                   guide_cache[entry + kCacheMomentSum + 2u], guide_cache[entry + kCacheMomentSum + 3u]);
+  vec4 sums = vec4(guide_cache.at[entry + kCacheMomentSum], guide_cache.at[entry + kCacheMomentSum + 1u],
+                   guide_cache.at[entry + kCacheMomentSum + 2u], guide_cache.at[entry + kCacheMomentSum + 3u]);
   if (sums != vec4(0.0)) {
-    vec4 moments = vec4(unpackHalf2x16(guide_cache[entry + kCacheMoment]), unpackHalf2x16(guide_cache[entry + kCacheMoment + 1u]));
+    vec4 moments = vec4(unpackHalf2x16(guide_cache.at[entry + kCacheMoment]), unpackHalf2x16(guide_cache.at[entry + kCacheMoment + 1u]));
     vec4 now = sums / (kMomentFixed * float(samples));
     moments = moments == vec4(0.0) ? now : mix(moments, now, max(1.0 / float(count), kMomentBlendLeast));
-    guide_cache[entry + kCacheMoment] = packHalf2x16(moments.xy);
-    guide_cache[entry + kCacheMoment + 1u] = packHalf2x16(moments.zw);
+    guide_cache.at[entry + kCacheMoment] = packHalf2x16(moments.xy);
+    guide_cache.at[entry + kCacheMoment + 1u] = packHalf2x16(moments.zw);
   }
-  guide_cache[entry + kCacheCount] = count | (frame.guide_frame << 16u);
+  guide_cache.at[entry + kCacheCount] = count | (frame.guide_frame << 16u);
 }
 
 void main() {
-  uint touched = guide_cache[guide_list_count_at()];
-  if (gl_GlobalInvocationID.x == 0u) guide_cache[guide_next_count_at()] = 0u;
+  uint touched = guide_cache.at[guide_list_count_at()];
+  if (gl_GlobalInvocationID.x == 0u) guide_cache.at[guide_next_count_at()] = 0u;
   uint stride = gl_NumWorkGroups.x * 64u;
   for (uint i = gl_GlobalInvocationID.x; i < touched; i += stride) {
-    uint entry = guide_cache[guide_list_at() + i];
-    uint samples = guide_cache[entry + kCacheTouched] & ~kCacheClaimed;
+    uint entry = guide_cache.at[guide_list_at() + i];
+    uint samples = guide_cache.at[entry + kCacheTouched] & ~kCacheClaimed;
     if (samples > 0u) {
       fold_samples(entry, samples);
     } else {  // claimed, and its owner did not come
-      for (uint w = 0u; w < kCacheWords; ++w) guide_cache[entry + w] = w == kCacheCheck ? guide_cache[entry + kCacheClaim] : 0u;
-      guide_cache[entry + kCacheCount] = frame.guide_frame << 16u;
+      for (uint w = 0u; w < kCacheWords; ++w) guide_cache.at[entry + w] = w == kCacheCheck ? guide_cache.at[entry + kCacheClaim] : 0u;
+      guide_cache.at[entry + kCacheCount] = frame.guide_frame << 16u;
     }
-    for (uint w = kCacheTouched; w < kCacheWords; ++w) guide_cache[entry + w] = 0u;
+    for (uint w = kCacheTouched; w < kCacheWords; ++w) guide_cache.at[entry + w] = 0u;
   }
 }

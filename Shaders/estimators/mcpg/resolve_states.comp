@@ -8,10 +8,10 @@ layout(local_size_x = 64) in;
 void main() {
   uint proposal = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 64u) + gl_GlobalInvocationID.x;
   if (proposal >= frame.width * frame.height * frame.spp * frame.bounces) return;
-  uvec4 rest = guide_proposals[proposal * 2u + 1u];
+  uvec4 rest = guide_proposals.at[proposal * 2u + 1u];
   uint at = rest.z, winner = guide_winner_at() + at;
-  if (guide_cache[winner] != proposal_rank(proposal)) return;
-  guide_states[at] = guide_proposals[proposal * 2u];
+  if (guide_cache.at[winner] != proposal_rank(proposal)) return;
+  guide_states.at[at] = guide_proposals.at[proposal * 2u];
   store_guide_motion(at, rest.xy);
-  guide_cache[winner] = 0u;
+  guide_cache.at[winner] = 0u;
 }

@@ -4,8 +4,6 @@
 #define FB_LIB_STEPS_DIRECT_LIST
 #include "lib/path_state.glsl"
 
-layout(set = 0, binding = 13, std430) readonly buffer LightBlock { uvec2 lights[]; };
-
 const bool kLooksForLight = true;
 
 bool has_lights() { return frame.light_first < frame.light_end; }
@@ -15,15 +13,15 @@ uint light_at(uint u) {
   uint low = frame.light_first, high = frame.light_end - 1u;
   while (low < high) {
     uint middle = (low + high) >> 1u;
-    if (lights[middle].x > u) high = middle;
+    if (lights.at[middle].x > u) high = middle;
     else low = middle + 1u;
   }
   return low;
 }
 
 float light_probability(uint element) {
-  uint begin = element == frame.light_first ? 0u : lights[element - 1u].x;
-  return float(lights[element].x - begin) / float(kLightRange);
+  uint begin = element == frame.light_first ? 0u : lights.at[element - 1u].x;
+  return float(lights.at[element].x - begin) / float(kLightRange);
 }
 
 // Density with which the list finds a point of a triangle at `distance`; 0: it is not in the list. `t`: in the mesh's space.
@@ -34,17 +32,17 @@ float light_pdf(uint element, uint instance, GpuTriangle t, float distance, vec3
 }
 
 float hit_light_pdf(Hit hit, vec3 direction) {
-  if (!has_lights() || hit.instance == kNoIndex || lights[hit.instance].x == kNoIndex) return 0.0;
-  GpuTriangle t = triangles[instances[hit.instance].first_triangle + hit.triangle];
-  return light_pdf(lights[hit.instance].x + hit.triangle, hit.instance, t, hit.t, direction);
+  if (!has_lights() || hit.instance == kNoIndex || lights.at[hit.instance].x == kNoIndex) return 0.0;
+  GpuTriangle t = triangles.at[instances.at[hit.instance].first_triangle + hit.triangle];
+  return light_pdf(lights.at[hit.instance].x + hit.triangle, hit.instance, t, hit.t, direction);
 }
 
 bool shows_sky(GpuMaterial m, uint instance) {
-  return m.emission_kind == kEmissionSky && (instances[instance].flags & kInstanceHasColor) == 0u;
+  return m.emission_kind == kEmissionSky && (instances.at[instance].flags & kInstanceHasColor) == 0u;
 }
 GpuMaterial material_of(uint instance, uint triangle) {
-  uint record = instances[instance].first_attribute + triangle;
-  return materials[instances[instance].material_base + attributes[record].material];
+  uint record = instances.at[instance].first_attribute + triangle;
+  return materials.at[instances.at[instance].material_base + attributes.at[record].material];
 }
 bool is_sky(Hit hit) {
   if (hit.instance == kNoIndex) return frame.sky_beyond != 0u;
@@ -73,7 +71,7 @@ vec3 light_emission(uint instance, uint triangle, vec2 bary, vec3 direction, out
   GpuMaterial m = material_of(instance, triangle);
   sky = shows_sky(m, instance);
   if (sky) return sky_radiance(direction) * m.emission.rgb;
-  return shade_point(m, instance, hit_uv(instances[instance].first_attribute + triangle, bary), false).emission;
+  return shade_point(m, instance, hit_uv(instances.at[instance].first_attribute + triangle, bary), false).emission;
 }
 
 // The emission that a direction meets is shared by the balance heuristic (Veach and Guibas 1995): frame.light_candidates
@@ -109,8 +107,8 @@ Aim aim_at_light(Vertex v, vec3 origin, inout uint rng) {
     uint element = light_at(rng_next(rng) & (kLightRange - 1u));
     float root = sqrt(rng_uniform(rng)), along = rng_uniform(rng), pick = rng_uniform(rng);
     vec2 bary = vec2(root * (1.0 - along), root * along);
-    uint instance = lights[element].y, triangle = element - lights[instance].x;
-    GpuTriangle t = triangles[instances[instance].first_triangle + triangle];
+    uint instance = lights.at[element].y, triangle = element - lights.at[instance].x;
+    GpuTriangle t = triangles.at[instances.at[instance].first_triangle + triangle];
     vec3 way = to_world_point(instance, t.v0.xyz + t.e1.xyz * bary.x + t.e2.xyz * bary.y) - origin;
     float reach = length(way);
     vec3 direction = way / max(reach, 1e-20);

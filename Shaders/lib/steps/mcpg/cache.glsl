@@ -11,11 +11,15 @@
 #include "shared/guide.h"
 #include "shared/scene_gpu.h"
 
+FB_TECHNIQUE_ARRAY(kBindGuideStates, 16, , GuideStateArray, uvec4, guide_states)
+FB_TECHNIQUE_ARRAY(kBindGuideProposals, 16, , GuideProposalArray, uvec4, guide_proposals)
+FB_TECHNIQUE_ARRAY(kBindGuideCache, 4, , GuideCacheArray, uint, guide_cache)
+
 // Motions lie after the states, two in a word of four.
 void store_guide_motion(uint at, uvec2 motion) {
   uint word = frame.guide_states + (at >> 1u);
-  if ((at & 1u) == 0u) guide_states[word].xy = motion;
-  else guide_states[word].zw = motion;
+  if ((at & 1u) == 0u) guide_states.at[word].xy = motion;
+  else guide_states.at[word].zw = motion;
 }
 
 const uint kCacheTries = 4u;  // two places for a cell, then two for a coarser one
@@ -37,8 +41,8 @@ struct CacheCell {
   uint check;  // for the claim
 };
 
-uint cache_frames(uint entry) { return guide_cache[entry + kCacheCount] & 0xffffu; }
-uint cache_age(uint entry) { return (frame.guide_frame - (guide_cache[entry + kCacheCount] >> 16u)) & 0xffffu; }
+uint cache_frames(uint entry) { return guide_cache.at[entry + kCacheCount] & 0xffffu; }
+uint cache_age(uint entry) { return (frame.guide_frame - (guide_cache.at[entry + kCacheCount] >> 16u)) & 0xffffu; }
 
 // The cell about a point; where its entry holds another cell, a coarser one. Lanes that run together choose alike, so that
 // they share memory.
@@ -50,7 +54,7 @@ CacheCell find_cache_cell(vec3 p, vec3 n, inout uint group_rng) {
     uint at = min(level + (i >> 1u), kGridLevels - 1u);
     GridKey key = grid_vertex(p, exp2(float(at)), kCacheTag + adaptive_tag(at, n), u);
     uint entry = ((key.hash & (frame.guide_cells - 1u)) ^ (i & 1u)) * kCacheWords;
-    uint check = guide_cache[entry + kCacheCheck];
+    uint check = guide_cache.at[entry + kCacheCheck];
     if (check == key.check) cell.entry = entry;
     else if (cell.claim == kNoIndex && (check == 0u || cache_age(entry) > kCacheStale)) {
       cell.claim = entry;
@@ -61,26 +65,26 @@ CacheCell find_cache_cell(vec3 p, vec3 n, inout uint group_rng) {
 }
 
 vec3 cached_reflection(uint entry) {
-  return vec3(uintBitsToFloat(guide_cache[entry + kCacheMean]), uintBitsToFloat(guide_cache[entry + kCacheMean + 1u]),
-              uintBitsToFloat(guide_cache[entry + kCacheMean + 2u]));
+  return vec3(uintBitsToFloat(guide_cache.at[entry + kCacheMean]), uintBitsToFloat(guide_cache.at[entry + kCacheMean + 1u]),
+              uintBitsToFloat(guide_cache.at[entry + kCacheMean + 2u]));
 }
 
 // Second moments of estimates there for each of guide_shares(), over the square of the mean; zero: unknown.
 vec4 cached_moments(uint entry) {
-  return vec4(unpackHalf2x16(guide_cache[entry + kCacheMoment]), unpackHalf2x16(guide_cache[entry + kCacheMoment + 1u]));
+  return vec4(unpackHalf2x16(guide_cache.at[entry + kCacheMoment]), unpackHalf2x16(guide_cache.at[entry + kCacheMoment + 1u]));
 }
 
 // Lists an entry at its first touch; `before`: its word kCacheTouched.
 void list_touched(uint entry, uint before) {
   if (before != 0u) return;
-  uint at = atomicAdd(guide_cache[guide_list_count_at()], 1u);
-  guide_cache[guide_list_at() + at] = entry;
+  uint at = atomicAdd(guide_cache.at[guide_list_count_at()], 1u);
+  guide_cache.at[guide_list_at() + at] = entry;
 }
 
 void claim_cache(CacheCell cell) {
   if (cell.claim == kNoIndex) return;
-  atomicMax(guide_cache[cell.claim + kCacheClaim], cell.check);
-  list_touched(cell.claim, atomicOr(guide_cache[cell.claim + kCacheTouched], kCacheClaimed));
+  atomicMax(guide_cache.at[cell.claim + kCacheClaim], cell.check);
+  list_touched(cell.claim, atomicOr(guide_cache.at[cell.claim + kCacheTouched], kCacheClaimed));
 }
 
 // Rounded up or down at random, so that sums are right in the mean.

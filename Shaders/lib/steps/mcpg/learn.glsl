@@ -31,11 +31,11 @@ void learn_direct(Guidance g, Direct direct, Path path, inout uint rng) {
 void learn_waste(Guidance g, Path path) {
   uint entry = g.cache.entry;
   if (trains_here(g, path) && g.below && entry != kNoIndex)
-    list_touched(entry, atomicAdd(guide_cache[entry + kCacheTouched], 1u));
+    list_touched(entry, atomicAdd(guide_cache.at[entry + kCacheTouched], 1u));
 }
 
 vec3 hit_velocity(Hit hit, vec3 position) {
-  if (hit.instance == kNoIndex || (instances[hit.instance].flags & kInstanceMoves) == 0u) return vec3(0.0);
+  if (hit.instance == kNoIndex || (instances.at[hit.instance].flags & kInstanceMoves) == 0u) return vec3(0.0);
   return (position - previous_position(hit)) / max(frame.time - frame.prev_time, 1e-4);
 }
 

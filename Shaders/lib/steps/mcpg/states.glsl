@@ -5,9 +5,9 @@
 #include "lib/steps/mcpg/cache.glsl"
 #include "lib/path_state.glsl"
 
-layout(constant_id = 2) const bool GUIDE_RESOLVE = false;  // store proposals, which a pass resolves in a fixed order
-layout(constant_id = 3) const uint GUIDE_ACCESSES = 2u;    // cells that are looked at
-layout(constant_id = 4) const uint GUIDE_BUCKET = 4u;      // states in a cell
+layout(constant_id = kSpecResolve) const bool GUIDE_RESOLVE = false;  // store proposals, which a pass resolves in a fixed order
+layout(constant_id = kSpecAccesses) const uint GUIDE_ACCESSES = 2u;    // cells that are looked at
+layout(constant_id = kSpecBucket) const uint GUIDE_BUCKET = 4u;      // states in a cell
 const uint kGuideLobes = GUIDE_ACCESSES * GUIDE_BUCKET;    // the paper's N_mc
 
 struct GuideCell {
@@ -33,25 +33,25 @@ GuideCell guide_cell(vec3 p, vec3 n, bool adaptive, inout uint group_rng) {
 
 uvec2 load_guide_motion(uint at) {
   uint word = frame.guide_states + (at >> 1u);
-  return (at & 1u) == 0u ? guide_states[word].xy : guide_states[word].zw;
+  return (at & 1u) == 0u ? guide_states.at[word].xy : guide_states.at[word].zw;
 }
 GuideState load_guide_state(uint at) {
-  return add_guide_motion(unpack_guide_state(guide_states[at]), load_guide_motion(at));
+  return add_guide_motion(unpack_guide_state(guide_states.at[at]), load_guide_motion(at));
 }
 
 void store_guide_state(GuideState s, uint at, uint proposal) {
   if (isnan(s.weight) || isinf(s.weight) || any(isnan(s.target)) || any(isinf(s.target))) {
-    atomicAdd(counters[kCounterGuideNan], 1u);
+    atomicAdd(counters.at[kCounterGuideNan], 1u);
     return;
   }
   uvec4 words = pack_guide_state(s);
   uvec2 motion = pack_guide_motion(s);
   if (GUIDE_RESOLVE) {
-    guide_proposals[proposal * 2u] = words;
-    guide_proposals[proposal * 2u + 1u] = uvec4(motion, at, 0u);
-    atomicMax(guide_cache[guide_winner_at() + at], proposal_rank(proposal));
+    guide_proposals.at[proposal * 2u] = words;
+    guide_proposals.at[proposal * 2u + 1u] = uvec4(motion, at, 0u);
+    atomicMax(guide_cache.at[guide_winner_at() + at], proposal_rank(proposal));
   } else {
-    guide_states[at] = words;
+    guide_states.at[at] = words;
     store_guide_motion(at, motion);
   }
 }

@@ -14,7 +14,7 @@ float reflected_moment(CacheCell there) {
 void add_to_cache(uint entry, vec3 reflection, float u) {
   for (uint i = 0u; i < 3u; ++i) {
     uint x = to_fixed(reflection[i], kCacheFixed, kCacheLargest, u);
-    if (x != 0u) atomicAdd(guide_cache[entry + kCacheSum + i], x);
+    if (x != 0u) atomicAdd(guide_cache.at[entry + kCacheSum + i], x);
   }
 }
 
@@ -27,7 +27,7 @@ void train_cell(Vertex v, Guidance g, vec3 direction, Incident incident, float e
   }
   uint entry = cell.entry;
   float u = rng_uniform(rng);
-  list_touched(entry, atomicAdd(guide_cache[entry + kCacheTouched], 1u));
+  list_touched(entry, atomicAdd(guide_cache.at[entry + kCacheTouched], 1u));
   vec3 incoming = incident.emission + incident.reflection;
   add_to_cache(entry, incoming * (max(dot(direction, v.normal), 0.0) / (kPiShared * g.pdf)), u);
   float scale = luminance(v.bsdf.albedo) * luminance(cached_reflection(entry));
@@ -38,7 +38,7 @@ void train_cell(Vertex v, Guidance g, vec3 direction, Incident incident, float e
   vec4 m = (second * g.pdf) / p;
   for (uint i = 0u; i < 4u; ++i) {
     uint x = to_fixed(m[i], kMomentFixed, kMomentLargest, u);
-    if (x != 0u) atomicAdd(guide_cache[entry + kCacheMomentSum + i], x);
+    if (x != 0u) atomicAdd(guide_cache.at[entry + kCacheMomentSum + i], x);
   }
 }
 #endif

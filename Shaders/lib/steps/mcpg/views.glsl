@@ -35,13 +35,13 @@ vec3 view_color(Vertex v, Path path, uint rng) {
   switch (frame.debug_view) {
     case 20u: return known ? view.direction * 0.5 + 0.5 : vec3(0.0);
     case 21u: return known ? heat(clamp(-log2(max(view.spread, 1e-6)) / 16.0, 0.0, 1.0)) : vec3(0.0);
-    case 22u: return known ? heat(clamp(log2(s.weight * view.scale * exposure_state.exposure) / 16.0 + 0.7, 0.0, 1.0)) : vec3(0.0);
+    case 22u: return known ? heat(clamp(log2(s.weight * view.scale * exposure_now()) / 16.0 + 0.7, 0.0, 1.0)) : vec3(0.0);
     case 23u: return known ? heat(float(s.count) / frame.guide_learn.z) : vec3(0.0);
     case 24u: return mix(heat(float(level) / 8.0), cell_color(key.hash), 0.3);
     case 25u: return collides ? vec3(1.0, 0.2, 0.1) : known ? vec3(0.1, 0.4, 0.1) : vec3(0.0);
     case 26u: return known ? heat(1.0 - float(min(guide_age(s), 64u)) / 64.0) : vec3(0.0);
     case 27u: {
-      vec3 x = has_cache ? cached_reflection(cached.entry) * (0.5 * exposure_state.exposure) : vec3(0.0);
+      vec3 x = has_cache ? cached_reflection(cached.entry) * (0.5 * exposure_now()) : vec3(0.0);
       return has_cache ? sqrt(x / (1.0 + x)) : vec3(0.5, 0.0, 0.5);
     }
     case 28u: {

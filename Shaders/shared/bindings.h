@@ -1,0 +1,90 @@
+// Every number that the host and the shaders agree on to find each other's data: descriptor sets, bindings and
+// specialisation constants. Nothing else numbers them.
+//
+// Three sets: the scene, the frame, and what a technique keeps of its own. Storage bindings of a set count from 0; all
+// three together stay within the 32 storage buffers a stage that every desktop driver and lavapipe offer.
+#ifndef FB_SHARED_BINDINGS_H
+#define FB_SHARED_BINDINGS_H
+#include "shared/common.h"
+FB_NAMESPACE_BEGIN
+
+FB_CONST uint kSetScene = 0u;
+FB_CONST uint kSetFrame = 1u;
+FB_CONST uint kSetTechnique = 2u;
+FB_CONST uint kSetCount = 3u;
+
+// Set kSetScene: the scene (shared/scene_gpu.h).
+FB_CONST uint kBindNodes = 0u;       // BvhNode[]: see shared/bvh.h
+FB_CONST uint kBindTriangles = 1u;   // GpuTriangle[]: positions in leaf order, of meshes and of copies
+FB_CONST uint kBindAttributes = 2u;  // GpuAttribute[]: one a mesh triangle, in the same leaf order
+FB_CONST uint kBindPoses = 3u;       // uvec2[]: PoseVertex of all posed meshes
+FB_CONST uint kBindNormals = 4u;     // uint[]: octahedral 2x16 snorm vertex normals of smooth rigid meshes
+FB_CONST uint kBindInstances = 5u;   // GpuInstance[]
+FB_CONST uint kBindLevels = 6u;      // uint[]: nodes of each mesh's tree, by depth (for refitting)
+FB_CONST uint kBindMaterials = 7u;   // GpuMaterial[]: this frame's (animated textures are resolved)
+FB_CONST uint kBindImages = 8u;      // GpuImage[]
+FB_CONST uint kBindTexels = 9u;      // uint[]: all texels
+FB_CONST uint kBindPalette = 10u;    // vec4[256]: linear Rec.709 colour
+FB_CONST uint kBindCopyJobs = 11u;   // GpuCopyJob[]: copies that this frame makes
+FB_CONST uint kBindVertices = 12u;   // float[]: corners of triangles in leaf order, for ray query builds
+FB_CONST uint kBindLights = 13u;     // uvec2[]: the list of lights, for techniques that sample it
+FB_CONST uint kSceneArrays = 14u;
+
+FB_CONST uint kBindFrameConstants = 16u;  // FrameConstants, a uniform buffer
+FB_CONST uint kBindTlas = 17u;            // the top-level acceleration structure, where the device has ray query
+FB_CONST uint kBindAddresses = 22u;       // uvec4[kAddresses], a uniform buffer: xy is an array's device address
+
+// Uniform texel buffers of four words a texel (usamplerBuffer): a second way to read arrays, faster on some drivers.
+FB_CONST uint kBindTexelBuffers = 18u;
+FB_CONST uint kTexelsNodes = 0u;
+FB_CONST uint kTexelsTriangles = 1u;
+FB_CONST uint kTexelsHistory = 2u;
+FB_CONST uint kTexelsGBuffer = 3u;
+FB_CONST uint kTexelBuffers = 4u;
+
+// Set kSetFrame: the picture and what passes keep from frame to frame.
+FB_CONST uint kBindGBuffer = 0u;    // GBufferTexel[pixels]
+FB_CONST uint kBindRadiance = 1u;   // vec4[pixels]: this frame's mean of samples; w: samples that were not finite
+FB_CONST uint kBindMean = 2u;       // vec4[pixels]: mean over the accumulated frames (rgb), w their number
+FB_CONST uint kBindM2 = 3u;         // vec4[pixels]: sum of squared deviations from that mean (Welford)
+FB_CONST uint kBindLdr = 4u;        // uint[pixels]: tone-mapped, sRGB, r lowest
+FB_CONST uint kBindSmooth = 5u;     // uint[pixels]: after anti-aliasing
+FB_CONST uint kBindOutput = 6u;     // uint[output pixels]: what is shown
+FB_CONST uint kBindExposure = 7u;   // ExposureBuffer[1]
+FB_CONST uint kBindQuads = 8u;      // GpuQuad[]
+FB_CONST uint kBindTiles = 9u;      // uint[]: a tile's first and last+1 index, then the lists of quads
+FB_CONST uint kBindAtlas = 10u;     // uint[]: texels of 2D drawing
+FB_CONST uint kBindCounters = 11u;  // uint[kCounterCount]
+FB_CONST uint kBindHistory = 12u;   // uvec4[]: the denoiser's past frames (shared/denoise.h)
+FB_CONST uint kBindPreviousGBuffer = 13u;  // GBufferTexel[pixels] of the former frame, for techniques that want it
+FB_CONST uint kFrameArrays = 14u;
+
+// The same set in passes/trace_rays.comp (shared/ray_list.h).
+FB_CONST uint kBindRays = 0u;  // ListRay[]
+FB_CONST uint kBindHits = 1u;  // ListHit[]
+
+// Set kSetTechnique: a technique's own storage buffers, numbered by its header (shared/guide.h), and its constants.
+FB_CONST uint kTechniqueArrays = 4u;
+FB_CONST uint kBindTechniqueConstants = 8u;  // a uniform buffer
+
+// Where an array's address stands in the block kBindAddresses.
+FB_CONST uint kFirstSceneAddress = 0u;
+FB_CONST uint kFirstFrameAddress = kSceneArrays;
+FB_CONST uint kFirstTechniqueAddress = kSceneArrays + kFrameArrays;
+FB_CONST uint kAddresses = kSceneArrays + kFrameArrays + kTechniqueArrays;
+
+// Specialisation constants. What the scene needs:
+FB_CONST uint kSpecCandidates = 0u;  // alpha tests or translucency
+FB_CONST uint kSpecSpecular = 1u;    // some material is not plain Lambert
+// What a technique is set to (kSpecTechnique and up are its own to number), and whether it draws its debug view:
+FB_CONST uint kSpecShowView = 2u;
+FB_CONST uint kSpecTechnique = 4u;
+FB_CONST uint kTechniqueSpecs = 4u;
+// How memory is read fastest on the device (render/memory_access.h):
+FB_CONST uint kSpecReadTexels = 10u;   // arrays that have a texel buffer are read through it
+FB_CONST uint kSpecSharedStack = 11u;  // the traversal's stack is in shared memory
+// Of passes/pose.comp:
+FB_CONST uint kSpecForQuery = 0u;
+
+FB_NAMESPACE_END
+#endif
