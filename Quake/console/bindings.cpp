@@ -56,7 +56,7 @@ const std::string& Bindings::command(int key) const {
 
 void Bindings::key_event(int key, bool down) {
   if (!down) {
-    // The button that it pressed, whatever it is bound to by now.
+    // Release the button that this key pressed, even if the key is bound to something else by now.
     if (const auto held = down_.find(key); held != down_.end()) {
       console_.append(fmt::format("-{} {}\n", held->second.substr(1), key));
       down_.erase(held);

@@ -1,4 +1,4 @@
-// The console's own commands, but for those about cvars (cvar_builtins.cpp).
+// The console's own commands, except those about cvars (cvar_builtins.cpp).
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -112,7 +112,8 @@ void Console::exec(const std::string& name) {
     if (!script) script = files_(found = name + ".cfg");
   }
   if (!script) {
-    // Others may name scripts that need not be there, as quake.rc does; who names one on the command line wants it.
+    // A missing script is an error only on the command line. Scripts may name others that do not exist, as quake.rc
+    // does.
     if (executing_ && buffer_.origin() == CommandBuffer::Origin::kScript)
       return fail(fmt::format("couldn't exec {}", name));
     log_info("couldn't exec {}", name);
@@ -128,7 +129,8 @@ void Console::exec(const std::string& name) {
   if (insert_once(text, {CommandBuffer::Origin::kFile, found})) log_info("execing {}", name);
 }
 
-// What runs itself would do so for ever: nothing that it does between the two can end that, but for changed aliases.
+// A text that executes itself would do so for ever, since nothing between the two executions can stop it, except a
+// changed alias.
 bool Console::insert_once(std::string_view text, CommandBuffer::Source source) {
   const std::vector<std::string> names = buffer_.names_from(source.origin, source.name);
   if (names.empty()) return insert(text, std::move(source));

@@ -8,7 +8,7 @@
 namespace fb::con {
 namespace {
 
-// Whether a script reads it back as it is: config.cfg names cvars without quotes.
+// Whether a script can contain the name as one word: config.cfg names cvars without quotes.
 bool is_plain_word(std::string_view name) {
   const Args words(name);
   return words.size() == 1 && words[0] == name && command_end(name, 0) == name.size() &&
@@ -50,7 +50,7 @@ void Console::add_cvar_builtins() {
                 if (args.size() < 3) {
                   log_info("cycle <cvar> <value list>: cycle cvar through a list of values");
                 } else if (Cvar* cvar = cvar_or_sentence(args[1])) {
-                  std::size_t next = 2;  // one that has none of the values gets the first
+                  std::size_t next = 2;  // a cvar that has none of the values gets the first
                   for (std::size_t i = 2; i < args.size(); ++i) {
                     const auto number = parse_number(args[i]);
                     if (!(number ? static_cast<float>(*number) == cvar->value() : same_name(args[i], cvar->string())))
