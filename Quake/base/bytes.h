@@ -1,5 +1,5 @@
-// Little-endian reading of untrusted bytes. A read past the end returns zero and marks the reader as failed, so that a
-// parser may read a whole record and ask once.
+// Reads little-endian values from untrusted bytes. A read past the end returns zero and marks the reader as failed, so
+// that a parser may read a whole record and check once.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ using ByteView = std::span<const std::uint8_t>;
 
 class ByteReader {
  public:
-  // `name` is what errors call the source, e.g. "id1/pak0.pak:maps/start.bsp".
+  // `name` is the source's name in error messages, e.g. "id1/pak0.pak:maps/start.bsp".
   ByteReader(ByteView data, std::string_view name) : data_(data), name_(name) {}
 
   std::uint8_t u8() { return read<std::uint8_t>(); }

@@ -1,5 +1,5 @@
-// FB_CHECK: for what the program itself got wrong. Prints the operands and goes down the one fatal path, which also
-// prints how to reproduce the failure (see set_reproduction_hint).
+// FB_CHECK asserts what only a fault of the program itself can break. A failed check prints the operands and ends the
+// program through fatal(), which also prints how to reproduce the failure (see set_reproduction_hint).
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@ namespace fb {
 // Prints the message, the reproduction hint and aborts.
 [[noreturn]] void fatal(const char* file, int line, const std::string& message);
 
-// What fatal() prints after the message: a function that returns, for instance, demo, frame and settings.
+// Sets what fatal() prints after the message: a function that returns, for instance, demo, frame and settings.
 void set_reproduction_hint(std::function<std::string()> hint);
 
 namespace detail {

@@ -1,6 +1,5 @@
-// The bytes of a file, as who reads files hands them out: held in memory, or a part of the file itself that is mapped
-// and costs only the pages that somebody looks at. Copies share them; they never change, and stay as long as a copy
-// does.
+// The bytes of a file: held in memory, or a part of the file that is memory-mapped, which costs only the pages that are
+// read. Copies share the bytes, which never change and live as long as the last copy.
 #pragma once
 
 #include <cstddef>
@@ -18,12 +17,12 @@ namespace fb {
 class FileData {
  public:
   FileData() = default;
-  FileData(Bytes bytes) {  // NOLINT: whoever has bytes has a file's data
+  FileData(Bytes bytes) {  // NOLINT: implicit on purpose
     auto owned = std::make_shared<const Bytes>(std::move(bytes));
     view_ = *owned;
     owner_ = std::move(owned);
   }
-  // `owner` keeps what `view` shows.
+  // `owner` keeps the bytes of `view` alive.
   FileData(ByteView view, std::shared_ptr<const void> owner) : view_(view), owner_(std::move(owner)) {}
 
   const std::uint8_t* data() const { return view_.data(); }
@@ -38,7 +37,7 @@ class FileData {
   std::shared_ptr<const void> owner_;
 };
 
-// Gives a game's file by its name; nothing where there is none. It never throws.
+// Loads a game file by its name; nullopt if there is none. Never throws.
 using FileLoader = std::function<std::optional<FileData>(std::string_view name)>;
 
 }  // namespace fb

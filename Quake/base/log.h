@@ -1,4 +1,4 @@
-// Log lines, to stdout (info) and stderr (warnings and errors) by default, and to whoever else listens (the console).
+// Log lines go to stdout (info) and stderr (warnings and errors) by default, and to listeners (such as the console).
 #pragma once
 
 #include <fmt/format.h>

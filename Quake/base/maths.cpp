@@ -6,8 +6,8 @@ namespace fb {
 
 namespace {
 
-// Sine and cosine of degrees with Quake's roundings, so that games stay together to the last bit: the angle in radians
-// becomes a float, what is computed of it in double precision does, too.
+// Sine and cosine of degrees with Quake's roundings, so that games stay equal to the last bit: the angle in radians is
+// rounded to float, and so is the result, which is computed in double precision.
 struct SineCosine {
   explicit SineCosine(float degrees) {
     const auto angle = static_cast<float>(static_cast<double>(degrees) * (3.14159265358979323846 * 2.0 / 360.0));

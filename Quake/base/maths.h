@@ -32,8 +32,8 @@ struct AxisVectors {
 // Quake's AngleVectors.
 AxisVectors angle_vectors(const vec3& pitch_yaw_roll);
 
-// Object-to-world transform of an entity: columns forward, left (= -right), up, origin. Brush models turn by
-// Quake's angles as they are; alias models turn by negated pitch (a quirk of Quake's: pass it so).
+// Object-to-world transform of an entity: columns forward, left (= -right), up, origin. Brush models rotate by Quake's
+// angles as they are; for alias models pass the negated pitch (a quirk of Quake).
 mat4x3 entity_transform(const vec3& origin, const vec3& pitch_yaw_roll, float scale = 1.0f);
 
 vec3 transform_point(const mat4x3& m, const vec3& p);

@@ -34,7 +34,7 @@ Error whole_wanted(std::string_view what, std::string_view text, T low, T high) 
 
 }  // namespace
 
-// By strtod, so that what is a number here has the value that C's atof gives it elsewhere.
+// Uses strtod, so that a number read here has the same value as where C's atof reads it.
 std::optional<double> parse_number(std::string_view text) {
   const std::string copy(without_blanks(text));
   char* end = nullptr;

@@ -1,9 +1,8 @@
-// Numbers that people type: options, arguments of console commands, settings. There is one way to read them, and one
-// kind of sentence where they are wrong: "-port abc: a whole number from 1 to 65535 is wanted".
+// Numbers that people type: options, arguments of console commands, settings. All are read here in the same way, and an
+// invalid one gives the same kind of message: "-port abc: a whole number from 1 to 65535 is wanted".
 //
-// What Quake reads by C's atof, and mods and configurations lean on (the values of cvars, what a mod stuffs into the
-// console, the text of entities), is not read here: con::Cvar::value, con::Args::number and progs/text_tokens.h do
-// that.
+// Numbers that Quake reads by C's atof, on which mods and configurations rely (values of cvars, commands that a mod
+// stuffs, the text of entities), are read elsewhere: by con::Cvar::value, con::Args::number and progs/text_tokens.h.
 #pragma once
 
 #include <concepts>
@@ -16,17 +15,17 @@
 
 namespace fb {
 
-// The whole text as a finite number, blanks around it aside; nullopt where it is none.
+// Reads the whole text, apart from surrounding blanks, as a finite number; nullopt if it is none.
 std::optional<double> parse_number(std::string_view text);
-// The same of digits alone, with a '-' before them where there is one.
+// The same for digits only, with an optional '-' before them.
 std::optional<std::int64_t> parse_whole_number(std::string_view text);
 std::optional<std::uint64_t> parse_whole_number_unsigned(std::string_view text);
 
-// `what` is who wants the number: an option or a command. Both ends are allowed.
+// `what` is the option or command, for the message. Both limits are allowed values.
 Result<double> number_of(std::string_view what, std::string_view text);
 Result<double> number_in(std::string_view what, std::string_view text, double low, double high);
 
-// The sentence alone, for those who look for several numbers in one text.
+// The message alone, for callers that read several numbers from one text.
 Error whole_number_wanted(std::string_view what, std::string_view text, std::int64_t low, std::int64_t high);
 Error whole_number_wanted(std::string_view what, std::string_view text, std::uint64_t low, std::uint64_t high);
 

@@ -1,7 +1,7 @@
-// OutOfMemory: there is no memory for something, of the host's or of a device's, or a device takes nothing so large.
-// Who allocates throws it (or std::bad_alloc, which is its base), so that nothing between needs to care but for leaving
-// no half-made state. Who catches it: what starts (a device, a renderer, a level), a frame's drawing, a command of the
-// console, and the programs' main(), each with one sentence.
+// OutOfMemory: memory of the host or of a device has run out, or a device does not allow something so large. Allocating
+// functions throw it (or its base, std::bad_alloc), so that the code in between only has to leave no half-made state.
+// It is caught where something starts (a device, a renderer, a level), where a frame is drawn, where a console command
+// is executed, and in the programs' main(); each prints one message.
 #pragma once
 
 #include <cstdint>
@@ -23,13 +23,13 @@ class OutOfMemory : public std::bad_alloc {
   std::shared_ptr<const std::string> sentence_;  // copying an exception must not allocate
 };
 
-// What is to be told of it; std::bad_alloc has no sentence of its own.
+// The message for the user; std::bad_alloc has none of its own.
 std::string sentence_of(const std::bad_alloc& failure);
 
 // "4.0 GiB", "12.5 MiB", "300 bytes".
 std::string memory_text(std::uint64_t bytes);
 
-// What `work` gives, a Result; memory that runs out in it is an error like others.
+// Runs `work`, which returns a Result, and returns its result; running out of memory becomes an error like others.
 template <typename Work>
 auto within_memory(Work&& work) -> decltype(work()) {
   try {

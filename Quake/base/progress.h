@@ -1,5 +1,5 @@
-// Progress of long work on stderr, with an estimate of what is left: on a terminal one line that is written again and
-// again, elsewhere a line now and then. Short work shows nothing.
+// Shows the progress of long work on stderr, with an estimate of the remaining time: on a terminal in one line that is
+// rewritten, elsewhere in a new line now and then. Short work shows nothing.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@ namespace fb {
 
 struct ProgressOptions {
   bool quiet = false;
-  bool lines = false;  // lines on a terminal, too: where others write between them
+  bool lines = false;  // print lines on a terminal too, for work that prints other lines in between
   std::FILE* file = stderr;
-  std::function<double()> clock = nullptr;  // seconds; absent: the machine's
+  std::function<double()> clock = nullptr;  // seconds; null: the system's clock
 };
 
 class Progress {
  public:
-  static constexpr double kRewriteSeconds = 0.2, kLineSeconds = 5.0;  // between two of a kind, and before the first
+  static constexpr double kRewriteSeconds = 0.2, kLineSeconds = 5.0;  // between two updates, and before the first
 
-  // `what` goes before the numbers: "frame: 3 of 60, 12 s left".
+  // `what` is printed before the numbers: "frame: 3 of 60, 12 s left".
   Progress(std::string what, std::uint64_t total, ProgressOptions options = {});
   ~Progress();
   Progress(const Progress&) = delete;

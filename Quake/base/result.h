@@ -1,5 +1,5 @@
-// Result<T>: a value, or one sentence that says what the world got wrong (DESIGN.md, Errors). Faults of the program
-// itself are CHECK's business instead (base/check.h).
+// Result<T>: a value, or an error caused by the outside world, such as a malformed file, as one sentence. Faults of the
+// program itself are checked by FB_CHECK (base/check.h).
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace fb {
 
-// One sentence for the user: the file, the offset where there is one, and the cause.
+// One sentence for the user: the file, the offset if there is one, and the cause.
 struct Error {
   std::string message;
 };

@@ -1,4 +1,4 @@
-// PCG32 (O'Neill 2014): a small generator for everything on the host that needs numbers which repeat with the seed.
+// PCG32 (O'Neill 2014): a small generator for random numbers on the host that repeat with the seed.
 #pragma once
 
 #include <cstdint>

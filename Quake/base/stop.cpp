@@ -23,7 +23,7 @@ std::atomic<bool> told_once{false};
 std::atomic<const char*> program_name{""};
 std::atomic<StopMode> stop_mode{StopMode::kInSteps};
 
-// What follows may run in a handler: no memory, no locks, no streams.
+// The functions below may run in a signal handler: no memory allocation, no locks, no streams.
 
 void write_text(const char* text) {
   const std::size_t size = std::strlen(text);
@@ -43,12 +43,12 @@ bool at_terminal() {
 }
 
 [[noreturn]] void die_by(int signal) {
-  if (at_terminal()) write_text("\n");  // behind "^C", or what was being written there
+  if (at_terminal()) write_text("\n");  // after "^C", or an unfinished line
   write_text(program_name);
   write_text(signal == SIGINT ? ": stopped by SIGINT\n" : ": stopped by SIGTERM\n");
   std::signal(signal, SIG_DFL);
 #ifndef _WIN32
-  // The handler holds its own signal back.
+  // The handler blocks its own signal.
   sigset_t held;
   sigemptyset(&held);
   sigaddset(&held, signal);

@@ -1,14 +1,15 @@
-// How a program is told to end: SIGINT and SIGTERM. There is one handler, and three ways to obey it.
+// How SIGINT and SIGTERM end a program. There is one handler with three modes.
 //
-// kInSteps, for a game: the handler sets a flag, work that may last asks for it between its steps, and the program ends
-// in its usual way, so that a recording is whole and other players hear of it. Work that does not come to a step's end
-// in kGraceSeconds (a single frame may take minutes), and a second signal, end the program at once.
-// kAsQuit, for a game in a window: the same as if its player had typed `quit`, however long that takes; a second signal
-// ends it at once.
-// kAtOnce, for work whose results are files that appear when they are whole: there is nothing to put in order.
+// kInSteps, for a game: the handler sets a flag, long work checks it between its steps, and the program ends in its
+// usual way, so that a recording is complete and other players are told. If work does not finish a step within
+// kGraceSeconds (a single frame may take minutes), or at a second signal, the program ends at once.
+// kAsQuit, for a game in a window: the same as `quit` at the console, however long that takes; a second signal ends the
+// program at once.
+// kAtOnce, for work whose results are files that get their names when they are complete: nothing needs to be cleaned
+// up.
 //
-// But for `quit` there is one sentence, and the program dies by the signal: shells see 128 + its number, and whoever
-// started it sees the signal itself.
+// Except for `quit`, one message is printed and the program dies by the signal: a shell reports 128 plus its number,
+// and the parent process sees the signal itself.
 #pragma once
 
 namespace fb {
@@ -16,16 +17,16 @@ namespace fb {
 enum class StopMode { kInSteps, kAsQuit, kAtOnce };
 constexpr unsigned kGraceSeconds = 5;
 
-// From now on. `program` is what the sentence begins with; the text must last. A signal that was ignored before, as a
-// shell makes SIGINT for what it starts in the background, stays ignored.
+// Installs the handler. `program` is the start of the message; the text must stay valid. A signal that was
+// ignored before, as a shell ignores SIGINT for background processes, stays ignored.
 void stop_on_signals(const char* program, StopMode mode);
 
 // Whether the program was told to end.
 bool stop_wanted();
-// Tells it so, as the handler does; 0 takes it back.
+// Requests it, as the handler does; 0 withdraws the request.
 void want_stop(int signal);
-// Last in main(), with everything in order: dies by the signal that the program was told to end by, after the sentence;
-// without one, or where it counts as `quit`, gives the status.
+// The last call of main(), after all cleanup. If a signal has ended the program, prints the message and dies by that
+// signal; otherwise, or if the signal counts as `quit`, returns the status.
 int exit_status_or_signal(int status);
 
 }  // namespace fb

@@ -1,4 +1,4 @@
-// A directory of a test's own, of a name that no other process has, that vanishes with it. For tests and benchmarks.
+// A temporary directory with a unique name, removed when the object is destroyed. For tests and benchmarks.
 #pragma once
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// For tests: what this process has in memory.
+// For tests: memory use of this process.
 #pragma once
 
 #include <unistd.h>
@@ -8,7 +8,7 @@
 
 namespace fb {
 
-// Bytes that are resident, pages of mapped files among them; 0 where the system does not say.
+// Resident bytes, including pages of mapped files; 0 if the system does not report them.
 inline std::uint64_t resident_bytes() {
   std::uint64_t all = 0, resident = 0;
   std::ifstream("/proc/self/statm") >> all >> resident;

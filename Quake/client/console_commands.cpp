@@ -75,7 +75,7 @@ void Client::Impl::next_demo() {
 bool Client::Impl::demo_command(const con::Args& args, DemoMode mode) {
   if (args.size() != 2) {
     log_info("{} <demo>: {}", args[0],
-             mode == DemoMode::kTime ? "plays a demo as fast as it can and says how fast" : "plays a demo");
+             mode == DemoMode::kTime ? "play a demo as fast as possible and print frames a second" : "play a demo");
     return false;
   }
   const std::string path = demo_path(args[1]);
@@ -94,52 +94,53 @@ void Client::Impl::register_console() {
   ensure_cvar(console, name, text_of(value), help, is_archived(name) ? con::kCvarArchive : con::kCvarPlain);
   FB_CLIENT_CVARS(FB_REGISTER)
 #undef FB_REGISTER
-  ensure_cvar(console, "cl_startdemos", "1", "0: startdemos shows no demos", con::kCvarArchive);
-  ensure_cvar(console, "r_nolerp_list", kNoLerpModels, "models whose poses are not blended, with commas between",
-              con::kCvarPlain);
+  ensure_cvar(console, "cl_startdemos", "1", "0: startdemos plays nothing", con::kCvarArchive);
+  ensure_cvar(console, "r_nolerp_list", kNoLerpModels,
+              "models whose animation is not interpolated, separated by commas", con::kCvarPlain);
 
-  console.add_command("playdemo", "playdemo <demo>: plays a demo",
+  console.add_command("playdemo", "playdemo <demo>: play a demo",
                       [this](const con::Args& args) { demo_command(args, DemoMode::kPlay); });
-  console.add_command("timedemo", "timedemo <demo>: plays a demo as fast as it can and says how fast",
+  console.add_command("timedemo", "timedemo <demo>: play a demo as fast as possible and print frames a second",
                       [this](const con::Args& args) {
                         // What stands behind it on the command line has to wait: +timedemo demo1 +quit.
                         if (!demo_command(args, DemoMode::kTime) || console.buffer_empty()) return;
                         held = true;
                         console.insert("wait\ntimedemo_wait\n");
                       });
-  console.add_command("timedemo_wait", "puts off what follows until the timedemo is over", [this](const con::Args&) {
-    if (demo && demo->mode() == DemoMode::kTime) console.insert("wait\ntimedemo_wait\n");
-  });
-  console.add_command("stopdemo", "ends the demo that plays", [this](const con::Args&) {
+  console.add_command("timedemo_wait", "timedemo_wait: delay the commands that follow until the timedemo has ended",
+                      [this](const con::Args&) {
+                        if (demo && demo->mode() == DemoMode::kTime) console.insert("wait\ntimedemo_wait\n");
+                      });
+  console.add_command("stopdemo", "stopdemo: stop the playing demo", [this](const con::Args&) {
     demo_loop_next = -1;
     end_demo(std::nullopt);
   });
-  console.add_command("startdemos", "startdemos <demo> ...: plays demos one after the other, for ever",
-                      [this](const con::Args& args) {
-                        demo_loop.clear();
-                        for (std::size_t i = 1; i < args.size() && i <= kMaxDemoLoop; ++i) demo_loop.push_back(args[i]);
-                        const bool busy = demo || link || attempt || showing_map || held;
-                        held = false;
-                        demo_loop_next = busy || !console.cvar("cl_startdemos").on() ? -1 : 0;
-                        next_demo();
-                      });
-  console.add_command("demos", "goes on with the demos of startdemos", [this](const con::Args&) {
+  console.add_command("startdemos", "startdemos <demo> ...: play demos in a loop", [this](const con::Args& args) {
+    demo_loop.clear();
+    for (std::size_t i = 1; i < args.size() && i <= kMaxDemoLoop; ++i) demo_loop.push_back(args[i]);
+    const bool busy = demo || link || attempt || showing_map || held;
+    held = false;
+    demo_loop_next = busy || !console.cvar("cl_startdemos").on() ? -1 : 0;
+    next_demo();
+  });
+  console.add_command("demos", "demos: continue the loop of startdemos", [this](const con::Args&) {
     demo_loop_next = std::max(demo_loop_next, 0);
     end_demo(std::nullopt);
     next_demo();
   });
-  console.add_command("entities", "what the server shows: number, model, frame, place and angles of each thing",
+  console.add_command("entities", "entities: list visible entities: number, model, frame, (origin), [angles]",
                       [this](const con::Args&) { print_entities(session.state); });
   if (!console.has_command("bf"))
-    console.add_command("bf", "flashes as if something had been picked up",
+    console.add_command("bf", "bf: flash the screen as for a pickup",
                         [this](const con::Args&) { bonus_flash(session.state); });
   if (!console.has_command("v_cshift"))
     console.add_command(
-        "v_cshift", "v_cshift <red> <green> <blue> <percent>: colours the picture", [this](const con::Args& args) {
+        "v_cshift", "v_cshift <red> <green> <blue> <percent>: set the picture's colour shift",
+        [this](const con::Args& args) {
           set_empty_shift(session.state, {args.number(1), args.number(2), args.number(3)}, args.number(4));
         });
   if (!console.has_command("sky"))
-    console.add_command("sky", "sky <name>: shows a skybox; without a name the map's own sky",
+    console.add_command("sky", "sky [name]: show a skybox; without a name, the map's own sky",
                         [this](const con::Args& args) {
                           session.state.skybox = args[1];
                           session.state.sky_changed = true;

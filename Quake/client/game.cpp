@@ -16,23 +16,24 @@ constexpr std::size_t kMostNameBytes = 15;
 constexpr int kMostColor = 13;
 constexpr std::string_view kLocal = "local";
 
-// What the server knows and the console does not. Help for each.
+// Commands that the client forwards to the server, each with its help.
 constexpr std::array<std::array<const char*, 2>, 15> kForwarded = {{
-    {"status", "who plays"},
-    {"god", "cheat: nothing hurts"},
-    {"notarget", "cheat: monsters do not see you"},
-    {"fly", "cheat: flying"},
-    {"noclip", "cheat: through walls"},
-    {"setpos", "setpos <x> <y> <z> [pitch yaw roll]: cheat: goes there"},
-    {"give", "give <item> [amount]: cheat: h health, s n r c ammunition, 2 to 9 weapons, a armour, k keys"},
-    {"say", "say <text>: to everybody"},
-    {"say_team", "say_team <text>: to your team"},
-    {"tell", "tell <name> <text>: to one player"},
-    {"kill", "kill: gives up, to begin anew"},
-    {"pause", "pause: stops the game, and lets it go on"},
-    {"ping", "ping: how long each player's messages take"},
-    {"kick", "kick <name>|# <number> [reason]: throws a player out"},
-    {"ban", "ban: for servers that have it"},
+    {"status", "status: describe the game and list its players"},
+    {"god", "god: cheat: take no damage"},
+    {"notarget", "notarget: cheat: monsters ignore you"},
+    {"fly", "fly: cheat: fly"},
+    {"noclip", "noclip: cheat: move through walls"},
+    {"setpos", "setpos <x> <y> <z> [pitch yaw roll]: cheat: move to this position"},
+    {"give",
+     "give <item> [amount]: cheat: h health, s n r c shells nails rockets cells, 2 to 9 weapons, a armour, k keys"},
+    {"say", "say <text>: send a message to all players"},
+    {"say_team", "say_team <text>: send a message to your team"},
+    {"tell", "tell <name> <text>: send a message to one player"},
+    {"kill", "kill: commit suicide and respawn"},
+    {"pause", "pause: pause or resume the game"},
+    {"ping", "ping: list each player's latency"},
+    {"kick", "kick <name>|# <number> [reason]: remove a player from the game"},
+    {"ban", "ban: ban addresses, on servers that can"},
 }};
 
 int shirt(int colors) { return std::clamp(colors / 16, 0, kMostColor); }
@@ -59,7 +60,7 @@ void Client::Impl::connect(std::unique_ptr<net::Connection> connection, std::str
 Status Client::Impl::connect_to(std::string_view server) {
   if (server == kLocal) {
     auto connection = local.connect ? local.connect() : nullptr;
-    if (!connection) return Error{"connect local: no game runs here (map NAME begins one)"};
+    if (!connection) return Error{"connect local: no game runs here (map NAME starts one)"};
     connect(std::move(connection), std::string(server));
     return ok_status();
   }
@@ -193,13 +194,16 @@ void Client::Impl::send() {
 }
 
 void Client::Impl::register_game_commands() {
-  if (!console.find_cvar("_cl_name")) console.add_cvar("_cl_name", "player", "your name: see name", con::kCvarArchive);
-  if (!console.find_cvar("_cl_color")) console.add_cvar("_cl_color", "0", "your colours: see color", con::kCvarArchive);
+  if (!console.find_cvar("_cl_name"))
+    console.add_cvar("_cl_name", "player", "the player's name (command: name)", con::kCvarArchive);
+  if (!console.find_cvar("_cl_color"))
+    console.add_cvar("_cl_color", "0", "the player's colours, 16 * shirt + trousers (command: color)",
+                     con::kCvarArchive);
 
-  console.add_command("connect", "connect <server>: joins a game: a name or address, with or without a port",
+  console.add_command("connect", "connect <name or address>[:port]: join a game on a server",
                       [this](const con::Args& args) {
                         if (args.size() != 2) {
-                          log_info("connect <server>: joins a game: a name or address, with or without a port");
+                          log_info("connect <name or address>[:port]: join a game on a server");
                           return;
                         }
                         if (const auto status = connect_to(args[1]); !status.ok()) {
@@ -207,23 +211,24 @@ void Client::Impl::register_game_commands() {
                           console.fail_unless(status);
                         }
                       });
-  console.add_command("disconnect", "leaves the game or the demo", [this](const con::Args&) {
+  console.add_command("disconnect", "disconnect: leave the game or the demo", [this](const con::Args&) {
     demo_loop_next = -1;
     end_demo(std::nullopt);
     disconnect();
   });
-  console.add_command("reconnect", "expects another level; without a game: joins the last server again",
+  console.add_command("reconnect",
+                      "reconnect: sign on again for the next level; when not in a game, join the last server again",
                       [this](const con::Args&) {
                         if (demo) return;  // as in Quake: it says itself where a level begins
                         if (link) {
                           session.reconnect = true;
                         } else if (last_server.empty()) {
-                          log_info("reconnect: there was no server yet");
+                          log_info("reconnect: there is no server to return to");
                         } else {
                           console.fail_unless(connect_to(last_server));
                         }
                       });
-  console.add_command("cmd", "cmd <text>: a command for the server", [this](const con::Args& args) {
+  console.add_command("cmd", "cmd <text>: send a command to the server", [this](const con::Args& args) {
     if (args.size() > 1) forward(args.rest());
   });
   for (const auto& [name, help] : kForwarded) {
@@ -232,7 +237,7 @@ void Client::Impl::register_game_commands() {
       forward(args.size() > 1 ? fmt::format("{} {}", args[0], args.rest()) : args[0]);
     });
   }
-  console.add_command("name", "name <name>: what others call you", [this](const con::Args& args) {
+  console.add_command("name", "name <name>: set your name", [this](const con::Args& args) {
     con::Cvar& name = console.cvar("_cl_name");
     if (args.size() < 2) {
       log_info("\"name\" is \"{}\"", name.string());
@@ -243,18 +248,19 @@ void Client::Impl::register_game_commands() {
     name.set(wanted);
     if (link) forward("name " + con::in_quotes(wanted));
   });
-  console.add_command("color", "color <shirt> [trousers]: 0 to 13", [this](const con::Args& args) {
-    con::Cvar& colors = console.cvar("_cl_color");
-    if (args.size() < 2) {
-      log_info("\"color\" is \"{} {}\"", shirt(colors.integer()), trousers(colors.integer()));
-      log_info("color <0-13> [0-13]");
-      return;
-    }
-    const auto color = [&](std::size_t i) { return std::min(args.integer(i) & 15, kMostColor); };
-    const int top = color(1), bottom = args.size() > 2 ? color(2) : top;
-    colors.set(static_cast<float>(top * 16 + bottom));
-    if (link) forward(fmt::format("color {} {}", top, bottom));
-  });
+  console.add_command("color", "color <shirt> [trousers]: set your colours, 0 to 13 each",
+                      [this](const con::Args& args) {
+                        con::Cvar& colors = console.cvar("_cl_color");
+                        if (args.size() < 2) {
+                          log_info("\"color\" is \"{} {}\"", shirt(colors.integer()), trousers(colors.integer()));
+                          log_info("color <0-13> [0-13]");
+                          return;
+                        }
+                        const auto color = [&](std::size_t i) { return std::min(args.integer(i) & 15, kMostColor); };
+                        const int top = color(1), bottom = args.size() > 2 ? color(2) : top;
+                        colors.set(static_cast<float>(top * 16 + bottom));
+                        if (link) forward(fmt::format("color {} {}", top, bottom));
+                      });
 }
 
 }  // namespace fb::cl

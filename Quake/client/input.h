@@ -44,24 +44,24 @@ class Button {
 };
 
 // One row a button: member, the name behind + and -, what it does while it is down.
-#define FB_BUTTONS(X)                                                                \
-  X(move_up, "moveup", "swims up")                                                   \
-  X(move_down, "movedown", "swims down")                                             \
-  X(left, "left", "turns left")                                                      \
-  X(right, "right", "turns right")                                                   \
-  X(forward, "forward", "walks forward")                                             \
-  X(back, "back", "walks back")                                                      \
-  X(look_up, "lookup", "looks up")                                                   \
-  X(look_down, "lookdown", "looks down")                                             \
-  X(strafe, "strafe", "makes steps to the side of turns, and of the mouse's motion") \
-  X(move_left, "moveleft", "steps to the left")                                      \
-  X(move_right, "moveright", "steps to the right")                                   \
-  X(speed, "speed", "runs; walks with cl_alwaysrun")                                 \
-  X(attack, "attack", "fires")                                                       \
-  X(use, "use", "nothing in Quake: servers are not told")                            \
-  X(jump, "jump", "jumps, swims up")                                                 \
-  X(key_look, "klook", "the keys of walking look up and down")                       \
-  X(mouse_look, "mlook", "the mouse looks up and down")
+#define FB_BUTTONS(X)                                                           \
+  X(move_up, "moveup", "swim up")                                               \
+  X(move_down, "movedown", "swim down")                                         \
+  X(left, "left", "turn left")                                                  \
+  X(right, "right", "turn right")                                               \
+  X(forward, "forward", "walk forward")                                         \
+  X(back, "back", "walk back")                                                  \
+  X(look_up, "lookup", "look up")                                               \
+  X(look_down, "lookdown", "look down")                                         \
+  X(strafe, "strafe", "step sideways instead of turning, by keys and by mouse") \
+  X(move_left, "moveleft", "step to the left")                                  \
+  X(move_right, "moveright", "step to the right")                               \
+  X(speed, "speed", "run; with cl_alwaysrun, walk")                             \
+  X(attack, "attack", "fire")                                                   \
+  X(use, "use", "no effect: Quake's protocol has no bit for it")                \
+  X(jump, "jump", "jump, swim up")                                              \
+  X(key_look, "klook", "look up and down by +forward and +back")                \
+  X(mouse_look, "mlook", "look up and down by the mouse")
 
 struct Buttons {
 #define FB_BUTTON(member, name, help) Button member;
@@ -71,28 +71,29 @@ struct Buttons {
 };
 
 // One row a cvar: member, name, default, archived, help. Names and defaults are QuakeSpasm's.
-#define FB_INPUT_CVARS(X)                                                                                     \
-  X(up_speed, "cl_upspeed", 200.0f, false, "speed of swimming up and down, units a second")                   \
-  X(forward_speed, "cl_forwardspeed", 200.0f, true, "speed of +forward")                                      \
-  X(back_speed, "cl_backspeed", 200.0f, true, "speed of +back")                                               \
-  X(side_speed, "cl_sidespeed", 350.0f, false, "speed of +moveleft and +moveright")                           \
-  X(move_speed_key, "cl_movespeedkey", 2.0f, false, "+speed makes moves so many times as fast")               \
-  X(yaw_speed, "cl_yawspeed", 140.0f, false, "speed of +left and +right, degrees a second")                   \
-  X(pitch_speed, "cl_pitchspeed", 150.0f, false, "speed of +lookup and +lookdown")                            \
-  X(angle_speed_key, "cl_anglespeedkey", 1.5f, false, "+speed makes turns so many times as fast")             \
-  X(always_run, "cl_alwaysrun", 0.0f, true, "runs, and +speed walks")                                         \
-  X(max_pitch, "cl_maxpitch", 90.0f, true, "how far one may look down, degrees")                              \
-  X(min_pitch, "cl_minpitch", -90.0f, true, "how far one may look up, degrees")                               \
-  X(look_spring, "lookspring", 0.0f, true, "the view springs back level when one walks or lets go of +mlook") \
-  X(look_strafe, "lookstrafe", 0.0f, true, "with +mlook the mouse's sideways motion walks sideways")          \
-  X(sensitivity, "sensitivity", 3.0f, true, "how strong the mouse's motion counts")                           \
-  X(mouse_pitch, "m_pitch", 0.022f, true, "degrees up and down of a count of the mouse; negative: inverted")  \
-  X(mouse_yaw, "m_yaw", 0.022f, true, "degrees left and right of a count")                                    \
-  X(mouse_forward, "m_forward", 1.0f, true, "speed forward of a count, where the mouse walks")                \
-  X(mouse_side, "m_side", 0.8f, true, "speed sideways of a count")                                            \
-  X(mouse_filter, "m_filter", 0.0f, true, "averages the mouse's motion over two frames")                      \
-  X(center_move, "v_centermove", 0.15f, false, "seconds of walking until lookspring levels the view")         \
-  X(center_speed, "v_centerspeed", 500.0f, false, "how fast the view levels: degrees a second, each second")
+#define FB_INPUT_CVARS(X)                                                                                           \
+  X(up_speed, "cl_upspeed", 200.0f, false, "speed of +moveup and +movedown, units a second")                        \
+  X(forward_speed, "cl_forwardspeed", 200.0f, true, "speed of +forward, units a second")                            \
+  X(back_speed, "cl_backspeed", 200.0f, true, "speed of +back, units a second")                                     \
+  X(side_speed, "cl_sidespeed", 350.0f, false, "speed of +moveleft and +moveright, units a second")                 \
+  X(move_speed_key, "cl_movespeedkey", 2.0f, false, "factor of +speed on walking")                                  \
+  X(yaw_speed, "cl_yawspeed", 140.0f, false, "speed of +left and +right, degrees a second")                         \
+  X(pitch_speed, "cl_pitchspeed", 150.0f, false, "speed of +lookup and +lookdown, degrees a second")                \
+  X(angle_speed_key, "cl_anglespeedkey", 1.5f, false, "factor of +speed on turning")                                \
+  X(always_run, "cl_alwaysrun", 0.0f, true, "1: run by default, and +speed walks")                                  \
+  X(max_pitch, "cl_maxpitch", 90.0f, true, "largest pitch (down), degrees")                                         \
+  X(min_pitch, "cl_minpitch", -90.0f, true, "smallest pitch (up), degrees")                                         \
+  X(look_spring, "lookspring", 0.0f, true, "1: the view returns to level when walking or releasing +mlook")         \
+  X(look_strafe, "lookstrafe", 0.0f, true, "1: with +mlook, sideways mouse motion steps sideways")                  \
+  X(sensitivity, "sensitivity", 3.0f, true, "mouse sensitivity: factor on its motion")                              \
+  X(mouse_pitch, "m_pitch", 0.022f, true, "pitch for each mouse count, degrees; negative inverts")                  \
+  X(mouse_yaw, "m_yaw", 0.022f, true, "yaw for each mouse count, degrees")                                          \
+  X(mouse_forward, "m_forward", 1.0f, true, "forward speed for each mouse count, where the mouse moves the player") \
+  X(mouse_side, "m_side", 0.8f, true, "sideways speed for each mouse count, likewise")                              \
+  X(mouse_filter, "m_filter", 0.0f, true, "1: average the mouse's motion over two frames")                          \
+  X(center_move, "v_centermove", 0.15f, false, "seconds of walking after which lookspring levels the view")         \
+  X(center_speed, "v_centerspeed", 500.0f, false,                                                                   \
+    "acceleration of the view's return to level, degrees per second squared")
 
 struct InputSettings {
 #define FB_MEMBER(member, name, initial, archived, help) float member = initial;

@@ -16,11 +16,11 @@ int key_of(const con::Args& args) { return args.size() > 1 ? args.integer(1) : B
 void Client::Impl::register_input_commands() {
   register_input_cvars(console);
   const auto add = [this](const std::string& name, Button& button, const char* help) {
-    console.add_command("+" + name, fmt::format("+{}: {}, until -{}", name, help, name),
+    console.add_command("+" + name, fmt::format("+{}: {} until -{}", name, help, name),
                         [&button](const con::Args& args) {
                           if (!button.press(key_of(args))) log_info("Three keys down for a button!");
                         });
-    console.add_command("-" + name, fmt::format("-{}: lets +{} go", name, name),
+    console.add_command("-" + name, fmt::format("-{}: release +{}", name, name),
                         [this, &button](const con::Args& args) {
                           if (args.size() > 1)
                             button.release(key_of(args));
@@ -33,9 +33,9 @@ void Client::Impl::register_input_commands() {
 #define FB_ADD(member, name, help) add(name, buttons.member, help);
   FB_BUTTONS(FB_ADD)
 #undef FB_ADD
-  console.add_command("impulse", "impulse <number>: changes weapons and the like, as the game has it",
+  console.add_command("impulse", "impulse <number>: send a number to the game's rules (1 to 8 choose weapons)",
                       [this](const con::Args& args) { buttons.impulse = args.integer(1) & 255; });
-  console.add_command("centerview", "levels the view",
+  console.add_command("centerview", "centerview: turn the view back to level",
                       [this](const con::Args&) { drift.start(session.state.time, input); });
   // Looking with the mouse outlives the program, as in QuakeSpasm.
   console.add_config_section([this] { return std::string(buttons.mouse_look.down() ? "+mlook\n" : "-mlook\n"); });

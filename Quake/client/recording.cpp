@@ -11,13 +11,14 @@
 namespace fb::cl {
 namespace {
 
-constexpr const char* kRecordHelp = "record <demo> [<map> [cd track]]: records what happens; stop ends it";
+constexpr const char* kRecordHelp =
+    "record <demo> [<map> [cd track]]: record a demo, from now or from a map's start, until stop";
 
 }  // namespace
 
 void Client::Impl::register_recording_commands() {
   console.add_command("record", kRecordHelp, [this](const con::Args& args) { record(args); });
-  console.add_command("stop", "ends the recording of a demo", [this](const con::Args&) {
+  console.add_command("stop", "stop: end the recording of a demo", [this](const con::Args&) {
     if (recorder)
       stop_recording();
     else

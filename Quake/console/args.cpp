@@ -12,7 +12,7 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + '
 bool is_space(char c) { return static_cast<unsigned char>(c) <= ' '; }
 bool stands_alone(char c) { return c == '{' || c == '}' || c == '(' || c == ')' || c == '\''; }
 
-// Past the comment that starts at `at`; `at` itself if none does.
+// The position after the comment that starts at `at`; `at` itself if there is none.
 std::size_t skip_comment(std::string_view text, std::size_t at) {
   if (text.substr(at, 2) == "//") return std::min(text.find('\n', at), text.size());
   if (text.substr(at, 2) == "/*") {

@@ -1,4 +1,4 @@
-// A line of the console, cut into words as Quake cuts it.
+// Splits a console line into words by Quake's rules.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 
 namespace fb::con {
 
-// Words end at white space; "quoted words" may hold it (there is no escape for the quote itself, and one that never
-// closes reaches to the end); `//` before a word makes the rest a comment, `/* */` one up to its end. Each of { } ( ) '
-// is a word of its own, also in the middle of one (QuakeSpasm's rule: a colon is too, but only where a word begins).
+// Words end at white space. A "quoted word" may contain white space; a quote cannot be escaped, and a quote that is not
+// closed extends to the end. `//` at the start of a word makes the rest a comment, `/* */` the text up to its end. Each
+// of { } ( ) ' is a word of its own, even inside another; a colon only at the start of a word (QuakeSpasm's rule).
 class Args {
  public:
   Args() = default;
@@ -20,11 +20,11 @@ class Args {
   bool empty() const { return words_.empty(); }
   // Word 0 is the command. Past the end: "".
   const std::string& operator[](std::size_t i) const { return i < words_.size() ? words_[i] : nothing(); }
-  // What follows the command as it was written, quotes and all (Quake's Cmd_Args): for say, cmd and the like.
+  // The text after the command as it was written, with its quotes (Quake's Cmd_Args), for say, cmd and the like.
   const std::string& rest() const { return rest_; }
   // The words from i on, with a space between.
   std::string joined(std::size_t i) const;
-  // As C's atof has it: the number that the word begins with, else 0.
+  // Read as by C's atof: the number at the word's start, else 0.
   float number(std::size_t i) const;
   int integer(std::size_t i) const;
 
@@ -35,14 +35,14 @@ class Args {
   std::string rest_;
 };
 
-// Where the command that starts at `start` ends: at its newline, at a semicolon outside quotes and comments, or at the
-// text's end. The character there, if any, belongs to no command.
+// The end of the command that starts at `start`: at its newline, at a semicolon outside quotes and comments, or at the
+// text's end. The character at the end, if any, belongs to no command.
 std::size_t command_end(std::string_view text, std::size_t start);
 
-// The text as one quoted word. Quake has no escape for a quote or a newline inside one: they become ' and a space.
+// The text as one quoted word. A quote or a newline cannot be escaped inside one; they become ' and a space.
 std::string in_quotes(std::string_view text);
 
-// Names of commands and cvars are compared without regard to case.
+// Names of commands and cvars are compared ignoring case.
 struct NameLess {
   using is_transparent = void;
   bool operator()(std::string_view a, std::string_view b) const;

@@ -8,22 +8,23 @@ namespace fb::con {
 
 Bindings::Bindings(Console& console, KeyFromName key_from_name, KeyName key_name)
     : console_(console), key_from_name_(std::move(key_from_name)), key_name_(std::move(key_name)) {
-  console_.add_command("bind", "bind <key> [command]: show or set what a key does", [this](const Args& args) {
-    if (args.size() < 2) {
-      log_info("bind <key> [command] : attach a command to a key");
-      return;
-    }
-    const int key = key_from_name_(args[1]);
-    if (key == 0)
-      log_info("\"{}\" isn't a valid key", args[1]);
-    else if (args.size() > 2)
-      bind(key, args.joined(2));
-    else if (command(key).empty())
-      log_info("\"{}\" is not bound", args[1]);
-    else
-      log_info("\"{}\" = \"{}\"", args[1], command(key));
-  });
-  console_.add_command("unbind", "unbind <key>: the key does nothing", [this](const Args& args) {
+  console_.add_command("bind", "bind <key> [command]: show or set the command that a key runs",
+                       [this](const Args& args) {
+                         if (args.size() < 2) {
+                           log_info("bind <key> [command] : attach a command to a key");
+                           return;
+                         }
+                         const int key = key_from_name_(args[1]);
+                         if (key == 0)
+                           log_info("\"{}\" isn't a valid key", args[1]);
+                         else if (args.size() > 2)
+                           bind(key, args.joined(2));
+                         else if (command(key).empty())
+                           log_info("\"{}\" is not bound", args[1]);
+                         else
+                           log_info("\"{}\" = \"{}\"", args[1], command(key));
+                       });
+  console_.add_command("unbind", "unbind <key>: remove a key's command", [this](const Args& args) {
     if (args.size() != 2)
       log_info("unbind <key> : remove commands from a key");
     else if (const int key = key_from_name_(args[1]); key == 0)
@@ -31,8 +32,9 @@ Bindings::Bindings(Console& console, KeyFromName key_from_name, KeyName key_name
     else
       bind(key, "");
   });
-  console_.add_command("unbindall", "unbindall: no key does anything", [this](const Args&) { commands_.clear(); });
-  console_.add_command("bindlist", "bindlist: what the keys do", [this](const Args&) {
+  console_.add_command("unbindall", "unbindall: remove the commands of all keys",
+                       [this](const Args&) { commands_.clear(); });
+  console_.add_command("bindlist", "bindlist: list the keys and their commands", [this](const Args&) {
     for (const auto& [key, text] : commands_) log_info("   {} \"{}\"", key_name_(key), text);
     log_info("{} bindings", commands_.size());
   });
@@ -54,7 +56,7 @@ const std::string& Bindings::command(int key) const {
 
 void Bindings::key_event(int key, bool down) {
   if (!down) {
-    // The button that it pressed, whatever it is bound to by now.
+    // Release the button that this key pressed, even if the key is bound to something else by now.
     if (const auto held = down_.find(key); held != down_.end()) {
       console_.append(fmt::format("-{} {}\n", held->second.substr(1), key));
       down_.erase(held);

@@ -1,5 +1,5 @@
-// Keys' commands: bind, unbind, and what a key does when it goes down and up. Keys are numbers here; their names come
-// from whoever knows keyboards.
+// Key bindings: bind, unbind, and the commands that run when a key goes down and up. Keys are numbers here; the caller
+// supplies their names.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ class Bindings {
   using KeyFromName = std::function<int(std::string_view)>;  // 0: no such key
   using KeyName = std::function<std::string(int)>;
 
-  // Registers bind, unbind, unbindall and bindlist, and the section of config.cfg; lives as long as the console.
+  // Registers bind, unbind, unbindall and bindlist, and the section of config.cfg. Must live as long as the console.
   Bindings(Console& console, KeyFromName key_from_name, KeyName key_name);
   Bindings(const Bindings&) = delete;
   Bindings& operator=(const Bindings&) = delete;
@@ -24,10 +24,11 @@ class Bindings {
   void bind(int key, std::string command);  // an empty command unbinds
   const std::string& command(int key) const;
 
-  // Appends what the key is bound to. A command "+name" is a button: it gets "+name <key>" when the key goes down and
-  // "-name <key>" when it comes up, so that two keys of one button are told apart. Repeats are not for here.
+  // Appends the key's command to the buffer. A command "+name" is a button: it gets "+name <key>" when the key goes
+  // down and "-name <key>" when it comes up, so that two keys for one button can be told apart. Do not pass key
+  // repeats.
   void key_event(int key, bool down);
-  // Lets go of every button that is down: the console opened, or the window lost the keyboard.
+  // Releases every button that is down: when the console opens, or the window loses the keyboard.
   void release_all();
 
  private:

@@ -1,4 +1,4 @@
-// The console's own commands, but for those about cvars (cvar_builtins.cpp).
+// The console's own commands, except those about cvars (cvar_builtins.cpp).
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -17,10 +17,9 @@ constexpr std::size_t kMaxAliasName = 31;  // QuakeSpasm's
 }  // namespace
 
 void Console::add_builtins() {
-  add_command("wait", "wait: put the rest of the commands off to the next frame",
-              [this](const Args&) { wait_ = true; });
-  add_command("echo", "echo <text>: print it", [](const Args& args) { log_info("{}", args.joined(1)); });
-  add_command("clear", "clear: empty the console's window", [this](const Args&) { scrollback_->clear(); });
+  add_command("wait", "wait: delay the commands that follow to the next frame", [this](const Args&) { wait_ = true; });
+  add_command("echo", "echo <text>: print a text", [](const Args& args) { log_info("{}", args.joined(1)); });
+  add_command("clear", "clear: clear the console", [this](const Args&) { scrollback_->clear(); });
 
   add_command("exec", "exec <file>: run a script of console commands", [this](const Args& args) {
     if (args.size() == 2)
@@ -28,29 +27,30 @@ void Console::add_builtins() {
     else
       log_info("exec <filename> : execute a script file");
   });
-  add_command("stuffcmds", "stuffcmds: run the commands of the program's command line (+map start)",
+  add_command("stuffcmds", "stuffcmds: run the command line's console commands (such as +map start)",
               [this](const Args&) {
                 const std::string commands = commands_of_arguments(command_line_);
                 if (!commands.empty()) insert_once(commands, {CommandBuffer::Origin::kScript, "The command line"});
               });
 
-  add_command("alias", "alias [name [commands]]: list, show or make a command of commands", [this](const Args& args) {
-    if (args.size() == 1) {
-      for (const auto& [name, body] : aliases_) log_info("   {}: {}", name, body);
-      log_info("{} alias commands", aliases_.size());
-    } else if (args.size() == 2) {
-      const auto found = aliases_.find(args[1]);
-      if (found == aliases_.end())
-        log_info("There is no alias \"{}\".", args[1]);
-      else
-        log_info("   {}: {}", found->first, found->second);
-    } else if (args[1].size() > kMaxAliasName) {
-      log_info("Alias \"{}\": the name is longer than {} characters.", args[1], kMaxAliasName);
-    } else {
-      aliases_[args[1]] = args.joined(2);
-    }
-  });
-  add_command("unalias", "unalias <name>: forget an alias", [this](const Args& args) {
+  add_command("alias", "alias [name [commands]]: list aliases, show one, or name a list of commands",
+              [this](const Args& args) {
+                if (args.size() == 1) {
+                  for (const auto& [name, body] : aliases_) log_info("   {}: {}", name, body);
+                  log_info("{} alias commands", aliases_.size());
+                } else if (args.size() == 2) {
+                  const auto found = aliases_.find(args[1]);
+                  if (found == aliases_.end())
+                    log_info("There is no alias \"{}\".", args[1]);
+                  else
+                    log_info("   {}: {}", found->first, found->second);
+                } else if (args[1].size() > kMaxAliasName) {
+                  log_info("Alias \"{}\": the name is longer than {} characters.", args[1], kMaxAliasName);
+                } else {
+                  aliases_[args[1]] = args.joined(2);
+                }
+              });
+  add_command("unalias", "unalias <name>: delete an alias", [this](const Args& args) {
     const auto found = aliases_.find(args[1]);
     if (args.size() != 2)
       log_info("unalias <name> : delete alias");
@@ -59,7 +59,7 @@ void Console::add_builtins() {
     else
       aliases_.erase(found);
   });
-  add_command("unaliasall", "unaliasall: forget all aliases", [this](const Args&) { aliases_.clear(); });
+  add_command("unaliasall", "unaliasall: delete all aliases", [this](const Args&) { aliases_.clear(); });
 
   add_command("cmdlist", "cmdlist [prefix]: list the commands", [this](const Args& args) {
     std::size_t count = 0;
@@ -83,9 +83,9 @@ void Console::add_builtins() {
   add_command("apropos", "apropos <text>: search the names and help of commands and cvars", apropos);
   add_command("find", "find <text>: the same as apropos", apropos);
 
-  add_command("help", "help <name>: what a command or cvar is for", [this](const Args& args) {
+  add_command("help", "help <name>: explain a command or cvar", [this](const Args& args) {
     if (args.size() != 2) {
-      log_info("help <name> : what a command or cvar is for; cmdlist, cvarlist and apropos <text> find names");
+      log_info("help <name> : explain a command or cvar; cmdlist, cvarlist and apropos <text> find names");
     } else if (const auto command = commands_.find(args[1]); command != commands_.end()) {
       log_info("{}", command->second.help);
     } else if (const auto alias = aliases_.find(args[1]); alias != aliases_.end()) {
@@ -112,7 +112,8 @@ void Console::exec(const std::string& name) {
     if (!script) script = files_(found = name + ".cfg");
   }
   if (!script) {
-    // Others may name scripts that need not be there, as quake.rc does; who names one on the command line wants it.
+    // A missing script is an error only on the command line. Scripts may name others that do not exist, as quake.rc
+    // does.
     if (executing_ && buffer_.origin() == CommandBuffer::Origin::kScript)
       return fail(fmt::format("couldn't exec {}", name));
     log_info("couldn't exec {}", name);
@@ -128,7 +129,8 @@ void Console::exec(const std::string& name) {
   if (insert_once(text, {CommandBuffer::Origin::kFile, found})) log_info("execing {}", name);
 }
 
-// What runs itself would do so for ever: nothing that it does between the two can end that, but for changed aliases.
+// A text that executes itself would do so for ever, since nothing between the two executions can stop it, except a
+// changed alias.
 bool Console::insert_once(std::string_view text, CommandBuffer::Source source) {
   const std::vector<std::string> names = buffer_.names_from(source.origin, source.name);
   if (names.empty()) return insert(text, std::move(source));

@@ -73,7 +73,7 @@ std::optional<CommandBuffer::Source> CommandBuffer::drop_what_multiplies() {
   const std::vector<const Text*> texts = nesting();
   const auto is_alias = [](const Text* text) { return text->source.origin == Origin::kAlias; };
   if (const auto alias = std::find_if(texts.begin(), texts.end(), is_alias); alias != texts.end()) return drop(**alias);
-  // A single script is as long as its file and no longer.
+  // One script alone is limited by its file's size.
   return texts.size() > 1 ? std::optional(drop(*texts[1])) : std::nullopt;
 }
 

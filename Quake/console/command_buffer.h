@@ -1,8 +1,9 @@
-// Text that waits to be executed, with Quake's order: what is appended comes last, what a running command inserts (an
-// alias's body, a script's text) comes next. Text goes by lines and, outside quotes, semicolons.
+// The buffer of commands to be executed, in Quake's order: appended text comes last; text that a running command
+// inserts (an alias's body, a script) comes next. Commands are separated by newlines and, outside quotes, by
+// semicolons.
 //
-// Inserted text has a name, and knows in which text the command stood that inserted it. So what calls itself without
-// end can be told from what only stands around it, and is dropped alone.
+// Inserted text has a name, and refers to the text that contained the command which inserted it. So a text that calls
+// itself endlessly can be told from the texts around it, and dropped alone.
 #pragma once
 
 #include <cstddef>
@@ -18,10 +19,10 @@ namespace fb::con {
 class CommandBuffer {
  public:
   static constexpr std::size_t kMaxBytes = 8u << 20u;
-  // Inserted text that inserts text that inserts text ... without a wait between.
+  // Depth of inserted texts that insert further texts without a wait in between.
   static constexpr int kMaxDepth = 128;
 
-  // kFile: a script's own text; kScript: what else is inserted.
+  // kFile: the text of a script; kScript: any other inserted text.
   enum class Origin { kAppended, kFile, kScript, kAlias };
   enum class Inserted { kYes, kBufferIsFull, kTooDeep };
   struct Source {
@@ -29,26 +30,27 @@ class CommandBuffer {
     std::string name;
   };
 
-  // False where the buffer is full; then nothing is taken.
-  // Text without a newline at its end goes on in what is appended next, as in Quake.
+  // Returns false if the buffer is full, and takes nothing then. Text without a newline at its end continues in the
+  // next appended text, as in Quake.
   bool append(std::string_view text);
-  // Before everything, as a line of its own. Takes nothing where it says why not: see drop_what_calls_itself().
+  // Inserts before everything, as a line of its own. If it returns a reason (see drop_what_calls_itself()), it took
+  // nothing.
   Inserted insert(std::string_view text, Source source);
-  // Takes the next command off; nullopt when there is none.
+  // Removes the next command and returns it; nullopt if there is none.
   std::optional<std::string> next();
 
-  // About the command that next() gave last. Where it came from:
+  // About the last command that next() returned. Where it came from:
   Origin origin() const { return origin_; }
-  // The names of the texts that it stands in, from the text of that name (in any case) inwards; empty where it stands
-  // in none of that name.
+  // The names of the texts that contain it, from the text called `name` (in any case) inwards; empty if none of them
+  // has that name.
   std::vector<std::string> names_from(Origin origin, std::string_view name) const;
-  // Drops what a text still had to do, and what came of it. Gives that text; nullopt, having dropped nothing, where
-  // there is none. Of what calls itself the outermost; of what only multiplies the outermost alias, else what the
-  // outermost script called.
+  // Drops the rest of a text, and of all texts inserted by it, and returns that text; nullopt if there is nothing to
+  // drop. Of texts that call themselves it is the outermost one; of texts that only multiply, the outermost alias, else
+  // the outermost script that a script called.
   std::optional<Source> drop_what_calls_itself();
   std::optional<Source> drop_what_multiplies();
 
-  // After `wait`, nesting starts anew: an alias that waits may call itself for ever.
+  // After `wait`, nesting starts again from zero: an alias that waits may call itself for ever.
   void forget_nesting();
   void clear();
   bool empty() const { return bytes_ == 0; }
@@ -56,16 +58,16 @@ class CommandBuffer {
  private:
   struct Text {
     Source source;
-    std::shared_ptr<const Text> outer;  // null: of a command that was appended, or waited
+    std::shared_ptr<const Text> outer;  // null: the command was appended, or followed a wait
     int depth = 1;
   };
   struct Chunk {
     std::string text;
     std::size_t position = 0;
     Origin origin = Origin::kAppended;
-    std::shared_ptr<const Text> in;  // null where it was appended, or waited
+    std::shared_ptr<const Text> in;  // null if it was appended, or followed a wait
   };
-  // From the outermost inwards.
+  // From the outermost text inwards.
   std::vector<const Text*> nesting() const;
   Source drop(const Text& text);
 
@@ -75,9 +77,9 @@ class CommandBuffer {
   std::shared_ptr<const Text> in_;
 };
 
-// The commands of a command line, each in a line of its own: what stands between an argument that begins with '+' and
-// the next that begins with '+' or '-'. A '-' before a digit or a point is a number and no option. Arguments that hold
-// white space or a semicolon are quoted, as the shell's user quoted them.
+// The console commands of a command line, one per line: the arguments from one that begins with '+' to the next that
+// begins with '+' or '-'. A '-' before a digit or a point is a number, not an option. Arguments that contain white
+// space or a semicolon are quoted, as the user had quoted them for the shell.
 std::string commands_of_arguments(const std::vector<std::string>& arguments);
 
 }  // namespace fb::con

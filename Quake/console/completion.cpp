@@ -1,4 +1,4 @@
-// Completing what is being typed: the last command of the line, its name or its last argument.
+// Completion of the typed line: of the last command's name, or of its last argument.
 #include <algorithm>
 
 #include "console/console.h"
@@ -15,7 +15,7 @@ std::size_t common_length(const std::string& a, const std::string& b) {
 }  // namespace
 
 Completion Console::complete(std::string_view line) const {
-  // The last command's start, then the last word's.
+  // The start of the last command, then that of the last word.
   std::size_t command_start = 0;
   while (true) {
     const std::size_t end = command_end(line, command_start);

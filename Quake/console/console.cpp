@@ -14,10 +14,10 @@
 namespace fb::con {
 namespace {
 
-// In one execute(), against aliases that multiply without nesting deeply.
+// Limit on commands in one execute(), against aliases that multiply without deep nesting.
 constexpr int kMaxCommands = 100000;
 
-// What sentences call a text.
+// The name of a text in messages.
 std::string name_of(const CommandBuffer::Source& source) {
   return source.origin == CommandBuffer::Origin::kAlias ? fmt::format("Alias \"{}\"", source.name) : source.name;
 }
@@ -62,8 +62,8 @@ Cvar& Console::add_cvar(CvarSpec spec) {
     cvars_.emplace(reference.name(), std::move(cvar));
     return reference;
   }
-  // The user was first, or another engine's configuration. That object stays, for whoever holds it, and becomes what
-  // the program says.
+  // The user, or another engine's configuration, has created the cvar before. Its object stays, because others may hold
+  // a reference to it, and takes the program's specification.
   Cvar& cvar = *known->second;
   if ((cvar.spec().flags & (kCvarUser | kCvarNoEffect)) == 0)
     fatal(__FILE__, __LINE__, fmt::format("there is a cvar {} already", spec.name));
@@ -151,7 +151,7 @@ bool Console::insert(std::string_view text, CommandBuffer::Source source) {
 
 void Console::execute() {
   if (executing_) return;
-  // Also where something throws.
+  // Also if something throws.
   struct Executing {
     explicit Executing(bool& flag) : flag_(flag) { flag_ = true; }
     ~Executing() { flag_ = false; }
@@ -181,7 +181,7 @@ void Console::execute_line(std::string_view line) { run(Args(line)); }
 
 bool Console::buffer_empty() const { return buffer_.empty(); }
 
-// Quake's order: commands, aliases, cvars.
+// Names are looked up in Quake's order: commands, aliases, cvars.
 void Console::run(const Args& args) {
   if (args.empty()) return;
   const std::string& name = args[0];
@@ -245,7 +245,7 @@ std::string Console::config_text() const {
   for (const auto& [name, cvar] : cvars_) {
     if (!cvar->archived()) continue;
     if (!cvar->has_effect() && cvar->string() == cvar->default_string()) continue;
-    // One that the program does not know must come back as the user's own.
+    // A cvar that the program does not know must be restored as the user's own.
     if ((cvar->spec().flags & kCvarUser) != 0) text += "seta ";
     text += name + ' ' + in_quotes(cvar->string()) + '\n';
   }

@@ -29,9 +29,10 @@
 
 namespace fb::con {
 
-// Where it finds no memory it may throw std::bad_alloc: the console says so, and goes on with the next command.
+// A command may throw std::bad_alloc if it runs out of memory: the console prints a message and continues with the next
+// command.
 using Handler = std::function<void(const Args&)>;
-// What a command's argument may be, given what is typed of it so far.
+// Completion candidates of a command's argument, given its typed start.
 using ArgumentCompleter = std::function<std::vector<std::string>(std::string_view typed)>;
 
 enum class NameKind { kCommand, kCvar, kAlias, kArgument };
@@ -52,68 +53,69 @@ class Console {
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
-  // Commands. A name that is taken, by a command or a cvar, is a fault of the program.
+  // Commands. Using a name of another command or cvar twice is a fault of the program.
   void add_command(std::string name, std::string help, Handler handler);
-  // For those who may end before the console does.
+  // For owners that may be destroyed before the console.
   void remove_command(std::string_view name);
   void set_argument_completer(std::string_view command, ArgumentCompleter completer);
   bool has_command(std::string_view name) const;
 
-  // Cvars. If the user has already `set` one of this name, or there is one without effect, its value is kept where it
-  // is allowed.
+  // Cvars. If the user has already `set` one of this name, or one without effect exists, its value is kept if it is
+  // allowed.
   Cvar& add_cvar(CvarSpec spec);
   Cvar& add_cvar(std::string name, std::string default_value, std::string help, unsigned flags = kCvarPlain);
   Cvar* find_cvar(std::string_view name);
   const Cvar* find_cvar(std::string_view name) const;
-  // Of a cvar that must be there.
+  // The cvar must exist.
   Cvar& cvar(std::string_view name);
   const Cvar& cvar(std::string_view name) const;
-  // Sets a cvar as the console does (clamping, sentences, read-only ones stay). False where there is none or the text
-  // was not taken.
+  // Sets a cvar as the console does (with clamping and messages; read-only cvars do not change). Returns false if there
+  // is no such cvar or the text was not accepted.
   bool set(std::string_view name, std::string_view text);
   std::vector<const Cvar*> cvars() const;  // by name
 
-  // The buffer. append: after everything; insert: before everything.
+  // The buffer of commands. append: at the end; insert: at the front.
   void append(std::string_view text);
   void insert(std::string_view text);
-  // Executes the buffer until it is empty, a `wait` puts the rest off to the next call, or the program is told to end
-  // (base/stop.h). A call from inside a command
-  // returns at once: the outer call goes on with what was added.
+  // Executes the buffer until it is empty, a `wait` delays the rest to the next call, or the program is told to end
+  // (base/stop.h). A call from inside a command returns at once, and the outer call executes what was added.
   void execute();
   // append + newline, then execute().
   void execute(std::string_view text);
-  // One command, now, without the buffer.
+  // Executes one command at once, without the buffer.
   void execute_line(std::string_view line);
   bool buffer_empty() const;
-  // What waits is not executed any more: the program ends.
+  // Drops all commands in the buffer, because the program ends.
   void forget_commands() { buffer_.clear(); }
   // The last execute() ended at a `wait`.
   bool waiting() const { return wait_; }
 
-  // For commands that could not do what they were asked to: the sentence goes to the log as an error, and failed() says
-  // from then on that one could not. Programs without a window end with exit status 1 then.
+  // For commands that failed: logs the sentence as an error, and failed() returns true from then on. Programs without a
+  // window then end with exit status 1.
   void fail(std::string_view sentence);
   void fail_unless(const Status& status);
   bool failed() const { return failed_; }
 
-  // Where `exec` gets its scripts; without one it says that there are none.
+  // The source of `exec`'s scripts; without one `exec` finds none.
   void set_file_loader(FileLoader loader);
-  // Whether a script's lines that name nothing are told of; a server's configuration is mostly a player's.
+  // Whether a script may contain unknown commands without a message; for a server, whose configuration is mostly a
+  // player's.
   void set_scripts_may_name_nothing(bool may) { scripts_may_name_nothing_ = may; }
-  // What `stuffcmds` executes: the program's arguments without its name.
+  // The program's arguments, without its name, for `stuffcmds`.
   void set_command_line(std::vector<std::string> arguments);
 
-  // The typed line's last word against names (first word) or the command's own arguments.
+  // Completes the last word of the typed line: from names (first word) or by the command's own completer.
   Completion complete(std::string_view line) const;
 
   Scrollback& scrollback() { return *scrollback_; }
   const Scrollback& scrollback() const { return *scrollback_; }
   void set_time(double seconds) { scrollback_->set_time(seconds); }
 
-  // config.cfg: sections first (bindings, say), then every archived cvar. Sections are text of whole lines.
+  // Text of config.cfg: first the sections (such as bindings), then every archived cvar. A section is text of complete
+  // lines.
   void add_config_section(std::function<std::string()> section);
   std::string config_text() const;
-  // Replaces the file as a whole or leaves it as it was.
+  // Replaces the file completely, or leaves it unchanged.
   Status write_config(const std::filesystem::path& path) const;
 
  private:
@@ -127,13 +129,13 @@ class Console {
   void add_cvar_builtins();  // cvar_builtins.cpp
   void run(const Args& args);
   void exec(const std::string& name);
-  // Both: false, having said why, where the text is not taken.
+  // Both return false, after a message, if the text is not accepted.
   bool insert(std::string_view text, CommandBuffer::Source source);
-  bool insert_once(std::string_view text, CommandBuffer::Source source);  // not where it is running already
+  bool insert_once(std::string_view text, CommandBuffer::Source source);  // not if it is already running
   void show_or_set(Cvar& cvar, const Args& args);
-  // One sentence to the log where there is no such cvar.
+  // Logs a message if there is no such cvar.
   Cvar* cvar_or_sentence(const std::string& name);
-  // As set(), of a cvar at hand.
+  // As set(), for a cvar that was found.
   bool set_from_console(Cvar& cvar, std::string_view text);
   void set_user_cvar(const Args& args, bool archive);
   void list_names(std::string_view part, bool in_help_too) const;

@@ -14,7 +14,7 @@
 namespace fb::con {
 namespace {
 
-// In double, so that whole numbers up to int's range are exact.
+// Compares in double, so that whole numbers up to int's range are exact.
 std::optional<double> parse_value(std::string_view text) {
   const auto value = parse_number(text);
   return value && std::isfinite(static_cast<float>(*value)) ? value : std::nullopt;
@@ -57,7 +57,7 @@ void Cvar::assign(std::string text) {
 }
 
 void Cvar::notify() {
-  // By index: a listener may add one.
+  // By index, because a listener may add one.
   for (std::size_t i = 0; i < listeners_.size(); ++i) {
     const auto listener = listeners_[i];
     listener(*this);

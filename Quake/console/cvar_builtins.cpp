@@ -8,7 +8,7 @@
 namespace fb::con {
 namespace {
 
-// Whether a script reads it back as it is: config.cfg names cvars without quotes.
+// Whether a script can contain the name as one word: config.cfg names cvars without quotes.
 bool is_plain_word(std::string_view name) {
   const Args words(name);
   return words.size() == 1 && words[0] == name && command_end(name, 0) == name.size() &&
@@ -18,41 +18,39 @@ bool is_plain_word(std::string_view name) {
 }  // namespace
 
 void Console::add_cvar_builtins() {
-  add_command(
-      "cvarlist",
-      "cvarlist [prefix]: list the cvars; a star marks those kept in config.cfg, a dash those without effect here",
-      [this](const Args& args) {
-        std::size_t count = 0;
-        for (const auto& [name, cvar] : cvars_) {
-          if (!name_starts_with(name, args[1])) continue;
-          const char* mark = !cvar->has_effect() ? "-" : cvar->archived() ? "*" : " ";
-          log_info("{} {} \"{}\"", mark, name, cvar->string());
-          ++count;
-        }
-        if (args.size() > 1)
-          log_info("{} cvars beginning with \"{}\"", count, args[1]);
-        else
-          log_info("{} cvars", count);
-      });
+  add_command("cvarlist", "cvarlist [prefix]: list the cvars; * is saved in config.cfg, - has no effect in this engine",
+              [this](const Args& args) {
+                std::size_t count = 0;
+                for (const auto& [name, cvar] : cvars_) {
+                  if (!name_starts_with(name, args[1])) continue;
+                  const char* mark = !cvar->has_effect() ? "-" : cvar->archived() ? "*" : " ";
+                  log_info("{} {} \"{}\"", mark, name, cvar->string());
+                  ++count;
+                }
+                if (args.size() > 1)
+                  log_info("{} cvars beginning with \"{}\"", count, args[1]);
+                else
+                  log_info("{} cvars", count);
+              });
 
-  add_command("set", "set <cvar> <value>: set a cvar, or make one",
+  add_command("set", "set <cvar> <value>: set or create a cvar",
               [this](const Args& args) { set_user_cvar(args, false); });
-  add_command("seta", "seta <cvar> <value>: set a cvar, or make one, and keep it in config.cfg",
+  add_command("seta", "seta <cvar> <value>: set or create a cvar, and save it in config.cfg",
               [this](const Args& args) { set_user_cvar(args, true); });
 
-  add_command("toggle", "toggle <cvar>: from 0 to 1, from anything else to 0", [this](const Args& args) {
+  add_command("toggle", "toggle <cvar>: change 0 to 1, and any other value to 0", [this](const Args& args) {
     if (args.size() != 2) {
       log_info("toggle <cvar> : toggle cvar");
     } else if (Cvar* cvar = cvar_or_sentence(args[1])) {
       set_from_console(*cvar, cvar->on() ? "0" : "1");
     }
   });
-  add_command("cycle", "cycle <cvar> <value> <value> ...: set the value after the one it has",
+  add_command("cycle", "cycle <cvar> <value> <value> ...: set the value that follows the current one in the list",
               [this](const Args& args) {
                 if (args.size() < 3) {
                   log_info("cycle <cvar> <value list>: cycle cvar through a list of values");
                 } else if (Cvar* cvar = cvar_or_sentence(args[1])) {
-                  std::size_t next = 2;  // one that has none of the values gets the first
+                  std::size_t next = 2;  // a cvar that has none of the values gets the first
                   for (std::size_t i = 2; i < args.size(); ++i) {
                     const auto number = parse_number(args[i]);
                     if (!(number ? static_cast<float>(*number) == cvar->value() : same_name(args[i], cvar->string())))
@@ -63,7 +61,7 @@ void Console::add_cvar_builtins() {
                   set_from_console(*cvar, args[next]);
                 }
               });
-  add_command("inc", "inc <cvar> [amount]: add 1, or the amount", [this](const Args& args) {
+  add_command("inc", "inc <cvar> [amount]: add an amount (1) to a cvar", [this](const Args& args) {
     if (args.size() != 2 && args.size() != 3) {
       log_info("inc <cvar> [amount] : increment cvar");
     } else if (Cvar* cvar = cvar_or_sentence(args[1])) {
@@ -73,7 +71,7 @@ void Console::add_cvar_builtins() {
     }
   });
 
-  add_command("reset", "reset <cvar>: back to its default", [this](const Args& args) {
+  add_command("reset", "reset <cvar>: set a cvar to its default", [this](const Args& args) {
     if (args.size() != 2) {
       log_info("reset <cvar> : reset cvar to default");
     } else if (Cvar* cvar = cvar_or_sentence(args[1])) {
@@ -86,9 +84,9 @@ void Console::add_cvar_builtins() {
       if (!rom && (cvar->archived() || !archived_only)) cvar->reset();
     }
   };
-  add_command("resetall", "resetall: all cvars back to their defaults",
+  add_command("resetall", "resetall: set all cvars to their defaults",
               [reset_those](const Args&) { reset_those(false); });
-  add_command("resetcfg", "resetcfg: the cvars of config.cfg back to their defaults",
+  add_command("resetcfg", "resetcfg: set the cvars that config.cfg saves to their defaults",
               [reset_those](const Args&) { reset_those(true); });
 
   const auto cvar_names = [this](std::string_view typed) {

@@ -1,4 +1,4 @@
-// The line that is being typed at the console: editing, history, completion. Keys are the host's business.
+// The line that is typed at the console: editing, history, completion. The host handles the keys.
 #pragma once
 
 #include <cstddef>
@@ -28,22 +28,23 @@ class InputLine {
   void home() { cursor_ = 0; }
   void end() { cursor_ = text_.size(); }
 
-  // Through earlier lines: 1 to the one before, -1 to the one after; past the newest comes what was being typed.
+  // Moves through the history: 1 to the line before, -1 to the line after; after the newest follows the line that was
+  // being typed.
   void recall(int direction);
-  // Lines of the history, oldest first: to keep them between runs.
+  // The history's lines, oldest first, to be kept between runs.
   const std::vector<std::string>& history() const { return history_; }
   void set_history(std::vector<std::string> lines);
 
-  // Completes before the cursor; where that adds nothing, lists the candidates on the console.
+  // Completes at the cursor; if that adds nothing, lists the candidates on the console.
   void complete(Console& console);
-  // Shows the line, gives it to the console's buffer and starts a new one.
+  // Prints the line, passes it to the console's buffer and starts a new one.
   void enter(Console& console);
 
  private:
   std::string text_, unfinished_;
   std::size_t cursor_ = 0;
   std::vector<std::string> history_;
-  std::size_t recalled_ = 0;  // how far back; 0: what is being typed
+  std::size_t recalled_ = 0;  // steps back in the history; 0: the line being typed
 };
 
 }  // namespace fb::con

@@ -1,12 +1,13 @@
-// QuakeSpasm's cvars that nothing here listens to: they exist so that its configurations run and mods may set and read
-// them. Names and defaults are those of QuakeSpasm 0.96.3; a name of 0.95's that it gave up is there, too.
+// Cvars of QuakeSpasm that have no effect in this engine. They exist so that QuakeSpasm's configurations run and mods
+// can set and read them. Names and defaults are those of QuakeSpasm 0.96.3, and one name of 0.95 that 0.96 removed.
 #pragma once
 
 #include "console/console.h"
 
 namespace fb::con {
 
-// Those that are there already stay as they are; whoever adds one of these later takes its place (kCvarNoEffect).
+// Leaves cvars that are registered already as they are. A later registration of the same name replaces the one made
+// here (kCvarNoEffect).
 void add_quakespasm_cvars(Console& console);
 
 }  // namespace fb::con

@@ -26,7 +26,7 @@ void Scrollback::add(LogLevel level, std::string_view text) {
 }
 
 void Scrollback::add_line(LogLevel level, std::string_view text) {
-  // A single line may not push everything else out.
+  // A single line must not displace all others.
   lines_.push_back({std::string(text.substr(0, max_bytes_ / 4)), level, time_});
   bytes_ += cost(lines_.back());
   ++total_;

@@ -1,5 +1,5 @@
-// What was said: the last megabyte of log lines (or -consize's), for the console's window and for the notify lines on
-// top of the game.
+// The last megabyte of log lines (or as -consize says), for the console's window and for the notify lines over the
+// game.
 #pragma once
 
 #include <cstddef>
@@ -21,22 +21,22 @@ struct ScrollLine {
   double time = 0.0;  // seconds, of set_time()
 };
 
-// Safe from several threads: the log has many speakers.
+// Safe to use from several threads, because any of them may log.
 class Scrollback {
  public:
   explicit Scrollback(std::size_t max_bytes = 1u << 20u);
-  // One line, or several where the text has newlines.
+  // Adds one line, or several if the text has newlines.
   void add(LogLevel level, std::string_view text);
   void clear();
-  // What is kept from the next line on.
+  // Limit on the kept text, from the next line on.
   void set_max_bytes(std::size_t max_bytes);
-  // The time that lines are given from now on, seconds.
+  // The time stamp of lines from now on, seconds.
   void set_time(double seconds);
 
   std::size_t size() const;  // lines kept
-  // How many lines there ever were: changes whenever something is added.
+  // Number of lines ever added: changes whenever something is added.
   std::uint64_t total() const;
-  // `count` lines that end `skip` lines before the newest, oldest first; fewer where there are no more.
+  // `count` lines that end `skip` lines before the newest, oldest first; fewer if there are no more.
   std::vector<ScrollLine> latest(std::size_t count, std::size_t skip = 0) const;
   // The newest lines that are younger than `max_age` seconds at `now`, at most `count`, oldest first.
   std::vector<ScrollLine> recent(std::size_t count, double now, double max_age) const;

@@ -1,6 +1,6 @@
-// Maps from bytes: header, the fifteen lumps in an order in which each can be checked against those before it, then the
-// trees. Formats as in the published specifications of Quake's BSP29 and of RMQ's 2PSB and BSP2; what is mended instead
-// of refused follows QuakeSpasm's behaviour.
+// Parses maps: the header, the fifteen lumps in an order in which each can be checked against those before it, then the
+// trees. Formats as in the published specifications of Quake's BSP29 and of RMQ's 2PSB and BSP2. Which faults are
+// repaired instead of refused follows QuakeSpasm's behaviour.
 #include "formats/bsp.h"
 
 #include "formats/bsp_detail.h"
@@ -64,7 +64,7 @@ class BspParser {
     error_ = reader_.error_at(offset, cause);
     return false;
   }
-  // Goes to a lump of fixed records; the count is checked against the file by the lump's size.
+  // Seeks to a lump of fixed-size records; the count is checked against the file by the lump's size.
   bool open(LumpIndex index, std::size_t record_size, std::size_t& count) {
     const Lump& lump = lumps_[index];
     if (lump.size % record_size != 0) {
@@ -146,7 +146,7 @@ bool BspParser::read_extensions() {
   std::size_t maps_end = 4 + 8 * kLumpCount;
   for (const Lump& lump : lumps_) maps_end = std::max(maps_end, lump.end());
   bsp_.bspx = detail::read_bspx(reader_, maps_end, mendings_);
-  // Coloured light may come alone, without the grey lump: its samples are three bytes each.
+  // Coloured light may come without the grey lump: its samples are three bytes each.
   light_samples_ = lumps_[kLighting].size;
   for (const auto& [name, bytes] : bsp_.bspx) {
     if (name == "RGBLIGHTING") light_samples_ = std::max(light_samples_, bytes.size() / 3);
@@ -290,7 +290,7 @@ bool BspParser::read_faces() {
           at, "face names texinfo " + std::to_string(face.texinfo) + " of " + std::to_string(bsp_.texinfos.size()));
     }
     if (face.light_offset < 0 || static_cast<std::size_t>(face.light_offset) >= light_samples_) {
-      // Maps without any light keep the offsets of a lump that was thrown away.
+      // Maps without light may still have the offsets of a lump that was removed.
       if (face.light_offset != -1 && light_samples_ != 0) {
         mendings_.add(at, "face has its light outside the lighting lump; taken as none");
       }
@@ -364,8 +364,8 @@ bool BspParser::read_nodes() {
   return check_trees(bsp_.nodes, kNodes, layout_.node_size(), false);
 }
 
-// BSP29 clip nodes past 32767 look negative: QuakeSpasm takes what is no clip node as contents, counted down from
-// 65536.
+// BSP29 clip nodes past 32767 look negative: like QuakeSpasm, takes an index that is no clip node as contents, counted
+// down from 65536.
 std::int32_t BspParser::read_clip_child(std::size_t clip_node_count) {
   const std::size_t at = reader_.offset();
   const std::uint32_t stored = layout_.index(reader_);

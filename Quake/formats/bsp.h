@@ -1,11 +1,11 @@
 // Quake maps: BSP29, BSP2 and 2PSB with every index checked, plus external .ent and .vis. After parsing, every index in
 // this structure is in range (a face's edges, an edge's vertices, a node's children, a model's faces, ...), node trees
-// have no cycles and are at most kMaxBspDepth deep, and floats are finite; so users need no checks of their own. Two
-// things stay with the user: a face may have fewer than three edges (draw nothing), and rows of visibility or samples
-// of light may run past the end of their lump (stop there).
+// have no cycles and are at most kMaxBspDepth deep, and floats are finite, so that users need no checks of their own.
+// Two cases remain for the user: a face may have fewer than three edges (draw nothing), and rows of visibility or
+// samples of light may extend past the end of their lump (stop there).
 //
-// A file that contradicts itself in its structure is refused. One that QuakeSpasm plays all the same (a bad texture, a
-// light offset beyond the lump, a node whose leaf does not exist, ...) is mended, and `warnings` says what was wrong.
+// A file whose structure contradicts itself is refused. Faults that QuakeSpasm tolerates (a bad texture, a light offset
+// beyond the lump, a node whose leaf does not exist, ...) are repaired and listed in `warnings`.
 #pragma once
 
 #include <array>
@@ -23,14 +23,15 @@ namespace fb::formats {
 
 enum class BspVersion { kBsp29, kBsp2, k2Psb };
 
-constexpr std::uint32_t kMaxBspDepth = 4096;         // of node and clip node trees: what a recursive walk must bear
-constexpr float kMaxBspCoordinate = 1e6f;            // of a vertex, on each axis
+constexpr std::uint32_t kMaxBspDepth =
+    4096;                                  // of node and clip node trees: the depth that a recursive walk must support
+constexpr float kMaxBspCoordinate = 1e6f;  // of a vertex, on each axis
 constexpr std::size_t kMostEntityText = 16u << 20u;  // bytes; the largest known maps have five million
 
 struct BspTexture {
   std::string name;                   // as stored, at most 15 characters; empty for a missing one
   int width = 0, height = 0;          // 1..kMaxImageSize; 16x16 for a missing one of unknown size
-  std::vector<std::uint8_t> indices;  // mip 0; empty when the map leaves the texels to a file outside
+  std::vector<std::uint8_t> indices;  // mip 0; empty if the texels are in an external file
   bool missing() const { return indices.empty(); }
 };
 struct BspTexInfo {
@@ -94,7 +95,8 @@ enum Contents : std::int32_t {
 struct Bsp {
   BspVersion version = BspVersion::kBsp29;
   std::string entities;
-  std::uint16_t entities_crc = 0;  // of the lump without its last byte: names QuakeSpasm's maps/name@crc.ent
+  std::uint16_t entities_crc =
+      0;  // of the lump without its last byte: part of the file name in QuakeSpasm's maps/name@crc.ent
   std::vector<BspPlane> planes;
   std::vector<BspTexture> textures;
   std::vector<vec3> vertices;
@@ -109,9 +111,10 @@ struct Bsp {
   std::vector<BspModel> models;         // [0] is the world
   Bytes visibility;                     // run-length coded rows
   Bytes lighting;
-  // BSPX lumps by name (RGBLIGHTING, LMSHIFT, ...): parts of the file kept as they are.
+  // BSPX lumps by name (RGBLIGHTING, LMSHIFT, ...): unparsed parts of the file.
   std::vector<std::pair<std::string, Bytes>> bspx;
-  std::vector<std::string> warnings;  // what was mended: one sentence a kind, with file and first offset
+  std::vector<std::string>
+      warnings;  // what was repaired: one sentence for each kind of fault, with file and first offset
 
   // The k-th vertex of a face, k < surfedge_count.
   const vec3& face_vertex(const BspFace& face, std::uint32_t k) const {
@@ -124,12 +127,12 @@ struct Bsp {
 // Memory is bounded by a small multiple of data.size().
 Result<Bsp> parse_bsp(ByteView data, std::string_view name);
 
-// Whether text of this size may be a map's entities: its lump, or the .ent file that replaces it. `name` begins the
-// sentence.
+// Whether text of this size is accepted as a map's entities, from its lump or from the .ent file that replaces it.
+// `name` starts the error message.
 Status check_entity_text(std::size_t size, std::string_view name);
 
 // External .vis (VisPatch, BSP29 only): the record for `map_name` (as "start.bsp") replaces visibility and the leafs'
-// vis_offset and contents-independent leaf data. nullopt when the file has no record for the map.
+// vis_offset and contents-independent leaf data. nullopt if the file has no record for the map.
 struct VisRecord {
   Bytes visibility;
   std::vector<BspLeaf> leafs;  // as many as the map has

@@ -1,5 +1,5 @@
-// What the parts of the map parser share: record sizes per version, lumps as parts of the file, the list of things that
-// were mended, and the tree check. Internal to formats.
+// Shared by the parts of the map parser: record sizes of each version, lumps as parts of the file, the list of repaired
+// faults, and the tree check. Internal to formats.
 #pragma once
 
 #include <algorithm>
@@ -24,10 +24,10 @@ struct Lump {
   std::size_t end() const { return offset + size; }
 };
 
-// Things that were wrong and could be mended, one entry a cause however often it happens.
+// Repaired faults, one entry for each cause however often it occurs.
 class Mendings {
  public:
-  // `cause` must be a literal: entries are told apart by it.
+  // `cause` must be a literal: the entry keeps a view of it.
   void add(std::size_t offset, std::string_view cause) {
     for (Entry& entry : entries_) {
       if (entry.cause == cause) {
@@ -55,7 +55,7 @@ class Mendings {
   std::vector<Entry> entries_;
 };
 
-// How the three versions differ: BSP29 has 16-bit indices, BSP2 has float bounds.
+// Differences of the three versions: BSP29 has 16-bit indices, BSP2 has float bounds.
 struct Layout {
   bool wide_indices = false;
   bool float_bounds = false;
@@ -83,18 +83,18 @@ inline vec3 read_vec3(ByteReader& reader) {
 }
 inline bool is_finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-// A box of a node, leaf or model: floats that are not finite become 0.
+// The bounds of a node, leaf or model: floats that are not finite become 0.
 vec3 read_bound(ByteReader& reader, const Layout& layout, Mendings& mendings);
 vec3 mended_vec3(ByteReader& reader, Mendings& mendings, std::string_view cause);
 
-// Leafs at the reader's place. Visibility offsets outside visibility_size become -1.
+// Reads leafs at the reader's position. Visibility offsets outside visibility_size become -1.
 Result<std::vector<BspLeaf>> read_leafs(ByteReader& reader, std::size_t count, const Layout& layout,
                                         std::size_t mark_face_count, std::size_t visibility_size, Mendings& mendings);
 
-// The texture lump; bad textures come out as missing ones.
+// Reads the texture lump; bad textures are returned as missing ones.
 Result<std::vector<BspTexture>> read_textures(const ByteReader& file, Lump lump, Mendings& mendings);
 
-// BSPX lumps behind the map's own; a directory that makes no sense is left out.
+// Reads the BSPX lumps after the map's own; an invalid directory is ignored.
 std::vector<std::pair<std::string, Bytes>> read_bspx(const ByteReader& file, std::size_t maps_end, Mendings& mendings);
 
 // Walks every binary tree in `children` (negative: not a node) without recursion. nullopt if there is no cycle, no path

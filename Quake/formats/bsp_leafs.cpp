@@ -1,5 +1,5 @@
-// Leafs, which the map and an external .vis both bring, and VisPatch's container: a row of records, each a map's name
-// (32 bytes), the size of what follows, then visibility and BSP29 leafs, each with its size in front.
+// Parses leafs, of maps and of external .vis files, and the container of VisPatch: a sequence of records, each with a
+// map's name (32 bytes), the size of what follows, then visibility and BSP29 leafs, each preceded by its size.
 #include "formats/bsp_detail.h"
 
 namespace fb::formats {
@@ -61,7 +61,7 @@ bool same_name(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
 }
 
-// The record at the reader's place, which ends at `end`.
+// Reads the record at the reader's position, which ends at `end`.
 Result<std::optional<VisRecord>> read_record(ByteReader& reader, std::size_t end, const Bsp& bsp) {
   if (bsp.version != BspVersion::kBsp29)
     return reader.error("visibility of a BSP29 map offered to one of another kind");
@@ -85,7 +85,7 @@ Result<std::optional<VisRecord>> read_record(ByteReader& reader, std::size_t end
     return reader.error_at(leafs_at, "record has " + std::to_string(leafs_size) + " bytes of leafs, but the map has " +
                                          std::to_string(bsp.leafs.size()) + " leafs of 28 bytes");
   }
-  Mendings mendings;  // the same ones the map itself would have
+  Mendings mendings;  // the map itself reports the same faults
   auto leafs = read_leafs(reader, bsp.leafs.size(), layout, bsp.mark_faces.size(), visibility_size, mendings);
   if (!leafs) return leafs.error();
   record.leafs = std::move(*leafs);

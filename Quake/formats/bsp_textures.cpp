@@ -1,4 +1,5 @@
-// A map's texture lump, and the BSPX lumps that tools append: both kept within the file's size whatever they claim.
+// Parses a map's texture lump, and the BSPX lumps that tools append. Memory stays within the file's size whatever they
+// claim.
 #include "formats/bsp_detail.h"
 #include "formats/image.h"
 
@@ -15,8 +16,8 @@ BspTexture missing_texture(std::string name) {
   return texture;
 }
 
-// One texture whose header lies inside the lump. `budget` is how many texels the lump can still hold, so that a
-// directory which names one texture many times cannot multiply it.
+// Reads one texture whose header lies inside the lump. `budget` is the number of texels that the lump can still hold,
+// so that a directory which names one texture many times cannot multiply it.
 BspTexture read_texture(ByteReader reader, Lump lump, std::size_t offset, std::size_t& budget, Mendings& mendings) {
   reader.seek(lump.offset + offset);
   BspTexture texture = missing_texture(reader.fixed_string(16).substr(0, 15));
@@ -29,11 +30,11 @@ BspTexture read_texture(ByteReader reader, Lump lump, std::size_t offset, std::s
   }
   texture.width = static_cast<int>(width);
   texture.height = static_cast<int>(height);
-  if (texels_at == 0) return texture;  // the map leaves it to a file outside
+  if (texels_at == 0) return texture;  // the texels are in an external file
 
   const std::size_t texel_count = std::size_t{width} * height;
   const std::size_t space = lump.size - offset;
-  // QuakeSpasm takes the texels from behind the header whatever the offset says.
+  // Like QuakeSpasm, reads the texels from after the header whatever the offset says.
   if (texels_at < kTextureHeaderSize || !range_fits(texels_at, texel_count, space)) texels_at = kTextureHeaderSize;
   if (!range_fits(texels_at, texel_count, space)) {
     mendings.add(lump.offset + offset, "texture runs past the end of its lump; taken as missing");

@@ -1,5 +1,5 @@
-// The tree check behind parse_bsp: whoever walks a map's trees later may recurse, because cycles and endless depth were
-// refused here.
+// The tree check of parse_bsp. It refuses cycles and excessive depth, so that later code may walk a map's trees
+// recursively.
 #include "formats/bsp_detail.h"
 
 namespace fb::formats::detail {

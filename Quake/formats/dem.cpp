@@ -1,4 +1,4 @@
-// Demos: a decimal number and a newline, then per message its length, three angles and its bytes.
+// Parses demos: a decimal number and a newline, then for each message its length, three angles and its bytes.
 #include "formats/dem.h"
 
 #include <cmath>

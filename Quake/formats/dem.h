@@ -1,4 +1,4 @@
-// Demo files: one line with the CD track, then messages, each with the view angles at its time (degrees; numbers that
+// Demo files: one line with the CD track, then messages, each with the view angles at its time (degrees; angles that
 // are not finite are read as 0).
 #pragma once
 
@@ -23,7 +23,7 @@ class DemReader {
   static Result<DemReader> open(ByteView data, std::string_view name);
   int cd_track() const { return cd_track_; }
   bool at_end() const { return reader_.remaining() == 0; }
-  // One message; an error names the offset where the file is cut short or contradicts itself.
+  // Reads one message; an error names the offset at which the file is truncated or contradicts itself.
   Result<DemMessage> next();
   std::size_t offset() const { return reader_.offset(); }
 
@@ -33,7 +33,7 @@ class DemReader {
   int cd_track_ = -1;
 };
 
-// One message in the file's form, appended to out (for recording).
+// Appends one message in the file's format to `out` (for recording).
 void append_dem_message(Bytes& out, const vec3& view_angles, ByteView data);
 
 }  // namespace fb::formats

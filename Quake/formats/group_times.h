@@ -1,4 +1,4 @@
-// The end times in front of a group of skins, poses or sprite images. Internal to formats.
+// The end times that precede a group of skins, poses or sprite images. Internal to formats.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,9 @@
 
 namespace fb::formats::detail {
 
-// `count` times in seconds, which the caller has checked against the file's size. False if one of them is not finite or
-// not positive: then all are replaced by tenths of a second, Quake's own pace. Times that go down are held.
+// Reads `count` times in seconds, which the caller has checked against the file's size. Returns false if one of them is
+// not finite or not positive: then all are replaced by tenths of a second, Quake's own rate. A time below its
+// predecessor is raised to it.
 inline bool read_group_times(ByteReader& reader, std::size_t count, std::vector<float>& times) {
   bool good = true;
   float latest = 0.0f;

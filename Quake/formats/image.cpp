@@ -1,4 +1,4 @@
-// Palette, lump pictures, PCX and PNG; TGA, the largest, is in image_tga.cpp.
+// Parses the palette, lump pictures, PCX and PNG; TGA is in image_tga.cpp.
 #include "formats/image.h"
 
 #include <png.h>
@@ -123,7 +123,7 @@ std::uint32_t big_endian(ByteReader& reader) {
   return value;
 }
 
-// Walks the chunks, so that a file cut short is refused with the offset, which libpng would not tell.
+// Walks the chunks, so that a truncated file is refused with the offset, which libpng would not report.
 Result<PngHeader> scan_png(ByteView data, std::string_view name) {
   constexpr std::array<std::uint8_t, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   constexpr std::uint32_t kIhdr = 0x49484452u, kIdat = 0x49444154u, kIend = 0x49454e44u;
@@ -154,7 +154,7 @@ Result<PngHeader> scan_png(ByteView data, std::string_view name) {
     if (type == kIdat && header.first_data == 0) header.first_data = at;
     reader.seek(body);
     reader.skip(size);
-    reader.skip(4);  // checksum: libpng's business
+    reader.skip(4);  // checksum: libpng checks it
     if (reader.failed()) {
       return reader.error_at(at, "PNG chunk of " + std::to_string(size) + " bytes runs past the end of the file");
     }

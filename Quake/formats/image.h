@@ -1,4 +1,4 @@
-// Images as Quake has them: palette indices, or RGBA from files beside the game data.
+// Images in Quake's formats: palette indices, or RGBA from files beside the game data.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace fb::formats {
 
-// 256 sRGB colours. Indices 224..255 glow ("fullbright"); index 255 is also the transparent one where a format says so.
+// 256 sRGB colours. Indices 224..255 glow ("fullbright"); index 255 is also transparent in formats that say so.
 struct Palette {
   std::array<std::array<std::uint8_t, 3>, 256> rgb{};
 };
@@ -33,8 +33,8 @@ struct RgbaImage {
 constexpr int kMaxImageSize = 16384;                        // a side; larger is refused
 constexpr std::size_t kMaxImagePixels = 8192ull * 8192ull;  // of an RGBA image; more is refused
 
-// All of these refuse with file, offset and cause, and allocate pixels only when the file is long enough to hold them
-// (compressed ones: long enough at the best ratio their coding allows).
+// All of these refuse a bad file with file, offset and cause. They allocate pixels only if the file is long enough to
+// hold them (for compressed files: at the best ratio that their coding allows).
 
 // gfx/palette.lmp: 768 bytes.
 Result<Palette> parse_palette(ByteView data, std::string_view name);

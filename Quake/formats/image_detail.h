@@ -1,4 +1,4 @@
-// What the image parsers share. Internal to formats.
+// Shared by the image parsers. Internal to formats.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace fb::formats::detail {
 
-// Why an image of this size is refused, if it is; `offset` is where the file says the size.
+// The error if an image of this size is refused; `offset` is that of the size in the file.
 inline std::optional<Error> size_error(const ByteReader& reader, std::size_t offset, std::uint32_t width,
                                        std::uint32_t height) {
   if (width >= 1 && height >= 1 && width <= kMaxImageSize && height <= kMaxImageSize &&

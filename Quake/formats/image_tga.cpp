@@ -1,6 +1,6 @@
-// TGA: colour-mapped, true-colour and grey images, plain or in packets of up to 128 pixels. Follows Truevision's
-// specification 2.0; the fourth byte of a 32-bit pixel is alpha whatever the descriptor says, since tools of the trade
-// leave that field at 0.
+// Parses TGA: colour-mapped, true-colour and grey images, plain or in packets of up to 128 pixels. Follows Truevision's
+// specification 2.0, except that the fourth byte of a 32-bit pixel is always alpha, because tools leave the
+// descriptor's field at 0.
 #include <algorithm>
 #include <array>
 
@@ -32,7 +32,7 @@ TgaHeader read_header(ByteReader& reader) {
   h.map_first = reader.u16();
   h.map_count = reader.u16();
   h.map_bits = reader.u8();
-  reader.skip(4);  // place on a screen
+  reader.skip(4);  // position on a screen
   h.width = reader.u16();
   h.height = reader.u16();
   h.bits = reader.u8();
@@ -44,7 +44,7 @@ std::uint8_t widen5(std::uint32_t value) { return static_cast<std::uint8_t>(valu
 
 bool known_colour_bits(std::uint8_t bits) { return bits == 15 || bits == 16 || bits == 24 || bits == 32; }
 
-// A colour of 15 to 32 bits; blue comes first. 16-bit alpha counts only where the descriptor claims a bit for it.
+// A colour of 15 to 32 bits; blue comes first. The alpha of 16 bits is used only if the descriptor claims a bit for it.
 Pixel read_colour(const std::uint8_t* bytes, std::uint8_t bits, bool alpha_bit) {
   if (bits >= 24) return {bytes[2], bytes[1], bytes[0], bits == 32 ? bytes[3] : std::uint8_t{255}};
   const std::uint32_t value = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8u;
@@ -61,7 +61,7 @@ class TgaParser {
  private:
   std::optional<Error> check_header();
   std::optional<Error> read_map();
-  // False if the pixel names a colour that the map does not have.
+  // Returns false if the pixel's index is not in the colour map.
   bool decode(const std::uint8_t* bytes, Pixel& pixel) const;
   std::uint8_t* place(RgbaImage& image, std::size_t index) const;
 
@@ -114,7 +114,8 @@ bool TgaParser::decode(const std::uint8_t* bytes, Pixel& pixel) const {
   return true;
 }
 
-// The file's index-th pixel in the image: bit 5 says rows come from the top, bit 4 that they run from the right.
+// The position in the image of the file's pixel number `index`: bit 5 says that rows come from the top, bit 4 that they
+// run from the right.
 std::uint8_t* TgaParser::place(RgbaImage& image, std::size_t index) const {
   std::size_t x = index % header_.width;
   std::size_t y = index / header_.width;

@@ -1,5 +1,5 @@
-// What the headers of this module promise of parsed files, as checks: each function returns the first promise that is
-// broken, or an empty string. For tests and fuzzers; deliberately written without the parsers' own helpers.
+// Checks of what this module's headers promise about parsed files: each function returns the first broken promise, or
+// an empty string. For tests and fuzzers; deliberately written without the parsers' own helpers.
 #pragma once
 
 #include <algorithm>

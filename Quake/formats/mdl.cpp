@@ -1,5 +1,5 @@
-// Alias models from bytes: header, skins, texture coordinates, triangles, frames, in the order of the file. Each count
-// is held against the bytes that are left before anything is allocated for it.
+// Parses alias models: header, skins, texture coordinates, triangles, frames, in the order of the file. Each count is
+// checked against the remaining bytes before memory is allocated for it.
 #include "formats/mdl.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class MdlParser {
     error_ = reader_.error_at(offset, cause);
     return false;
   }
-  // One sentence a kind: `cause` is told apart by the flag that its caller keeps.
+  // One warning for each kind of fault; the caller's flag tells whether it was given.
   void mend(std::size_t offset, std::string_view cause, bool& said) {
     if (!said) mdl_.warnings.push_back(reader_.error_at(offset, cause).message);
     said = true;
@@ -103,7 +103,7 @@ bool MdlParser::read_header() {
   }
   mdl_.sync_type = reader_.i32();
   mdl_.flags = reader_.u32();
-  reader_.f32();  // average triangle size: of use to the software renderer alone
+  reader_.f32();  // average triangle size: used by software renderers only
   if (reader_.failed()) return refuse(reader_.offset(), "file ends inside the model's header");
   return true;
 }
@@ -176,7 +176,7 @@ bool MdlParser::read_triangles() {
 
 bool MdlParser::read_pose(std::string& name) {
   const std::size_t at = reader_.offset();
-  reader_.skip(8);  // corners of its box, in bytes: follow from the vertices
+  reader_.skip(8);  // bounding box in bytes: follows from the vertices
   name = reader_.fixed_string(16);
   if (reader_.failed() || !holds(mdl_.vertex_count, kVertexSize)) return refuse(at, "file ends inside a frame");
   for (std::uint32_t i = 0; i < mdl_.vertex_count; ++i) {
@@ -211,7 +211,7 @@ bool MdlParser::read_frames() {
     frame.pose_count = 1;
     if (is_group != 0) {
       frame.pose_count = reader_.u32();
-      reader_.skip(8);  // corners of the group's box
+      reader_.skip(8);  // bounding box of the group
       if (reader_.failed() || frame.pose_count < 1 || !holds(frame.pose_count, 4 + pose_size)) {
         return refuse(at,
                       "group of " + std::to_string(frame.pose_count) + " frames is empty or runs past the file's end");

@@ -1,6 +1,6 @@
 // Alias models (IDPO version 6): groups of frames and skins. After parsing every index is in range, there is at least
-// one skin, frame, triangle and vertex, no group is empty, times are finite, positive and never go down, and vectors
-// are finite. Small faults that QuakeSpasm shrugs off are mended and named in `warnings`.
+// one skin, frame, triangle and vertex, no group is empty, times are finite, positive and never decrease, and vectors
+// are finite. Small faults that QuakeSpasm tolerates are repaired and listed in `warnings`.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace fb::formats {
 
-// Bits of the header's flags: what trail the model leaves (EF_*), and rotation.
+// Bits of the header's flags: the trail that the model leaves (EF_*), and rotation.
 enum MdlFlags : std::uint32_t {
   kMdlRocket = 1,
   kMdlGrenade = 2,
@@ -43,7 +43,7 @@ struct MdlTriangle {
   std::array<std::uint32_t, 3> vertices;
 };
 struct MdlTexCoord {
-  bool on_seam;  // a triangle that faces back takes s + skin_width / 2
+  bool on_seam;  // a triangle of the back side uses s + skin_width / 2
   std::int32_t s, t;
 };
 struct MdlFrame {  // a single pose, or a group that plays in a loop
@@ -62,11 +62,12 @@ struct Mdl {
   std::vector<MdlTriangle> triangles;
   std::vector<MdlFrame> frames;
   std::uint32_t vertex_count = 0, pose_count = 0;
-  std::vector<MdlVertex> vertices;    // pose-major: [pose * vertex_count + vertex]
-  std::vector<std::string> warnings;  // what was mended: one sentence a kind, with file and first offset
+  std::vector<MdlVertex> vertices;  // pose-major: [pose * vertex_count + vertex]
+  std::vector<std::string>
+      warnings;  // what was repaired: one sentence for each kind of fault, with file and first offset
 };
 
-// Refuses with file, offset and cause. Memory is bounded by a small multiple of data.size().
+// Refuses a bad file with file, offset and cause. Memory is bounded by a small multiple of data.size().
 Result<Mdl> parse_mdl(ByteView data, std::string_view name);
 
 }  // namespace fb::formats

@@ -1,4 +1,4 @@
-// Sprites from bytes: a header, then frames, each one image or a timed group of them.
+// Parses sprites: a header, then frames, each a single image or a timed group.
 #include "formats/spr.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // Sprites (IDSP version 1). After parsing there is at least one frame, no group is empty, times are finite, positive
-// and never go down, images have at least one texel.
+// and never decrease, and images have at least one texel.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ enum class SpriteOrientation : std::int32_t {
 };
 
 struct SprImage {
-  std::int32_t origin_x, origin_y;  // of the left top corner from the entity's origin; y up
+  std::int32_t origin_x, origin_y;  // of the top left corner, relative to the entity's origin; y up
   IndexedImage image;               // index 255 is transparent
 };
 struct SprFrame {  // a single image, or a group that plays in a loop
@@ -37,8 +37,8 @@ struct Spr {
   std::vector<SprFrame> frames;
 };
 
-// Refuses with file, offset and cause; an unknown orientation is taken as kParallel. Memory is bounded by a small
-// multiple of data.size().
+// Refuses a bad file with file, offset and cause; an unknown orientation is read as kParallel. Memory is bounded by a
+// small multiple of data.size().
 Result<Spr> parse_spr(ByteView data, std::string_view name);
 
 }  // namespace fb::formats

@@ -1,5 +1,5 @@
-// Ways of damaging a valid file that every parser must stand: cut at each length, and each byte and word replaced by
-// the values that overflow best. For tests.
+// Ways of damaging a valid file that every parser must survive: truncated at each length, and with each byte and word
+// replaced by values likely to overflow. For tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,14 +13,14 @@
 
 namespace fb::formats::testing {
 
-// What a parser made of some bytes: an error's message, or the first promise its result breaks (empty if none).
+// The result of parsing some bytes: an error message, or the first promise that the result breaks (empty if none).
 struct Outcome {
   bool refused = false;
   std::string text;
 };
 using Attempt = std::function<Outcome(const Bytes&)>;
 
-// An Attempt from parse(bytes) -> Result<T> and promise(const T&) -> what is broken.
+// Makes an Attempt from parse(bytes) -> Result<T> and promise(const T&) -> the broken promise.
 template <typename Parse, typename Promise>
 Attempt attempt(Parse parse, Promise promise) {
   return [parse, promise](const Bytes& bytes) -> Outcome {
@@ -30,7 +30,7 @@ Attempt attempt(Parse parse, Promise promise) {
   };
 }
 
-// The file's name, an offset that lies within it, and a cause.
+// Checks that an error has the file's name, an offset that lies within it, and a cause.
 inline ::testing::AssertionResult names_place(const std::string& message, const std::string& file, std::size_t size) {
   const std::string start = file + ": offset ";
   if (!message.starts_with(start)) return ::testing::AssertionFailure() << "names no offset: " << message;
@@ -55,7 +55,7 @@ inline void expect_refused_when_cut(const Attempt& attempt, const Bytes& valid, 
   }
 }
 
-// Refused with its place named, or taken with every promise kept: never anything else.
+// Checks that a file is either refused with an offset, or accepted with every promise kept.
 inline void expect_sound_when_damaged(const Attempt& attempt, const Bytes& valid, const std::string& file) {
   const auto check = [&](const Bytes& damaged, std::size_t at) {
     const Outcome outcome = attempt(damaged);

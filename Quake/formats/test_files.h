@@ -1,5 +1,5 @@
 // Small valid files made in code, for tests and for the fuzzers' seeds. The writers check nothing: a test breaks a
-// structure, writes it, and sees what the parser says. Images have their own writers in test_images.h.
+// structure, writes it, and checks the parser's answer. Images have their own writers in test_images.h.
 #pragma once
 
 #include <algorithm>
@@ -54,7 +54,7 @@ class ByteWriter {
 
 // --- maps ---
 
-// The texture lump: a texture without name has no entry (-1); one with a name but no texels says they are elsewhere.
+// The texture lump: a texture without a name has no entry (-1); one with a name but no texels is in an external file.
 inline Bytes write_texture_lump(const std::vector<BspTexture>& textures) {
   ByteWriter w;
   w.u32(static_cast<std::uint32_t>(textures.size()));
@@ -218,8 +218,8 @@ class BspWriter {
 
 inline Bytes write_bsp(const Bsp& bsp) { return BspWriter(bsp).write(); }
 
-// A hollow cube from -128 to 128, lit, with one of its walls in a texture that is missing and one in a texture from
-// outside; leaf 0 is the solid around it, leaf 1 the room. A second model is an empty brush.
+// A hollow cube from -128 to 128, lit, with one wall in a missing texture and one in an external texture; leaf 0 is the
+// solid around it, leaf 1 the room. A second model is an empty brush.
 inline Bsp box_room(BspVersion version) {
   constexpr float kHalf = 128.0f;
   constexpr std::size_t kSamples = 17 * 17;  // a face of 256 units, one sample in 16
@@ -272,7 +272,7 @@ inline Bsp box_room(BspVersion version) {
                          static_cast<std::int32_t>(wall_index * kSamples)});
     bsp.mark_faces.push_back(wall_index);
 
-    // Each node cuts one wall off; what is left goes to the next, and in the end is the room.
+    // Each node cuts off one wall; the rest goes to the next node, and what remains at the end is the room.
     const std::int32_t next = wall_index + 1 < 6 ? static_cast<std::int32_t>(wall_index + 1) : ~1;
     const std::int32_t next_clip = wall_index + 1 < 6 ? next : static_cast<std::int32_t>(kContentsEmpty);
     BspNode node{wall_index, {next, ~0}, low, high, wall_index, 1};
@@ -293,7 +293,7 @@ inline Bsp box_room(BspVersion version) {
   return bsp;
 }
 
-// A tree of `count` nodes, each the child of the one before: as deep as can be.
+// A tree of `count` nodes, each the child of the one before: of the greatest possible depth.
 inline Bsp deep_room(BspVersion version, std::uint32_t count) {
   Bsp bsp = box_room(version);
   bsp.nodes.assign(count, bsp.nodes[0]);
@@ -303,7 +303,7 @@ inline Bsp deep_room(BspVersion version, std::uint32_t count) {
   return bsp;
 }
 
-// An external .vis: a record a map.
+// An external .vis: one record for each map.
 inline Bytes write_vis(const std::vector<std::pair<std::string, Bsp>>& maps) {
   ByteWriter w;
   for (const auto& [name, bsp] : maps) {

@@ -12,7 +12,7 @@
 
 namespace fb::formats::testing {
 
-// Five by three pixels that all differ, with an alpha of their own.
+// Five by three pixels of different colours, with alpha.
 inline RgbaImage small_image(bool with_alpha) {
   RgbaImage image{5, 3, {}};
   for (std::uint32_t i = 0; i < 15; ++i) {
@@ -24,7 +24,7 @@ inline RgbaImage small_image(bool with_alpha) {
   return image;
 }
 
-// One run or literal a byte: values of 0xc0 and more need a run of one.
+// One run or literal for each byte: values of 0xc0 and more need a run of one.
 inline void pack_pcx_row(ByteWriter& w, const std::vector<std::uint8_t>& row) {
   for (std::size_t i = 0; i < row.size();) {
     std::size_t run = 1;
@@ -49,7 +49,7 @@ inline void pcx_header(ByteWriter& w, int width, int height, std::uint32_t plane
   w.text("", 128 - w.out.size());
 }
 
-// Rows are padded to an even number of bytes, as the format wants.
+// Rows are padded to an even number of bytes, as the format requires.
 inline Bytes write_pcx(const IndexedImage& image, const Palette& palette) {
   ByteWriter w;
   const auto width = static_cast<std::size_t>(image.width);
@@ -85,7 +85,7 @@ struct TgaOptions {
   std::string id;
 };
 
-// Colour-mapped images get a map of all their pixels, of 24 bits; grey ones take red. 16-bit colours keep five bits.
+// Colour-mapped images get a 24-bit map of all their pixels; grey ones use red. 16-bit colours keep five bits.
 inline Bytes write_tga(const RgbaImage& image, const TgaOptions& options) {
   const auto width = static_cast<std::uint32_t>(image.width), height = static_cast<std::uint32_t>(image.height);
   const std::uint32_t kind = options.type & 7u;
@@ -128,7 +128,7 @@ inline Bytes write_tga(const RgbaImage& image, const TgaOptions& options) {
       if (options.bits == 32) w.u8(rgba[3]);
     }
   };
-  // Packets: two pixels as they are, then a run of one, and so on; they cross the rows' ends.
+  // Packets: two literal pixels, then a run of one, and so on; they cross the ends of rows.
   for (std::uint32_t n = 0; n < width * height; ++n) {
     if (options.type >= 8 && n % 3 == 0) w.u8(n + 1 < width * height ? 1 : 0);
     if (options.type >= 8 && n % 3 == 2) w.u8(0x80);

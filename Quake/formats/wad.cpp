@@ -1,4 +1,4 @@
-// WAD2 archives from bytes: a directory at the end that names the lumps before it.
+// Parses WAD2 archives: a directory at the end lists the lumps before it.
 #include "formats/wad.h"
 
 namespace fb::formats {
@@ -41,7 +41,7 @@ Result<Wad> Wad::parse(FileData data, std::string_view name) {
     const std::uint8_t compression = reader.u8();
     reader.skip(2);
     const std::string lump_name = lower_case(reader.fixed_string(16));
-    // The field itself is no proof: QuakeSpasm ignores it, and so it may hold anything.
+    // The field alone does not prove compression: QuakeSpasm ignores it, so it may hold any value.
     if (compression != 0 && stored_size != lump.size) {
       return reader.error_at(at, "lump " + lump_name + " is compressed, which nothing can read");
     }

@@ -1,4 +1,4 @@
-// WAD2 archives: gfx.wad, and textures' wads.
+// WAD2 archives: gfx.wad, and wads of textures.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +18,12 @@ struct WadLump {
   std::size_t offset = 0, size = 0;
 };
 
-// Holds its bytes; lump names are lower case, and of two with one name the first counts. Every lump lies inside the
-// file.
+// Holds its bytes. Lump names are lower case; of two with one name the first is used. Every lump lies inside the file.
 class Wad {
  public:
   static Result<Wad> parse(FileData data, std::string_view name);
   const std::map<std::string, WadLump>& lumps() const { return lumps_; }
-  // Empty view when there is no such lump; the name's case does not matter.
+  // Returns an empty view if there is no such lump; the name's case is ignored.
   ByteView lump(std::string_view name) const;
   // A status bar picture as an image.
   Result<IndexedImage> picture(std::string_view name) const;

@@ -1,6 +1,6 @@
-// What a directory holds, by lower-case name: the fallback for data that was made where case does not matter. A listing
-// is kept until the directory changes, so that the many names that no directory has (replacement textures) cost a
-// look-up each and not a scan.
+// The contents of a directory by lower-case name, for data made on systems that ignore case. A listing is cached until
+// the directory changes, so that the many names that no directory has (replacement textures) cost a look-up each, not a
+// scan.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ namespace fb::fs {
 // Safe to use from several threads.
 class DirectoryIndex {
  public:
-  // The path below `root` that equals `name` but for case, e.g. "Maps/START.bsp"; nullopt where there is none. Of
-  // several the one that sorts first counts.
+  // The path below `root` that equals `name` except for case, e.g. "Maps/START.bsp"; nullopt if there is none. Of
+  // several matches the first in sorted order is used.
   std::optional<std::string> find(const std::filesystem::path& root, std::string_view name);
 
  private:

@@ -152,12 +152,12 @@ Error RandomAccessFile::ends_short(std::uint64_t offset, std::uint64_t by) const
 
 Result<FileData> RandomAccessFile::read(std::uint64_t offset, std::uint64_t size) const {
   if (size > kMostReadWhole) {
-    const std::uint64_t now = size_of(handle_);  // it may have been cut since it was opened
+    const std::uint64_t now = size_of(handle_);  // the file may have been truncated since it was opened
     if (now < offset || now - offset < size)
       return ends_short(std::max(now, offset), offset + size - std::max(now, offset));
     if (auto mapped = map_part(handle_, offset, static_cast<std::size_t>(size))) return *std::move(mapped);
   }
-  // Not a vector, which would write zeros first.
+  // Not a vector, which would first fill the memory with zeros.
   std::shared_ptr<std::uint8_t[]> bytes(new (std::nothrow) std::uint8_t[static_cast<std::size_t>(size)]);
   if (!bytes) return Error{fmt::format("{}: offset {}: there is no memory for {} bytes", name_, offset, size)};
   const std::span<std::uint8_t> view(bytes.get(), static_cast<std::size_t>(size));

@@ -1,9 +1,9 @@
-// Files of the operating system: reading at an offset without a shared position (so that threads need no lock), and
-// writing such that a reader, or a crash, sees the old bytes or the new ones and never half of them.
+// Files of the operating system: reads at an offset without a shared position (so that threads need no lock), and
+// writes such that a reader, or a crash, sees either the old bytes or the new ones, never a mixture.
 //
-// Small files are read whole. Large ones are mapped, so that a parser which refuses a file of gigabytes at its fourth
-// byte has cost one page. What is mapped must keep its length while somebody reads it: to look at a page that was cut
-// off ends the program (SIGBUS). That is why small files, which people edit while they play, are not mapped.
+// Small files are read whole. Large ones are memory-mapped, so that a parser which refuses a file of gigabytes at its
+// fourth byte has cost one page. A mapped file must keep its length while it is in use: reading a page that was
+// truncated ends the program (SIGBUS). This is why small files, which people edit while they play, are not mapped.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace fb::fs {
 
-constexpr std::uint64_t kMostReadWhole = 16u << 20u;  // bytes: a hundredth of a second
+constexpr std::uint64_t kMostReadWhole = 16u << 20u;  // bytes; reading them takes a hundredth of a second
 
 // An open file, read only. Reading is safe from several threads at once.
 class RandomAccessFile {
@@ -29,9 +29,9 @@ class RandomAccessFile {
   ~RandomAccessFile();
 
   std::uint64_t size() const { return size_; }  // bytes, when it was opened
-  // Fills `into` from `offset` on; fails where the file has fewer bytes by now or the device does.
+  // Fills `into` from `offset` on. Fails if the file is too short by now, or on a device error.
   Status read_at(std::uint64_t offset, std::span<std::uint8_t> into) const;
-  // A part of the file, mapped where it is larger than kMostReadWhole and the system can. Fails as read_at().
+  // A part of the file, mapped if it is larger than kMostReadWhole and the system can map it. Fails like read_at().
   Result<FileData> read(std::uint64_t offset, std::uint64_t size) const;
 
  private:
@@ -46,7 +46,7 @@ class RandomAccessFile {
 
 // The whole file.
 Result<FileData> read_whole_file(const std::filesystem::path& path);
-// Writes beside the path under another name, then renames over it. Makes the directories that are missing.
+// Writes to a temporary name beside the path, then renames. Creates missing directories.
 Status write_file_atomically(const std::filesystem::path& path, ByteView data);
 
 }  // namespace fb::fs

@@ -1,4 +1,4 @@
-// A part of an open file, mapped into memory: the only place that knows how a system maps files.
+// Maps a part of an open file into memory. The only code that knows how a system maps files.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace fb::fs {
 
-// `size` is above 0, and the file has these bytes. The file may be closed afterwards. Nothing where the system cannot:
-// then it is read.
+// `size` must be above 0 and within the file. The file may be closed afterwards. Returns nothing if the system cannot
+// map it; then it is read instead.
 std::optional<FileData> map_part(std::intptr_t handle, std::uint64_t offset, std::size_t size);
 
 }  // namespace fb::fs

@@ -19,9 +19,9 @@ namespace {
 
 namespace stdfs = std::filesystem;
 
-constexpr int kMaxDepth = 16;  // of directories below a gamedir; links may make loops
+constexpr int kMaxDepth = 16;  // depth of directories below a gamedir; links may form loops
 
-// One stop of the search: a pak, or a directory of loose files.
+// One place that is searched: a pak, or a directory of loose files.
 struct Place {
   std::string label;  // FileSystem::source_of
   int game_index = 0;
@@ -77,7 +77,7 @@ void add_loose_files(const stdfs::path& directory, const std::string& below, con
   }
 }
 
-// Said at once: what lies in a folder that cannot be read would only be missed later, file by file.
+// Warns at once, because files in a folder that cannot be read would otherwise only be missed later, one by one.
 void warn_of_folders(const stdfs::path& directory) {
   const auto warn = [](const Status& status) {
     if (!status) log_warning("{}", status.error().message);
@@ -91,7 +91,7 @@ void warn_of_folders(const stdfs::path& directory) {
   }
 }
 
-// False where there is none; fails where it is there and cannot be read.
+// Returns false if there is none; fails if it exists and cannot be read.
 Result<bool> take_directory(const stdfs::path& directory) {
   const PathFacts facts = look_at(directory);
   if (facts.standing == Standing::kAbsent) return false;
@@ -128,7 +128,7 @@ struct FileSystem::Impl {
   bool note(const std::string& text) const;
 };
 
-// Null where there is none of this name.
+// Null if there is none of this name.
 Result<std::unique_ptr<Pak>> FileSystem::Impl::open_pak(const stdfs::path& directory, std::string file,
                                                         const std::string& label) {
   PathFacts facts = look_at(directory / file);
@@ -146,7 +146,7 @@ Result<std::unique_ptr<Pak>> FileSystem::Impl::open_pak(const stdfs::path& direc
   return std::make_unique<Pak>(*std::move(pak));
 }
 
-// Each directory is put before everything that came earlier, each of its paks before the pak below it.
+// Each directory is searched before those added earlier, and each of its paks before lower-numbered ones.
 Status FileSystem::Impl::add_directory(const stdfs::path& directory, const std::string& label, int game_index) {
   std::vector<Place> stack;
   Place loose;
@@ -182,7 +182,8 @@ Status FileSystem::Impl::add_game(const std::string& name, int game_index) {
                     options.base_dir.generic_string(), name)};
   }
   if (auto status = add_directory(options.base_dir / folder, folder, game_index); !status) return status;
-  // Without the player's own files a game can be played. Those that are not there may be written yet.
+  // Errors in the player's own folder are no reason to fail: a game can be played without it. If it does not exist, it
+  // may be created later.
   if (!in_user) log_warning("{}; what the player has there is left out", in_user.error().message);
   if (in_user && !user_dir.empty()) {
     if (auto status = add_directory(user_dir / name, "user/" + name, game_index); !status) return status;
@@ -267,7 +268,7 @@ Result<FileSystem> FileSystem::open(const FsOptions& options) {
       !options.base_dir_named && !options.base_game.empty() && !is_a_directory(options.base_dir / "id1");
   if (in_the_box) impl->options.base_dir = options.base_game;
   impl->user_dir = options.user_dir ? *options.user_dir : default_user_dir();
-  // With the user directory inside the base directory's place the same files would be found twice.
+  // If the user directory is the base directory, the same files would be found twice.
   std::error_code code;
   if (!impl->user_dir.empty() && stdfs::equivalent(impl->user_dir, impl->options.base_dir, code))
     impl->user_dir.clear();

@@ -1,4 +1,4 @@
-// Files of two gigabytes, loose and in paks: who looks at their beginning pays for their beginning.
+// Files of two gigabytes, loose and in paks: reading their beginning costs time and memory for the beginning only.
 #include <gmock/gmock.h>
 
 #include <chrono>

@@ -1,5 +1,5 @@
-// What stands at a path, and why it cannot be read. What is absent is looked for elsewhere; what is there and cannot be
-// read (permissions, links to nothing, folders in a file's place) is told from it here, with the system's own words.
+// Finds out why a path cannot be read. An absent file is searched for elsewhere; one that exists and cannot be read
+// (permissions, broken links, a folder in the place of a file) is reported, with the system's error text.
 #pragma once
 
 #include <filesystem>
@@ -14,18 +14,18 @@ namespace fb::fs {
 enum class Standing { kAbsent, kFile, kDirectory, kUnreadable };
 struct PathFacts {
   Standing standing = Standing::kAbsent;
-  std::string cause;  // why it is no file to be read; empty for a file, and for what is absent
+  std::string cause;  // why it is not a readable file; empty for a file, and if it does not exist
 };
 
 // Follows links. kFile: a regular one; whether it opens is not tried.
 PathFacts look_at(const std::filesystem::path& path);
 
-// Fails where files in this directory cannot be reached, and where they can but not listed.
+// Fails if files in this directory cannot be reached, or can be reached but not listed.
 Status check_reach(const std::filesystem::path& directory);
 Status check_listing(const std::filesystem::path& directory);
 
-// What keeps the file `name` below `directory` from being read: the first thing on the way to it that is there and
-// cannot be read. Nullopt where there is no such file, or nothing in its way.
+// The reason why the file `name` below `directory` cannot be read: the first part of its path that exists and cannot be
+// read. Nullopt if there is no such file, or nothing prevents reading it.
 std::optional<Error> find_obstacle(const std::filesystem::path& directory, std::string_view name);
 
 }  // namespace fb::fs

@@ -22,7 +22,7 @@ Result<FsOptions> options_from_arguments(std::span<const std::string> arguments)
   const auto given = [&](const char* flag) {
     return std::find(arguments.begin(), arguments.end(), flag) != arguments.end();
   };
-  // QuakeSpasm's order when there are several, whatever theirs on the line.
+  // If there are several, QuakeSpasm's order is used, whatever their order on the command line.
   for (const char* pack : {"rogue", "hipnotic", "quoth"}) {
     if (given(fmt::format("-{}", pack).c_str())) add_once(options.games, pack);
   }

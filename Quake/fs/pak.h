@@ -1,6 +1,6 @@
-// PAK archives: twelve bytes of header ("PACK", where the directory is, how long it is), then files, then 64 bytes a
-// directory entry (56 of name, offset, size). The directory is read once; files are read when they are asked for, so a
-// pak of a gigabyte costs its directory only.
+// PAK archives: a header of twelve bytes ("PACK", offset and size of the directory), then files, then directory entries
+// of 64 bytes (56 of name, offset, size). The directory is read once and files when they are needed, so opening a pak
+// of a gigabyte costs its directory only.
 #pragma once
 
 #include <cstddef>
@@ -34,21 +34,21 @@ struct PakHeader {
   std::uint32_t directory_offset = 0, directory_size = 0;  // bytes, inside the file
 };
 
-// The two halves of opening a pak; `file_size` is the whole pak's. Errors name the pak, the offset and the cause.
+// The two steps of opening a pak; `file_size` is that of the whole pak. Errors name the pak, the offset and the cause.
 Result<PakHeader> parse_pak_header(ByteView header, std::uint64_t file_size, std::string_view name);
 Result<std::vector<PakEntry>> parse_pak_directory(ByteView directory, const PakHeader& header, std::uint64_t file_size,
                                                   std::string_view name);
-// Both, from a pak that is in memory.
+// Both steps, for a pak in memory.
 Result<std::vector<PakEntry>> parse_pak(ByteView data, std::string_view name);
 
 class Pak {
  public:
-  // `name` is what errors call it, e.g. "id1/pak0.pak".
+  // `name` is the pak's name in errors, e.g. "id1/pak0.pak".
   static Result<Pak> open(const std::filesystem::path& path, std::string name);
 
   const std::string& name() const { return name_; }
   const std::vector<PakEntry>& entries() const { return entries_; }
-  // Of two entries with one name the first counts, as in Quake. nullptr: none.
+  // Of two entries with one name the first is used, as in Quake. nullptr: none.
   const PakEntry* find(std::string_view name) const;
   // The same without regard to case.
   const PakEntry* find_ignoring_case(std::string_view name) const;

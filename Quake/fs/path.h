@@ -1,5 +1,5 @@
-// Names of game files: relative, with forward slashes, as "maps/start.bsp". They come from maps, mods and servers, so
-// whatever could name something outside the game's directories is refused here, once.
+// Names of game files: relative, with forward slashes, as "maps/start.bsp". They come from maps, mods and servers, so a
+// name that could refer to something outside the game's directories is refused here, for all callers.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,15 @@
 
 namespace fb::fs {
 
-// The name in its one form: backslashes become slashes, "./" and doubled slashes vanish. nullopt for what cannot be a
-// game file: an empty name, an absolute one, one with "..", a colon, a control character.
+// The normalised name: backslashes become slashes, "./" and doubled slashes are removed. nullopt for a name that cannot
+// be a game file: an empty or absolute one, one with "..", a colon or a control character.
 std::optional<std::string> normalise(std::string_view name);
 
-// A gamedir is one directory's name, as QuakeSpasm has it: not empty, not ".", without "..", '/', '\\' and ':'.
+// Whether a gamedir's name is valid: one directory name, by QuakeSpasm's rules: not empty, not ".", without "..", '/',
+// '\\' and ':'.
 bool is_game_name(std::string_view name);
 
-// ASCII only: what file systems without case agree on.
+// Converts ASCII letters only, on which all file systems that ignore case agree.
 std::string lower_case(std::string_view text);
 bool ends_with_ignoring_case(std::string_view text, std::string_view ending);
 

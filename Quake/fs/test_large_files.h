@@ -1,4 +1,4 @@
-// For tests: files of gigabytes that take no room, being holes but for what they begin with.
+// For tests: sparse files of gigabytes, which take almost no room on disk.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace fb::fs {
 
 constexpr std::uint32_t kLargeSize = 0x7fffff00u;  // bytes
 
-// False where the file system has no holes, or no room.
+// False if the file system has no sparse files, or no room.
 inline bool put_large(const std::filesystem::path& path, std::string_view beginning, std::uint64_t size = kLargeSize) {
   std::error_code failed;
   std::filesystem::create_directories(path.parent_path(), failed);
@@ -22,7 +22,7 @@ inline bool put_large(const std::filesystem::path& path, std::string_view beginn
   return !failed;
 }
 
-// A pak whose only entry has kLargeSize bytes, and begins like this.
+// A pak whose only entry has kLargeSize bytes and begins with the given text.
 inline bool put_large_pak(const std::filesystem::path& path, std::string_view entry, std::string_view beginning) {
   std::string page(beginning);
   page.resize(4096);  // then the directory, which nobody should come to

@@ -1,4 +1,4 @@
-// For tests of what may not be read. Root reads everything, so it becomes nobody for a while.
+// For tests of unreadable files. Root can read everything, so the process becomes user nobody for a while.
 #pragma once
 
 #include <unistd.h>
@@ -9,7 +9,7 @@
 
 namespace fb::fs {
 
-// While it lives, the files' permissions count. False where that could not be had.
+// While it lives, permissions of files apply to the process. False if that was not possible.
 class PermissionsCount {
  public:
   PermissionsCount() : was_root_(::geteuid() == 0) { count_ = !was_root_ || ::seteuid(kNobody) == 0; }
@@ -25,7 +25,7 @@ class PermissionsCount {
   bool was_root_, count_ = false;
 };
 
-// Takes permissions of a file or folder away until it is gone, so that a test's directory can be removed.
+// Removes permissions from a file or folder until it is destroyed, so that the test's directory can be removed.
 class WithPermissions {
  public:
   WithPermissions(std::filesystem::path path, unsigned mode)

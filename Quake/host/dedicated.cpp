@@ -1,5 +1,7 @@
 #include "host/dedicated.h"
 
+#include <fmt/format.h>
+
 #include "base/log.h"
 #include "base/stop.h"
 #include "host/engine.h"
@@ -17,14 +19,16 @@ Result<int> run_dedicated(const GameOptions& options) {
   con::Console& console = engine.console();
 
   bool quit = false;
-  console.add_cvar({"sys_ticrate", "0.05", "seconds of a tick of a dedicated server", con::kCvarPlain, 0.001f, 0.1f});
-  console.add_command("quit", "ends the program", [&](const con::Args&) {
+  console.add_cvar(
+      {"sys_ticrate", "0.05", "length of a dedicated server's tick, seconds", con::kCvarPlain, 0.001f, 0.1f});
+  console.add_command("quit", "quit: end the program", [&](const con::Args&) {
     quit = true;
     console.forget_commands();
   });
-  // What a player's configuration says besides is nothing to a server.
+  // A player's configuration may name these; a server ignores them.
   for (const char* name : {"bind", "unbind", "unbindall", "startdemos", "vid_restart"})
-    console.add_command(name, "nothing: a server has no keys, no window and plays no demos", [](const con::Args&) {});
+    console.add_command(name, fmt::format("{}: no effect: a dedicated server has no keys, window or demos", name),
+                        [](const con::Args&) {});
   console.set_scripts_may_name_nothing(true);
   engine.queue_configuration(options.arguments);
 

@@ -48,12 +48,12 @@ Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::ve
   if (options.console_log) open_log();
   if (options.console_kilobytes) console_.scrollback().set_max_bytes(std::size_t{*options.console_kilobytes} * 1024);
   console_.set_file_loader(files_.loader());
-  console_.add_cvar({"net_messagetimeout", "300", "seconds of silence that end a connection; for those to come",
+  console_.add_cvar({"net_messagetimeout", "300", "seconds without a packet after which a new connection times out",
                      con::kCvarPlain, 1.0f, 86400.0f});
   register_time_cvars(console_);
   if (options.server) make_server(options, arguments);
   if (options.client) make_client();
-  console_.add_cvar("cmdline", fmt::format("{}", fmt::join(arguments, " ")), "what the program was started with",
+  console_.add_cvar("cmdline", fmt::format("{}", fmt::join(arguments, " ")), "the program's command line",
                     con::kCvarRom);
   con::add_quakespasm_cvars(console_);
   if (options.protocol && options.server) console_.set("sv_protocol", std::to_string(*options.protocol));

@@ -9,13 +9,14 @@
 namespace fb::host {
 
 void register_time_cvars(con::Console& console) {
-  con::CvarSpec frame_rate{"host_framerate", "0",  "seconds that every frame lasts, whatever it took; 0: real time",
+  con::CvarSpec frame_rate{"host_framerate", "0",  "fixed length of a frame in game time, seconds; 0: real time",
                            con::kCvarPlain,  0.0f, 1.0f};
   frame_rate.least_above_zero = static_cast<float>(FrameTimer::kShortest);
   console.add_cvar(std::move(frame_rate));
-  console.add_cvar(
-      {"host_timescale", "0", "how fast time goes: 0.5 is half as fast; 0: as it is", con::kCvarPlain, 0.0f, 100.0f});
-  console.add_cvar({"host_maxfps", "250", "most frames a second; above 72 the game ticks 72 times a second",
+  console.add_cvar({"host_timescale", "0", "speed of game time: 0.5 is half speed; 0 and 1 are real time",
+                    con::kCvarPlain, 0.0f, 100.0f});
+  console.add_cvar({"host_maxfps", "250",
+                    "upper limit of the frame rate, frames a second; above 72 the game still ticks 72 times a second",
                     con::kCvarArchive, 10.0f, 1000.0f});
 }
 

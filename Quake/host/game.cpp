@@ -19,8 +19,8 @@ namespace {
 constexpr uvec2 kWindowSize{1280, 720}, kHeadlessSize{640, 360};
 
 void register_host_cvars(con::Console& console) {
-  console.add_cvar({"vid_vsync", "0", "wait for the display's refresh; counts from the next start", con::kCvarArchive,
-                    0.0f, 1.0f, true});
+  console.add_cvar(
+      {"vid_vsync", "0", "vertical sync; takes effect at the next start", con::kCvarArchive, 0.0f, 1.0f, true});
 }
 
 }  // namespace
@@ -120,28 +120,31 @@ void Game::fit_to_window() {
 void Game::register_commands() {
   con::Console& console = engine_->console();
   register_host_cvars(console);
-  console.add_command("quit", "ends the program", [this](const con::Args&) {
+  console.add_command("quit", "quit: end the program", [this](const con::Args&) {
     quit_ = true;
     engine_->console().forget_commands();
   });
-  if (options_.headless) {  // nobody watches, and it would never end
+  if (options_.headless) {  // the loop of demos would never end
     console.remove_command("startdemos");
-    console.add_command("startdemos", "nothing: without a window no demos are shown in turn", [](const con::Args&) {});
+    console.add_command("startdemos", "startdemos: no effect without a window: the loop would never end",
+                        [](const con::Args&) {});
   }
   // QuakeSpasm's config.cfg ends with it.
-  console.add_command("vid_restart", "nothing: the window is as the command line says", [](const con::Args&) {});
-  console.add_command("viewmap", "viewmap <map>: shows a map's world from its first player start, without a game",
+  console.add_command("vid_restart", "vid_restart: no effect: the command line sets up the window",
+                      [](const con::Args&) {});
+  console.add_command("viewmap", "viewmap <map>: show a map from its first player start, without starting a game",
                       [this](const con::Args& args) {
                         if (args.size() != 2) {
-                          log_info("viewmap <map>: shows a map's world from its first player start");
+                          log_info("viewmap <map>: show a map from its first player start");
                           return;
                         }
                         engine_->console().fail_unless(engine_->client().map_view(args[1]));
                       });
-  console.add_command("screenshot", "screenshot [name]: writes the picture as NAME.png", [this](const con::Args& args) {
-    const std::string name = args.size() > 1 ? args[1] : fmt::format("fullbright{:04}", captured_++);
-    engine_->console().fail_unless(write_screenshot(name + ".png"));
-  });
+  console.add_command(
+      "screenshot", "screenshot [name]: save the picture as screenshots/NAME.png", [this](const con::Args& args) {
+        const std::string name = args.size() > 1 ? args[1] : fmt::format("fullbright{:04}", captured_++);
+        engine_->console().fail_unless(write_screenshot(name + ".png"));
+      });
 }
 
 Status Game::write_screenshot(const std::string& name) {

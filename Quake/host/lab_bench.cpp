@@ -184,32 +184,34 @@ int run_bench(const BenchOptions& o, const std::string& command) {
 LabCommand add_bench_command(CLI::App& app, std::string command_line) {
   auto o = std::make_shared<BenchOptions>();
   o->stage.size = "320x180";
-  CLI::App* bench =
-      app.add_subcommand("bench",
-                         "speed against error: configurations side by side on one view, interleaved frame by frame, "
-                         "each frame by itself and "
-                         "their running average held to a reference of pt; gains are against the first configuration");
+  CLI::App* bench = app.add_subcommand(
+      "bench",
+      "measures speed and error: configurations render one view, interleaved frame by frame; single "
+      "frames and their running average are compared with a reference of pt; gains are relative to the "
+      "first configuration");
   add_stage_options(*bench, o->stage);
-  bench->add_option("--estimators", o->estimators, "configurations by estimator: pt,mcpg");
+  bench->add_option("--estimators", o->estimators, "one configuration for each of these estimators: pt,mcpg");
   bench
-      ->add_option("--config", o->configurations,
-                   "NAME:cvar=value,...: a configuration by the renderer's cvars (r_estimator too); several count")
+      ->add_option(
+          "--config", o->configurations,
+          "NAME:cvar=value,...: a configuration set by the renderer's cvars (r_estimator too); may be repeated")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  bench->add_option("--frames", o->frames, "FIRST:LAST, measured; a still view shows FIRST to all of them")
+  bench->add_option("--frames", o->frames, "FIRST:LAST, the measured frames; a still view renders FIRST each time")
       ->capture_default_str();
-  add_number(*bench, "--warmup", o->warmup, 0u, kMostFrames, "frames before them that estimators learn from");
-  add_number(*bench, "--repeats", o->runs, 1u, 10000u, "runs, each cold at first and with a seed of its own");
-  bench->add_flag("--hold", o->hold, "frame FIRST stands still, animation too (always so for --map)");
-  bench->add_option("--reference", o->reference, "an EXR of `reference`, for a still view; none: made on the spot");
+  add_number(*bench, "--warmup", o->warmup, 0u, kMostFrames,
+             "frames rendered before the measured ones, for estimators that learn");
+  add_number(*bench, "--repeats", o->runs, 1u, 10000u, "runs; each starts with nothing learnt and has its own seed");
+  bench->add_flag("--hold", o->hold, "freeze frame FIRST, with its animation (always so for --map)");
+  bench->add_option("--reference", o->reference, "EXR made by `reference`, for a still view; default: render one");
   add_number(*bench, "--reference-spp", o->reference_spp, 32u, kMostSamples,
-             "samples a pixel of a reference that is made");
+             "samples per pixel of a reference rendered here");
   bench->add_option("--reference-dir", o->reference_folder,
-                    "folder that keeps references which were made, by what they show and how");
-  add_number(*bench, "--epsilon", o->epsilon, 1e-30, 1e30, "added to r^2 in relMSE");
-  bench->add_option("--json", o->json, "write JSON to this file; - is standard output, without the table");
-  bench->add_option("--csv", o->csv, "write CSV, a line a frame, to this file; - is standard output");
+                    "folder in which rendered references are kept and found again");
+  add_number(*bench, "--epsilon", o->epsilon, 1e-30, 1e30, "added to r^2 in the denominator of relMSE");
+  bench->add_option("--json", o->json, "write JSON to this file; - is standard output, and omits the table");
+  bench->add_option("--csv", o->csv, "write CSV, one line per frame, to this file; - is standard output");
   return {bench, [o, command_line = std::move(command_line)] { return run_bench(*o, command_line); }};
 }
 

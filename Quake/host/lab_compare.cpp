@@ -33,21 +33,23 @@ int run_compare(CompareOptions& options) {
 LabCommand add_compare_command(CLI::App& app) {
   auto options = std::make_shared<CompareOptions>();
   lab::CompareJob& job = options->job;
-  CLI::App* compare = app.add_subcommand(
-      "compare",
-      "errors of pictures against a reference: EXR files in linear radiance, PNG files as stored. Several TESTs are "
-      "runs of the same thing: mean and 95% intervals");
-  compare->add_option("REFERENCE", job.reference, "EXR or PNG; an EXR of `reference` says its own variance")
+  CLI::App* compare = app.add_subcommand("compare",
+                                         "measures the error of pictures against a reference: EXR files in linear "
+                                         "radiance, PNG files as stored. Several TESTs "
+                                         "are taken as runs of the same rendering, and give means and 95% intervals");
+  compare->add_option("REFERENCE", job.reference, "EXR or PNG; an EXR made by `reference` includes its own variance")
       ->required();
-  compare->add_option("TEST", job.tests, "pictures of the same kind and size")->required();
-  add_number(*compare, "--epsilon", job.metrics.epsilon, 1e-30, 1e30, "added to r^2 in relMSE and to |r| in MAPE");
-  add_number(*compare, "--ppd", job.pixels_per_degree, 1.0, 1000.0, "pixels a degree of the FLIP observer");
+  compare->add_option("TEST", job.tests, "pictures of the reference's format and size")->required();
+  add_number(*compare, "--epsilon", job.metrics.epsilon, 1e-30, 1e30,
+             "added to the denominators: r^2 in relMSE, |r| in MAPE");
+  add_number(*compare, "--ppd", job.pixels_per_degree, 1.0, 1000.0, "pixels per degree of FLIP's observer");
   add_number(*compare, "--exposure", job.exposure, -100.0, 100.0,
-             "stops at which LDR-FLIP looks at EXR files (HDR-FLIP chooses its own)");
-  compare->add_option("--flip-map", job.flip_map, "PNG of FLIP per pixel, black 0 to white 1 (of one TEST)");
-  compare->add_flag("--no-flip", options->no_flip, "leave FLIP out: it takes most of the time");
-  compare->add_option("--json", options->json, "write JSON to this file; - is standard output, without the table");
-  compare->add_option("--csv", options->csv, "write CSV, a line a file, to this file; - is standard output");
+             "exposure of EXR files for LDR-FLIP, stops (HDR-FLIP chooses its own)");
+  compare->add_option("--flip-map", job.flip_map,
+                      "write FLIP per pixel to this PNG, black 0 to white 1 (one TEST only)");
+  compare->add_flag("--no-flip", options->no_flip, "do not compute FLIP, which takes most of the time");
+  compare->add_option("--json", options->json, "write JSON to this file; - is standard output, and omits the table");
+  compare->add_option("--csv", options->csv, "write CSV, one line per picture, to this file; - is standard output");
   return {compare, [options] { return run_compare(*options); }};
 }
 

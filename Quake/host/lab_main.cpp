@@ -13,8 +13,7 @@ namespace {
 int run(int argc, char** argv) {
   using namespace fb::host;
   fb::stop_on_signals("fullbright-lab", fb::StopMode::kAtOnce);
-  CLI::App app("The laboratory of Fullbright: frames, references and measurements, without a window.",
-               "fullbright-lab");
+  CLI::App app("Renders and measures without a window: frames, references, errors, speed and bias.", "fullbright-lab");
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   const LabCommand commands[] = {add_render_command(app),

@@ -74,25 +74,26 @@ LabCommand add_render_command(CLI::App& app) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* render = app.add_subcommand("render", "renders chosen frames at fixed time steps, in order");
   add_stage_options(*render, options->stage);
-  render->add_option("--frames", options->frames, "FIRST:LAST, counted from 0")->capture_default_str();
-  render->add_option("--out", options->stage.out, "folder for the frames; none: nothing is written");
+  render->add_option("--frames", options->frames, "FIRST:LAST, numbers of the frames, from 0")->capture_default_str();
+  render->add_option("--out", options->stage.out, "folder for the frames; default: write none");
   render->add_option("--format", options->format, "png or exr (linear)")
       ->check(CLI::IsMember({"png", "exr"}))
       ->capture_default_str();
-  render->add_flag("--denoised", options->denoised, "what the game shows: r_denoise 1, in PNG and EXR");
-  render->add_flag("--hash", options->hash, "print one hash a frame of the linear image");
+  render->add_flag("--denoised", options->denoised, "write the denoised picture, as the game shows it (r_denoise 1)");
+  render->add_flag("--hash", options->hash, "print a hash of each frame's linear image");
   return {render, [options] { return run_render(*options); }};
 }
 
 LabCommand add_reference_command(CLI::App& app) {
   auto options = std::make_shared<ReferenceOptions>();
   CLI::App* reference =
-      app.add_subcommand("reference", "accumulates many samples of one frame, with their variance, to an EXR file");
+      app.add_subcommand("reference", "averages many samples of one frame and writes mean and variance to an EXR file");
   add_stage_options(*reference, options->stage);
-  add_number(*reference, "--frame", options->frame, std::uint64_t{0}, std::uint64_t{kMostFrames}, "counted from 0");
+  add_number(*reference, "--frame", options->frame, std::uint64_t{0}, std::uint64_t{kMostFrames},
+             "number of the frame, from 0");
   add_number(*reference, "--warmup", options->warmup, 0u, kMostSamples,
-             "samples a pixel that only teach an estimator that learns");
-  reference->add_option("--out", options->stage.out, "the .exr file")->required();
+             "samples per pixel discarded at the start, from which an estimator learns");
+  reference->add_option("--out", options->stage.out, "the EXR file to write")->required();
   return {reference, [options] { return run_reference(*options); }};
 }
 

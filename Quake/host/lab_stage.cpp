@@ -57,7 +57,7 @@ Status open_source(Stage& stage, const StageOptions& o) {
   auto engine = Engine::create(with_base_game(std::move(arguments)), {.server = false});
   if (!engine) return engine.error();
   stage.engine = std::move(*engine);
-  stage.engine->console().set("r_ambient", "0");  // nothing is measured but what paths find, unless asked for
+  stage.engine->console().set("r_ambient", "0");  // only traced light is measured, unless --set asks for more
   if (auto status = set_cvars(stage.engine->console(), o); !status) return status;
   auto camera = parse_camera(o.camera);
   if (!camera) return camera.error();
@@ -77,24 +77,29 @@ Status open_source(Stage& stage, const StageOptions& o) {
 }  // namespace
 
 void add_stage_options(CLI::App& app, StageOptions& o) {
-  app.add_option("--basedir", o.basedir, "folder that holds id1 (default: the current one, else the base game)");
-  app.add_option("--game", o.games, "a mod's folder beside id1; several count");
-  auto* what = app.add_option_group("what", "what to show");
-  what->add_option("--demo", o.demo, "a recorded demo: a file, or the game's by name");
-  what->add_option("--map", o.map, "a map's world, from its first player start");
+  app.add_option("--basedir", o.basedir,
+                 "folder that holds id1 (default: the current folder, or the base game where id1 is not there)");
+  app.add_option("--game", o.games, "a mod's folder beside id1; may be repeated");
+  auto* what = app.add_option_group("view", "the view to render (one of these)");
+  what->add_option("--demo", o.demo, "a demo: a file, or a name in the game data");
+  what->add_option("--map", o.map, "a map, from its first player start");
   what->add_option("--scene", o.scene,
-                   "a scene made in code: " + fmt::format("{}", fmt::join(lab::code_scene_names(), ", ")));
+                   "a built-in scene: " + fmt::format("{}", fmt::join(lab::code_scene_names(), ", ")));
   what->require_option(1);
-  app.add_option("--camera", o.camera, "x,y,z,pitch,yaw,roll instead of the player's eyes");
-  add_number(app, "--fps", o.fps, 0.1, 10000.0, "frames a second of the demo's time");
-  app.add_option("--estimator", o.estimator, "one of `fullbright-lab estimators`")->capture_default_str();
-  add_number(app, "--spp", o.spp, 1u, kMostSamples, "samples a pixel");
+  app.add_option("--camera", o.camera, "x,y,z,pitch,yaw,roll of a fixed camera, in the place of the player's");
+  add_number(app, "--fps", o.fps, 0.1, 10000.0, "frames per second of game time");
+  app.add_option("--estimator", o.estimator, "light transport estimator; `fullbright-lab estimators` lists them")
+      ->capture_default_str();
+  add_number(app, "--spp", o.spp, 1u, kMostSamples, "samples per pixel and frame");
   app.add_option("--size", o.size, "WIDTHxHEIGHT")->capture_default_str();
-  app.add_option("--set", o.sets, "cvar=value; several count")->expected(1)->take_all()->allow_extra_args(false);
-  app.add_option("--device", o.device, "part of a device's name, or its index");
-  app.add_flag("--validation", o.validation, "Vulkan's validation layers");
-  app.add_flag("--quiet", o.quiet, "no progress");
-  app.add_flag("--timing", o.timing, "print the GPU time of every pass, median over the frames");
+  app.add_option("--set", o.sets, "cvar=value, a setting; may be repeated")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--device", o.device, "Vulkan device: part of its name, or its index in `fullbright -listdevices`");
+  app.add_flag("--validation", o.validation, "enable Vulkan's validation layers");
+  app.add_flag("--quiet", o.quiet, "print no progress");
+  app.add_flag("--timing", o.timing, "print the median GPU time of each pass");
 }
 
 Status open_stage(Stage& stage, const StageOptions& o) {

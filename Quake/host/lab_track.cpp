@@ -46,14 +46,15 @@ int run_track(const TrackOptions& options) {
 
 LabCommand add_track_command(CLI::App& app) {
   auto options = std::make_shared<TrackOptions>();
-  CLI::App* track = app.add_subcommand(
-      "track", "where a demo's messages have its player; of two demos, how far apart, and 1 where that is too far");
-  track->add_option("DEMO", options->demo, "a recorded demo")->required();
-  track->add_option("OTHER", options->other, "another, of the same script");
-  add_number(*track, "--tolerance", options->tolerance, 0.0f, 1e6f, "units");
+  CLI::App* track = app.add_subcommand("track",
+                                       "prints the player's positions in a demo; compares two demos and exits with 1 "
+                                       "if they differ by more than --tolerance");
+  track->add_option("DEMO", options->demo, "the demo")->required();
+  track->add_option("OTHER", options->other, "another demo of the same script");
+  add_number(*track, "--tolerance", options->tolerance, 0.0f, 1e6f, "allowed distance along an axis, units");
   add_number(*track, "--shift", options->shift, 0, 1000000,
-             "points by which OTHER may begin later or earlier: the best is taken");
-  track->add_option("--csv", options->csv, "write DEMO's points to this file; - is standard output");
+             "positions by which OTHER may start earlier or later; the best match is taken");
+  track->add_option("--csv", options->csv, "write DEMO's positions to this CSV file; - is standard output");
   return {track, [options] { return run_track(*options); }};
 }
 

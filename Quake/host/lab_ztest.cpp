@@ -52,25 +52,26 @@ int run_ztest(const ZTestCommand& c) {
 LabCommand add_ztest_command(CLI::App& app) {
   auto c = std::make_shared<ZTestCommand>();
   c->stage.size = "64x48";
-  CLI::App* ztest = app.add_subcommand(
-      "ztest",
-      "holds an estimator to the mean of pt, block by block of pixels, over independent runs; exit status 3: biased");
+  CLI::App* ztest = app.add_subcommand("ztest",
+                                       "tests whether an estimator is biased: compares its mean with pt's in blocks of "
+                                       "pixels over independent runs; exits with 3 if biased");
   add_stage_options(*ztest, c->stage);
   add_number(*ztest, "--runs", c->plan.runs, 4u, 100000u,
-             "runs of each side; twice as many where a bias shows and is looked at again");
-  add_number(*ztest, "--frames", c->plan.frames, 1u, 100000u, "frames measured and averaged in a run");
-  add_number(*ztest, "--skip", c->plan.skip, 0u, kMostFrames, "frames before them, to learn from");
-  ztest->add_flag("--fresh", c->plan.fresh, "every run begins with nothing learnt (always so where something moves)");
-  add_number(*ztest, "--block", c->plan.block, 1u, 4096u, "side of a block, pixels");
-  ztest->add_option("--reference", c->reference, "the estimator that is right")->capture_default_str();
+             "independent runs of each estimator; a suspected bias is tested again with twice as many");
+  add_number(*ztest, "--frames", c->plan.frames, 1u, 100000u, "frames averaged in a run");
+  add_number(*ztest, "--skip", c->plan.skip, 0u, kMostFrames,
+             "frames discarded at the start of a run, from which the estimator learns");
+  ztest->add_flag("--fresh", c->plan.fresh, "start every run with nothing learnt (always so where something moves)");
+  add_number(*ztest, "--block", c->plan.block, 1u, 4096u, "width and height of a block, pixels");
+  ztest->add_option("--reference", c->reference, "the estimator to compare with")->capture_default_str();
   add_number(*ztest, "--reference-spp", c->reference_spp, 0u, kMostSamples,
-             "its samples a pixel and frame; 0: four times --spp");
-  ztest->add_option("--reference-set", c->reference_sets, "cvar=value of the reference alone; several count")
+             "samples per pixel and frame of the reference; 0: four times --spp");
+  ztest->add_option("--reference-set", c->reference_sets, "cvar=value for the reference alone; may be repeated")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  add_number(*ztest, "--alpha", c->alpha, 1e-9, 0.5, "false-alarm rate of one test");
-  ztest->add_flag("--map", c->blocks, "print z of every block");
+  add_number(*ztest, "--alpha", c->alpha, 1e-9, 0.5, "false-positive rate of the test");
+  ztest->add_flag("--map", c->blocks, "print the z score of each block");
   return {ztest, [c] { return run_ztest(*c); }};
 }
 

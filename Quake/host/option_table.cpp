@@ -93,41 +93,41 @@ Status flag(GameOptions& options, const std::string&) {
 // Why an option does nothing. -help lists those of one reason together.
 constexpr const char* kSound = "there is no sound yet";
 constexpr const char* kJoystick = "there are no game controllers yet";
-constexpr const char* kMemory = "memory is taken as it is needed";
-constexpr const char* kDisplay = "a full screen is the display's as it is, and the path tracer smooths edges itself";
-constexpr const char* kOpenGl = "of OpenGL renderers";
-constexpr const char* kStores = "the game is where -basedir says";
+constexpr const char* kMemory = "memory is allocated as needed";
+constexpr const char* kDisplay = "full screen keeps the display's mode, and the path tracer does its own anti-aliasing";
+constexpr const char* kOpenGl = "there is no OpenGL renderer";
+constexpr const char* kStores = "the game data is in -basedir";
 constexpr const char* kLooks = "there are no menus and no status bar yet";
-constexpr const char* kNothing = "there is nothing here that they would switch";
+constexpr const char* kNothing = "there is no such feature to switch";
 
 constexpr Option kOptions[] = {
     {"-basedir", "DIR", read_elsewhere,
-     "folder that holds id1 (default: the current one if it does, else the base game)"},
-    {"-game", "DIR", read_elsewhere, "a mod's folder beside id1; several count, the last wins"},
-    {"-hipnotic", "", read_elsewhere, "a mission pack, as -rogue and -quoth"},
+     "folder that holds id1 (default: the current folder, or the base game where id1 is not there)"},
+    {"-game", "DIR", read_elsewhere, "a mod's folder beside id1; may be repeated, later ones take precedence"},
+    {"-hipnotic", "", read_elsewhere, "play a mission pack or mod of this name; also -rogue, -quoth"},
     {"-rogue", "", read_elsewhere, nullptr},
     {"-quoth", "", read_elsewhere, nullptr},
-    {"-userdir", "DIR", read_elsewhere, "the player's own files (default: ~/.fullbright)"},
-    {"-nohome", "", read_elsewhere, "the player's own files are beside the game's"},
+    {"-userdir", "DIR", read_elsewhere, "folder for saves, demos and configuration (default: ~/.fullbright)"},
+    {"-nohome", "", read_elsewhere, "write saves, demos and configuration beside the game data"},
     {"-basegame", "DIR", read_elsewhere,
-     "the game in the box (default: beside the program); its code plays data that has no progs.dat"},
-    {"-headless", "", flag<&GameOptions::headless>, "no window; needs a command, e.g. +timedemo demo1"},
-    {"-size", "WxH", take_size, "of the picture (default 1280x720, headless 640x360)"},
+     "folder of the base game (default: beside the program); its rules play data without a progs.dat"},
+    {"-headless", "", flag<&GameOptions::headless>, "run without a window; needs a command, e.g. +timedemo demo1"},
+    {"-size", "WxH", take_size, "size of the picture, pixels (default 1280x720, headless 640x360)"},
     {"-width", "N", [](GameOptions& o, const std::string& v) { return take_number(v, 1, kLargestSide, o.size.x); },
-     "the picture's width; without -height it is 16:9"},
+     "width of the picture, pixels; without -height it is 16:9"},
     {"-height", "N", [](GameOptions& o, const std::string& v) { return take_number(v, 1, kLargestSide, o.size.y); },
-     "the same for its height"},
-    {"-fullscreen", "", flag<&GameOptions::fullscreen>, "the window takes the whole display"},
-    {"-window", "", flag<&GameOptions::fullscreen, false>, "it does not"},
-    {"-nomouse", "", flag<&GameOptions::mouse, false>, "leaves the mouse to other programs"},
+     "height of the picture, pixels; without -width it is 16:9"},
+    {"-fullscreen", "", flag<&GameOptions::fullscreen>, "full screen"},
+    {"-window", "", flag<&GameOptions::fullscreen, false>, "a window (the default)"},
+    {"-nomouse", "", flag<&GameOptions::mouse, false>, "do not use the mouse"},
     {"-device", "NAME",
      [](GameOptions& o, const std::string& v) {
        o.device = v;
        return ok_status();
      },
-     "part of a device's name, or its index"},
+     "Vulkan device: part of its name, or its index in -listdevices"},
     {"-listdevices", "", flag<&GameOptions::list_devices>,
-     "what devices there are, what each lacks, which would be chosen"},
+     "list the Vulkan devices: what each lacks, which one is chosen"},
     {"-particles", "N",
      [](GameOptions& o, const std::string& v) {
        std::uint32_t count = 0;
@@ -135,20 +135,20 @@ constexpr Option kOptions[] = {
        if (status) o.particles = std::clamp(count, kLeastParticles, kMostParticles);
        return status;
      },
-     "most particles at a time, 512 to 32768 (2048)"},
+     "limit on particles, 512 to 32768 (2048)"},
     {"-dedicated", "[N]",
      [](GameOptions& o, const std::string& v) {
        o.dedicated = true;
        return take_players(o, v);
      },
-     "a server for N players (8), without window or device"},
-    {"-listen", "[N]", take_players, "a game that others may join"},
-    {"-port", "N", take_port, "where (26000); -udpport and -ipxport are the same"},
+     "dedicated server for N players (8), without window or GPU"},
+    {"-listen", "[N]", take_players, "play in a window as a server for N players (8)"},
+    {"-port", "N", take_port, "UDP port of the server (26000); also -udpport, -ipxport"},
     {"-udpport", "N", take_port, nullptr},
     {"-ipxport", "N", take_port, nullptr},
-    {"-ip", "ADDRESS", take_address, "the one of this machine's addresses that the network is used at"},
-    {"-protocol", "N", take_protocol, "what the server speaks: 15, 666 or 999, as cvar sv_protocol (666)"},
-    {"-nolan", "", switch_off_network, "no network; -noudp is the same"},
+    {"-ip", "ADDRESS", take_address, "use this one of the machine's network addresses"},
+    {"-protocol", "N", take_protocol, "protocol of the server: 15, 666 or 999 (666); sets sv_protocol"},
+    {"-nolan", "", switch_off_network, "no network; also -noudp"},
     {"-noudp", "", switch_off_network, nullptr},
     {"-noudp4", "",
      [](GameOptions& o, const std::string&) {
@@ -162,9 +162,9 @@ constexpr Option kOptions[] = {
        return ok_status();
      },
      "no IPv6"},
-    {"-safe", "", take_safe, "as -nolan and -nomouse"},
+    {"-safe", "", take_safe, "same as -nolan -nomouse"},
     {"-condebug", "", flag<&GameOptions::console_log>,
-     "all that is said into the file qconsole.log of the player's folder"},
+     "log the console to qconsole.log in the player's folder (-userdir)"},
     {"-consize", "N",
      [](GameOptions& o, const std::string& v) {
        std::uint32_t size = 0;
@@ -172,23 +172,23 @@ constexpr Option kOptions[] = {
        if (status) o.console_kilobytes = std::clamp(size, kLeastConsole, kMostConsole);
        return status;
      },
-     "what the console keeps of it, KB (1024)"},
-    {"-seed", "N", take_seed, "the same game again: seeds its random numbers"},
+     "size of the console's scrollback, KB (1024)"},
+    {"-seed", "N", take_seed, "seed of QuakeC's random numbers: the same script gives the same game"},
     {"-capture", "DIR",
      [](GameOptions& o, const std::string& v) {
        o.capture = v;
        return ok_status();
      },
-     "write frames as DIR/frame_000000.png ..."},
+     "save frames as DIR/frame_000000.png ..."},
     {"-capture_every", "N",
      [](GameOptions& o, const std::string& v) {
        return take_number(v, 1, std::numeric_limits<std::uint32_t>::max(), o.capture_every);
      },
-     "only every N-th frame"},
-    {"-validation", "", flag<&GameOptions::validation>, "Vulkan's validation layers"},
-    {"-version", "", flag<&GameOptions::version>, "what this is"},
+     "save every Nth frame only"},
+    {"-validation", "", flag<&GameOptions::validation>, "enable Vulkan's validation layers"},
+    {"-version", "", flag<&GameOptions::version>, "print the version"},
     {"--version", "", flag<&GameOptions::version>, nullptr},
-    {"-help", "", flag<&GameOptions::help>, "this"},
+    {"-help", "", flag<&GameOptions::help>, "print this help"},
     {"--help", "", flag<&GameOptions::help>, nullptr},
     {"-h", "", flag<&GameOptions::help>, nullptr},
 

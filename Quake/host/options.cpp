@@ -150,10 +150,11 @@ std::string version_text() { return "fullbright " FULLBRIGHT_VERSION; }
 
 std::string game_help() {
   return version_text() + ": Quake, path traced.\n\nusage: fullbright [options] [+command arguments ...]\n\n" +
-         help_of_what_works() + "\nTaken as QuakeSpasm's or its descendants', without effect:\n" +
+         help_of_what_works() +
+         "\nAccepted for compatibility with QuakeSpasm, vkQuake and Ironwail, without effect:\n" +
          help_of_what_is_ignored() +
          R"(
-Commands run in order; a timedemo is over before the next one runs:
+Commands run in order; a timedemo ends before the next command runs:
   fullbright -basedir ~/quake +map start
   fullbright -basedir ~/quake -headless +timedemo demo1 +quit
   fullbright -basedir ~/quake -game ad +playdemo demo1

@@ -20,9 +20,9 @@ Screen::Screen(con::Console& console, FileLoader files)
       bindings_(
           console, [](std::string_view name) { return platform::key_from_name(name); },
           [](int key) { return platform::key_name(key); }),
-      show_fps_(console.add_cvar("scr_showfps", "0", "show the frames a second", con::kCvarArchive)),
+      show_fps_(console.add_cvar("scr_showfps", "0", "1: show the frame rate, frames a second", con::kCvarArchive)),
       atlas_(std::move(files)) {
-  console.add_command("toggleconsole", "opens or closes the console", [this](const con::Args&) {
+  console.add_command("toggleconsole", "toggleconsole: open or close the console", [this](const con::Args&) {
     open_ = !open_;
     bindings_.release_all();
   });

@@ -20,7 +20,7 @@ std::string plain(const std::string& text) {
 }  // namespace
 
 ServerList::ServerList(con::Console& console, net::Network& network) : network_(network) {
-  console.add_command("slist", "slist [address ...]: which servers there are on the local network, or there",
+  console.add_command("slist", "slist [address ...]: list the servers on the local network, or at these addresses",
                       [this, &console](const con::Args& args) { console.fail_unless(begin(args)); });
 }
 

@@ -33,17 +33,25 @@ void register_render_cvars(con::Console& console) {
                                std::is_same_v<type, int>, help));
   FB_RENDER_SETTINGS(FB_REGISTER)
 #undef FB_REGISTER
-  console.add_cvar("r_estimator", "mcpg", "how light is estimated; fullbright-lab estimators lists them",
+  console.add_cvar("r_estimator", "mcpg", "light transport estimator, one of: fullbright-lab estimators",
                    con::kCvarArchive);
+  console.add_cvar("r_intersector", "auto",
+                   "how rays are traced: query (VK_KHR_ray_query), bvh (traversal in the shader), auto (query on GPUs "
+                   "that have it); "
+                   "takes effect at the next start",
+                   con::kCvarArchive);
+<<<<<<< HEAD
   console.add_cvar(
       "r_intersector", "auto",
       "what traces rays: query (VK_KHR_ray_query), bvh (trees in the shader), auto (query on GPUs that have it); "
-      "counts from the next start",
+      "takes effect at the next start",
       con::kCvarArchive);
   console.add_cvar("r_arrays", "auto",
                    "how shaders reach the scene's arrays: bound (descriptors), address (device addresses), auto (the "
-                   "faster one for the driver); counts from the next start",
+                   "faster one for the driver); takes effect at the next start",
                    con::kCvarArchive);
+=======
+>>>>>>> words
 }
 
 RenderSettings read_render_settings(const con::Console& console) {

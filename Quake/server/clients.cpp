@@ -52,9 +52,10 @@ float ServerClient::average_ping() const {
 Clients::Clients(con::Console& console, const ClientsOptions& options)
     : standard_quake(options.standard_quake), console_(console) {
   if (!console.find_cvar("sv_protocol"))
-    console.add_cvar("sv_protocol", "666", "15 NetQuake, 666 FitzQuake or 999 RMQ; counts from the next level");
+    console.add_cvar("sv_protocol", "666",
+                     "network protocol: 15 NetQuake, 666 FitzQuake or 999 RMQ; takes effect at the next level");
   if (!console.find_cvar("hostname"))
-    console.add_cvar("hostname", "UNNAMED", "what this server is called", con::kCvarArchive);
+    console.add_cvar("hostname", "UNNAMED", "name of the server in server lists", con::kCvarArchive);
   set_max_clients(options.max_clients);
 }
 Clients::~Clients() = default;

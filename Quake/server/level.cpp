@@ -16,28 +16,32 @@ const con::Cvar& cvar(con::Console& console, std::string name, std::string value
 }  // namespace
 
 Cvars::Cvars(con::Console& console)
-    : gravity(cvar(console, "sv_gravity", "800", "how fast things fall, units per second squared")),
-      max_velocity(cvar(console, "sv_maxvelocity", "2000", "no speed along an axis is above this, units a second")),
-      friction(cvar(console, "sv_friction", "4", "how soon a player who does not walk stops")),
-      edge_friction(cvar(console, "edgefriction", "2", "the same, this much more, at the edge of a drop")),
-      stop_speed(cvar(console, "sv_stopspeed", "100", "friction is at least that of this speed, units a second")),
-      max_speed(cvar(console, "sv_maxspeed", "320", "how fast players run, units a second")),
-      accelerate(cvar(console, "sv_accelerate", "10", "how soon a player who walks is fast")),
+    : gravity(cvar(console, "sv_gravity", "800", "gravity, units per second squared")),
+      max_velocity(cvar(console, "sv_maxvelocity", "2000", "largest velocity along each axis, units a second")),
+      friction(cvar(console, "sv_friction", "4", "ground friction of players, 1/s")),
+      edge_friction(cvar(console, "edgefriction", "2", "factor on sv_friction at the edge of a drop")),
+      stop_speed(
+          cvar(console, "sv_stopspeed", "100", "below this speed friction stays that of this speed, units a second")),
+      max_speed(cvar(console, "sv_maxspeed", "320", "largest running speed, units a second")),
+      accelerate(cvar(console, "sv_accelerate", "10", "acceleration of players on the ground, 1/s")),
       no_step(cvar(console, "sv_nostep", "0", "1: players cannot climb stairs")),
-      aim(cvar(console, "sv_aim", "1", "cosine of the angle within which shots are bent to a target; 1: none are",
+      aim(cvar(console, "sv_aim", "1", "auto-aim: cosine of the angle within which shots turn to a target; 1: off",
                con::kCvarArchive)),
-      ideal_pitch_scale(cvar(console, "sv_idealpitchscale", "0.8", "how much the view follows slopes and stairs")),
-      skill(cvar(console, "skill", "1", "0 easy, 1 normal, 2 hard, 3 nightmare; counts from the next level")),
-      deathmatch(cvar(console, "deathmatch", "0", "players against each other; counts from the next level")),
-      coop(cvar(console, "coop", "0", "players with each other; counts from the next level")),
-      teamplay(cvar(console, "teamplay", "0", "what players of one team can do to each other: the mod's business")),
-      nomonsters(cvar(console, "nomonsters", "0", "1: levels begin without what is called monster_...")),
-      pausable(cvar(console, "pausable", "1", "players may pause the game")),
-      max_edicts(cvar(console, "max_edicts", "32000", "things that a level may have; counts from the next level")),
-      alt_noclip(cvar(console, "sv_altnoclip", "1", "noclip flies where one looks", con::kCvarArchive)),
-      freeze_nonclients(cvar(console, "sv_freezenonclients", "0", "1: everything but players stands still")),
-      roll_angle(cvar(console, "cl_rollangle", "2.0", "roll when moving sideways, degrees")),
-      roll_speed(cvar(console, "cl_rollspeed", "200", "sideways speed of the full roll")) {}
+      ideal_pitch_scale(
+          cvar(console, "sv_idealpitchscale", "0.8", "how far the view pitches to follow slopes and stairs")),
+      skill(cvar(console, "skill", "1", "0 easy, 1 normal, 2 hard, 3 nightmare; takes effect at the next level")),
+      deathmatch(cvar(console, "deathmatch", "0", "1 or more: deathmatch; takes effect at the next level")),
+      coop(cvar(console, "coop", "0", "1: cooperative play; takes effect at the next level")),
+      teamplay(cvar(console, "teamplay", "0", "team rules of deathmatch, as the mod defines them")),
+      nomonsters(
+          cvar(console, "nomonsters", "0", "1: levels start without monsters (entities whose class is monster_*)")),
+      pausable(cvar(console, "pausable", "1", "1: players may pause the game")),
+      max_edicts(cvar(console, "max_edicts", "32000", "most edicts of a level; takes effect at the next level")),
+      alt_noclip(cvar(console, "sv_altnoclip", "1", "1: noclip moves along the view direction", con::kCvarArchive)),
+      freeze_nonclients(cvar(console, "sv_freezenonclients", "0", "1: only players move")),
+      roll_angle(cvar(console, "cl_rollangle", "2.0", "most roll of the view when moving sideways, degrees")),
+      roll_speed(
+          cvar(console, "cl_rollspeed", "200", "sideways speed at which the view's roll is full, units a second")) {}
 
 OptionalFields::OptionalFields(const progs::Program& program)
     : gravity(program.field<float>("gravity")),

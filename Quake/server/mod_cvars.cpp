@@ -9,18 +9,19 @@ struct ModCvar {
   const char* help;
   unsigned flags = con::kCvarPlain;
 };
-constexpr const char* kForMods = "for mods to keep something in";
-constexpr const char* kSavedForMods = "for mods to keep something in, also for the next time";
+constexpr const char* kForMods = "free for mods to use";
+constexpr const char* kSavedForMods = "free for mods to use; saved in config.cfg";
 constexpr ModCvar kModCvars[] = {
-    {"fraglimit", "0", "frags that end a level of deathmatch; 0: none do"},
-    {"timelimit", "0", "minutes that end a level of deathmatch; 0: none do"},
-    {"samelevel", "0", "1: levels of deathmatch are followed by themselves"},
-    {"noexit", "0", "1: players cannot leave a level of deathmatch by its exit; 2: but for the start"},
-    {"developer", "0", "1: shows what mods print for those who make them (dprint)"},
-    {"campaign", "0", "1: a campaign of the re-release is played; its mods ask and set it"},
-    {"horde", "0", "1: a horde map of the re-release is played; its mods ask and set it"},
-    {"sv_cheats", "0", "for mods of the re-release that ask; god and the like need no leave, as in QuakeSpasm"},
-    {"pr_checkextension", "1", "0: mods that ask this are not to use extensions of QuakeC"},
+    {"fraglimit", "0", "frags that end a deathmatch level; 0: no limit"},
+    {"timelimit", "0", "minutes after which a deathmatch level ends; 0: no limit"},
+    {"samelevel", "0", "1: a deathmatch level is played again when it ends"},
+    {"noexit", "0", "1: a level's exit kills the player who touches it; 2: except on the map start"},
+    {"developer", "0", "1: print the mod's debugging messages (dprint)"},
+    {"campaign", "0", "the re-release's flag for a campaign, which its mods read and set"},
+    {"horde", "0", "the re-release's flag for horde mode, which its mods read and set"},
+    {"sv_cheats", "0",
+     "the re-release's flag for cheats, which its mods read; god, give and noclip do not need it, as in QuakeSpasm"},
+    {"pr_checkextension", "1", "0: checkextension denies every QuakeC extension"},
     {"gamecfg", "0", kForMods},
     {"temp1", "0", kForMods},
     {"scratch1", "0", kForMods},
@@ -40,7 +41,8 @@ void add_mod_cvars(con::Console& console, bool registered) {
   for (const ModCvar& cvar : kModCvars)
     if (!console.find_cvar(cvar.name)) console.add_cvar(cvar.name, cvar.value, cvar.help, cvar.flags);
   if (!console.find_cvar("registered"))
-    console.add_cvar("registered", registered ? "1" : "0", "whether this is the whole game", con::kCvarRom);
+    console.add_cvar("registered", registered ? "1" : "0", "1: registered version of Quake; 0: shareware",
+                     con::kCvarRom);
 }
 
 }  // namespace fb::sv

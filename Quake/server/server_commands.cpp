@@ -59,18 +59,19 @@ void Server::Commands::add(std::string name, std::string help, con::Handler hand
 void Server::Commands::add_game_commands() {
   Server& server = server_;
   con::Console& console = server_.console_;
-  add("map", "map <name>: begins a new game on this map", [&server, &console](const con::Args& args) {
+  add("map", "map <name>: start a new game on a map", [&server, &console](const con::Args& args) {
     if (args.size() == 2) return console.fail_unless(server.map(args[1]));
     if (server.active()) return log_info("the level is {}", server.level()->map_name);
-    log_info("map <name>: begins a new game on this map");
+    log_info("map <name>: start a new game on a map");
   });
-  add("changelevel", "changelevel <map>: all players go to this map", [&server, &console](const con::Args& args) {
-    if (args.size() < 2) return log_info("changelevel <map>: all players go to this map");
-    console.fail_unless(server.changelevel(args[1]));
-  });
-  add("restart", "begins the level again",
+  add("changelevel", "changelevel <map>: go to another map with all players",
+      [&server, &console](const con::Args& args) {
+        if (args.size() < 2) return log_info("changelevel <map>: go to another map with all players");
+        console.fail_unless(server.changelevel(args[1]));
+      });
+  add("restart", "restart: start the level over",
       [&server, &console](const con::Args&) { console.fail_unless(server.restart()); });
-  add("maxplayers", "maxplayers <n>: how many may play in the games to come",
+  add("maxplayers", "maxplayers <n>: set the number of player slots (1 to 16); between games only",
       [&server, &console](const con::Args& args) {
         if (args.size() != 2) return log_info("maxplayers is {}", server.max_clients());
         const auto count = whole_number_in<int>("maxplayers", args[1], 1, net::kMaxClients);
@@ -78,15 +79,16 @@ void Server::Commands::add_game_commands() {
         if (const Status status = server.set_max_clients(*count); !status) return console.fail_unless(status);
         console.set("deathmatch", server.max_clients() == 1 ? "0" : "1");
       });
-  add("sv_run", "sv_run <seconds>: takes the game on as fast as possible, by host_framerate or tenths of a second",
+  add("sv_run",
+      "sv_run <seconds>: simulate the game as fast as possible, in steps of host_framerate or, if that is 0, 0.1 s",
       [&server, &console](const con::Args& args) {
-        if (args.size() != 2) return log_info("sv_run <seconds>: takes the game on as fast as possible");
+        if (args.size() != 2) return log_info("sv_run <seconds>: simulate the game as fast as possible");
         const auto seconds = number_in("sv_run", args[1], 0.0, kMostRunSeconds);
         if (!seconds) return console.fail_unless(seconds.error());
         if (!server.active()) return console.fail("sv_run: no game runs here");
         console.fail_unless(server.run(*seconds, run_step(console)));
       });
-  add("sv_dump", "sv_dump [file]: the whole state of the level as text", [&server, &console](const con::Args& args) {
+  add("sv_dump", "sv_dump [file]: write the level's whole state as text", [&server, &console](const con::Args& args) {
     if (!server.active()) return console.fail("sv_dump: no game runs here");
     const std::string text = server.dump();
     if (args.size() < 2) return log_info("{}", text);
@@ -101,14 +103,14 @@ void Server::Commands::add_game_commands() {
 void Server::Commands::add_save_commands() {
   Server& server = server_;
   con::Console& console = server_.console_;
-  add("save", "save <name>: saves the game", [&server, &console](const con::Args& args) {
-    if (args.size() != 2) return log_info("save <name>: saves the game");
+  add("save", "save <name>: save the game", [&server, &console](const con::Args& args) {
+    if (args.size() != 2) return log_info("save <name>: save the game");
     const Status status = server.save(args[1]);
     if (!status) return console.fail_unless(status);
     log_info("saved as {}", args[1]);
   });
-  add("load", "load <name>: goes on with a saved game", [&server, &console](const con::Args& args) {
-    if (args.size() != 2) return log_info("load <name>: goes on with a saved game");
+  add("load", "load <name>: load a saved game", [&server, &console](const con::Args& args) {
+    if (args.size() != 2) return log_info("load <name>: load a saved game");
     console.fail_unless(server.load(args[1]));
   });
 }
@@ -121,28 +123,30 @@ void Server::Commands::add_edict_commands() {
       handler(*server.level(), args);
     });
   };
-  add_for_level("edict", "edict <number>: all that one thing's fields hold", [](Level& level, const con::Args& args) {
+  add_for_level("edict", "edict <number>: print the fields of one edict", [](Level& level, const con::Args& args) {
     const std::uint32_t last = static_cast<std::uint32_t>(level.edicts().count()) - 1;
-    if (args.size() != 2) return log_info("edict <number>: there are those from 0 to {}", last);
+    if (args.size() != 2) return log_info("edict <number>: numbers are 0 to {}", last);
     const auto number = whole_number_in<std::uint32_t>("edict", args[1], 0, last);
     if (!number) return log_info("{}", number.error().message);
     log_info("{}", progs::print_edict(*level.vm, EdictId{*number}));
   });
-  add_for_level("edicts", "all that all things' fields hold", [](Level& level, const con::Args&) {
+  add_for_level("edicts", "edicts: print the fields of all edicts", [](Level& level, const con::Args&) {
     log_info("{} entities", level.edicts().count());
     for (EdictId id{}; level.edicts().valid(id); id = next(id)) log_info("{}", progs::print_edict(*level.vm, id));
   });
-  add_for_level("edictcount", "how many things there are", [](Level& level, const con::Args&) { print_counts(level); });
-  add_for_level("profile", "which of the mod's functions took the most since this was asked last",
+  add_for_level("edictcount", "edictcount: count the edicts",
+                [](Level& level, const con::Args&) { print_counts(level); });
+  add_for_level("profile", "profile: list the QuakeC functions that ran the most instructions since the last profile",
                 [](Level& level, const con::Args&) { print_profile(level); });
 }
 
 // A dedicated server's own console speaks as a player's would.
 void Server::Commands::add_player_commands() {
   for (const char* name : {"status", "kick", "ping", "say", "tell"}) {
-    add(name, "as players have it", [&server = server_](const con::Args& args) {
-      if (server.active()) server.clients_->console_command(args, server.now_);
-    });
+    add(name, fmt::format("{}: the players' command of this name, for the server's console", name),
+        [&server = server_](const con::Args& args) {
+          if (server.active()) server.clients_->console_command(args, server.now_);
+        });
   }
 }
 

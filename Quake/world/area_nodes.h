@@ -1,9 +1,9 @@
-// Where things are, for finding those near a box: Quake's area nodes, a tree that halves the world's box four times
-// along its longer horizontal side. A thing hangs at the deepest node whose half holds it whole, in one of two lists.
+// Finds the entities near a box: Quake's area nodes, a tree that halves the world's box four times along its longer
+// horizontal side. An entity is linked at the deepest node whose half contains it completely, in one of two lists.
 //
-// Order is behaviour: which of two triggers is touched first, and which of two equally near things is hit, follows from
-// the order of the lists. A thing goes to the end of its list each time it is linked; a search asks a node's list from
-// its beginning, then the upper half (above the node's distance), then the lower one (Misc/QUIRKS.md).
+// The order is part of the game's behaviour: it decides which of two triggers is touched first, and which of two
+// equally near entities is hit. An entity goes to the end of its list each time it is linked. A search visits a node's
+// list from its beginning, then the upper half (above the node's distance), then the lower one (Misc/QUIRKS.md).
 #pragma once
 
 #include <array>
@@ -21,21 +21,21 @@ class AreaNodes {
   // The world model's box.
   AreaNodes(const vec3& world_mins, const vec3& world_maxs);
 
-  // Puts thing `id` (0 and up; memory grows with the largest) where its box belongs, at the end of the list; takes it
-  // away from where it was before.
+  // Links entity `id` (0 and up; memory grows with the largest) where its box belongs, at the end of the list, after
+  // unlinking it from its former node.
   void link(int id, AreaList list, const Bounds& box);
-  void unlink(int id);  // no matter if it is not linked
+  void unlink(int id);  // does nothing if it is not linked
   bool linked(int id) const;
 
-  // Calls visit(id) for what hangs in the nodes that the box reaches, in Quake's order, until visit returns false.
-  // Boxes are not compared: that is the caller's, whose things may have changed theirs without being linked anew
-  // (QuakeC can). `visit` must not link or unlink: see collect. Returns false if visit did.
+  // Calls visit(id) for the entities in the nodes that the box reaches, in Quake's order, until visit returns false.
+  // Boxes are not compared: the caller must do so, because QuakeC can change an entity's box without linking it again.
+  // `visit` must not link or unlink: see collect. Returns false if visit did.
   template <typename Visit>
   bool visit(AreaList list, const Bounds& box, Visit&& visit) const {
     return visit_node(0, list, box, visit);
   }
-  // The same as a list, which stays good whatever is linked or unlinked while going through it: what QuakeSpasm makes
-  // before the first trigger is touched. Appends to `ids`.
+  // The same as a list, which stays valid while entities are linked or unlinked. QuakeSpasm makes such a list before
+  // the first trigger is touched. Appends to `ids`.
   void collect(AreaList list, const Bounds& box, std::vector<int>& ids) const;
 
  private:
@@ -45,7 +45,7 @@ class AreaNodes {
     float distance = 0.0f;
     std::array<int, 2> children{};  // above, below
   };
-  // Rings: each list of a node has a link of its own as both ends.
+  // Rings: each list of a node has a link of its own that is both its ends.
   struct Link {
     int previous = -1, next = -1;  // -1: not in a ring
   };
@@ -71,7 +71,7 @@ class AreaNodes {
   std::vector<Link> links_;  // the lists' ends, then a link for each id
 };
 
-// Whether two boxes meet; touching ones do. What Quake asks before a trigger is touched or a move is clipped.
+// Whether two boxes intersect; boxes that touch do. Quake tests this before a trigger is touched or a move is clipped.
 inline bool boxes_meet(const Bounds& a, const Bounds& b) {
   return !(a.min.x > b.max.x || a.min.y > b.max.y || a.min.z > b.max.z || a.max.x < b.min.x || a.max.y < b.min.y ||
            a.max.z < b.min.z);

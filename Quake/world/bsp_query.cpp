@@ -32,12 +32,12 @@ std::vector<bool> leaf_visibility(const formats::Bsp& bsp, std::uint32_t leaf) {
   if (leaf == 0 || leaf >= count || bsp.visibility.empty() || bsp.leafs[leaf].vis_offset < 0)
     return std::vector<bool>(count, true);
   std::vector<bool> visible(count, false);
-  // Row of bits for leafs 1 and up; a zero byte is followed by the number of zero bytes it stands for.
+  // A row of bits for leafs 1 and up; a zero byte is followed by the number of zero bytes that it represents.
   std::size_t at = static_cast<std::size_t>(bsp.leafs[leaf].vis_offset);
   for (std::size_t bit = 0; bit + 1 < count && at < bsp.visibility.size(); ++at) {
     const unsigned bits = bsp.visibility[at];
     if (bits == 0) {
-      if (++at >= bsp.visibility.size() || bsp.visibility[at] == 0) break;  // a run of none would never end
+      if (++at >= bsp.visibility.size() || bsp.visibility[at] == 0) break;  // a run of length 0 would never end
       bit += 8u * bsp.visibility[at];
       continue;
     }
@@ -51,7 +51,8 @@ std::vector<bool> leaf_visibility(const formats::Bsp& bsp, std::uint32_t leaf) {
 LineHit trace_line(const formats::Bsp& bsp, const vec3& start, const vec3& end, std::uint32_t model) {
   FB_CHECK_LT(model, bsp.models.size());
   LineHit result;
-  // Pieces of the line still to be looked at, nearest on top: trees of bad maps may be too deep for recursion.
+  // Segments of the line that remain to be tested, nearest on top: an explicit stack, because trees of bad maps may be
+  // too deep for recursion.
   struct Piece {
     std::int32_t node;
     float from, to;

@@ -13,7 +13,8 @@ namespace {
 bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' '; }
 bool stands_alone(char c) { return c == '{' || c == '}' || c == '(' || c == ')' || c == '\'' || c == ':'; }
 
-// Quake's tokens: quoted strings without escapes (an open one ends with the text), single marks, words; // comments.
+// Quake's tokens: quoted strings without escapes (an unclosed one ends with the text), single punctuation marks, words;
+// // comments.
 class Tokens {
  public:
   explicit Tokens(std::string_view text) : text_(text) {}
@@ -104,7 +105,7 @@ std::optional<vec3> Entity::color(std::string_view key) const {
 }
 
 Result<std::vector<Entity>> parse_entity_lump(std::string_view text, std::string_view name) {
-  // A lump may carry its terminating zero, and what follows it is not text.
+  // A lump may include its terminating zero; bytes after it are not text.
   text = text.substr(0, text.find('\0'));
   const auto error = [&](std::size_t offset, std::string_view cause) {
     return Error{fmt::format("{}: entities: offset {}: {}", name, offset, cause)};

@@ -5,7 +5,7 @@
 namespace fb::world {
 namespace {
 
-// The boxes that map compilers grow hulls 1 and 2 by.
+// The boxes by which map compilers expand hulls 1 and 2.
 constexpr std::array<std::array<vec3, 2>, kHullCount> kClipBoxes = {
     {{vec3(0.0f), vec3(0.0f)}, {vec3(-16, -16, -24), vec3(16, 16, 32)}, {vec3(-32, -32, -24), vec3(32, 32, 64)}}};
 
@@ -46,7 +46,7 @@ int hull_for_size(const vec3& size) {
 }
 
 BoxHull::BoxHull(const vec3& mins, const vec3& maxs) {
-  // Upper and lower plane of x, y, z in turn: outside of one is empty, inside of all six is solid.
+  // Upper and lower planes of x, y, z in turn: outside of any is empty, inside of all six is solid.
   for (std::int32_t i = 0; i < 6; ++i) {
     HullNode& node = nodes_[static_cast<std::size_t>(i)];
     const int axis = i / 2;

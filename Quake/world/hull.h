@@ -1,9 +1,10 @@
-// Quake's collision hulls: trees of planes whose leafs are contents. A hull has been grown by a box of its own, so that
-// moving that box through the map is moving a point through the hull. Hull 0 is the map's node tree (a point), 1 and 2
-// are its clip nodes for boxes of 32x32x56 and 64x64x88 units; a box that is no map has a hull of six planes.
+// Quake's collision hulls: trees of planes whose leafs are contents. A hull was expanded by a certain box, so that
+// moving that box through the map is the same as moving a point through the hull. Hull 0 is the map's node tree (for a
+// point); 1 and 2 are its clip nodes, for boxes of 32x32x56 and 64x64x88 units. The bounding box of an entity is a hull
+// of six planes.
 //
-// Numbers matter to the last bit: which side of a plane a point lies on decides what mods' monsters and players can do.
-// The order and width of each operation is Quake's as QuakeSpasm does it (hull_plane_distance).
+// Results must be equal to the last bit: the side of a plane on which a point lies decides what mods' monsters and
+// players can do. The order and precision of each operation is Quake's as in QuakeSpasm (hull_plane_distance).
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@
 
 namespace fb::world {
 
-// A node with its plane beside it: one cache line a step.
+// A node together with its plane: one cache line for each step.
 struct HullNode {
   vec3 normal{0.0f};
   float distance = 0.0f;
@@ -25,16 +26,16 @@ struct HullNode {
       formats::kContentsEmpty, formats::kContentsEmpty};
 };
 
-// A view of somebody's nodes (MapHulls, BoxHull), which must outlive it.
+// A view of nodes owned by MapHulls or BoxHull, which must outlive it.
 struct Hull {
   std::span<const HullNode> nodes;
-  std::int32_t first = formats::kContentsEmpty;  // root; < 0 where all is of one contents
-  vec3 clip_mins{0.0f}, clip_maxs{0.0f};         // of the box that the hull has been grown by
+  std::int32_t first = formats::kContentsEmpty;  // root; < 0 if everything has the same contents
+  vec3 clip_mins{0.0f}, clip_maxs{0.0f};         // of the box by which the hull was expanded
 };
 
 constexpr int kHullCount = 3;
 
-// The hulls of every model of a map. Copies what it needs of the map.
+// The hulls of every model of a map. Copies the data that it needs from the map.
 class MapHulls {
  public:
   explicit MapHulls(const formats::Bsp& bsp);
@@ -48,7 +49,7 @@ class MapHulls {
   std::vector<std::array<std::int32_t, kHullCount>> heads_;
 };
 
-// Which of a map's hulls stands for a moving box of this size: Quake looks at the width along x alone.
+// Which of a map's hulls is used for a moving box of this size: Quake only looks at the width along x.
 int hull_for_size(const vec3& size);
 
 // A box from mins to maxs as a hull: solid inside.
@@ -61,8 +62,8 @@ class BoxHull {
   std::array<HullNode, 6> nodes_;
 };
 
-// How far a point is in front of a node's plane. Planes along an axis: one subtraction of floats. Others: products and
-// sums in double, the plane's distance taken off there as well, and rounded to float at the end.
+// Distance of a point in front of a node's plane. For planes along an axis one subtraction of floats; for others
+// products, sums and the subtraction of the plane's distance in double, rounded to float at the end.
 inline float hull_plane_distance(const HullNode& node, const vec3& p) {
   if (node.type < 3) return p[node.type] - node.distance;
   const double dot = static_cast<double>(node.normal.x) * p.x + static_cast<double>(node.normal.y) * p.y +
@@ -70,7 +71,7 @@ inline float hull_plane_distance(const HullNode& node, const vec3& p) {
   return static_cast<float>(dot - node.distance);
 }
 
-// CONTENTS_* at a point in the hull's space, from `node` on (SV_HullPointContents): a point on a plane is in front.
+// CONTENTS_* at a point in the hull's space, starting at `node` (SV_HullPointContents): a point on a plane is in front.
 inline std::int32_t hull_point_contents(const Hull& hull, std::int32_t node, const vec3& p) {
   while (node >= 0) {
     const HullNode& at = hull.nodes[static_cast<std::size_t>(node)];
@@ -82,8 +83,8 @@ inline std::int32_t hull_point_contents(const Hull& hull, const vec3& p) {
   return hull_point_contents(hull, hull.first, p);
 }
 
-// What the world holds at a point (SV_TruePointContents), and with currents taken as water, which is what QuakeC and
-// the physics are told (SV_PointContents).
+// The world's contents at a point (SV_TruePointContents), and with currents reported as water, as QuakeC and the
+// physics expect (SV_PointContents).
 std::int32_t true_point_contents(const MapHulls& map, const vec3& p);
 std::int32_t sv_point_contents(const MapHulls& map, const vec3& p);
 

@@ -33,7 +33,7 @@ unsigned box_on_plane_side(const Bounds& box, const BspPlane& plane) {
   return front | (dot(plane.normal, hindmost) < plane.distance ? 2u : 0u);
 }
 
-// Recursion in both is as deep as the tree at most: formats::kMaxBspDepth.
+// Recursion in both functions is at most as deep as the tree: formats::kMaxBspDepth.
 void add_fat(const Bsp& bsp, std::int32_t at, const vec3& point, LeafSet& set) {
   constexpr float kFat = 8.0f;  // units
   while (at >= 0) {
@@ -57,7 +57,7 @@ void find_touched(const Bsp& bsp, std::int32_t at, const Bounds& box, TouchedLea
     const BspNode& node = bsp.nodes[static_cast<std::size_t>(at)];
     const unsigned sides = box_on_plane_side(box, bsp.planes[node.plane]);
     if (sides == 3) find_touched(bsp, node.children[0], box, found);
-    if (sides == 0) return;  // a box or plane that makes no sense is on neither side
+    if (sides == 0) return;  // an invalid box or plane is on neither side
     at = node.children[sides == 1 ? 0 : 1];
   }
   if (at >= 0 || found.count == TouchedLeafs::kMost) return;
@@ -79,7 +79,7 @@ void LeafSet::add_pvs(const Bsp& bsp, std::uint32_t leaf) {
     std::ranges::fill(rows_, std::uint8_t{0xff});
     return;
   }
-  // A zero byte is followed by the number of zero bytes that it stands for.
+  // A zero byte is followed by the number of zero bytes that it represents.
   std::size_t row = 0;
   for (auto at = static_cast<std::size_t>(offset); row < rows_.size() && at < bsp.visibility.size(); ++at) {
     if (bsp.visibility[at] != 0) {

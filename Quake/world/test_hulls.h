@@ -1,4 +1,4 @@
-// Hulls made in code for the tests of this module.
+// Hulls built in code, for tests of this module.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace fb::world::testing {
 
-// Nodes and the view of them.
+// Nodes, and a hull that refers to them.
 struct OwnedHull {
   std::vector<HullNode> nodes;
   std::int32_t first = 0;

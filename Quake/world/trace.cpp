@@ -8,7 +8,7 @@ namespace {
 using formats::kContentsEmpty;
 using formats::kContentsSolid;
 
-// 1/32 of a unit; a double, as it makes the division below one of doubles.
+// 1/32 of a unit; a double, so that the division below is in double.
 constexpr double kDistEpsilon = 0.03125;
 
 // Far beyond any map; differences of such numbers are finite.
@@ -26,8 +26,9 @@ class HullCheck {
  public:
   HullCheck(const Hull& hull, Trace& trace) : hull_(hull), trace_(trace) {}
 
-  // The piece of the line from `from` at fraction from_f to `to` at to_f, below a node. False once something was hit.
-  // Recursion is as deep as the tree at most (formats::kMaxBspDepth): the far side of a plane goes round the loop.
+  // Traces the segment from `from` at fraction from_f to `to` at to_f, below a node. Returns false once something was
+  // hit. Recursion is at most as deep as the tree (formats::kMaxBspDepth); the far side of a plane is handled by the
+  // loop.
   bool walk(std::int32_t node, float from_f, float to_f, vec3 from, const vec3& to) {
     while (node >= 0) {
       const HullNode& at = hull_.nodes[static_cast<std::size_t>(node)];
@@ -66,12 +67,12 @@ class HullCheck {
     std::size_t near_side;
   };
 
-  // Where on the piece the plane is crossed, less kDistEpsilon on the near side.
+  // The fraction of the segment at which the plane is crossed, minus kDistEpsilon on the near side.
   static float near_side_fraction(float d_from, float d_to) {
     const double way = d_from - d_to;  // a difference of floats, rounded to one
     const double before = d_from < 0.0f ? d_from + kDistEpsilon : d_from - kDistEpsilon;
     const auto fraction = static_cast<float>(before / way);
-    if (!(fraction >= 0.0f)) return 0.0f;  // also where a plane that is no plane makes it no number
+    if (!(fraction >= 0.0f)) return 0.0f;  // also if a degenerate plane makes it NaN
     return fraction > 1.0f ? 1.0f : fraction;
   }
 
@@ -84,12 +85,12 @@ class HullCheck {
     (contents == kContentsEmpty ? trace_.in_open : trace_.in_water) = true;
   }
 
-  // What lies beyond the plane is solid.
+  // The space beyond the plane is solid.
   bool hit(const Crossing& crossing, float fraction, float mid_f, vec3 mid) {
-    if (trace_.all_solid) return false;  // still in the solid it started in
+    if (trace_.all_solid) return false;  // still in the solid in which it started
     while (hull_point_contents(hull_, mid) == kContentsSolid) {
       fraction = static_cast<float>(fraction - 0.1);
-      if (!(fraction >= 0.0f)) break;  // drawn back to before the piece: stays where the last step left it
+      if (!(fraction >= 0.0f)) break;  // moved back before the segment: stays at the last step's position
       mid_f = crossing.from_f + (crossing.to_f - crossing.from_f) * fraction;
       mid = between(crossing.from, crossing.to, fraction);
     }
@@ -97,7 +98,7 @@ class HullCheck {
   }
 
   bool stop(const Crossing& crossing, float at_f, const vec3& at) {
-    // Zero minus each component, so that no zero turns negative.
+    // Zero minus each component, so that no zero becomes negative.
     const HullNode& node = crossing.node;
     trace_.plane = crossing.near_side == 0 ? TracePlane{node.normal, node.distance}
                                            : TracePlane{vec3(0.0f) - node.normal, -node.distance};
@@ -113,7 +114,7 @@ class HullCheck {
 
 Trace clip_move(const Hull& hull, const vec3& offset, const Move& move) {
   Trace trace = trace_hull(hull, move.start - offset, move.end - offset);
-  // Taking the offset off and on again may round: a way that is free ends exactly where it was meant to.
+  // Subtracting and adding the offset may round: a free move must end exactly at its target.
   trace.end_pos = trace.fraction == 1.0f ? move.end : trace.end_pos + offset;
   return trace;
 }
@@ -136,7 +137,7 @@ Trace trace_hull(const Hull& hull, const vec3& start, const vec3& end) {
 
 Trace clip_move_to_model(const MapHulls& map, std::uint32_t model, const vec3& origin, const Move& move) {
   const Hull hull = map.hull(model, hull_for_size(move.maxs - move.mins));
-  // Puts the corner of the box where the corner of the hull's own box is.
+  // Aligns the corner of the box with that of the hull's own box.
   const vec3 offset = (hull.clip_mins - move.mins) + origin;
   return clip_move(hull, offset, move);
 }

@@ -1,5 +1,5 @@
-// Traces a second on lq_e1m7: moves of a step's length and across the map, from points in the open, in each hull.
-// FULLBRIGHT_TEST_DATA (../shared/librequake) names the data.
+// Measures traces a second on lq_e1m7: moves of a step's length and across the map, from points in the open, in each
+// hull. FULLBRIGHT_TEST_DATA (../shared/librequake) names the data.
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
