@@ -1,4 +1,4 @@
-// -condebug: all that is said, line by line in a file too, so that it is there after whatever happens.
+// -condebug: writes all log lines to a file as they come, so that they survive a crash.
 #pragma once
 
 #include <filesystem>
@@ -15,14 +15,14 @@ namespace fb::host {
 
 class ConsoleLog {
  public:
-  // Begins the file anew, and its folders where they are missing.
+  // Truncates the file, and creates missing folders.
   static Result<std::unique_ptr<ConsoleLog>> open(const std::filesystem::path& path);
   ~ConsoleLog();
   ConsoleLog(const ConsoleLog&) = delete;
   ConsoleLog& operator=(const ConsoleLog&) = delete;
 
  private:
-  // Shared with the listener, which another thread may still be in when it is removed.
+  // Shared with the listener, which another thread may still be running when it is removed.
   struct File {
     std::mutex mutex;
     std::ofstream stream;

@@ -40,7 +40,7 @@ Result<int> run_dedicated(const GameOptions& options) {
     engine.execute_commands(platform::now_seconds());
     if (quit) break;
     TimeSettings settings = read_time_settings(console);
-    settings.max_fps = FrameTimer::kFastestInStep;  // sys_ticrate is a tick
+    settings.max_fps = FrameTimer::kFastestInStep;  // each frame is a tick, of sys_ticrate
     const double now = platform::now_seconds();
     engine.frame(timer.plan(now - last, settings), vec2(0.0f), now);
     last = now;

@@ -1,4 +1,4 @@
-// fullbright -dedicated: a server without client, window or device. Its console is the terminal.
+// fullbright -dedicated: a server without client, window or GPU. Its console is the terminal.
 #pragma once
 
 #include "base/result.h"
@@ -6,8 +6,8 @@
 
 namespace fb::host {
 
-// Until `quit`, or until the program is told to end (base/stop.h). The exit status; fails where there is no game
-// data or where the port is taken.
+// Runs until `quit`, or until the program is told to end (base/stop.h). Returns the exit status; fails if there is no
+// game data or the port is in use.
 Result<int> run_dedicated(const GameOptions& options);
 
 }  // namespace fb::host

@@ -60,7 +60,7 @@ Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::ve
   if (options.particles && options.client) client_->set_particle_limit(*options.particles);
 }
 
-// It is no reason not to play that there is nowhere to write to.
+// A log that cannot be written is no reason not to play.
 void Engine::open_log() {
   const auto path = files_.write_path("qconsole.log");
   auto log = path ? ConsoleLog::open(*path) : Result<std::unique_ptr<ConsoleLog>>(path.error());

@@ -1,5 +1,5 @@
-// Engine: what every way of running needs of the game: files, console, models, and a client, a server, or both, joined
-// by a loopback; put together here and nowhere else. No device, no window.
+// Engine: the parts of the game that every mode of running needs: files, console, models, and a client, a server, or
+// both, connected by a loopback. They are put together here and nowhere else. No GPU, no window.
 #pragma once
 
 #include <cstdint>
@@ -29,23 +29,22 @@ struct EngineOptions {
   bool client = true;
   bool server = true;
   bool dedicated = false;  // a server whose console is the program's
-  int max_clients = 1;     // above 1 others may join over the network
+  int max_clients = 1;     // above 1, others may join over the network
   std::uint16_t port = net::kDefaultPort;
   std::uint64_t seed = 0;  // of QuakeC's random numbers
   net::NetworkOptions network = {};
-  std::optional<int> protocol = std::nullopt;  // what sv_protocol begins with; none: its default
+  std::optional<int> protocol = std::nullopt;  // initial value of sv_protocol; none: its default
   bool console_log = false;                    // into qconsole.log, see console_log.h
   std::optional<std::uint32_t> console_kilobytes = std::nullopt, particles = std::nullopt;
 };
 
-// With a client; without -seed the seed is another one each time.
+// Options with a client; without -seed, the seed is random.
 EngineOptions engine_options(const GameOptions& options);
 
 class Engine {
  public:
-  // `arguments`: the command line without the program's name; those about files are taken (fs/options.h).
-  // Fails with a sentence that says what to give where there is no game data, and where a dedicated server's port is
-  // taken.
+  // `arguments`: the command line without the program's name; the options about files are read here (fs/options.h).
+  // Fails with a message that says what is missing if there is no game data, or if a dedicated server's port is in use.
   static Result<std::unique_ptr<Engine>> create(const std::vector<std::string>& arguments,
                                                 const EngineOptions& options = {});
   ~Engine();
@@ -55,25 +54,25 @@ class Engine {
   con::Console& console() { return console_; }
   fs::FileSystem& files() { return files_; }
   scene::ModelLibrary& library() { return library_; }
-  // Only where the options ask for one.
+  // Only if the options ask for one.
   cl::Client& client() { return *client_; }
   sv::Server& server() { return *server_; }
 
-  // Commands that configure a game, as Quake has them: quake.rc, or what it does where there is none; in it the command
-  // line's own.
+  // Queues the commands that configure a game, as Quake does: quake.rc, or the same steps if there is none; they
+  // include those of the command line.
   void queue_configuration(const std::vector<std::string>& arguments);
-  // Commands that wait. A `wait` lasts until the server has ticked.
+  // Executes queued commands. A `wait` lasts until the server has ticked.
   void execute_commands(double now);
-  // One frame of the game: the player looks, ticks go by, the client hears of them. mouse: counts to the right and
-  // downwards.
+  // One frame of the game: the player's view turns, the server ticks, the client reads its messages. mouse: counts to
+  // the right and downwards.
   void frame(const FramePlan& plan, const vec2& mouse, double now);
-  // Is there a game, a demo, a connection or a search for servers under way, or a command to come?
+  // Whether a game, a demo, a connection or a search for servers is running, or a command is queued.
   bool busy();
-  // A game, a demo or a map is shown, or a game runs here.
+  // Whether a game, a demo or a map is shown, or a game runs here.
   bool playing() const;
-  // Ends it, for something that went wrong: one sentence, and the console goes on.
+  // Ends the game because of an error: prints one message and returns to the console.
   void give_up(const Error& why);
-  // A command could not do what it was asked to, or the last game or demo ended for something that went wrong.
+  // Whether a command failed, or the last game or demo ended with an error.
   bool went_wrong() const;
 
  private:
@@ -93,7 +92,7 @@ class Engine {
   net::LoopbackListener loopback_;
   std::unique_ptr<net::DatagramListener> listener_;
   std::unique_ptr<sv::Server> server_;
-  std::unique_ptr<cl::Client> client_;  // ends before the server
+  std::unique_ptr<cl::Client> client_;  // destroyed before the server
   double now_ = 0.0;
   bool ticked_ = true;
 };

@@ -1,5 +1,5 @@
-// FrameDrawer: draws frames at the size and with the settings that the player asks for, or, where there is no memory
-// for these, as the last frame was drawn. It then says so once, and tries again when something else is asked for.
+// FrameDrawer: draws frames at the requested size and settings. If there is no memory for them, it draws with those of
+// the last frame, prints one message, and tries again when the request changes.
 #pragma once
 
 #include <optional>
@@ -14,9 +14,9 @@ class FrameDrawer {
   explicit FrameDrawer(render::Renderer& renderer) : renderer_(renderer) {}
 
   void resize(uvec2 size) { size_ = size; }
-  // Of the frame that draw() would draw with these settings: what is 2D is laid out for it.
+  // Size of the frame that draw() would draw with these settings; 2D elements are laid out for it.
   uvec2 size(const render::RenderSettings& settings) const;
-  // Throws std::bad_alloc where there is no memory for what is to be seen.
+  // Throws std::bad_alloc if there is no memory for the scene.
   void draw(const scene::FrameSnapshot& snapshot, const scene::DrawList* list, const render::RenderSettings& settings);
 
  private:

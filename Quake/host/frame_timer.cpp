@@ -39,7 +39,7 @@ FramePlan FrameTimer::plan(double passed, const TimeSettings& settings) {
   }
   plan.in_step = false;
   due_ += real;
-  // A thousandth of a tick more or less is none: sums of floats are never even.
+  // Tolerates a thousandth of a tick, because sums of floats are inexact.
   plan.ticks = static_cast<int>(std::floor(due_ / kTick + 1e-3));
   due_ = std::max(0.0, due_ - plan.ticks * kTick);
   plan.tick_seconds = kTick * scale;

@@ -48,7 +48,7 @@ Result<std::unique_ptr<Game>> Game::create(const GameOptions& options) {
     if (failed) return Error{fmt::format("-capture {}: {}", options.capture, failed.message())};
   }
 
-  // The mouse looks unless the configuration says otherwise.
+  // Mouse look is on unless the configuration says otherwise.
   if (!options.headless) game->engine_->console().append("+mlook\n");
   game->engine_->queue_configuration(options.arguments);
 
@@ -129,7 +129,7 @@ void Game::register_commands() {
     console.add_command("startdemos", "startdemos: no effect without a window: the loop would never end",
                         [](const con::Args&) {});
   }
-  // QuakeSpasm's config.cfg ends with it.
+  // QuakeSpasm's config.cfg ends with vid_restart.
   console.add_command("vid_restart", "vid_restart: no effect: the command line sets up the window",
                       [](const con::Args&) {});
   console.add_command("viewmap", "viewmap <map>: show a map from its first player start, without starting a game",
@@ -176,7 +176,7 @@ void Game::handle_events() {
   follow_focus();
 }
 
-// Who plays has the mouse in the game; at the console, time stands still where nobody else plays.
+// During play the game has the mouse. While the console is open, time stops in a single-player game.
 void Game::follow_focus() {
   const cl::Client& client = engine_->client();
   const bool in_game = client.connected() && client.active();
@@ -187,7 +187,7 @@ void Game::follow_focus() {
   engine_->server().hold(in_game && screen_.console_open());
 }
 
-// Waits where frames come faster than they may: in a window, and in somebody else's game, whose time is real.
+// Waits if frames are faster than allowed: in a window, and on another machine's server, where time is real.
 double Game::seconds_passed() {
   const cl::Client& client = engine_->client();
   const bool elsewhere = client.connecting() || (client.connected() && !engine_->server().active());
@@ -226,9 +226,9 @@ bool Game::draw_frame() {
   cl::Client& client = engine_->client();
   if (!client.active() && !window_) return false;
   client.build_snapshot(snapshot_);
-  if (!client.active()) snapshot_.assets = nullptr;  // a level that has been left takes no memory on the device
+  if (!client.active()) snapshot_.assets = nullptr;  // frees the GPU memory of a level that was left
   snapshot_.frame = frame_;
-  // Frames that are measured or recorded show the game alone.
+  // Measured or recorded frames show the game alone, without overlays.
   const bool overlay = window_ != nullptr || engine_->console().cvar("scr_showfps").on();
   const render::RenderSettings wanted = settings();
   const scene::DrawList* list =
@@ -250,14 +250,14 @@ void Game::report_timing() {
   was_timing_ = timing;
 }
 
-// Measurements leave no trace, so only a played game is remembered.
+// Measurements must leave no trace, so the configuration is saved only after play.
 void Game::save_config() {
   const auto path = engine_->files().write_path("config.cfg");
   if (!path) return engine_->console().fail_unless(path.error());
   engine_->console().fail_unless(engine_->console().write_config(*path));
 }
 
-// False: there is nothing more to do.
+// Returns false if there is nothing more to do.
 bool Game::frame() {
   mouse_ = vec2(0.0f);
   handle_events();
@@ -281,11 +281,11 @@ int Game::run() {
     try {
       if (!frame()) break;
     } catch (const std::bad_alloc& failure) {
-      if (!playing && !engine_->playing()) throw;  // nothing to give up
+      if (!playing && !engine_->playing()) throw;  // there is no game to end
       engine_->give_up(Error{sentence_of(failure)});
     }
   }
-  engine_->client().disconnect();  // ends a recording, which may go wrong, too
+  engine_->client().disconnect();  // ends a recording, which may fail, too
   if (options_.headless && engine_->went_wrong()) exit_status_ = 1;
   if (window_) save_config();
   return exit_status_;

@@ -24,8 +24,8 @@ class Game {
  public:
   static Result<std::unique_ptr<Game>> create(const GameOptions& options);
   ~Game();
-  // Until `quit`; headless also until there is nothing left to do. The exit status. Memory that runs out in a game or a
-  // demo ends that; where nothing is played it is thrown.
+  // Runs until `quit`; headless also until there is nothing left to do. Returns the exit status. Running out of memory
+  // ends a game or a demo; if nothing is played, std::bad_alloc is thrown.
   int run();
 
  private:
@@ -59,7 +59,7 @@ class Game {
   int exit_status_ = 0;
   double last_time_ = 0;
   FrameTimer timer_;
-  vec2 mouse_{0.0f};  // counts of this frame
+  vec2 mouse_{0.0f};  // mouse counts in this frame
   bool was_in_game_ = false;
   std::uint64_t frame_ = 0, captured_ = 0;
 };

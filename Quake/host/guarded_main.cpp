@@ -9,7 +9,7 @@
 namespace fb::host {
 namespace {
 
-// Without allocating anything.
+// Must not allocate memory.
 int end(const char* program, const char* why) {
   std::fprintf(stderr, "%s: %s\n", program, why);
   return 1;
@@ -24,7 +24,7 @@ int guarded_main(const char* program, const std::function<int()>& run) {
     return end(program, failure.what());
   } catch (const std::bad_alloc&) {
     return end(program, "the system has no memory left for this program");
-  } catch (const std::exception& failure) {  // a thread that could not be started, a file system's
+  } catch (const std::exception& failure) {  // for example a thread that could not be started, or a file system error
     return end(program, failure.what());
   }
 }

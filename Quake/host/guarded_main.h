@@ -1,4 +1,5 @@
-// What both programs' main() have in common: what nobody else could deal with ends with one sentence and exit status 1.
+// The outer part of both programs' main(): an exception that nothing else handled ends the program with one message and
+// exit status 1.
 #pragma once
 
 #include <functional>

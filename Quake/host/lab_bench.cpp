@@ -1,4 +1,4 @@
-// fullbright-lab bench: configurations side by side, speed against error.
+// fullbright-lab bench: speed and error of configurations side by side.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-// "NAME:cvar=value,cvar=value": the console's settings with these; the console is left as it was.
+// Parses "NAME:cvar=value,cvar=value": the console's settings changed by these; the console itself is not changed.
 Result<lab::Configuration> parse_configuration(con::Console& console, const std::string& text) {
   const std::size_t colon = text.find(':');
   if (colon == 0 || colon == std::string::npos)
@@ -95,7 +95,7 @@ std::string view_title(const BenchOptions& o) {
   return fmt::format("{}, frames {}", what, o.frames);
 }
 
-// The reference and whether its rays covered their pixels (r_jitter).
+// The reference, and whether its samples cover the whole pixel (r_jitter).
 struct KnownReference {
   lab::Reference reference;
   std::optional<int> jitter;
@@ -109,8 +109,8 @@ Result<KnownReference> read_reference(const std::string& path) {
   return known;
 }
 
-// Jitter is the same in frames and reference: a reference's own, else r_jitter, where -1 (only while accumulating) is
-// none.
+// Frames and reference have the same jitter: the reference file's if there is one, else r_jitter, where -1 (only while
+// accumulating) means none.
 int jitter_of(const render::RenderSettings& settings, const std::optional<KnownReference>& known) {
   if (known && known->jitter) return *known->jitter;
   return std::max(settings.jitter, 0);
@@ -157,7 +157,7 @@ Result<lab::BenchResult> run_on_stage(Stage& stage, const BenchOptions& o, lab::
 }
 
 int run_bench(const BenchOptions& o, const std::string& command) {
-  if (o.json == "-" || o.csv == "-") set_log_level(LogLevel::kWarning);  // standard output is the report's alone
+  if (o.json == "-" || o.csv == "-") set_log_level(LogLevel::kWarning);  // standard output has only the report
   Stage stage;
   if (auto status = open_stage(stage, o.stage); !status) return fail(status.error());
   con::Console& console = stage.console();

@@ -1,4 +1,4 @@
-// fullbright-lab compare: pictures held to a reference.
+// fullbright-lab compare: error of pictures against a reference.
 #include <fmt/format.h>
 
 #include "host/lab_numbers.h"

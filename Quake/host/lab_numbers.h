@@ -1,4 +1,4 @@
-// Options of the laboratory that are numbers, read as everything that people type is (base/number.h).
+// Numeric options of the laboratory, read as all numbers that people type (base/number.h).
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,8 +13,8 @@
 
 namespace fb::host {
 
-// What no measurement needs more of.
-constexpr std::uint32_t kMostSamples = 1u << 24u;  // a pixel
+// Upper limits that no measurement needs to exceed.
+constexpr std::uint32_t kMostSamples = 1u << 24u;  // per pixel
 constexpr std::uint32_t kMostFrames = 10000000;
 
 // An option whose value is a number from `low` to `high`; `value` holds its default, and must outlive the app.

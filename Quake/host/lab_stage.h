@@ -1,4 +1,5 @@
-// What the laboratory's commands have in common: options that say what is rendered and how, and the stage they set up.
+// Shared by the laboratory's commands: options for what is rendered and how, and the renderer and scene that they set
+// up.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,7 +18,7 @@
 
 namespace fb::host {
 
-// A subcommand of fullbright-lab, and what it does once its options are read; the exit status.
+// A subcommand of fullbright-lab, and the function to run after its options are read; it returns the exit status.
 struct LabCommand {
   CLI::App* app = nullptr;
   std::function<int()> run;
@@ -40,7 +41,7 @@ struct StageOptions {
 };
 void add_stage_options(CLI::App& app, StageOptions& options);
 
-// Device, settings and frames, ready to be rendered.
+// Device, settings and frames, ready to render.
 struct Stage {
   con::Console own_console;  // for scenes in code, which need no game data
   std::unique_ptr<Engine> engine;
@@ -55,16 +56,16 @@ struct Stage {
 Status open_stage(Stage& stage, const StageOptions& options);
 
 Status known_estimator(const std::string& name, const std::string& option);
-// "cvar=value"; `option` is named where it cannot be.
+// Sets a cvar from "cvar=value"; `option` is named in the error.
 Status set_cvar(con::Console& console, const std::string& assignment, const std::string& option);
-// "A:B" or "A".
+// Parses "A:B" or "A".
 Result<std::pair<std::uint64_t, std::uint64_t>> parse_frames(const std::string& text);
-// To standard output for "-".
+// Writes to standard output for "-".
 Status write_text(const std::string& path, const std::string& text);
 
-// Prints the sentence; returns the exit status.
+// Prints the error and returns the exit status.
 int fail(const Error& error);
-// Says what was not finite; the exit status, which tells of validation messages.
+// Reports samples that were not finite. Returns the exit status, which depends on validation messages.
 int finish(const Stage& stage);
 
 }  // namespace fb::host

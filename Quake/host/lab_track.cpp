@@ -1,4 +1,4 @@
-// fullbright-lab track: where demos had their player.
+// fullbright-lab track: the player's positions in demos.
 #include <fmt/format.h>
 
 #include "fs/file.h"

@@ -1,4 +1,4 @@
-// fullbright-lab ztest: whether an estimator has the mean of another.
+// fullbright-lab ztest: whether an estimator is biased relative to another.
 #include <fmt/format.h>
 
 #include "host/lab_numbers.h"
@@ -18,7 +18,7 @@ struct ZTestCommand {
   bool blocks = false;
 };
 
-// Exit status: 0 no bias found, 3 bias found, 1 it could not be told.
+// Exit status: 0 no bias found, 3 bias found, 1 the test was not possible.
 int run_ztest(const ZTestCommand& c) {
   Stage stage;
   if (auto status = open_stage(stage, c.stage); !status) return fail(status.error());

@@ -81,7 +81,7 @@ Status switch_off_network(GameOptions& options, const std::string&) {
   return ok_status();
 }
 
-// fs/options.h reads these and base_game.h's; here they only have to be known.
+// fs/options.h and base_game.h read these; here they only have to be known.
 Status read_elsewhere(GameOptions&, const std::string&) { return ok_status(); }
 
 template <bool GameOptions::*kMember, bool kValue = true>
@@ -90,7 +90,7 @@ Status flag(GameOptions& options, const std::string&) {
   return ok_status();
 }
 
-// Why an option does nothing. -help lists those of one reason together.
+// Why an option has no effect. -help lists options with the same reason together.
 constexpr const char* kSound = "there is no sound yet";
 constexpr const char* kJoystick = "there are no game controllers yet";
 constexpr const char* kMemory = "memory is allocated as needed";
@@ -252,7 +252,7 @@ constexpr Option kOptions[] = {
     {"-multiuser", "", nullptr, kNothing},
 };
 
-// Levenshtein's.
+// Levenshtein's distance.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -276,8 +276,8 @@ const Option* find_option(std::string_view name) {
 }
 
 const Option* nearest_option(std::string_view name) {
-  if (name.size() < 4) return nullptr;               // "-x" is near everything short
-  const std::size_t near = name.size() > 5 ? 2 : 1;  // mistakes
+  if (name.size() < 4) return nullptr;               // every short name is near "-x"
+  const std::size_t near = name.size() > 5 ? 2 : 1;  // number of mistakes
   const auto distance = [&](const Option& option) { return edit_distance(name, option.name); };
   const auto best = std::ranges::min_element(kOptions, {}, distance);
   return distance(*best) <= near ? &*best : nullptr;

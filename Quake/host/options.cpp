@@ -20,7 +20,7 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 
 bool begins_option(const std::string& word) { return word.starts_with('-'); }
 bool begins_command(const std::string& word) { return word.starts_with('+'); }
-// "-1" and "-.5" are numbers of a command's.
+// "-1" and "-.5" are numbers that belong to a command.
 bool is_negative_number(const std::string& word) {
   return word.size() > 1 && word[0] == '-' && (is_digit(word[1]) || word[1] == '.');
 }
@@ -33,7 +33,7 @@ Error unknown(const std::string& word) {
   return Error{fmt::format("{}: there is no such option{}; -help lists them", word, meant)};
 }
 
-// Goes through the arguments once.
+// Parses the arguments in one pass.
 class Parser {
  public:
   explicit Parser(const std::vector<std::string>& arguments) : arguments_(arguments) { options_.arguments = arguments; }
@@ -57,13 +57,13 @@ class Parser {
   bool at_end() const { return at_ == arguments_.size(); }
   const std::string& here() const { return arguments_[at_]; }
 
-  // What follows, up to the next '+' or '-', is the command's.
+  // Words up to the next '+' or '-' belong to the command.
   void skip_command() {
     options_.has_commands = true;
     while (!at_end() && !begins_command(here()) && (!begins_option(here()) || is_negative_number(here()))) ++at_;
   }
 
-  // The value that the option's row asks for; "" where there is none and none is needed.
+  // The value that the option's row requires; "" if there is none and none is needed.
   Result<std::string> value_of(const Option& option) {
     const std::string_view wanted = option.value;
     if (wanted.empty()) return std::string();
@@ -83,7 +83,7 @@ class Parser {
     return ok_status();
   }
 
-  // One side of the picture's size gives the other.
+  // If only one side of the size is given, computes the other.
   void fill_size() {
     uvec2& size = options_.size;
     if (size.x != 0 && size.y == 0) size.y = std::max(1u, size.x * 9 / 16);
@@ -108,7 +108,7 @@ std::string help_of_what_works() {
   return text;
 }
 
-// A reason, and behind it the options that do nothing for it, in lines of kHelpWidth.
+// Each reason, followed by the options that have no effect for that reason, in lines of kHelpWidth.
 std::string help_of_what_is_ignored() {
   std::vector<std::string> reasons;
   std::map<std::string, std::vector<std::string>> by_reason;

@@ -1,4 +1,4 @@
-// The command line of fullbright: options with '-', console commands with '+', as Quake has always had it.
+// The command line of fullbright, in Quake's form: options with '-', console commands with '+'.
 #pragma once
 
 #include <cstdint>
@@ -21,22 +21,22 @@ struct GameOptions {
   uvec2 size{0, 0};          // 0: the window's default
   std::string capture;       // folder for numbered PNG frames; empty: none
   std::uint32_t capture_every = 1;
-  bool has_commands = false;  // any '+'
+  bool has_commands = false;  // whether there is any '+'
   bool dedicated = false;
   int max_clients = 1;  // of -dedicated and -listen
   std::uint32_t port = 26000;
   net::NetworkOptions network;
-  std::optional<int> protocol;        // the server's; none: what cvar sv_protocol says
-  std::optional<std::uint64_t> seed;  // of the game's random numbers; none: another one each time
-  std::optional<std::uint32_t> particles, console_kilobytes;  // none: what is usual
+  std::optional<int> protocol;                                // the server's; none: what cvar sv_protocol says
+  std::optional<std::uint64_t> seed;                          // of QuakeC's random numbers; none: a random seed
+  std::optional<std::uint32_t> particles, console_kilobytes;  // none: the default
   std::vector<std::string> arguments;                         // all of them, for files and stuffcmds
 };
 
-// By the rows of option_table.h. Fails on an unknown option and on a value that is missing or malformed, with a
-// sentence that names it.
+// Parses by the rows of option_table.h. Fails on an unknown option and on a missing or malformed value, with a message
+// that names it.
 Result<GameOptions> parse_game_options(const std::vector<std::string>& arguments);
 constexpr std::uint32_t kLargestSide = 16384;  // of the picture, pixels
-// "640x360" to a size; each side 1..kLargestSide.
+// Parses a size such as "640x360"; each side 1..kLargestSide.
 Result<uvec2> parse_size(const std::string& text);
 std::string game_help();
 std::string version_text();

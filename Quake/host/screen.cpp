@@ -102,7 +102,7 @@ const scene::DrawList& Screen::draw(const cl::Hud& hud, bool game, uvec2 size, d
   ui::Painter painter(list_, atlas_, width, height, ui::automatic_scale(width, height));
   const bool finale = hud.intermission == cl::Intermission::kFinale || hud.intermission == cl::Intermission::kCutscene;
   if (game && !hud.center_print.empty() && (finale || hud.time - hud.center_print_time < kCenterPrintSeconds)) {
-    // A finale's text is typed, eight characters a second.
+    // A finale's text appears at eight characters a second.
     const double shown = finale ? 8.0 * (hud.time - hud.center_print_time) : 1e9;
     ui::draw_center_print(painter, hud.center_print, static_cast<std::size_t>(std::max(0.0, shown)));
   }

@@ -1,4 +1,4 @@
-// What is drawn over the picture, and the keyboard's way to the console: typing while it is open, bindings otherwise.
+// The 2D overlays of the picture, and the routing of keys: typing while the console is open, bindings otherwise.
 #pragma once
 
 #include <string>
@@ -20,12 +20,12 @@ class Screen {
   // Registers scr_showfps, toggleconsole and the bindings.
   Screen(con::Console& console, FileLoader files);
 
-  // A key, text or focus event; others are passed over.
+  // Handles a key, text or focus event; ignores others.
   void handle(const platform::InputEvent& event);
   bool console_open() const { return open_; }
   void close_console();
 
-  // The list of this frame. `game`: there is a world behind it; without one the console fills the picture.
+  // The draw list of this frame. `game`: whether there is a world behind it; without one the console fills the picture.
   const scene::DrawList& draw(const cl::Hud& hud, bool game, uvec2 size, double now);
 
  private:
@@ -39,7 +39,7 @@ class Screen {
   ui::FrameRate rate_;
   scene::DrawList list_;
   bool open_ = false;
-  bool in_game_ = false;  // as of the last frame: without a game all typing is the console's
+  bool in_game_ = false;  // in the last frame; without a game all typing goes to the console
   std::size_t scrolled_up_ = 0;
 };
 

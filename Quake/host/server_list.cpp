@@ -9,7 +9,7 @@
 namespace fb::host {
 namespace {
 
-// A stranger's words: letters alone.
+// Keeps the printable ASCII characters of untrusted text.
 std::string plain(const std::string& text) {
   std::string letters;
   for (const char c : text)

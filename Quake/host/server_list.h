@@ -1,4 +1,4 @@
-// slist: who serves on the local network, or at the addresses that are given; asked without holding up anything.
+// slist: lists the servers on the local network, or at given addresses, without blocking the game.
 #pragma once
 
 #include <memory>
@@ -11,9 +11,9 @@ namespace fb::host {
 
 class ServerList {
  public:
-  // Registers slist. Both must outlive this, and the console must not execute it afterwards.
+  // Registers slist. Console and network must outlive this object, and the console must not execute slist afterwards.
   ServerList(con::Console& console, net::Network& network);
-  // Every frame. Prints what was found when the time is over.
+  // Call every frame. Prints the servers found when the time is over.
   void poll(double now);
   bool searching() const { return search_ != nullptr; }
 
@@ -24,7 +24,7 @@ class ServerList {
   std::unique_ptr<net::ServerSearch> search_;
 };
 
-// QuakeSpasm's table: a head, a line a server.
+// QuakeSpasm's table: a heading, then one line for each server.
 std::string server_table(const std::vector<net::FoundServer>& servers);
 
 }  // namespace fb::host

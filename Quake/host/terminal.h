@@ -1,4 +1,4 @@
-// Lines that somebody types at the program's terminal, or pipes into it, without waiting for them.
+// Reads lines typed at the program's terminal, or piped into it, without waiting.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@ namespace fb::host {
 
 class TerminalLines {
  public:
-  // `file`: the descriptor to read; standard input.
+  // `file`: the descriptor to read; default standard input.
   explicit TerminalLines(int file = 0) : file_(file) {}
-  // The next whole line without its end; nothing if there is none yet, or none will come.
+  // The next complete line without its newline; nothing if there is none yet, or no more will come.
   std::optional<std::string> next();
 
  private:

@@ -1,4 +1,4 @@
-// What a client says to a server: movement, and commands as text.
+// Messages from client to server: movement, and commands as text.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct Disconnect {
   bool operator==(const Disconnect&) const = default;
 };
 struct Move {
-  float time = 0.0f;  // seconds: of the last server message, for measuring the way there and back
+  float time = 0.0f;  // seconds: time of the last server message, to measure the round trip
   vec3 view_angles{0.0f};
   int forward = 0, side = 0, up = 0;  // units a second
   int buttons = 0, impulse = 0;

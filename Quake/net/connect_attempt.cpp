@@ -51,7 +51,7 @@ ConnectAttempt::State ConnectAttempt::take_reply(ByteView datagram, double now) 
   if (accept == nullptr || accept->port < 1 || accept->port > 65535) return state_;
   const Address game = server_.with_port(static_cast<std::uint16_t>(accept->port));
   auto connection = std::make_unique<DatagramConnection>(std::move(socket_), game, now, timeout_);
-  // Speaks first, so that a NAT on this side lets the server's packets from the new port through.
+  // Sends the first packet, so that a NAT on this side lets the server's packets from the new port through.
   (void)connection->send_reliable(Bytes{kClcNop}, now);
   connection_ = std::move(connection);
   return state_ = State::kConnected;

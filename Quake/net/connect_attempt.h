@@ -1,4 +1,4 @@
-// A client's way to a server: asks to connect every 2.5 seconds, three times, and goes on to the port that the server
+// A client's attempt to connect: sends a request every 2.5 seconds, three times, then uses the port that the server
 // names. Never blocks: poll it every frame.
 #pragma once
 
@@ -18,11 +18,11 @@ class ConnectAttempt {
   ConnectAttempt(Network& network, const Address& server);
 
   State poll(double now);
-  // Of the connection to come: net_messagetimeout.
+  // Timeout of the connection: net_messagetimeout.
   void set_timeout(double seconds) { timeout_ = seconds; }
-  // Once connected.
+  // Only once connected.
   std::unique_ptr<Connection> take() { return std::move(connection_); }
-  // Once failed, for people: "no response", the server's own words, what the system said.
+  // Only once failed, for people: "no response", the server's own words, or the system's error.
   const std::string& failure() const { return failure_; }
   int tries() const { return tries_; }
 

@@ -20,7 +20,7 @@ enum Command : int {
   kRuleInfoReply = 0x85,
 };
 
-// The command's reader, or why there is none.
+// A reader at the command, or why there is none.
 Result<MessageReader> open_control(ByteView datagram) {
   const auto packet = parse_packet(datagram);
   if (!packet) return packet.error();
@@ -28,7 +28,7 @@ Result<MessageReader> open_control(ByteView datagram) {
   return MessageReader(packet->payload, "connection control");
 }
 
-// A string; no longer good if it is longer than any of them may be.
+// Reads a string; not good() if it is longer than the longest allowed.
 std::string short_string(MessageReader& reader, bool& good) {
   std::string text = reader.string();
   if (text.size() > kMaxControlString) good = false;
@@ -83,7 +83,7 @@ void write(MessageWriter& w, const ccrep::PlayerInfo& r) {
 }
 void write(MessageWriter& w, const ccrep::RuleInfo& r) {
   w.u8(kRuleInfoReply);
-  if (r.name.empty()) return;  // the end of the list is a reply without anything
+  if (r.name.empty()) return;  // an empty reply ends the list
   w.string(r.name);
   w.string(r.value);
 }

@@ -1,6 +1,6 @@
-// Connection control of NetQuake's protocol version 3, game "QUAKE": who asks to connect and what a server says of
-// itself, each request and reply in one datagram. Pure functions of bytes; strings are bounded, numbers are not yet
-// checked for sense.
+// Connection control of NetQuake's protocol version 3, game "QUAKE": requests to connect and queries about a server,
+// each request and reply in one datagram. Pure functions of bytes; strings are bounded, but the range of numbers is not
+// checked yet.
 #pragma once
 
 #include <cstdint>
@@ -29,11 +29,11 @@ struct ServerInfo {
   bool operator==(const ServerInfo&) const = default;
 };
 struct PlayerInfo {
-  int player = 0;  // counted among those who play
+  int player = 0;  // index among the players
   bool operator==(const PlayerInfo&) const = default;
 };
 struct RuleInfo {
-  std::string previous;  // the rule before the one asked for; empty for the first
+  std::string previous;  // the rule before the requested one; empty for the first
   bool operator==(const RuleInfo&) const = default;
 };
 }  // namespace ccreq
@@ -41,7 +41,7 @@ using ControlRequest = std::variant<ccreq::Connect, ccreq::ServerInfo, ccreq::Pl
 
 namespace ccrep {
 struct Accept {
-  std::int32_t port = 0;  // where the server goes on with this client
+  std::int32_t port = 0;  // the server's port for this client
   bool operator==(const Accept&) const = default;
 };
 struct Reject {
@@ -49,7 +49,7 @@ struct Reject {
   bool operator==(const Reject&) const = default;
 };
 struct ServerInfo {
-  std::string address;  // as the server sees itself: seldom of use, so empty from here and ignored
+  std::string address;  // the server's own idea of its address: seldom correct, so sent empty and ignored
   std::string name, map;
   int players = 0, max_players = 0, version = kConnectVersion;
   bool operator==(const ServerInfo&) const = default;
@@ -58,17 +58,17 @@ struct PlayerInfo {
   int player = 0;
   std::string name;
   std::int32_t colors = 0, frags = 0, seconds = 0;
-  std::string address;  // empty from here: nobody's business
+  std::string address;  // sent empty, for privacy
   bool operator==(const PlayerInfo&) const = default;
 };
 struct RuleInfo {
-  std::string name, value;  // both empty: there are no more
+  std::string name, value;  // both empty: the end of the list
   bool operator==(const RuleInfo&) const = default;
 };
 }  // namespace ccrep
 using ControlReply = std::variant<ccrep::Accept, ccrep::Reject, ccrep::ServerInfo, ccrep::PlayerInfo, ccrep::RuleInfo>;
 
-// Fail on anything that is not whole. Bytes behind it are let be: other engines put more there.
+// Fail on incomplete datagrams. Bytes after the message are ignored: other engines put more there.
 Result<ControlRequest> parse_control_request(ByteView datagram);
 Result<ControlReply> parse_control_reply(ByteView datagram);
 Bytes write_control(const ControlRequest& request);

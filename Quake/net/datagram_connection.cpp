@@ -6,13 +6,13 @@
 namespace fb::net {
 namespace {
 
-constexpr double kResendAfter = 1.0;    // seconds
-constexpr int kMostPacketsACall = 256;  // so that a flood cannot hold up the frame
+constexpr double kResendAfter = 1.0;                                           // seconds
+constexpr int kMostPacketsACall = 256;                                         // limits the time of a flood in a frame
 constexpr double kFirstProbe = 0.25, kProbeEvery = 1.0, kNeverAnswered = 8.0;  // seconds from connecting
 constexpr int kMostProbes = 5;
 constexpr std::uint8_t kNop = 1;  // svc_nop, and clc_nop
 
-// How far `number` is ahead of `expected`, across the end of 32 bits.
+// How far `number` is ahead of `expected`, across the wrap-around of 32 bits.
 std::int32_t ahead(std::uint32_t number, std::uint32_t expected) {
   return static_cast<std::int32_t>(number - expected);
 }
@@ -132,7 +132,7 @@ std::optional<ReceivedMessage> DatagramConnection::take(const Packet& packet, do
       if (packet.payload.empty() || packet.payload.size() > kMaxMessage) return std::nullopt;
       return ReceivedMessage{false, Bytes(packet.payload.begin(), packet.payload.end())};
     }
-    case PacketKind::kNak:  // nobody has ever sent one
+    case PacketKind::kNak:  // no engine sends one
     case PacketKind::kControl:
       return std::nullopt;
   }
@@ -156,11 +156,11 @@ void DatagramConnection::take_ack(std::uint32_t sequence, double now) {
 
 std::optional<ReceivedMessage> DatagramConnection::take_fragment(const Packet& packet) {
   const std::int32_t gap = ahead(packet.sequence, receive_sequence_);
-  if (gap > 0) {  // the one before has not come, so nobody who waits for our word can have sent it
+  if (gap > 0) {  // the one before has not arrived, so no peer that waits for acknowledgements can have sent it
     ++statistics_.ignored;
     return std::nullopt;
   }
-  // Also for one that had come already: our word on it may have been lost.
+  // Acknowledges a repeated one, too: the earlier acknowledgement may have been lost.
   send({PacketKind::kAck, false, packet.sequence, {}});
   if (gap < 0) {
     ++statistics_.duplicates;

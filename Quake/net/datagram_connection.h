@@ -1,10 +1,11 @@
-// A connection over UDP, NetQuake's way: a reliable message goes in pieces of kFragment bytes, each numbered, each sent
-// again every second until the other side acknowledges its number, and only then the next. Unreliable messages have
-// numbers of their own; late ones are dropped. Only packets from the peer's address and port count.
+// A connection over UDP by NetQuake's protocol: a reliable message is sent in numbered fragments of kFragment bytes.
+// Each is sent again every second until the other side acknowledges its number, and only then the next. Unreliable
+// messages have their own sequence of numbers; late ones are dropped. Only packets from the peer's address and port are
+// accepted.
 //
-// A client's request to connect may carry an invented address. So a server says nothing to a peer that has not yet
-// spoken from there to the port it was given, except a reliable message of one byte (svc_nop) every second, five times:
-// engines that do not speak first (Quake's own) acknowledge that one. See DatagramListener.
+// A client's request to connect may carry a forged address. So a server sends nothing to a peer that has not yet sent a
+// packet from that address to its new port, except a reliable message of one byte (svc_nop) every second, five times:
+// engines that do not send first (Quake's own) acknowledge it. See DatagramListener.
 #pragma once
 
 #include <cstdint>
@@ -21,13 +22,13 @@ namespace fb::net {
 
 struct DatagramStatistics {
   std::uint64_t packets_sent = 0, packets_resent = 0, packets_received = 0;
-  std::uint64_t duplicates = 0, stale = 0, ignored = 0;  // received: again, too late, malformed or not the peer's
-  std::uint64_t unreliable_lost = 0;                     // gaps in the numbers of unreliable messages
+  std::uint64_t duplicates = 0, stale = 0, ignored = 0;  // received: repeated, too late, malformed or a stranger's
+  std::uint64_t unreliable_lost = 0;                     // gaps in the sequence of unreliable messages
 };
 
 class DatagramConnection final : public Connection {
  public:
-  // What a listener knows of a connection that somebody else owns.
+  // A listener's knowledge of a connection that somebody else owns.
   struct Peer {
     Address address;
     double last_heard = 0.0;
@@ -54,7 +55,8 @@ class DatagramConnection final : public Connection {
   void set_timeout(double seconds) { timeout_ = seconds; }
   std::uint16_t local_port() const { return socket_->port(); }
 
-  // The listener's part. Doubts the peer until it has spoken; poll_peer asks for that and says whether it has.
+  // For the listener. The peer is not trusted until it has sent a packet; poll_peer sends the probe and returns whether
+  // it has.
   void doubt_peer() { verified_ = false; }
   bool poll_peer(double now);
   std::shared_ptr<Peer> peer() const { return peer_; }
@@ -76,14 +78,14 @@ class DatagramConnection final : public Connection {
   bool verified_ = true;
   int probes_ = 0;
   double next_probe_;
-  std::optional<ReceivedMessage> early_;  // came while the listener waited
+  std::optional<ReceivedMessage> early_;  // arrived while the listener waited
 
   Bytes in_flight_;  // the reliable message that is being sent; empty: none
   std::size_t in_flight_offset_ = 0;
   double last_send_ = 0.0;
-  std::uint32_t send_sequence_ = 0;  // of the piece in flight, or the next one
+  std::uint32_t send_sequence_ = 0;  // of the fragment in flight, or the next one
   std::uint32_t unreliable_send_sequence_ = 0;
-  Bytes arriving_;  // pieces so far
+  Bytes arriving_;  // fragments so far
   std::uint32_t receive_sequence_ = 0;
   std::uint32_t unreliable_receive_sequence_ = 0;
   DatagramStatistics statistics_;

@@ -5,13 +5,13 @@
 namespace fb::net {
 namespace {
 
-constexpr int kMostRequestsACall = 512;  // so that a flood cannot hold up the frame
+constexpr int kMostRequestsACall = 512;  // so that a flood cannot delay the frame
 
 std::string cut(const std::string& text, std::size_t most) { return text.substr(0, most); }
 int to_byte(std::size_t n) { return static_cast<int>(std::min<std::size_t>(n, 255)); }
 
-// The rule behind the named one, the first for an empty name; nothing for a name that there is not. Rules whose names
-// would not fit a reply are passed over; a name that is empty ends the list.
+// The rule after the named one, the first for an empty name; nothing if there is no such rule. Rules whose names would
+// not fit a reply are skipped; an empty name ends the list.
 std::optional<ccrep::RuleInfo> rule_after(const ServerStatus& status, const std::string& previous, std::size_t room) {
   auto rule = status.rules.begin();
   if (!previous.empty()) {
@@ -31,7 +31,7 @@ Result<std::unique_ptr<DatagramListener>> DatagramListener::open(Network& networ
   std::vector<std::unique_ptr<Socket>> sockets;
   auto v4 = network.open(Family::kIpv4, port);
   if (v4) sockets.push_back(std::move(*v4));
-  // Both families on the same port, also where any port would do.
+  // Opens both address families on the same port, also if any port is allowed.
   auto v6 = network.open(Family::kIpv6, v4 ? sockets.front()->port() : port);
   if (v6) sockets.push_back(std::move(*v6));
   if (sockets.empty()) return v4.error();
@@ -66,7 +66,7 @@ void DatagramListener::answer(Socket& socket, const Address& to, std::size_t req
 
 void DatagramListener::answer_request(Socket& socket, const Address& from, std::size_t size,
                                       const ControlRequest& request, double now) {
-  // What is left for text once the reply's numbers, headers and terminating zeros are in.
+  // Room for text in a reply, after its numbers, headers and terminating zeros.
   const auto room = [&](std::size_t fixed) { return kMostReply * size - fixed; };
   if (const auto* connect = std::get_if<ccreq::Connect>(&request)) {
     if (connect->game == kGameName) answer_connect(socket, from, size, *connect, now);
@@ -108,7 +108,7 @@ void DatagramListener::answer_connect(Socket& socket, const Address& from, std::
   answer(socket, from, size, ccrep::Accept{pending_.back()->local_port()});
 }
 
-// Whether `from` is that of a connection which is alive. Those that `from` takes the place of are closed.
+// Whether `from` belongs to a live connection. Closes connections that `from` replaces.
 bool DatagramListener::knows(const Address& from, double now) {
   std::erase_if(connected_, [](const auto& weak) {
     const auto peer = weak.lock();
@@ -118,7 +118,8 @@ bool DatagramListener::knows(const Address& from, double now) {
     const auto peer = weak.lock();
     const double silence = now - peer->last_heard;
     if (peer->address == from && silence < kSilent) return true;
-    // Another port of the same host may be another player, or somebody back from a crash: leave more time.
+    // Another port of the same host may be another player, or a player back after a crash: wait longer before replacing
+    // it.
     if (peer->address == from || (peer->address.same_host(from) && silence > 2 * kSilent)) {
       peer->open = false;
       peer->close_reason = "connected anew";
@@ -135,7 +136,7 @@ std::unique_ptr<Connection> DatagramListener::take_verified(double now) {
     if (static_cast<int>(status.players.size()) < status.max_players)
       taken = std::move(pending);
     else
-      pending->close();  // others were faster
+      pending->close();  // other clients took the slots
   }
   std::erase_if(pending_, [](const auto& pending) { return !pending || !pending->is_open(); });
   if (taken) connected_.push_back(taken->peer());

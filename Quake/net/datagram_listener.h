@@ -1,13 +1,13 @@
-// A server's ear: answers NetQuake's connection control on the game's port, and hands out a connection for each client,
-// on a port of its own, as NetQuake does.
+// A server's listener: answers NetQuake's connection control on the game's port, and returns a connection for each
+// client, on a port of its own, as in NetQuake.
 //
-// No packet is worth more to an attacker than it costs: a reply to a stranger is at most kMostReply times as long as
-// the request, and only so many are sent (RateLimit). A client counts as connected once it has spoken to the port it
-// was given; until then it takes no player's place. Who connects from the address and port of a connection that is
-// alive is not believed; from those of one that has been silent for kSilent, it takes that one's place.
+// No packet is of use for amplifying an attack: a reply to a stranger is at most kMostReply times as long as the
+// request, and replies are limited (RateLimit). A client counts as connected once it has sent a packet to the port it
+// was given; until then it takes no player's slot. A request from the address and port of a live connection is ignored;
+// if that connection has been silent for kSilent, the request replaces it.
 //
-// NAT: a client behind one needs nothing. A server behind one needs its port forwarded and, as NetQuake answers from a
-// new port, that of every client: a server that players outside shall reach belongs where it can be addressed itself.
+// NAT: a client behind one needs no setup. A server behind one needs its port forwarded and, because NetQuake answers
+// from a new port, that of every client: a server for players outside should have a public address.
 #pragma once
 
 #include <cstdint>
@@ -29,15 +29,15 @@ class DatagramListener final : public Listener {
   static constexpr double kSilent = 5.0;        // seconds
   static constexpr std::size_t kMostPending = 64;
 
-  // Listens with IPv4 and, where the system has it, IPv6. The network must outlive this; `status` is asked on each
-  // query and request. Fails where the port cannot be had at all. `seed`: any number that others cannot guess.
+  // Listens with IPv4 and, if the system has it, IPv6. The network must outlive this object; `status` is called for
+  // each query and request. Fails if the port cannot be opened at all. `seed`: any number that others cannot guess.
   static Result<std::unique_ptr<DatagramListener>> open(Network& network, std::uint16_t port, StatusSource status,
                                                         std::uint64_t seed);
   ~DatagramListener() override;
 
   std::unique_ptr<Connection> accept(double now) override;
   std::uint16_t port() const { return sockets_.front()->port(); }
-  // Of connections to come: net_messagetimeout.
+  // Timeout of new connections: net_messagetimeout.
   void set_timeout(double seconds) { timeout_ = seconds; }
 
  private:

@@ -5,7 +5,7 @@
 namespace fb::net {
 namespace {
 
-// What both ends share. End i receives from inbox[i].
+// Shared by both ends. End i receives from inbox[i].
 struct Pipe {
   struct Inbox {
     std::deque<ReceivedMessage> messages;

@@ -1,5 +1,6 @@
-// Single player's connection: two ends within the program, with Quake's rules. A reliable message blocks the next one
-// until the other end has received it; what is unreliable is dropped once too much waits at the other end.
+// The connection of a single-player game: two ends inside the program, with Quake's rules. A reliable message blocks
+// the next one until the other end has received it; unreliable messages are dropped once too much is waiting at the
+// other end.
 #pragma once
 
 #include <deque>
@@ -10,12 +11,12 @@
 
 namespace fb::net {
 
-// Both ends of a new connection. Either may go first; what had been sent can still be received then.
+// Both ends of a new connection. Either may be destroyed first; the other can still receive what was sent.
 std::pair<std::unique_ptr<Connection>, std::unique_ptr<Connection>> make_loopback(double now);
 
 class LoopbackListener final : public Listener {
  public:
-  // The client's end; the server's comes out of accept().
+  // The client's end; accept() returns the server's.
   std::unique_ptr<Connection> connect(double now);
   std::unique_ptr<Connection> accept(double now) override;
 

@@ -7,10 +7,10 @@
 namespace fb::net {
 namespace {
 
-// Floats are kept to the range of 32-bit coordinates, so that sums and differences of what was read stay finite.
+// Floats are clamped to the range of 32-bit coordinates, so that sums and differences of received values stay finite.
 constexpr float kFarthest = 134217728.0f;
 
-// Nearest integer, halves away from zero, kept inside [low, high].
+// Nearest integer, halves away from zero, clamped to [low, high].
 int round_to(double value, double low, double high) {
   return static_cast<int>(std::lround(std::clamp(value, low, high)));
 }
@@ -60,7 +60,7 @@ std::string MessageReader::string() {
   const auto end = std::find(rest.begin(), rest.end(), std::uint8_t{0});
   const auto length = static_cast<std::size_t>(end - rest.begin());
   std::string text(reinterpret_cast<const char*>(rest.data()), length);
-  bytes_.skip(length + 1);  // fails where the zero is missing
+  bytes_.skip(length + 1);  // fails if the zero is missing
   return text;
 }
 
@@ -70,7 +70,7 @@ void MessageWriter::coord(float v) {
   } else if (protocol.flags & kInt32Coord) {
     i32(static_cast<std::int32_t>(std::llround(std::clamp(v * 16.0, -2147483648.0, 2147483647.0))));
   } else if (protocol.flags & kCoord24) {
-    // The byte counts 255ths upwards from the whole number below, also for negative values.
+    // The byte counts 255ths upwards from the next lower whole number, also for negative values.
     const double whole = std::clamp(std::floor(static_cast<double>(v)), -32768.0, 32767.0);
     i16(static_cast<int>(whole));
     u8(round_to((v - whole) * 255.0, 0.0, 255.0));

@@ -1,6 +1,6 @@
-// Reading and writing the primitive values of network messages. Coordinates and angles are as wide as the protocol's
-// flags say; everything is little-endian. A read past the end returns zero and marks the reader as failed, a float that
-// is not finite reads as zero and marks it as well, so that a parser asks once a message.
+// Reads and writes the primitive values of network messages. The protocol's flags set the width of coordinates and
+// angles; everything is little-endian. A read past the end returns zero and marks the reader as failed, and so does a
+// float that is not finite, so that a parser checks once per message.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace fb::net {
 
 class MessageReader {
  public:
-  // `name` is what errors call the message, e.g. "demo1.dem: message at 1234"; the bytes must outlive the reader.
+  // `name` is the message's name in errors, e.g. "demo1.dem: message at 1234"; the bytes must outlive the reader.
   MessageReader(ByteView data, std::string_view name, Protocol protocol = {})
       : bytes_(data, name), protocol(protocol) {}
 
@@ -28,10 +28,10 @@ class MessageReader {
   float f32();
   float coord();    // units
   float angle();    // degrees
-  float angle16();  // degrees: what clc_move has from protocol 666 on
+  float angle16();  // degrees; used by clc_move from protocol 666 on
   vec3 coords();
   vec3 angles();
-  // Up to the terminating zero; fails where there is none.
+  // Reads up to the terminating zero; fails if there is none.
   std::string string();
 
   bool at_end() const { return bytes_.remaining() == 0; }
@@ -52,14 +52,14 @@ class MessageWriter {
  public:
   explicit MessageWriter(Protocol protocol = {}) : protocol(protocol) {}
 
-  // Integers are cut to their width, as C casts do.
+  // Integers are truncated to their width, as by C casts.
   void u8(int v) { put(static_cast<std::uint8_t>(v)); }
   void i8(int v) { put(static_cast<std::int8_t>(v)); }
   void u16(int v) { put(static_cast<std::uint16_t>(v)); }
   void i16(int v) { put(static_cast<std::int16_t>(v)); }
   void i32(std::int32_t v) { put(v); }
   void f32(float v) { put(v); }
-  // Rounded to the nearest value that the protocol has; out of its range, the nearest end of the range.
+  // Rounded to the nearest value of the protocol, and clamped to its range.
   void coord(float v);
   void angle(float v);
   void angle16(float v);

@@ -1,6 +1,6 @@
-// What the transport needs of a network: addresses, sockets for datagrams, and somebody who opens them. The system's is
-// system_network (POSIX); tests have one in memory that loses, repeats, delays and reorders (test_network.h). Time
-// never comes from here: whoever uses the transport passes it in.
+// The interface of a network for the transport: addresses, sockets for datagrams, and a factory that opens them. The
+// system's is system_network (POSIX); tests have one in memory that loses, repeats, delays and reorders packets
+// (test_network.h). It provides no time: users of the transport pass it in.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ enum class Family : std::uint8_t { kIpv4, kIpv6 };
 
 struct Address {
   Family family = Family::kIpv4;
-  std::array<std::uint8_t, 16> bytes{};  // in the order of the wire; IPv4 has four
+  std::array<std::uint8_t, 16> bytes{};  // in network byte order; IPv4 has four
   std::uint32_t scope = 0;               // IPv6: the interface of a link-local address
   std::uint16_t port = 0;
 
@@ -39,24 +39,24 @@ struct Address {
 };
 
 Address ipv4(std::uint8_t a, std::uint8_t b, std::uint8_t c, std::uint8_t d, std::uint16_t port);
-// Everybody on the local network.
+// The broadcast address of the local network.
 inline Address broadcast(std::uint16_t port) { return ipv4(255, 255, 255, 255, port); }
-// An address in numbers, with or without a port: "192.0.2.1", "192.0.2.1:26001", "2001:db8::1", "[::1]:26001".
+// Parses a numeric address, with or without a port: "192.0.2.1", "192.0.2.1:26001", "2001:db8::1", "[::1]:26001".
 std::optional<Address> parse_address(std::string_view text, std::uint16_t default_port = kDefaultPort);
-// "host:26001" to host and port; the default where there is none. Fails where it is no port.
+// Splits "host:26001" into host and port; the default port if there is none. Fails if the port is invalid.
 struct HostAndPort {
   std::string host;
   std::uint16_t port;
 };
 Result<HostAndPort> split_port(std::string_view text, std::uint16_t default_port = kDefaultPort);
 
-// One UDP socket. Closed by its destructor. Nothing here blocks or fails: a datagram that cannot be sent is lost, as
-// any may be.
+// A UDP socket. Its destructor closes it. Nothing here blocks or fails: a datagram that cannot be sent is lost, as any
+// may be.
 class Socket {
  public:
   struct Datagram {
     Address from;
-    ByteView data;  // until the next call
+    ByteView data;  // valid until the next call
   };
   virtual ~Socket() = default;
   virtual void send_to(const Address& to, ByteView data) = 0;
@@ -68,17 +68,18 @@ class Socket {
 class Network {
  public:
   virtual ~Network() = default;
-  // A socket that may also broadcast; port 0 takes any that is free.
+  // Opens a socket that may also broadcast; port 0 takes any free port.
   virtual Result<std::unique_ptr<Socket>> open(Family family, std::uint16_t port) = 0;
-  // A name, or an address in numbers, with or without a port. May ask the system's resolver, so it may take seconds.
+  // Resolves a name, or a numeric address, with or without a port. May use the system's resolver, so it may take
+  // seconds.
   virtual Result<Address> resolve(std::string_view name, std::uint16_t default_port = kDefaultPort) = 0;
 };
 
-// What of the machine's network may be used.
+// Which parts of the machine's network may be used.
 struct NetworkOptions {
   bool ipv4 = true, ipv6 = true;
   std::optional<Address> own_address =
-      std::nullopt;  // sockets have this one of the machine's addresses, and its family alone is used
+      std::nullopt;  // bind sockets to this address of the machine, and use its family only
 
   bool uses(Family family) const {
     if (own_address && own_address->family != family) return false;
@@ -87,7 +88,8 @@ struct NetworkOptions {
   bool any() const { return uses(Family::kIpv4) || uses(Family::kIpv6); }
 };
 
-// The machine's own. Where there is no implementation for the system, or the options leave nothing, open() says so.
+// The system's network. If there is no implementation for the system, or the options disable everything, open() returns
+// an error.
 std::unique_ptr<Network> system_network(const NetworkOptions& options = {});
 
 }  // namespace fb::net

@@ -1,4 +1,4 @@
-// The system's UDP sockets. The one file that knows them.
+// The system's UDP sockets; no other file uses them.
 #include "net/network.h"
 
 #if defined(_WIN32)
@@ -99,7 +99,7 @@ class PosixSocket final : public Socket {
         if (!from) continue;
         return Datagram{*from, ByteView(buffer_).first(static_cast<std::size_t>(size))};
       }
-      // What another host said of an earlier packet says nothing of this one.
+      // An error that another host returned for an earlier packet does not concern this one.
       if (errno != EINTR && errno != ECONNREFUSED) break;
     }
     return std::nullopt;
@@ -123,10 +123,10 @@ class PosixNetwork final : public Network {
     if (!options_.uses(family)) return Error{"network: " + switched_off(family)};
     const int handle = ::socket(family == Family::kIpv4 ? AF_INET : AF_INET6, SOCK_DGRAM, 0);
     if (handle < 0) return failure("a UDP socket cannot be made");
-    auto socket = std::make_unique<PosixSocket>(handle, family);  // closes it if anything below fails
+    auto socket = std::make_unique<PosixSocket>(handle, family);  // closes the handle if anything below fails
     const int yes = 1;
     ::setsockopt(handle, SOL_SOCKET, SO_BROADCAST, &yes, sizeof yes);
-    // The two families have a socket each, so that no address arrives in the other's clothes.
+    // Each address family has its own socket, so that no IPv4 address arrives as an IPv4-mapped IPv6 one.
     if (family == Family::kIpv6) ::setsockopt(handle, IPPROTO_IPV6, IPV6_V6ONLY, &yes, sizeof yes);
     const int flags = ::fcntl(handle, F_GETFL);
     if (flags < 0 || ::fcntl(handle, F_SETFL, flags | O_NONBLOCK) < 0 || ::fcntl(handle, F_SETFD, FD_CLOEXEC) < 0)

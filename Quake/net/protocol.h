@@ -1,5 +1,5 @@
-// The numbers that Quake's client and server agree on: protocols 15 (NetQuake), 666 (FitzQuake) and 999 (RMQ) as
-// QuakeSpasm speaks them. Values only; how they lie in a message is message.h's and server_messages.h's business.
+// Constants of Quake's network protocols 15 (NetQuake), 666 (FitzQuake) and 999 (RMQ), as in QuakeSpasm. Values only:
+// message.h and server_messages.h encode them.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@ constexpr int kProtocolNetQuake = 15;
 constexpr int kProtocolFitzQuake = 666;
 constexpr int kProtocolRmq = 999;
 
-// Protocol 999 says in svc_serverinfo how wide its numbers are.
+// Protocol 999 states the width of its numbers in svc_serverinfo.
 enum ProtocolFlags : std::uint32_t {
   kShortAngle = 1u << 1,
   kFloatAngle = 1u << 2,
   kCoord24 = 1u << 3,
   kFloatCoord = 1u << 4,
   kEdictScale = 1u << 5,
-  kAlphaSanity = 1u << 6,  // concerns the server alone: nothing changes in a message
+  kAlphaSanity = 1u << 6,  // for the server only: does not change messages
   kInt32Coord = 1u << 7,
-  kMoreFlags = 1u << 31,  // reserved: no engine sends anything for it
+  kMoreFlags = 1u << 31,  // reserved: no engine sends data for it
 };
 constexpr std::uint32_t kKnownProtocolFlags =
     kShortAngle | kFloatAngle | kCoord24 | kFloatCoord | kEdictScale | kAlphaSanity | kInt32Coord;
@@ -78,20 +78,20 @@ enum class Svc : std::uint8_t {
   kSpawnStatic2 = 43,
   kSpawnStaticSound2 = 44,
 };
-// "svc_time"; "fast update" from 128 on; "svc_?" for what no protocol knows.
+// "svc_time"; "fast update" from 128 on; "svc_?" for numbers that no protocol uses.
 std::string_view svc_name(unsigned command);
 
 // Client to server.
 enum class Clc : std::uint8_t { kBad = 0, kNop = 1, kDisconnect = 2, kMove = 3, kStringCommand = 4 };
 
-// What an entity update carries. A command byte of 128 and more is an update; its low seven bits are the first bits.
+// Fields of an entity update. A command byte of 128 and more is an update; its low seven bits are the first bits.
 enum UpdateBits : std::uint32_t {
   kUpdateMoreBits = 1u << 0,
   kUpdateOrigin1 = 1u << 1,
   kUpdateOrigin2 = 1u << 2,
   kUpdateOrigin3 = 1u << 3,
   kUpdateAngle2 = 1u << 4,
-  kUpdateStep = 1u << 5,  // moves by MOVETYPE_STEP: the client smooths it by itself
+  kUpdateStep = 1u << 5,  // moves by MOVETYPE_STEP: the client interpolates its steps
   kUpdateFrame = 1u << 6,
   kUpdateSignal = 1u << 7,
   kUpdateAngle1 = 1u << 8,
@@ -110,7 +110,7 @@ enum UpdateBits : std::uint32_t {
   kUpdateExtend2 = 1u << 23,
 };
 
-// What svc_clientdata carries.
+// Fields of svc_clientdata.
 enum ClientDataBits : std::uint32_t {
   kDataViewHeight = 1u << 0,
   kDataIdealPitch = 1u << 1,
@@ -173,7 +173,7 @@ constexpr int kAlphaDefault = 0, kAlphaZero = 1, kAlphaOne = 255;
 constexpr int kScaleDefault = 16;
 float decode_alpha(int alpha);
 int encode_alpha(float alpha);
-int encode_scale(float scale);  // what is not positive is not said
+int encode_scale(float scale);  // a value that is not positive is not sent
 inline float decode_scale(int scale) { return static_cast<float>(scale) / 16.0f; }
 
 constexpr int kDefaultViewHeight = 22;

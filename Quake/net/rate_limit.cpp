@@ -17,7 +17,7 @@ bool RateLimit::Bucket::take(double now, double burst, double per_second) {
 bool RateLimit::allow(const Address& source, double now) {
   const std::size_t size = source.family == Family::kIpv4 ? 4 : 8;
   const std::uint64_t hash = hash_bytes(source.bytes.data(), size, seed_);
-  // Who has had enough does not use up what is there for all.
+  // An address over its limit does not use up the common limit.
   return sources_[hash % sources_.size()].take(now, kBurst, kPerSecond) && all_.take(now, kBurstOfAll, kPerSecondOfAll);
 }
 

@@ -1,5 +1,5 @@
-// How often a server answers strangers: so many replies at once and so many a second, for each address and for all
-// together. Addresses share buckets by a seeded hash, so that no flood of invented ones takes more memory.
+// Limits a server's replies to strangers: a burst and a rate per second, for each address and for all together.
+// Addresses share buckets by a seeded hash, so that a flood of forged ones takes no more memory.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@ namespace fb::net {
 class RateLimit {
  public:
   explicit RateLimit(std::uint64_t seed) : seed_(seed) {}
-  // Takes one reply off what `source` may still have; false if that is nothing. Ports do not count, nor does the half
-  // of an IPv6 address that a host chooses for itself.
+  // Takes one reply from the budget of `source`; false if it is empty. Ignores ports, and the half of an IPv6 address
+  // that a host chooses for itself.
   bool allow(const Address& source, double now);
 
  private:

@@ -159,7 +159,7 @@ bool is_beam(TempEntityType type) {
 
 void write_command(MessageWriter& w, Svc command) { w.u8(static_cast<int>(command)); }
 
-// Which command a plain message has.
+// The command of a plain message.
 template <typename T>
 constexpr Svc command_of() {
   if constexpr (std::is_same_v<T, svc::Nop>) return Svc::kNop;
@@ -258,7 +258,7 @@ struct Write {
   }
 };
 
-// An unknown protocol or too many precaches: the cause. Empty: fine.
+// The error for an unknown protocol or too many precaches; empty if valid.
 std::string read_server_info(MessageReader& r, svc::ServerInfo& m) {
   m.protocol.version = r.i32();
   if (r.failed()) return {};

@@ -1,6 +1,6 @@
-// What a server says: one struct a message, and the codec between structs and bytes. The structs hold plain decoded
-// values; which bits announce them on the wire is the codec's business. Reading never trusts: a message that is cut
-// short, unknown or out of its limits is an Error that names the message, its offset and the one before it.
+// Messages from server to client: one struct for each message, and the codec between structs and bytes. The structs
+// hold decoded values; the codec handles the bits that announce them. Reading trusts nothing: a message that is
+// truncated, unknown or out of its limits is an Error that names the message, its offset and the message before it.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace fb::net {
 
-// What a baseline holds, and what updates are relative to.
+// A baseline's values, to which updates are relative.
 struct EntityState {
   vec3 origin{0.0f}, angles{0.0f};  // units, degrees
   int model = 0, frame = 0;         // model: index of the precache list, 0 none
@@ -137,7 +137,7 @@ struct SpawnBaseline {
 struct TempEntity {
   TempEntityType type = TempEntityType::kSpike;
   vec3 origin{0.0f};
-  int entity = 0;                         // beams: who fires
+  int entity = 0;                         // beams: the entity that fires
   vec3 end{0.0f};                         // beams
   int color_start = 0, color_length = 1;  // kExplosion2
   bool operator==(const TempEntity&) const = default;
@@ -196,8 +196,9 @@ struct Fog {
   int fade = 0;                                   // hundredths of a second
   bool operator==(const Fog&) const = default;
 };
-// What differs from the baseline; `bits` says which fields count (kUpdateOrigin1 ... kUpdateScale). The bits that only
-// shape the message (more bits, long entity, extend, frame2, model2) are the writer's to set; the reader reports them.
+// The fields that differ from the baseline; `bits` says which are valid (kUpdateOrigin1 ... kUpdateScale). The writer
+// sets the bits that only affect the encoding (more bits, long entity, extend, frame2, model2); the reader reports
+// them.
 struct EntityUpdate {
   std::uint32_t bits = 0;  // UpdateBits
   int entity = 0;
@@ -219,7 +220,7 @@ using ServerMessage =
                  svc::CdTrack, svc::SellScreen, svc::Cutscene, svc::Skybox, svc::BonusFlash, svc::Fog,
                  svc::EntityUpdate>;
 
-// Reads a datagram's messages one after the other. svc_serverinfo changes the protocol for what follows.
+// Reads a datagram's messages one after the other. svc_serverinfo changes the protocol for the messages after it.
 class ServerMessageReader {
  public:
   ServerMessageReader(ByteView data, std::string_view name, Protocol protocol = {}) : reader_(data, name, protocol) {}
@@ -227,7 +228,7 @@ class ServerMessageReader {
   std::size_t offset() const { return reader_.offset(); }
   Result<ServerMessage> next();
   const Protocol& protocol() const { return reader_.protocol; }
-  // Where the message that next() returned last began: for what its receiver has to complain of.
+  // The offset of the message that next() returned last, for the receiver's errors.
   Error error(std::string_view cause) const;
 
  private:

@@ -96,7 +96,7 @@ void ServerInquiry::take_reply(const ControlReply& reply, double now) {
     }
     if (std::ranges::find(status_.rules, rule->name, &std::pair<std::string, std::string>::first) !=
         status_.rules.end())
-      return;  // a reply that came twice
+      return;  // a repeated reply
     status_.rules.emplace_back(rule->name, rule->value);
     socket_->send_to(server_, write_control(ControlRequest(ccreq::RuleInfo{rule->name})));
   }

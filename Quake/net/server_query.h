@@ -1,6 +1,5 @@
-// Asking servers about themselves: `slist` asks everybody on the local network, `status ADDRESS` one server for its
-// players and rules. Neither blocks: poll them every frame until they are done. What comes back is a stranger's text:
-// print it as data.
+// Queries of servers: `slist` asks all on the local network, `status ADDRESS` one server for its players and rules.
+// Neither blocks: poll them every frame until they are done. Replies are untrusted text: print them as data.
 #pragma once
 
 #include <map>
@@ -17,16 +16,16 @@ struct FoundServer {
   Address address;
   std::string name, map;
   int players = 0, max_players = 0;
-  bool compatible = true;  // speaks our version of connection control
+  bool compatible = true;  // has the same version of connection control
 };
 
 class ServerSearch {
  public:
   static constexpr std::size_t kMostServers = 256;
 
-  // Asks each of `targets`, which may be broadcast(port); twice, as packets get lost.
+  // Queries each of `targets`, which may be broadcast(port), twice, because packets get lost.
   ServerSearch(Network& network, std::vector<Address> targets);
-  // False once it is over, 1.5 seconds from the first call.
+  // Returns false when it is over, 1.5 seconds after the first call.
   bool poll(double now);
   // In the order of their answers, each address once.
   const std::vector<FoundServer>& found() const { return found_; }
@@ -42,14 +41,14 @@ class ServerSearch {
   double started_ = 0.0;
 };
 
-// One server's own words, piece by piece: first itself, then players and rules.
+// Queries one server: first about itself, then its players and rules.
 class ServerInquiry {
  public:
   ServerInquiry(Network& network, const Address& server);
-  // False once all is known or nothing more comes (3 seconds from the first call).
+  // Returns false when all is known or no more will come (3 seconds after the first call).
   bool poll(double now);
   bool answered() const { return answered_; }
-  // Players and rules that were lost on the way are missing.
+  // Players and rules whose replies were lost are missing.
   ServerStatus status() const;
 
  private:

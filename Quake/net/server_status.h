@@ -1,4 +1,4 @@
-// What a server tells of itself to whoever asks.
+// What a server reports about itself to anybody.
 #pragma once
 
 #include <functional>

@@ -93,7 +93,7 @@ void write_update(MessageWriter& w, const svc::EntityUpdate& u) {
   const bool extended = w.protocol.extended();
   if (!extended) bits &= 0x7fffu;
   if (extended) {
-    // High bytes alone would leave the low byte to the baseline: both are sent.
+    // With the high byte alone, the low byte would be the baseline's: both are sent.
     if ((bits & kUpdateFrame) && u.frame > 255) bits |= kUpdateFrame2;
     if ((bits & kUpdateModel) && u.model > 255) bits |= kUpdateModel2;
     if (bits & (kExtendedFields | kUpdateFrame2 | kUpdateModel2)) bits |= kUpdateExtend1;

@@ -1,5 +1,5 @@
-// The messages that carry most of a game's bytes and whose shape hangs on bits: baselines, entity updates, client data.
-// Used by server_messages.cpp alone. Readers do not check for the end of the message: their caller asks once.
+// The largest messages of a game, whose layout depends on bits: baselines, entity updates, client data. Used by
+// server_messages.cpp only. Readers do not check for the end of the message: their caller checks once.
 #pragma once
 
 #include "net/message.h"

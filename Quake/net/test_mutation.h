@@ -1,5 +1,5 @@
-// Bytes made wrong in the ways that matter to packets: bits turned, pieces cut, doubled and exchanged, numbers at their
-// ends; and packets made whole again around them, so that they get as far as possible. For tests and floods.
+// Corrupts bytes in ways that matter to packets: flipped bits, removed, doubled and exchanged parts, extreme numbers;
+// and makes packets' headers valid again, so that they get as far as possible. For tests and floods.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ inline Bytes random_bytes(Rng& rng, std::uint32_t most) {
   return bytes;
 }
 
-// One wrong thing.
+// One corruption.
 inline void mutate_once(Bytes& bytes, Rng& rng) {
   constexpr std::array<std::uint8_t, 8> kEnds = {0, 1, 0x7f, 0x80, 0xff, '"', '\\', '\n'};
   const auto size = static_cast<std::uint32_t>(bytes.size());
@@ -57,14 +57,14 @@ inline void mutate(Bytes& bytes, Rng& rng) {
   for (std::uint32_t i = 1 + rng.below(4); i > 0; --i) mutate_once(bytes, rng);
 }
 
-// The first half of one, the second of another.
+// Joins the first half of one and the second of another.
 inline Bytes spliced(const Bytes& a, const Bytes& b, Rng& rng) {
   Bytes both(a.begin(), a.begin() + rng.below(static_cast<std::uint32_t>(a.size()) + 1));
   both.insert(both.end(), b.begin() + rng.below(static_cast<std::uint32_t>(b.size()) + 1), b.end());
   return both;
 }
 
-// A header's length is the packet's again.
+// Sets a header's length to the packet's.
 inline void mend_length(Bytes& packet) {
   if (packet.size() < 4 || packet.size() > 0xffff) return;
   packet[2] = static_cast<std::uint8_t>(packet.size() >> 8u);

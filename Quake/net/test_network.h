@@ -1,5 +1,5 @@
-// A network in memory for tests: hosts with addresses of their own, whose packets are lost, repeated, delayed and so
-// reordered by seeded chance. Time stands where the test puts it.
+// A simulated network in memory for tests: hosts with their own addresses, whose packets are lost, repeated, delayed
+// and so reordered at random, by a seed. The test controls the time.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,7 @@ class TestNetwork {
   TestNetwork(const TestNetwork&) = delete;
   TestNetwork& operator=(const TestNetwork&) = delete;
 
-  // The machine with this address (its port does not matter). Lives as long as the network.
+  // The host with this address (its port is ignored). Lives as long as the network.
   Network& host(const Address& address) {
     auto& made = hosts_[address.with_port(0)];
     if (!made) made = std::make_unique<Host>(*this, address.with_port(0));
@@ -31,7 +31,7 @@ class TestNetwork {
   }
   double now() const { return now_; }
   void advance(double seconds) { now_ += seconds; }
-  // As if somebody who can write any sender's address had sent it; arrives for certain and at once.
+  // Sends as an attacker who can forge any sender's address; the packet arrives for certain and at once.
   void forge(const Address& from, const Address& to, ByteView data) {
     flying_.push({now_, next_number_++, from, to, Bytes(data.begin(), data.end())});
   }
@@ -67,7 +67,7 @@ class TestNetwork {
     }
     std::uint16_t port() const override { return address_.port; }
     Family family() const override { return address_.family; }
-    // What finds no room is lost.
+    // Packets are lost if there is no room.
     void put(const Address& from, const Bytes& data) {
       if (waiting_ + data.size() > kRoom) return;
       waiting_ += data.size();

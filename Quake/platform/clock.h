@@ -1,4 +1,4 @@
-// Time as the frame loop sees it. No part of SDL, so that it serves programs without a window.
+// Time for the frame loop. Does not use SDL, so that programs without a window can use it.
 #pragma once
 
 namespace fb::platform {
@@ -6,7 +6,7 @@ namespace fb::platform {
 // Seconds since the program's first call; never goes back.
 double now_seconds();
 
-// Sleeps for about so long; no time or less returns at once.
+// Sleeps for about this time; zero or less returns at once.
 void sleep_seconds(double seconds);
 
 }  // namespace fb::platform

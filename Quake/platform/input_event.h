@@ -1,4 +1,4 @@
-// What the user did, in the order in which it happened.
+// The user's input events, in the order in which they happened.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace fb::platform {
 struct InputEvent {
   enum class Kind {
     kKey,          // key, down, repeat; keyboard, mouse buttons and wheel steps (a step goes down and up at once)
-    kText,         // text: UTF-8 as the layout and the input method make it
+    kText,         // text: UTF-8 by the keyboard layout and the input method
     kMouseMotion,  // dx to the right, dy downwards: counts of the mouse while grabbed, else pixels
     kFocus,        // focused
     kResize,       // width, height: the window's new size in pixels; 0, 0 while it is minimised

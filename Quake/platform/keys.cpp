@@ -13,7 +13,7 @@ struct Named {
   std::string_view name;
 };
 
-// A semicolon separates commands and a quote opens a string, so configuration files need a word for the former.
+// A semicolon separates commands, so configuration files need a name for its key; a quote opens a string.
 constexpr Named kNamed[] = {{kKeyTab, "TAB"},
                             {kKeyEnter, "ENTER"},
                             {kKeyEscape, "ESCAPE"},
@@ -72,7 +72,7 @@ constexpr Named kNamed[] = {{kKeyTab, "TAB"},
                             {'`', "BACKQUOTE"},
                             {'~', "TILDE"}};
 
-// Keys of a name and a number, from 1.
+// Keys whose names end in a number, from 1.
 struct Numbered {
   int first, count;
   std::string_view name;

@@ -1,6 +1,6 @@
-// Keys by the numbers and names that Quake and its configuration files give them. A key that prints has its character's
-// number on a US keyboard, in lower case, whatever the layout: places count, as in QuakeSpasm. Mouse buttons and the
-// wheel's steps are keys as well.
+// Keys by the numbers and names of Quake and its configuration files. A key that prints has the number of its
+// lower-case character on a US keyboard, whatever the layout: the position of a key counts, as in QuakeSpasm. Mouse
+// buttons and the wheel's steps are keys, too.
 #pragma once
 
 #include <string>
@@ -51,7 +51,7 @@ enum Key : int {
   kKeyMouse1 = 200,  // left
   kKeyMouse2,        // right
   kKeyMouse3,        // middle
-  // Those of joysticks and game controllers have names alone yet, so that configurations keep what is bound to them.
+  // Keys of joysticks and game controllers have only names yet, so that configurations keep their bindings.
   kKeyJoy1 = 203,  // to JOY4
   kKeyAux1 = 207,  // to AUX32
   kKeyWheelUp = 239,
@@ -71,10 +71,10 @@ enum Key : int {
   kKeyPause = 255,
 };
 
-// "SPACE", "MWHEELUP", "a", as `bind` writes them; empty for a number that is no key.
+// "SPACE", "MWHEELUP", "a", as `bind` writes them; empty if the number is no key.
 std::string key_name(int key);
 
-// The key of a name, whatever its case; kKeyNone if there is none.
+// The key of a name, ignoring case; kKeyNone if there is none.
 int key_from_name(std::string_view name);
 
 }  // namespace fb::platform

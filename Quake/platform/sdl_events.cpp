@@ -10,7 +10,7 @@ struct Place {
   int key;
 };
 
-// Beside letters, digits and function keys, which stand in rows.
+// Keys other than letters, digits and function keys, which are consecutive.
 constexpr Place kPlaces[] = {{SDL_SCANCODE_TAB, kKeyTab},
                              {SDL_SCANCODE_RETURN, kKeyEnter},
                              {SDL_SCANCODE_RETURN2, kKeyEnter},
@@ -108,7 +108,7 @@ void add_window_event(std::vector<InputEvent>& to, const SDL_WindowEvent& from) 
     case SDL_WINDOWEVENT_RESTORED:
       event.kind = InputEvent::Kind::kResize;
       break;
-    default:  // closing sends SDL_QUIT as well, for there is one window
+    default:  // closing the only window sends SDL_QUIT as well
       return;
   }
   to.push_back(event);

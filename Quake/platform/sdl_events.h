@@ -1,4 +1,4 @@
-// SDL's events in our words; for this module alone.
+// Converts SDL's events; used by this module only.
 #pragma once
 
 #include <SDL_events.h>
@@ -9,11 +9,10 @@
 
 namespace fb::platform {
 
-// The key at a place of the keyboard; kKeyNone for places that Quake has no key for.
+// The key at a position of the keyboard; kKeyNone if Quake has no key there.
 int key_from_scancode(SDL_Scancode code);
 
-// Appends what the event means, which may be nothing or several things. Resizes come without a size: the window fills
-// it in.
+// Appends the event's meaning, which may be none or several events. Resizes come without a size: the window sets it.
 void translate_event(const SDL_Event& event, std::vector<InputEvent>& to);
 
 }  // namespace fb::platform

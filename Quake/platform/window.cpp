@@ -1,6 +1,6 @@
 #include "platform/window.h"
 
-#define SDL_MAIN_HANDLED  // main() is ours
+#define SDL_MAIN_HANDLED  // SDL must not replace main()
 #include <SDL.h>
 #include <SDL_vulkan.h>
 
@@ -29,7 +29,7 @@ Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options) {
   SDL_SetMainReady();
   if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0)
     return Error{fmt::format("no display could be opened ({}); -headless needs none", SDL_GetError())};
-  auto impl = std::make_unique<Impl>();  // ends SDL again if we fail from here on
+  auto impl = std::make_unique<Impl>();  // shuts SDL down if anything below fails
   SDL_StopTextInput();
 
   Uint32 flags = SDL_WINDOW_VULKAN | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;

@@ -1,5 +1,5 @@
-// The window: where pictures are shown and input comes from. SDL starts with the first window and ends with the last,
-// so that a program without one needs no display.
+// The window: shows pictures and receives input. SDL starts with the first window and ends with the last, so that a
+// program without one needs no display.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -17,36 +17,37 @@ namespace fb::platform {
 
 struct WindowOptions {
   std::string title = "Fullbright";
-  std::uint32_t width = 1280, height = 720;  // of the inside, in the window system's units
-  bool fullscreen = false;                   // the desktop's size instead
+  std::uint32_t width = 1280, height = 720;  // of the contents, in the window system's units
+  bool fullscreen = false;                   // at the desktop's size
 };
 
 class Window {
  public:
-  // Fails where there is no display, or none that shows Vulkan's pictures.
+  // Fails if there is no display, or none that supports Vulkan.
   static Result<std::unique_ptr<Window>> create(const WindowOptions& options);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  // What the Vulkan instance must be made with; valid as long as the window.
+  // The extensions that the Vulkan instance needs; valid as long as the window.
   const std::vector<const char*>& vulkan_extensions() const;
-  // The caller's, or the swapchain's that takes it; ends before the window and the instance do.
+  // Creates a surface, owned by the caller or by the swapchain that takes it; it must be destroyed before the window
+  // and the instance.
   Result<VkSurfaceKHR> create_surface(VkInstance instance) const;
 
-  // The inside in pixels; 0, 0 while minimised.
+  // The size of the contents in pixels; 0, 0 while minimised.
   uvec2 pixel_size() const;
   bool focused() const;
   void resize(std::uint32_t width, std::uint32_t height);
   void set_fullscreen(bool fullscreen);
   void set_title(const std::string& title);
-  // Hides the pointer and keeps it inside; motion then comes as the mouse's own counts, without end.
+  // Hides the pointer and keeps it inside the window; motion then comes in mouse counts, without limit.
   void grab_mouse(bool grab);
   bool mouse_grabbed() const;
-  // Whether keys also come as text (InputEvent::Kind::kText); off at first.
+  // Whether keys also produce text (InputEvent::Kind::kText); off at first.
   void set_text_input(bool on);
 
-  // All that happened since the last call.
+  // All events since the last call.
   std::vector<InputEvent> poll_events();
 
  private:

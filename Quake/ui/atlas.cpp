@@ -20,7 +20,7 @@ std::uint64_t next_revision() {
   return ++last;
 }
 
-// Chars in white and gold until a palette says otherwise.
+// Characters in white and gold, until a palette says otherwise.
 formats::Palette fallback_palette() {
   formats::Palette palette;
   palette.rgb[1] = {232, 228, 216};
@@ -125,7 +125,8 @@ std::optional<formats::RgbaImage> Atlas::read_picture(const std::string& name, s
   return std::nullopt;
 }
 
-// Shelves: pictures stand side by side until the row is full; the tallest of a row says where the next begins.
+// Shelf packing: pictures are placed side by side until the row is full; the tallest of a row sets where the next
+// begins.
 std::optional<Picture> Atlas::add(const formats::RgbaImage& image) {
   if (image.width > kWidth || image.width <= 0 || image.height <= 0) return std::nullopt;
   int x = shelf_x_, y = shelf_y_, height = shelf_height_;

@@ -1,5 +1,5 @@
-// Everything that 2D drawing shows, in one image: the console's characters, and pictures of the game as they are asked
-// for. Without game data it holds the fallback font alone, so that there is always something to say it with.
+// One image with everything that 2D drawing shows: the console's characters, and the game's pictures as they are
+// requested. Without game data it holds only the fallback font, so that messages can always be shown.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace fb::ui {
 
-// A rectangle of the atlas, texels.
+// A rectangle of the atlas, in texels.
 struct Picture {
   int x = 0, y = 0, width = 0, height = 0;
 };
@@ -29,23 +29,23 @@ class Atlas {
   static constexpr int kMaxHeight = 4096;
   static constexpr int kGlyphSize = 8;
 
-  // Reads gfx.wad and gfx/palette.lmp; what is missing or malformed is said once and done without. `files` is kept for
-  // picture(); none: the fallback font and no pictures.
+  // Reads gfx.wad and gfx/palette.lmp; missing or malformed files are reported once, and fallbacks are used. `files` is
+  // kept for picture(); none: the fallback font and no pictures.
   explicit Atlas(FileLoader files = nullptr);
 
-  // Where a character's 8x8 glyph is; its code is Quake's: 128 and more are gold.
+  // The rectangle of a character's 8x8 glyph; codes are Quake's: 128 and more are gold.
   Picture glyph(unsigned char code) const;
   // A picture by name: "gfx/conback.lmp" is a file (lmp, png, tga, pcx), "ibar" a lump of gfx.wad. Palette index 255 is
-  // transparent. nullptr where there is none, after one sentence in the log.
+  // transparent. nullptr if there is none, after one message in the log.
   const Picture* picture(std::string_view name);
   bool has_game_font() const { return game_font_; }
 
-  // As it is now: kept until something is added. Revisions of different atlases differ, too.
+  // The current image, kept until something is added. Revisions of different atlases differ, too.
   std::shared_ptr<const scene::DrawAtlas> image() const;
 
  private:
   std::optional<formats::RgbaImage> read_picture(const std::string& name, std::string& failure) const;
-  // nullopt: it is full.
+  // nullopt if the atlas is full.
   std::optional<Picture> add(const formats::RgbaImage& image);
   formats::RgbaImage colored(const formats::IndexedImage& image, int transparent) const;
 

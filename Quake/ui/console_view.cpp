@@ -20,7 +20,7 @@ void draw_background(Painter& painter, float bottom, float alpha) {
     painter.fill(0.0f, 0.0f, width, bottom, vec4(0.06f, 0.05f, 0.04f, alpha));
 }
 
-// The part of the line around the cursor that fits.
+// The part of the line around the cursor that fits on the screen.
 void draw_input(Painter& painter, const con::InputLine& input, float y, std::size_t columns, double time) {
   const std::string text = "]" + input.text();
   const std::size_t cursor = input.cursor() + 1;
@@ -51,7 +51,7 @@ void draw_console(Painter& painter, const con::Scrollback& lines, const con::Inp
       painter.character(kLine * static_cast<float>(column + 1), y, '^');
     y -= kLine;
   }
-  // Upwards from the newest that shows; no more lines than rows can be seen.
+  // Draws upwards from the newest visible line, at most as many lines as there are rows.
   const auto rows = static_cast<std::size_t>(std::max(0.0f, bottom / kLine));
   const auto shown = lines.latest(rows, view.scrolled_up);
   for (auto line = shown.rbegin(); line != shown.rend() && y > -kLine; ++line) {

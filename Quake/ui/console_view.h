@@ -1,4 +1,4 @@
-// The console as it is seen: its lines over a background that comes down from the top, and the line being typed.
+// Draws the console: its lines over a background that comes down from the top, and the line being typed.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 namespace fb::ui {
 
 struct ConsoleView {
-  float fraction = 0.5f;        // of the height; 0 draws nothing, 1 is all (no game behind it: opaque)
-  float opacity = 0.85f;        // of the background where fraction < 1
-  std::size_t scrolled_up = 0;  // lines above the newest (pgup); a row of ^ marks it
-  double time = 0.0;            // seconds, for the cursor's blinking
+  float fraction = 0.5f;        // of the height; 0 draws nothing, 1 covers the picture, opaque (without a game)
+  float opacity = 0.85f;        // of the background if fraction < 1
+  std::size_t scrolled_up = 0;  // lines scrolled back (pgup); a row of ^ marks it
+  double time = 0.0;            // seconds, for the blinking cursor
 };
 
 void draw_console(Painter& painter, const con::Scrollback& lines, const con::InputLine& input, const ConsoleView& view);

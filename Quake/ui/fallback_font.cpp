@@ -6,7 +6,7 @@
 namespace fb::ui {
 namespace {
 
-// Rows from the top, five pixels each, of the characters from '!' on.
+// Characters from '!' on: rows from the top, five pixels each.
 constexpr std::string_view kGlyphs[] = {
     // clang-format off
     "..#.. ..#.. ..#.. ..#.. ..... ..... ..#..",  // !
@@ -107,7 +107,7 @@ constexpr std::string_view kGlyphs[] = {
 };
 constexpr int kGlyphSize = 8, kSide = 128;
 
-// What Quake shows below 32 that has a letter's shape.
+// Quake's characters below 32 that have a letter's shape.
 int ordinary(int code) {
   if (code == 0x10) return '[';
   if (code == 0x11) return ']';

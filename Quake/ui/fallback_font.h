@@ -1,13 +1,12 @@
-// The console's letters where there is no game data to bring them: our own, drawn here, in the places where Quake's
-// conchars have theirs.
+// The console's font for when there is no game data: drawn for Fullbright, at the positions of Quake's conchars.
 #pragma once
 
 #include "formats/image.h"
 
 namespace fb::ui {
 
-// 128x128 pixels: 16x16 glyphs of 8x8, a character's code is its place. 0 is nothing, 1 the letters of codes 0 to 127,
-// 2 those of 128 to 255, which show the same in gold, as in Quake.
+// 128x128 pixels: 16x16 glyphs of 8x8 at the position of their code. Pixels are 0 for empty, 1 for the letters of codes
+// 0 to 127, and 2 for those of 128 to 255, which are the same letters in gold, as in Quake.
 formats::IndexedImage fallback_font();
 
 }  // namespace fb::ui

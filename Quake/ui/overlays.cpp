@@ -28,7 +28,7 @@ void draw_notify(Painter& painter, const std::vector<con::ScrollLine>& lines) {
 
 void draw_fps(Painter& painter, double frames_per_second) {
   if (!(frames_per_second > 0.0)) return;
-  // Slow renderers deserve a digit more.
+  // Low frame rates are shown with a decimal.
   const std::string text = frames_per_second < 10.0 ? fmt::format("{:.1f} fps", frames_per_second)
                                                     : fmt::format("{:.0f} fps", frames_per_second);
   painter.text(static_cast<float>(painter.width()) - kLine * static_cast<float>(text.size() + 1),

@@ -1,5 +1,5 @@
-// For the tests of this module: a DrawList drawn on the CPU, by the rules that Quake/scene/draw_list.h states (in
-// order, pixel centres, nearest texel, straight alpha), and looked at.
+// For the tests of this module: draws a DrawList on the CPU, by the rules in Quake/scene/draw_list.h (in order, pixel
+// centres, nearest texel, straight alpha), and reads text back.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -28,8 +28,9 @@ class Raster {
   vec3 at(int x, int y) const { return pixels_[static_cast<std::size_t>(y * width_ + x)]; }
   bool lit(int x, int y) const { return at(x, y) != vec3(0.0f); }
 
-  // Reads text back: the character whose glyph is what stands in this cell of `scale` times 8x8 pixels; 0 if none is.
-  // Only shapes count, so that colours do not matter; of several alike the first counts, and 127 and less are tried.
+  // Reads text back: the character whose glyph is in this cell of `scale` times 8x8 pixels; 0 if there is none. Only
+  // shapes are compared, not colours; of characters of equal shape the first is returned, and only codes up to 127 are
+  // tried.
   unsigned char character(const Atlas& atlas, int left, int top, int scale = 1) const {
     for (int code = 32; code < 127; ++code) {
       if (matches(atlas, static_cast<unsigned char>(code), left, top, scale)) return static_cast<unsigned char>(code);

@@ -15,9 +15,9 @@ std::vector<std::string_view> wrap(std::string_view text, std::size_t columns) {
       text.remove_prefix(line_end + 1);
       continue;
     }
-    // A blank just past the edge is as good a place as one before it.
+    // The line may also break at a blank just past the edge.
     const std::size_t blank = text.substr(0, columns + 1).rfind(' ');
-    // Not inside the indentation: its word is simply too long.
+    // Does not break inside the indentation: the word after it is too long anyway.
     const bool cut_a_word = blank == text.npos || blank < text.find_first_not_of(' ');
     const std::size_t length = cut_a_word ? columns : blank;
     pieces.push_back(text.substr(0, length));

@@ -1,4 +1,4 @@
-// Lines that fit.
+// Wraps text into lines.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace fb::ui {
 
-// The text in pieces of at most `columns` (1 or more) characters, cut at newlines and between words where it can be;
-// the blank at a cut belongs to no piece. An empty text is one empty piece.
+// Splits the text into lines of at most `columns` (1 or more) characters, at newlines and if possible between words;
+// the blank at a break belongs to no line. An empty text gives one empty line.
 std::vector<std::string_view> wrap(std::string_view text, std::size_t columns);
 
 }  // namespace fb::ui
