@@ -1,5 +1,5 @@
-# The short commands. CMake and Ninja do the work (CMakePresets.json); this only names it, and installs what is missing
-# first (DEPS=: skips that).
+# Short commands. CMake and Ninja do the work (CMakePresets.json); this installs missing packages first (DEPS=: skips that)
+# and calls them.
 DEPS ?= Linux/install-deps.sh --quiet
 JOBS ?= $(shell nproc)
 FUZZ_SECONDS ?= 60
@@ -9,7 +9,7 @@ export FUZZ_SECONDS QUAKE_DIR JOBS
 .DEFAULT_GOAL := all
 .PHONY: all deps test demo play bench fuzz asan coverage check platforms tidy format clean help
 
-# preset, its folder, options of the build. Configuring is silent unless it fails.
+# Arguments: preset, its folder, options of the build. Configuring is silent unless it fails.
 define configure_and_build
 @mkdir -p $(2) && cmake --preset $(1) >$(2)/configure.log 2>&1 || { cat $(2)/configure.log; exit 1; }
 @cmake --build --preset $(1) --parallel $(JOBS) $(3)
@@ -24,13 +24,13 @@ test: ## build everything and run every test
 	$(call configure_and_build,release,build)
 	Misc/with_display.sh ctest --test-dir build --output-on-failure
 
-demo: all ## play a recorded demo headless through the path tracer; QUAKE_DIR=... takes other data than the base game's
+demo: all ## play a recorded demo headless through the path tracer; QUAKE_DIR=... uses other data than the base game's
 	@Misc/demo.sh
 
-play: all ## play, in a window: the base game, or QUAKE_DIR's
+play: all ## play in a window: the base game, or the data in QUAKE_DIR
 	build/fullbright -basedir "$(or $(QUAKE_DIR),build/game)" +map start
 
-bench: ## measure, on this machine, what the README's numbers say
+bench: ## run the benchmarks on this machine
 	@$(DEPS) bench
 	$(call configure_and_build,release,build)
 	@Misc/bench.sh
@@ -44,7 +44,7 @@ asan: ## build with the address and undefined-behaviour sanitizers and run every
 	$(call configure_and_build,asan-ubsan,build-asan)
 	@Misc/with_display.sh Misc/sanitized.sh ctest --test-dir build-asan --output-on-failure
 
-coverage: ## line coverage of the tests: build-coverage/coverage.html
+coverage: ## measure the tests' line coverage: build-coverage/coverage.html
 	@$(DEPS) coverage
 	$(call configure_and_build,coverage,build-coverage)
 	@find build-coverage -name '*.gcda' -delete
@@ -53,29 +53,29 @@ coverage: ## line coverage of the tests: build-coverage/coverage.html
 	gcovr --root . --filter Quake/ --filter Shaders/ --exclude '.*_test\.cpp' --exclude '.*_bench\.cpp' $$merge \
 	  --print-summary --html-details build-coverage/coverage.html build-coverage
 
-check: ## layers, formatting, text and includes of the sources
+check: ## check layers, formatting, text and includes of the sources
 	@$(DEPS) check
 	@Misc/check_layers.py --self-test && Misc/check_layers.py
 	@Misc/check_text.py --self-test && Misc/check_text.py
 	@Misc/check_includes.py --self-test && Misc/check_includes.py
 	@Misc/check_format.sh
 
-platforms: ## make demo in a fresh root of each Debian release that the README names
+platforms: ## run make demo in a fresh installation of each Debian release that the README names
 	@$(DEPS) platforms
 	@Linux/platforms.sh
 
-tidy: ## clang-tidy on what differs from BASE (the main branch's last commit in common)
+tidy: ## run clang-tidy on files that differ from BASE (default: the last commit shared with the main branch)
 	@$(DEPS) check
 	@Misc/tidy_changed.sh
 
-format: ## put the sources into .clang-format's shape
+format: ## format the sources by .clang-format
 	@$(DEPS) check
 	@Misc/check_format.sh --fix
 
-deps: ## install everything that any of these needs
+deps: ## install all packages that these targets need
 	@Linux/install-deps.sh all
 
-clean: ## remove what was built
+clean: ## remove build results
 	rm -rf build build-asan build-coverage
 
 help: ## this list

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that Fullbright needs and that are missing, having said which. Asks nothing, and does
-# nothing where nothing is missing, so that every make may call it. Known to fit Debian 12 and 13; Ubuntu names its
-# packages alike.
+# Names the missing Debian packages that Fullbright needs, and installs them. Does not ask, and does nothing if none is
+# missing, so that every make may call it. Tested on Debian 12 and 13; Ubuntu's packages have the same names.
 set -euo pipefail
 
 usage() {
@@ -82,7 +81,7 @@ if [[ $(id -u) -ne 0 ]]; then
 fi
 apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300 "$@" </dev/null; }
 
-# The lists are fetched only if they do not know the packages, or know versions that the mirror has dropped.
+# Package lists are fetched only if they lack the packages, or list versions that the mirror no longer has.
 install() { apt install --yes --no-install-recommends $missing; }
 if apt install --simulate --no-install-recommends $missing >/dev/null 2>&1 && install; then exit 0; fi
 apt update || echo "install-deps.sh: some package lists could not be fetched; trying with the others" >&2

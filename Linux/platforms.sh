@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# `make platforms`: each Debian release that the README names, as a stranger has it: a fresh root with nothing in it but
-# apt and make, into which the sources are copied, and there the README's `make demo`. Each release must build without
-# anything that this machine has, and leave frames. Not part of .ci/run: two builds from nothing would double its time.
+# `make platforms`: tests each Debian release that the README names as on a new user's machine: it makes a fresh
+# installation with nothing but apt and make, copies the sources into it, and runs the README's `make demo` there. Each
+# release must build without this machine's packages, and write frames. Not part of .ci/run: two builds from nothing
+# would double its time.
 set -euo pipefail
 
 usage() {
@@ -31,14 +32,14 @@ mirror=${PLATFORMS_MIRROR:-$(apt-get indextargets --format '$(REPO_URI) $(COMPON
   sed -n '/security/d; s/ main$//p' | head -1)}
 [[ -n $mirror ]] || { echo "platforms.sh: apt's sources name no mirror; PLATFORMS_MIRROR=URL does" >&2; exit 1; }
 
-# What is tracked, and what is new and not ignored: the tree as it would be committed now.
+# Tracked files, and new ones that are not ignored: the tree as it would be committed now.
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 git ls-files --cached --others --exclude-standard -z |
   while IFS= read -r -d '' file; do [[ ! -e $file ]] || printf '%s\0' "$file"; done |
   tar --null --no-recursion --files-from=- --create --file "$scratch/sources.tar"
 
-# Builds and plays in a root of one release. mmdebstrap mounts /proc and /dev for its hooks, and unmounts them.
+# Builds and plays in an installation of one release. mmdebstrap mounts /proc and /dev for its hooks, and unmounts them.
 try_release() {
   local release=$1 out=$PWD/out/platforms/$1 target=(/dev/null --format=null)
   rm -rf "$out"

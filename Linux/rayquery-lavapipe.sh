@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Puts a lavapipe that has ray query into a folder of its own, beside the system's Mesa and without touching it, and
-# prints the environment that makes a program use it. Debian 12's Mesa (22.3) has no ray tracing; its backports have
-# 25.0, from the same mirror that this machine's apt already uses. Debian 13's own Mesa has ray query: nothing to do.
+# Unpacks a lavapipe with ray query into a folder of its own, without changing the system's Mesa, and prints the
+# environment variables that make a program use it. Debian 12's Mesa (22.3) has no ray tracing; Debian's backports have
+# 25.0, on the mirror that this machine's apt already uses. Debian 13's own Mesa has ray query, so nothing is done there.
 #
 #   usage: Linux/rayquery-lavapipe.sh DIR     then: env $(Linux/rayquery-lavapipe.sh DIR) build/fullbright ...
 #
-# Only the variables (or nothing) go to standard output. A DIR that is already filled is left as it is.
+# Only the variables (or nothing) go to standard output. A DIR that already has a driver is not changed.
 set -euo pipefail
 
 say() { echo "rayquery-lavapipe.sh: $*" >&2; }
@@ -34,7 +34,7 @@ fi
 codename=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
 [[ $codename == bookworm ]] || fail "knows Debian 12 (bookworm) and systems with Mesa 24.1 or later, not '$codename'"
 
-# apt itself says which mirror serves the release, whatever format its sources are written in.
+# apt itself reports the mirror of the release, whatever the format of its sources.
 mirror=$(apt-get indextargets --format '$(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' |
   sed -n "s/ $codename main\$//p" | head -n 1)
 [[ -n $mirror ]] || fail "apt's sources name no mirror of $codename main"
@@ -46,8 +46,8 @@ keyring=/usr/share/keyrings/debian-archive-keyring.gpg
 options=""
 [[ ! -f $keyring ]] || options="[signed-by=$keyring] "
 echo "deb $options$mirror $codename-backports main" >"$scratch/sources.list"
-# Lists and caches of its own, so that the system's are neither read nor changed. APT::Sandbox: the scratch folder
-# belongs to whoever runs this, not to apt's own user.
+# Separate lists and caches, so that the system's are neither read nor changed. APT::Sandbox: the scratch folder
+# belongs to the user who runs this, not to apt's own user.
 backports() {
   apt-get -q -o Dir::Etc::sourcelist="$scratch/sources.list" -o Dir::Etc::sourceparts="$scratch/parts" \
     -o Dir::Etc::preferencesparts="$scratch/parts" -o Dir::State::lists="$scratch/lists" \

@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
-"""How fast a learning estimator follows light that moves and forgets light that is gone.
+"""Measures how fast a learning estimator follows a moving light and forgets a vanished one.
 
 Runs `fullbright-lab bench` on the scenes `rocket` and `lightsout` and prints tables of the error, frame by frame.
 
     Misc/adaptation.py [--lab build/fullbright-lab] [--size 160x90] [--reference-spp 1024] [--repeats 8]
                        [--keep DIR] [rocket|lightsout]
 
-rocket: MSE of single frames of pt over that of mcpg (gain at equal samples), with and without prediction
-(r_mc_predict): of the mean over the runs, and of the median run, which rare bright samples do not move. Settled is the
-gain where that frame stands still and 60 frames were there to learn from: what motion costs. Tracked means: from this
-frame on the median run's gain stays above 5.
+rocket: MSE of single frames of pt divided by that of mcpg (gain at equal samples), with and without prediction
+(r_mc_predict): of the mean over the runs, and of the median run, which rare bright samples do not affect. "Settled" is
+the gain for the same frame held still, after 60 frames of learning; the difference is the cost of motion. "Tracked"
+means: from this frame on the median run's gain stays above 5.
 
-lightsout: relMSE and MAPE of frames without the lamp, eight together, over those of an mcpg that has never seen the
-lamp and is as many frames old; with and without the heuristic (r_mc_loss) and the irradiance cache (r_mc_cache), each
-over its own cold start. Recovered means: from these frames on the ratio stays below 1.1.
+lightsout: relMSE and MAPE of frames without the lamp, eight together, divided by those of an mcpg that has never seen
+the lamp and has learnt for as many frames; with and without the light-loss heuristic (r_mc_loss) and the irradiance
+cache (r_mc_cache), each divided by its own cold start. "Recovered" means: from these frames on the ratio stays below 1.1.
 """
 
 import argparse
@@ -30,7 +30,7 @@ LIGHTS_OUT = 100  # kLightsOutFrame of Quake/scene/scenes_in_motion.h
 
 
 def bench(options, scene, frames, warmup, configurations, name, *more):
-    """Runs the bench; gives {configuration: {frame: [record of each run]}}, frames counted from the first measured."""
+    """Runs the bench; returns {configuration: {frame: [record of each run]}}, frames counted from the first measured."""
     out = options.keep / f"{name}.csv"
     command = [options.lab, "bench", "--scene", scene, "--size", options.size, "--frames", frames]
     command += ["--warmup", str(warmup), "--repeats", str(options.repeats), "--quiet"]
@@ -55,7 +55,7 @@ def mean(records, column):
 
 
 def stays(frames, good):
-    """The first frame from which on all are good; None if the last is not."""
+    """The first frame from which on all values are good; None if the last is not."""
     first = None
     for frame in reversed(frames):
         if not good(frame):

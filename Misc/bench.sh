@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# `make bench`: every benchmark program of the release build, one after the other (two at once would measure each
-# other), and speed against error of every estimator on scenes in code (`light_SCENE`); each also as JSON in out/bench.
-# BENCH_FILTER is a regular expression of names. References are kept in out/bench/references.
+# `make bench`: runs every benchmark program of the release build, one after the other (two at once would disturb each
+# other), and measures speed and error of every estimator on scenes in code (`light_SCENE`). Results are also written as
+# JSON to out/bench. BENCH_FILTER is a regular expression for names. References are kept in out/bench/references.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 out=out/bench

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""bench_game.py FOLDER: two lines of what `make bench` has measured of the game's simulation (progs.json and
-server.json of Google Benchmark in FOLDER): QuakeC instructions a second, and a server's tick with 500 monsters."""
+"""bench_game.py FOLDER: prints two results of `make bench` (Google Benchmark's progs.json and server.json in FOLDER):
+QuakeC instructions a second, and the time of a server's tick with 500 monsters."""
 import json
 import math
 import pathlib
@@ -16,7 +16,7 @@ def runs(folder, name):
 
 
 def quakec_line(rates):
-    """Of the kinds of code, the geometric mean, the slowest and the fastest."""
+    """The geometric mean over the kinds of code, the slowest and the fastest."""
     mean = math.exp(sum(math.log(rate) for rate in rates.values()) / len(rates))
     slowest, fastest = min(rates, key=rates.get), max(rates, key=rates.get)
     return (f"QuakeC: {mean / 1e6:.0f} million instructions a second "

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Holds the C++ sources and the shared shader headers to .clang-format; --fix rewrites them. Releases of clang-format
-# differ in details, so the check is strict only with the one that Debian 12 calls clang-format (14).
+# Checks the C++ sources and the shared shader headers against .clang-format; --fix rewrites them. Releases of
+# clang-format differ in details, so the check is skipped unless it is release 14, which Debian 12 has.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mapfile -t files < <(git ls-files 'Quake/*.cpp' 'Quake/*.h' 'Shaders/*.h' 'Shaders/*.cpp')

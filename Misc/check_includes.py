@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Holds C++ sources to naming the standard headers of what they use.
+"""Checks that C++ sources include the standard headers of the names that they use.
 
-A standard library's headers include others of its own as it likes, so a source that leans on that builds with one release of
-a compiler and not with the next. For each std:: name, and each of C's that stand in a header of C++, the source or one of
-our headers that it includes must include a header that the C++ standard has for it. What third-party headers include does not
-count. Names that nearly every header must declare to be of use (std::move, std::size_t, std::pair) are left out.
+Which other headers a standard header includes differs between releases of a standard library, so a source that relies on
+it builds with one compiler and not with the next. For each std:: name, and each name of C that a C++ header declares, the source
+or one of the project's headers that it includes must include a header that declares the name by the C++ standard. Includes of
+third-party headers do not count. Names that nearly every header declares (std::move, std::size_t, std::pair) are not checked.
 
-    Misc/check_includes.py [--root DIR]    looks at the sources that git would track
-    Misc/check_includes.py --self-test     holds the check itself to sources that break the rule
+    Misc/check_includes.py [--root DIR]    checks the sources that git would track
+    Misc/check_includes.py --self-test     tests the check itself on sources that break the rule
 """
 
 import argparse
@@ -19,7 +19,7 @@ import subprocess
 import sys
 import tempfile
 
-# Header: the names that it declares, of C++20 [headers]. A name may stand in several.
+# Header: the names that it declares, of C++20 [headers]. A name may be in several.
 DECLARES = {
     "algorithm": """clamp min max minmax sort stable_sort partial_sort nth_element find find_if find_if_not any_of all_of none_of
         count count_if copy copy_if copy_n fill fill_n transform for_each equal mismatch search replace replace_if remove remove_if
@@ -108,14 +108,14 @@ DECLARES = {
     "format": "format",
     "source_location": "source_location",
 }
-# C++ guarantees that one brings the other's names.
+# The C++ standard guarantees that the one header declares the other's names.
 BRINGS = {
     "iostream": ["ostream", "istream", "ios", "streambuf"],
     "fstream": ["ios"], "sstream": ["ios"], "istream": ["ios", "ostream"], "ostream": ["ios"],
     **{name: ["initializer_list"] for name in ("algorithm", "array", "deque", "list", "map", "queue", "random", "set", "string",
                                                "unordered_map", "unordered_set", "utility", "valarray", "vector")},
 }  # fmt: skip
-# Names that are taken without std:: in front, since they are macros.
+# Names that are found without std::, because they are macros.
 MACROS = {"errno", "FLT_MAX", "FLT_MIN", "FLT_EPSILON", "DBL_MAX", "DBL_MIN", "DBL_EPSILON", "INT_MAX", "INT_MIN", "UINT_MAX",
           "CHAR_BIT", "LONG_MAX", "SIGINT", "SIGTERM", "UINT64_MAX", "UINT32_MAX", "EXIT_SUCCESS", "EXIT_FAILURE"}  # fmt: skip
 
@@ -127,14 +127,14 @@ C_HEADERS = {name[1:] + ".h": name for name in DECLARES if name.startswith("c")}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:<([\w./]+)>|"([\w./]+)")', re.M)
 NOT_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
-# `for (x : {a, b})` makes a list that nobody names.
+# `for (x : {a, b})` uses std::initializer_list without naming it.
 UNNAMED_LIST = re.compile(r"\bfor \([^;()]*[^:]:\s*\{")
 USE = re.compile(r"\bstd::(?:ranges::)?(\w+)|\b(" + "|".join(sorted(MACROS)) + r")\b")
 PLACES = ("Quake", "Shaders", ".")  # where an include in quotes is looked for
 
 
 def code_of(text):
-    """The text without comments and literals, line by line as it was."""
+    """The text without comments and literals; line numbers do not change."""
     return NOT_CODE.sub(lambda m: "\n" * m.group(0).count("\n") or " ", text)
 
 
@@ -148,7 +148,7 @@ class Sources:
 
     @functools.lru_cache(maxsize=None)
     def includes(self, path):
-        """What a file includes itself: names of standard headers, paths of headers of ours."""
+        """The direct includes of a file: names of standard headers, paths of the project's headers."""
         standard, ours = set(), set()
         for angled, quoted in INCLUDE.findall(self.text(path)):
             if angled:
@@ -160,7 +160,7 @@ class Sources:
         return standard, ours
 
     def standard_headers(self, path):
-        """Which standard headers a file includes, itself or through headers of ours."""
+        """The standard headers that a file includes, directly or through the project's headers."""
         found, seen, waiting = set(), set(), [path]
         while waiting:
             at = waiting.pop()
@@ -173,7 +173,7 @@ class Sources:
         return found
 
     def errors_of(self, path):
-        """Yields (line, sentence): the first use of each name that no included header has."""
+        """Yields (line, sentence): the first use of each name that no included header declares."""
         headers = self.standard_headers(path)
         seen = set()
         for number, line in enumerate(code_of(self.text(path)).split("\n"), 1):

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Holds the modules to their layers: who may include and link whom (the design's table).
+"""Checks the order of the modules: which may include and link which.
 
-A module may use what its row names and, through it, what those may use. Tests, benchmarks and fuzzers may besides use
-every module that is built before theirs. Shaders have layers of their own. SDL belongs to platform alone, Vulkan's
-headers to gpu and what stands on it, Embree to benchmarks.
+A module may use the modules in its row of MAY_INCLUDE and, through them, those that they may use. Tests, benchmarks and
+fuzzers may also use every module that is built before theirs. Shaders have layers of their own. Only platform may use
+SDL, only gpu and the modules above it Vulkan's headers, and only benchmarks Embree.
 
-    Misc/check_layers.py [--root DIR]    prints each break as file:line: sentence; exit status 1 if there is one
-    Misc/check_layers.py --self-test     holds the checks themselves to a small tree that breaks every rule
+    Misc/check_layers.py [--root DIR]    prints each violation as file:line: sentence; exit status 1 if there is one
+    Misc/check_layers.py --self-test     tests the checks themselves on a small tree that breaks every rule
 """
 
 import argparse
@@ -36,7 +36,7 @@ MAY_INCLUDE = {
     "host": ["server", "ui", "audio", "platform", "lab"],
 }
 ORDER = list(MAY_INCLUDE)
-# Modules whose C++ shares structs and pure functions with the shaders.
+# Modules whose C++ code shares structs and pure functions with the shaders.
 USES_SHARED = {"scene", "gpu", "render", "lab", "host"}
 SHADER_LAYERS = {
     "shared": {"shared"},
@@ -45,7 +45,7 @@ SHADER_LAYERS = {
     "passes": {"shared", "lib", "passes"},
     "tests": {"shared", "lib", "tests"},
 }
-# Third-party headers that only some may include: pattern, modules, whether benchmarks may as well.
+# Third-party headers that only some modules may include: pattern, modules, whether benchmarks may, too.
 FENCED = [
     (re.compile(r"^(SDL2/)?SDL\w*\.h"), {"platform"}, False),
     (re.compile(r"^vulkan/"), {"gpu", "render", "platform", "lab", "host"}, True),

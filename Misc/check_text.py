@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Holds the repository's text to what reviews would otherwise repeat.
+"""Checks the repository's text for faults that reviews would otherwise have to point out.
 
 Errors: trailing blanks, tabs and carriage returns in sources, a file that does not end with one newline, marks of
 unfinished work, absolute paths of somebody's machine, network addresses of private hosts, disabled code. A source of
 more than 600 lines gets a warning: it may hold a second idea.
 
-    Misc/check_text.py [--root DIR]    looks at the files that git would track
-    Misc/check_text.py --self-test     holds the checks themselves to texts that break every rule
+    Misc/check_text.py [--root DIR]    checks the files that git would track
+    Misc/check_text.py --self-test     tests the checks themselves on texts that break every rule
 """
 
 import argparse
@@ -19,10 +19,10 @@ CODE = {".cpp", ".h", ".glsl", ".comp", ".py", ".sh", ".cmake"}
 TEXT = CODE | {".md", ".txt", ".bib", ".json", ".supp", ".qc", ".ent", ".cfg"}
 LINES_WORTH_A_WARNING = 600
 
-# The words are put together here so that this file does not break its own rules.
+# The words are split here so that this file does not break its own rules.
 UNFINISHED = re.compile(r"\b(" + "|".join(["TO" + "DO", "FIX" + "ME", "XX" + "X", "HA" + "CK"]) + r")\b")
-# Folders that only one machine has: homes, mounts, what somebody unpacked. Tests may make up homes
-# and addresses.
+# Folders that only one machine has: home folders, mounts, unpacked archives. Tests may invent home
+# folders and addresses.
 ABSOLUTE = re.compile(
     r"""(?:^|[\s"'(=:`])(/(?:home|root|Users|mnt|media|srv|opt|workspace)/[\w.-]+|[A-Z]:\\Users\\\w+)"""
 )
@@ -34,7 +34,7 @@ DISABLED = re.compile(r"^\s*#\s*if\s+0\b")
 
 
 def errors_of(name, text, checkout="/nowhere/" + "else/"):
-    """Yields (line, sentence) for one file's text; name decides which rules apply, checkout is a path never to name."""
+    """Yields (line, sentence) for one file's text; `name` decides which rules apply, `checkout` is a path that no text may contain."""
     suffix = pathlib.PurePath(name).suffix
     is_code = suffix in CODE
     if text and not text.endswith("\n"):
@@ -79,7 +79,7 @@ def files_of(root):
 def check(root):
     failed = False
     root = root.resolve()
-    # The folder that holds the checkout, unless every machine has one of that name.
+    # The folder that contains the checkout, unless every machine has a folder of that name.
     home = root.parent if str(root.parent) not in ("/", "/tmp", "/usr/src") else root
     for name, path in files_of(root):
         data = path.read_bytes()

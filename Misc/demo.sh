@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# `make demo`: plays a recorded demo headless through the path tracer: the base game's hub, or, where QUAKE_DIR names a
-# folder with id1/pak0.pak, demo3 of that. DEMO, SIZE, CAPTURE_EVERY and OUT choose the demo, the picture's size, which
-# frames are kept and where.
+# `make demo`: plays a recorded demo headless through the path tracer: the base game's hub, or demo3 of the data in
+# QUAKE_DIR, a folder with id1/pak0.pak. DEMO, SIZE, CAPTURE_EVERY and OUT choose the demo, the picture's size, which
+# frames are saved, and the folder for them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -10,7 +10,7 @@ if [[ -n $data && ! -d $data/id1 ]]; then
   echo "make demo: $data has no folder id1; QUAKE_DIR must name the folder that holds id1/pak0.pak" >&2
   exit 1
 fi
-# Without QUAKE_DIR nothing but the base game counts, whatever lies in the current folder.
+# Without QUAKE_DIR only the base game is used, whatever is in the current folder.
 game=(-basedir "${data:-build/game}")
 demo=${DEMO:-$([[ -n $data ]] && echo demo3 || echo hub)}
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # `make fuzz`: builds every libFuzzer target and runs each for FUZZ_SECONDS. A module's *_make_seed_corpus program, built
-# with them, writes seeds into build-asan/seeds/<target>/. What a target finds stays in build-asan/corpus/<target>, an
-# input that breaks it in build-asan/crash/. usage: Misc/fuzz.sh [TARGET ...]
+# with them, writes seeds into build-asan/seeds/<target>/. Inputs that reach new code stay in build-asan/corpus/<target>,
+# inputs that break a target in build-asan/crash/. usage: Misc/fuzz.sh [TARGET ...]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=${FUZZ_SECONDS:-60}

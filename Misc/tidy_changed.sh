@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# clang-tidy on the .cpp files that differ from BASE (default: origin's main branch where there is one, else the last
+# Runs clang-tidy on the .cpp files that differ from BASE (default: origin's main branch if there is one, else the last
 # commit), with the release build's compile commands. usage: Misc/tidy_changed.sh [FILE ...]
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,6 +1,6 @@
 # fb_module(NAME SOURCES a.cpp ... [LINKS fb_base ...] [PRIVATE_LINKS ...] [TESTS a_test.cpp ...] [TEST_LINKS ...]
 #           [BENCHMARKS b.cpp ...] [BENCHMARK_LINKS ...] [FUZZERS fuzz_x.cpp ...])
-# makes library fb_NAME, test program NAME_test, benchmark NAME_bench and one fuzzer a file.
+# makes the library fb_NAME, the test program NAME_test, the benchmark NAME_bench and one fuzzer for each file.
 function(fb_module name)
   cmake_parse_arguments(M "" "" "SOURCES;LINKS;PRIVATE_LINKS;TESTS;TEST_LINKS;BENCHMARKS;BENCHMARK_LINKS;FUZZERS" ${ARGN})
   if(M_SOURCES)

@@ -5,7 +5,7 @@ if(FULLBRIGHT_WERROR)
   target_compile_options(fb_options INTERFACE -Werror)
 endif()
 target_include_directories(fb_options INTERFACE ${CMAKE_SOURCE_DIR}/Quake ${CMAKE_SOURCE_DIR}/Shaders)
-# Same bits on every x86-64 and arm64 compiler: no contraction of a*b+c behind our back.
+# The same bits from every x86-64 and arm64 compiler: no implicit contraction of a*b+c to fused multiply-add.
 target_compile_options(fb_options INTERFACE -ffp-contract=off)
 if(FULLBRIGHT_SANITIZE)
   target_compile_options(fb_options INTERFACE -fsanitize=${FULLBRIGHT_SANITIZE} -fno-omit-frame-pointer

@@ -1,6 +1,6 @@
-# Precompiled headers for the tests, in builds from nothing (FULLBRIGHT_PCH, which CI sets): what nearly every test includes
-# is parsed once. Off by default, since a compiler cache then serves less. Not for the libraries: GCC 12 forgets which
-# of their lines are system headers', and warns of these.
+# Precompiled headers for the tests, for builds from nothing (FULLBRIGHT_PCH, which CI sets): headers that nearly every test
+# includes are parsed once. Off by default, because a compiler cache works less well with them. Not for the libraries:
+# with precompiled headers GCC 12 does not recognise system headers, and warns about their code.
 option(FULLBRIGHT_PCH "Precompile the headers that most tests include" OFF)
 
 function(fb_use_test_pch target)
