@@ -91,7 +91,7 @@ TEST(CommandBuffer, ACommandKnowsTheTextsThatItStandsIn) {
   EXPECT_THAT(buffer.names_from(Origin::kFile, "a.cfg"), IsEmpty()) << "a script that waits may run itself";
 }
 
-// config.cfg runs an alias that runs itself: what stands around it stays.
+// config.cfg runs an alias that runs itself: the commands around it are kept.
 TEST(CommandBuffer, OnlyWhatCallsItselfIsDropped) {
   CommandBuffer buffer;
   buffer.append("1;appended\n");

@@ -516,7 +516,7 @@ TEST_F(Vis, MapOfAnotherVersion) {
 // The sizes inside a record are held against the record, not against the file.
 TEST_F(Vis, RecordTooSmallForItsParts) {
   const Bytes valid = file();
-  constexpr std::size_t kRecord = 36 + 8 + 1 + 28 + 32;  // where the second record's size stands
+  constexpr std::size_t kRecord = 36 + 8 + 1 + 28 + 32;  // offset of the second record's size
   for (const std::uint32_t missing : {1u, 56u, 58u, 62u}) {
     testing::ByteWriter cut{valid};
     cut.patch_u32(kRecord, 4 + 3 + 4 + 56 - missing);

@@ -47,7 +47,7 @@ TEST(File, WritesReplaceAndMakeDirectories) {
 
 TEST(File, AFailedWriteKeepsTheOldAndSaysWhy) {
   const TestDirectory directory;
-  directory.put("taken/inside", "x");  // a directory that is not empty stands where the file should
+  directory.put("taken/inside", "x");  // a directory that is not empty, in the place of the file
   const auto status = write_file_atomically(directory.path() / "taken", bytes_of("y"));
   ASSERT_FALSE(status);
   EXPECT_THAT(status.error().message, HasSubstr("taken: cannot be written"));

@@ -20,7 +20,7 @@ namespace stdfs = std::filesystem;
 class ObstacleTest : public testing::Test {
  protected:
   ObstacleTest() {
-    stdfs::permissions(base.path(), stdfs::perms::all);  // whoever the test is, it gets in
+    stdfs::permissions(base.path(), stdfs::perms::all);  // so that any user can enter it
     base.put("id1/maps/start.bsp", "a map");
     base.put("id1/pak0.pak", make_pak({{"progs.dat", "code"}}));
     stdfs::create_directory(user());
@@ -104,7 +104,7 @@ TEST_F(ObstacleTest, AFileIsNamedWhenItIsAskedFor) {
   EXPECT_TRUE(files->read("maps/link.bsp"));
 }
 
-// Permissions, as whoever is not root meets them.
+// Permissions, for a user who is not root.
 class PermissionTest : public ObstacleTest {
  protected:
   void SetUp() override {

@@ -25,7 +25,7 @@ inline bool put_large(const std::filesystem::path& path, std::string_view beginn
 // A pak whose only entry has kLargeSize bytes and begins with the given text.
 inline bool put_large_pak(const std::filesystem::path& path, std::string_view entry, std::string_view beginning) {
   std::string page(beginning);
-  page.resize(4096);  // then the directory, which nobody should come to
+  page.resize(4096);  // then the directory, which no reader should reach
   Bytes pak = make_pak({{std::string(entry), page}});
   const std::size_t directory = pak.size() - 64;
   for (std::size_t i = 0; i < 4; ++i) pak[directory + 60 + i] = static_cast<std::uint8_t>(kLargeSize >> (8 * i));

@@ -1,4 +1,4 @@
-// Whatever a game asks for may be a file of two gigabytes: what is refused is refused at once, and takes no memory.
+// Any file that a game needs may have two gigabytes: a bad one must be refused at once, without using memory.
 #include <gmock/gmock.h>
 
 #include <chrono>

@@ -17,7 +17,7 @@ game=$(basename "$work") written=$(getent passwd "$(id -u)" | cut -d: -f6)/.quak
 trap 'rm -rf "$work" "$written"' EXIT
 mkdir -p "$work/base/$game" "$work/user/$game"
 ln -s "$(cd "$data" && pwd)/id1" "$work/base/id1"
-# The game's own default.cfg is for other engines, too, and would be told of.
+# The game's own default.cfg is for other engines, too, and would give warnings.
 printf 'stuffcmds\n' >"$work/base/$game/quake.rc"
 printf 'bind w +forward\nbind MOUSE1 +attack\nbind JOY1 +jump\nbind ABUTTON +jump\nbind LTRIGGER +jump\n' >"$work/base/$game/keys.cfg"
 

@@ -125,7 +125,7 @@ class QuakeSpasm:
         (self.folder / "id1" / f"{name}.dem").write_bytes(demo)
         environment = {**os.environ, "DISPLAY": f":{self.number}", "SDL_AUDIODRIVER": "dummy", "HOME": str(self.folder),
                        "PATH": os.environ["PATH"] + ":/usr/games"}
-        # r_norefresh: where OpenGL is software drawing takes long, and nobody looks. It does not quit by itself.
+        # r_norefresh: drawing by software OpenGL takes long and is not needed. quakespasm does not quit by itself.
         command = ["stdbuf", "-oL", "quakespasm", "-basedir", str(self.folder), "-window", "-width", "320", "-height", "240",
                    "-nosound", "-nojoy", "+r_norefresh", "1", "+timedemo", name]
         log = self.folder / f"{name}.log"

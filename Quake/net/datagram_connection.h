@@ -28,7 +28,7 @@ struct DatagramStatistics {
 
 class DatagramConnection final : public Connection {
  public:
-  // A listener's knowledge of a connection that somebody else owns.
+  // A listener's view of a connection that it does not own.
   struct Peer {
     Address address;
     double last_heard = 0.0;

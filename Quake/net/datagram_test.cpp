@@ -175,7 +175,7 @@ TEST(Datagram, RubbishFromThePeersAddressDoesNothing) {
         bytes[3] = static_cast<std::uint8_t>(bytes.size());
         if (rng.below(2) == 0) bytes[0] = 0;
       }
-      // Numbers far from those in use: who knows these can say anything (as in NetQuake).
+      // Numbers far from those in use: an attacker who knows the current ones can forge anything (as in NetQuake).
       if (bytes.size() >= 8) bytes[4] |= 0x80u;
       network.forge(kB, kA, bytes);
     }

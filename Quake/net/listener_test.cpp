@@ -418,7 +418,7 @@ TEST_F(ListenerTest, InquiryOfNobody) {
   EXPECT_NEAR(network.now(), 3.0, 0.1);
 }
 
-// Two clients and a server for a minute, as a game would talk: nobody drops.
+// Two clients and a server exchange messages like a game for a minute: no connection drops.
 TEST_F(ListenerTest, AMinuteOfPlay) {
   network.weather = {0.1f, 0.02f, 0.02, 0.06};
   std::vector<std::unique_ptr<Connection>> clients;

@@ -230,7 +230,7 @@ TEST(TraceHull, AgreesWithContentsAlongTheLine) {
       }
       ++hits;
       if (hull_point_contents(hull, trace.end_pos) == kContentsSolid) ++ends_in_solid;
-      // It stands before the plane it names, and behind that plane is something solid.
+      // It ends before the plane that it names, and behind that plane is something solid.
       const float distance = glm::dot(trace.plane.normal, trace.end_pos) - trace.plane.distance;
       EXPECT_GT(distance, -1e-3f);
       const vec3 beyond = trace.end_pos - trace.plane.normal * (distance + 0.02f);

@@ -60,7 +60,7 @@ their_demo=$(find "$written" -name theirs.dem)
 cp "$our_demo" "$their_demo" "$work/base/$game"
 our_frames() { ours +timedemo "$1" +quit 2>&1 | sed -n 's/^\([0-9]*\) frames .*fps.*/\1/p'; }
 their_frames() {
-  # r_norefresh: where OpenGL is software, drawing 400 frames takes minutes, and nobody looks.
+  # r_norefresh: drawing 400 frames by software OpenGL takes minutes and is not needed.
   theirs ' frames .*fps' "$work/timedemo.log" +r_norefresh 1 +timedemo "$1"
   sed -n 's/^ *\([0-9]*\) frames .*fps.*/\1/p' "$work/timedemo.log"
 }
