@@ -1,5 +1,6 @@
 // The descriptor sets that every pipeline shares: storage arrays by set and binding, as Shaders/shared/bindings.h
-// numbers them, two uniform blocks, texel buffers, the top-level acceleration structure, and the arrays' device addresses.
+// numbers them, two uniform blocks, texel buffers, the top-level acceleration structure, and the arrays' device
+// addresses.
 #pragma once
 
 #include <vulkan/vulkan.h>

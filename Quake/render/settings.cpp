@@ -37,21 +37,12 @@ void register_render_cvars(con::Console& console) {
                    con::kCvarArchive);
   console.add_cvar("r_intersector", "auto",
                    "how rays are traced: query (VK_KHR_ray_query), bvh (traversal in the shader), auto (query on GPUs "
-                   "that have it); "
-                   "takes effect at the next start",
+                   "that have it); takes effect at the next start",
                    con::kCvarArchive);
-<<<<<<< HEAD
-  console.add_cvar(
-      "r_intersector", "auto",
-      "what traces rays: query (VK_KHR_ray_query), bvh (trees in the shader), auto (query on GPUs that have it); "
-      "takes effect at the next start",
-      con::kCvarArchive);
   console.add_cvar("r_arrays", "auto",
                    "how shaders reach the scene's arrays: bound (descriptors), address (device addresses), auto (the "
                    "faster one for the driver); takes effect at the next start",
                    con::kCvarArchive);
-=======
->>>>>>> words
 }
 
 RenderSettings read_render_settings(const con::Console& console) {
