@@ -36,7 +36,7 @@ class FrameDrawerTest : public render::DeviceTest {
   }
   uvec2 drawn_size(const render::RenderSettings& wanted) {
     drawer->draw(snapshot, nullptr, wanted);
-    EXPECT_EQ(renderer->read_linear().size(), std::size_t{renderer->render_size().x} * renderer->render_size().y);
+    EXPECT_EQ(renderer->read().linear().size(), std::size_t{renderer->render_size().x} * renderer->render_size().y);
     EXPECT_EQ(drawer->size(wanted), renderer->output_size());
     return renderer->output_size();
   }
@@ -62,7 +62,7 @@ TEST_F(FrameDrawerTest, KeepsTheSizeWhereALargerOneDoesNotFitAndSaysSoOnce) {
 
 TEST_F(FrameDrawerTest, KeepsTheSettingsWhereThereIsNoMemoryForOthers) {
   drawn_size(settings);
-  const auto before = renderer->read_linear();
+  const auto before = renderer->read().linear();
   render::RenderSettings learns = settings;
   learns.estimator = "mcpg";
   {
@@ -70,14 +70,14 @@ TEST_F(FrameDrawerTest, KeepsTheSettingsWhereThereIsNoMemoryForOthers) {
     drawer->draw(snapshot, nullptr, learns);
     EXPECT_FALSE(failing.failed().empty());
   }
-  EXPECT_EQ(renderer->read_linear(), before);
-  EXPECT_EQ(renderer->guide_bytes(), 0u);
+  EXPECT_EQ(renderer->read().linear(), before);
+  EXPECT_EQ(renderer->learnt_bytes(), 0u);
   drawer->draw(snapshot, nullptr, learns);  // not tried again
-  EXPECT_EQ(renderer->guide_bytes(), 0u);
+  EXPECT_EQ(renderer->learnt_bytes(), 0u);
   EXPECT_EQ(errors.size(), 1u);
   drawer->draw(snapshot, nullptr, settings);
   drawer->draw(snapshot, nullptr, learns);  // something else was asked for in between
-  EXPECT_GT(renderer->guide_bytes(), 0u);
+  EXPECT_GT(renderer->learnt_bytes(), 0u);
   EXPECT_EQ(errors.size(), 1u);
 }
 

@@ -154,7 +154,7 @@ Status Game::write_screenshot(const std::string& name) {
   std::error_code failed;
   std::filesystem::create_directories(path->parent_path(), failed);
   if (failed) return Error{fmt::format("{}: its directory cannot be made: {}", path->string(), failed.message())};
-  std::vector<std::uint32_t> pixels = renderer_->read_output();
+  std::vector<std::uint32_t> pixels = renderer_->read().output();
   if (swapchain_ && swapchain_->swaps_red_and_blue()) {
     for (std::uint32_t& p : pixels) p = (p & 0xff00ff00u) | ((p & 0xffu) << 16u) | ((p >> 16u) & 0xffu);
   }
@@ -208,7 +208,7 @@ void Game::capture() {
   if (options_.capture.empty() || frame_ % options_.capture_every != 0) return;
   const uvec2 size = renderer_->output_size();
   const std::string path = fmt::format("{}/frame_{:06}.png", options_.capture, frame_);
-  std::vector<std::uint32_t> pixels = renderer_->read_output();
+  std::vector<std::uint32_t> pixels = renderer_->read().output();
   if (const auto status = lab::write_png(path, size.x, size.y, pixels); !status) {
     log_error("{}", status.error().message);
     quit_ = true;

@@ -99,8 +99,8 @@ LabCommand add_reference_command(CLI::App& app) {
 
 LabCommand add_estimators_command(CLI::App& app) {
   return {app.add_subcommand("estimators", "lists the estimators"), [] {
-            for (const auto& e : render::estimators())
-              fmt::print("{:10} {}{}\n", e.name, e.unbiased ? "" : "(biased) ", e.description);
+            for (const auto& e : render::techniques())
+              fmt::print("{:10} {}{}\n", e.name, e.unbiased() ? "" : "(biased) ", e.description);
             return 0;
           }};
 }

@@ -122,8 +122,7 @@ Status open_stage(Stage& stage, const StageOptions& o) {
 }
 
 Status known_estimator(const std::string& name, const std::string& option) {
-  const auto& known = render::estimators();
-  if (std::any_of(known.begin(), known.end(), [&](const auto& e) { return e.name == name; })) return ok_status();
+  if (render::find_technique(name) != nullptr) return ok_status();
   return Error{fmt::format("{} {}: there is no such estimator; `fullbright-lab estimators` lists them", option, name)};
 }
 
@@ -163,7 +162,7 @@ int fail(const Error& error) {
 }
 
 int finish(const Stage& stage) {
-  if (const std::uint32_t lost = stage.renderer->nan_count(); lost > 0) {
+  if (const std::uint32_t lost = stage.renderer->read().counters().not_finite; lost > 0) {
     fmt::print(stderr, "fullbright-lab: {} samples were not finite and counted as zero\n", lost);
   }
   return stage.device->validation_messages() == 0 ? 0 : 1;

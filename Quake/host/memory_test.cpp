@@ -282,7 +282,7 @@ TEST(RendererMemory, ASceneThatDoesNotFitLeavesTheFormerOne) {
   renderer.resize(16, 16);
   const auto picture = [&](const scene::FrameSnapshot& snapshot) {
     renderer.render(snapshot, nullptr, settings);
-    return hash_span(std::span<const vec4>(renderer.read_linear()));
+    return hash_span(std::span<const vec4>(renderer.read().linear()));
   };
   const scene::FrameSnapshot from = scene::cornell_box(), to = scene::many_lights(10);
   const std::uint64_t after = picture(to), before = picture(from);

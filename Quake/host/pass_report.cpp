@@ -6,10 +6,11 @@
 
 namespace fb::host {
 
-void PassReport::add(const std::vector<gpu::PassTime>& passes) {
+void PassReport::add(const std::vector<render::PassTime>& passes) {
   ++frames_;
-  for (const gpu::PassTime& pass : passes) {
-    auto same = std::find_if(sums_.begin(), sums_.end(), [&](const gpu::PassTime& s) { return s.name == pass.name; });
+  for (const render::PassTime& pass : passes) {
+    auto same =
+        std::find_if(sums_.begin(), sums_.end(), [&](const render::PassTime& s) { return s.name == pass.name; });
     if (same == sums_.end())
       sums_.push_back(pass);
     else
@@ -20,7 +21,7 @@ void PassReport::add(const std::vector<gpu::PassTime>& passes) {
 std::string PassReport::line() const {
   double total = 0;
   std::string list;
-  for (const gpu::PassTime& pass : sums_) {
+  for (const render::PassTime& pass : sums_) {
     const double mean = pass.milliseconds / static_cast<double>(frames_);
     total += mean;
     list += fmt::format("{}{} {:.2f}", list.empty() ? "" : ", ", pass.name, mean);

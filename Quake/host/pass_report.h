@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "gpu/commands.h"
+#include "render/pass.h"
 
 namespace fb::host {
 
 class PassReport {
  public:
   void clear() { *this = PassReport(); }
-  void add(const std::vector<gpu::PassTime>& passes);
+  void add(const std::vector<render::PassTime>& passes);
   std::uint64_t frames() const { return frames_; }
   // "gpu ms a frame: gbuffer 8.1, paths 31.0, ...; 41.2 in all"; empty without frames or timestamps.
   std::string line() const;
 
  private:
-  std::vector<gpu::PassTime> sums_;
+  std::vector<render::PassTime> sums_;
   std::uint64_t frames_ = 0;
 };
 

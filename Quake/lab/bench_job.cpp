@@ -46,13 +46,13 @@ Result<Lane> open_lane(gpu::Device& device, const Configuration& configuration, 
 }
 
 void add_times(Lane& lane, FrameRecord& record, bool measured) {
-  for (const gpu::PassTime& pass : lane.renderer->pass_times()) {
+  for (const render::PassTime& pass : lane.renderer->pass_times()) {
     record.gpu_ms += pass.milliseconds;
-    if (!is_common_pass(pass.name)) record.estimator_ms += pass.milliseconds;
+    if (pass.kind == render::PassKind::kEstimator) record.estimator_ms += pass.milliseconds;
   }
   if (!measured) return;
   std::map<std::string, double> sums;  // a name may come twice in a frame
-  for (const gpu::PassTime& pass : lane.renderer->pass_times()) {
+  for (const render::PassTime& pass : lane.renderer->pass_times()) {
     if (!lane.passes.contains(pass.name)) lane.pass_order.push_back(pass.name);
     lane.passes.try_emplace(pass.name);
     sums[pass.name] += pass.milliseconds;
@@ -82,7 +82,7 @@ FrameRecord render_frame(Lane& lane, const View& view, std::uint32_t run, std::u
   record.measured = view.still || warm;
   add_times(lane, record, warm);
   if (!record.measured) return record;
-  const Picture picture = picture_of(lane.renderer->read_denoised(), lane.renderer->render_size());
+  const Picture picture = picture_of(lane.renderer->read().denoised(), lane.renderer->render_size());
   const Reference& reference = references[view.still ? 0 : index - view.warmup];
   record.errors = measure(reference, picture, job.metrics);
   if (view.still) add_running_errors(lane, record, picture, reference, warm, job.metrics);
@@ -105,7 +105,7 @@ void summarise(Lane& lane, const View& view, const std::vector<Reference>& refer
   r.all = pass_times("all", all);
   r.estimator_passes = pass_times("estimator", own);
   for (const std::string& name : lane.pass_order) r.passes.push_back(pass_times(name, lane.passes[name]));
-  r.not_finite = lane.renderer->nan_count();
+  r.not_finite = lane.renderer->read().counters().not_finite;
   if (view.still || view.warmup == 0) r.windows.push_back(window_statistics(r.frames, {false, 0}, baseline));
   if (view.warmup > 0) r.windows.push_back(window_statistics(r.frames, {true, view.warmup}, baseline));
   if (view.still) {

@@ -1,7 +1,6 @@
 #include "lab/bench_statistics.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -73,12 +72,6 @@ Gains gains_against(const Columns& base, std::uint32_t base_spp, const Columns& 
 }
 
 }  // namespace
-
-bool is_common_pass(std::string_view name) {
-  static constexpr std::array<std::string_view, 8> common{"scene",    "gbuffer", "accumulate", "histogram",
-                                                          "exposure", "tonemap", "antialias",  "present"};
-  return std::find(common.begin(), common.end(), name) != common.end() || name.starts_with("denoise");
-}
 
 WindowStatistics window_statistics(const Frames& frames, const Window& window, const Frames* baseline) {
   FB_CHECK_EQ(frames.records.size(), std::size_t{frames.runs} * (frames.warmup + frames.measured));

@@ -14,15 +14,13 @@ namespace fb::lab {
 
 struct FrameRecord {
   double gpu_ms = 0;        // all passes
-  double estimator_ms = 0;  // `paths` and what the estimator learns in
+  double estimator_ms = 0;  // passes of kind kEstimator
   bool measured = false;    // has errors: warm-up frames of a view that moves have not
   Errors errors;            // this frame alone against its reference
   // Of the mean of this run's frames so far, from the first on and from the first warm one on, less the reference's
   // variance. Still views only.
   double running_mse = 0, running_rel_mse = 0, warm_running_mse = 0, warm_running_rel_mse = 0;
 };
-// Whether a pass is the same whatever estimates the light (G-buffer, tone mapping, ...).
-bool is_common_pass(std::string_view name);
 
 struct Frames {
   std::uint32_t runs = 0, warmup = 0, measured = 0;  // records: runs * (warmup + measured), run after run

@@ -133,12 +133,5 @@ TEST(BenchStatistics, FramesOverRuns) {
   EXPECT_DOUBLE_EQ(list[3].mse_error, 0);
 }
 
-TEST(BenchStatistics, PassesThatAreAlikeWhateverTheEstimator) {
-  for (const char* name :
-       {"scene", "gbuffer", "accumulate", "histogram", "exposure", "tonemap", "antialias", "present"})
-    EXPECT_TRUE(is_common_pass(name)) << name;
-  EXPECT_FALSE(is_common_pass("paths"));
-}
-
 }  // namespace
 }  // namespace fb::lab

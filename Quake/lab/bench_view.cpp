@@ -187,9 +187,9 @@ Result<std::vector<Reference>> make_references(const View& view, gpu::Device& de
     RenderSummary ignored;
     render_samples(*renderer, settings, snapshot, options.spp, ignored,
                    [&](std::uint32_t done) { progress.update(std::uint64_t{i} * options.spp + done); });
-    Reference reference{picture_of(renderer->read_linear(), renderer->render_size()), {}};
+    Reference reference{picture_of(renderer->read().linear(), renderer->render_size()), {}};
     if (renderer->accumulated_frames() > 1)
-      reference.variance = picture_of(renderer->read_variance_of_mean(), renderer->render_size()).pixels;
+      reference.variance = picture_of(renderer->read().variance_of_mean(), renderer->render_size()).pixels;
     if (!path.empty() && !reference.variance.empty()) {
       if (auto status = keep_reference(path, reference); !status) return status.error();
     }

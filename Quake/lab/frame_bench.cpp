@@ -81,7 +81,7 @@ void run(benchmark::State& state, const scene::FrameSnapshot& still, int spp) {
       all[forced].push_back(renderers[forced]->gpu_milliseconds());
       if (forced != 0) continue;
       state.SetIterationTime(renderers[0]->gpu_milliseconds() * 1e-3);
-      for (const gpu::PassTime& pass : renderers[0]->pass_times()) passes[pass.name].push_back(pass.milliseconds);
+      for (const render::PassTime& pass : renderers[0]->pass_times()) passes[pass.name].push_back(pass.milliseconds);
     }
   }
   for (const auto& [name, times] : passes) state.counters[name + "_ms"] = median(times);

@@ -27,12 +27,15 @@ Result<bool> step(FrameSource& source, scene::FrameSnapshot& snapshot, std::uint
   return more;
 }
 
-void add_times(RenderSummary& summary, const std::vector<gpu::PassTime>& times, bool new_frame) {
-  for (const gpu::PassTime& pass : times) {
+void add_times(RenderSummary& summary, const std::vector<render::PassTime>& times, bool new_frame) {
+  // A pass that a frame does not have took no time there.
+  const std::size_t frames =
+      summary.passes.empty() ? 1 : summary.passes.front().milliseconds.size() + (new_frame ? 1 : 0);
+  for (RenderSummary::Pass& pass : summary.passes) pass.milliseconds.resize(frames, 0.0);
+  for (const render::PassTime& pass : times) {
     auto same =
         std::find_if(summary.passes.begin(), summary.passes.end(), [&](const auto& p) { return p.name == pass.name; });
-    if (same == summary.passes.end()) same = summary.passes.insert(same, {pass.name, {}});
-    if (new_frame || same->milliseconds.empty()) same->milliseconds.push_back(0.0);
+    if (same == summary.passes.end()) same = summary.passes.insert(same, {pass.name, std::vector<double>(frames, 0.0)});
     same->milliseconds.back() += pass.milliseconds;
   }
 }
@@ -54,10 +57,10 @@ Status write_frame(const render::Renderer& renderer, const RenderJob& job, std::
   const std::string path = fmt::format("{}/frame_{:06}.{}", job.out, frame, extension);
   if (job.format == ImageFormat::kPng) {
     const uvec2 size = renderer.output_size();
-    return write_png(path, size.x, size.y, renderer.read_output());
+    return write_png(path, size.x, size.y, renderer.read().output());
   }
   ExrImage exr(renderer.render_size().x, renderer.render_size().y);
-  add_rgb(exr, renderer.read_denoised(), "");
+  add_rgb(exr, renderer.read().denoised(), "");
   return write_exr(path, exr);
 }
 
@@ -127,7 +130,7 @@ Result<RenderSummary> render_frames(FrameSource& source, render::Renderer& rende
     if (auto more = step(source, snapshot, frame); !more) return more.error();
     if (frame < job.first) continue;
     render_samples(renderer, settings, snapshot, job.spp, summary, nullptr);
-    const std::vector<vec4> linear = renderer.read_linear();
+    const std::vector<vec4> linear = renderer.read().linear();
     if (job.hash) {
       fmt::print("frame {} hash {:016x}\n", frame, hash_span(std::span<const vec4>(linear)));
       std::fflush(stdout);
@@ -153,8 +156,8 @@ Result<ReferenceSummary> render_reference(FrameSource& source, render::Renderer&
     Progress progress("sample", job.spp, {.quiet = job.quiet});
     render_samples(renderer, settings, snapshot, job.spp, timing, [&](std::uint32_t done) { progress.update(done); });
   }
-  const std::vector<vec4> mean = renderer.read_linear(), variance = renderer.read_variance_of_mean();
-  const auto gbuffer = renderer.read_gbuffer();
+  const std::vector<vec4> mean = renderer.read().linear(), variance = renderer.read().variance_of_mean();
+  const auto gbuffer = renderer.read().gbuffer();
 
   ReferenceSummary summary;
   summary.frames = renderer.accumulated_frames();

@@ -22,8 +22,8 @@ bool shows_the_same(const scene::FrameSnapshot& a, const scene::FrameSnapshot& b
 }
 
 bool learns(const std::string& estimator) {
-  const auto& known = render::estimators();
-  return std::any_of(known.begin(), known.end(), [&](const auto& e) { return e.name == estimator && e.learns; });
+  const render::TechniqueInfo* technique = render::find_technique(estimator);
+  return technique != nullptr && technique->learns;
 }
 
 // Plays a film for an estimator, frame after frame.
@@ -58,12 +58,12 @@ class Player {
     Picture picture{sampling_.plan.width, sampling_.plan.height, std::vector<vec3>(pixels, vec3(0.0f))};
     for (std::uint32_t i = 0; i < frames; ++i, ++next_) {
       renderer_->render(frame(), nullptr, settings_);
-      const std::vector<vec4> radiance = renderer_->read_linear();
+      const std::vector<vec4> radiance = renderer_->read().linear();
       for (std::size_t p = 0; p < pixels; ++p) picture.pixels[p] += vec3(radiance[p]) / static_cast<float>(frames);
     }
     return picture;
   }
-  std::uint32_t lost() const { return renderer_->nan_count(); }
+  std::uint32_t lost() const { return renderer_->read().counters().not_finite; }
 
  private:
   scene::FrameSnapshot frame() const {

@@ -31,11 +31,11 @@ RenderSettings settings_of(const std::string& estimator, int bounces) {
 TEST_F(AmbientTest, FurnaceGivesItsClosedForm) {
   const float albedo = 0.6f;
   const vec3 light(0.5f, 0.25f, 2.0f);
-  for (const EstimatorInfo& estimator : estimators())
+  for (const TechniqueInfo& estimator : techniques())
     for (const float emission : {0.0f, 0.7f})
       for (const int bounces : {0, 1, 3}) {
         if (emission > 0.0f && estimator.name != "pt") continue;
-        const RenderSettings s = settings_of(estimator.name, bounces);
+        const RenderSettings s = settings_of(std::string(estimator.name), bounces);
         scene::FrameSnapshot snapshot = scene::furnace(albedo, emission);
         snapshot.ambient = light;
         auto renderer = make_renderer(s, 24, 16);
@@ -43,7 +43,7 @@ TEST_F(AmbientTest, FurnaceGivesItsClosedForm) {
         float sum = 0.0f;
         for (int k = 0; k <= bounces; ++k) sum += std::pow(albedo, static_cast<float>(k));
         const vec3 expected = vec3(emission * sum) + albedo * light;
-        for (const vec4& p : renderer->read_linear())
+        for (const vec4& p : renderer->read().linear())
           for (int c = 0; c < 3; ++c)
             ASSERT_NEAR(p[c], expected[c], 1e-5f * expected[c]) << estimator.name << ' ' << emission << ' ' << bounces;
       }
@@ -53,8 +53,8 @@ TEST_F(AmbientTest, FurnaceGivesItsClosedForm) {
 // brighter, and no path differs.
 TEST_F(AmbientTest, AddsTheSameToEveryEstimator) {
   const vec3 light(0.5f, 0.25f, 2.0f);
-  for (const EstimatorInfo& estimator : estimators()) {
-    const RenderSettings s = settings_of(estimator.name, 2);
+  for (const TechniqueInfo& estimator : techniques()) {
+    const RenderSettings s = settings_of(std::string(estimator.name), 2);
     scene::FrameSnapshot snapshot = scene::light_of_every_kind();
     std::vector<vec4> images[2];
     std::vector<shared::GBufferTexel> texels;
@@ -65,8 +65,8 @@ TEST_F(AmbientTest, AddsTheSameToEveryEstimator) {
         snapshot.time = frame;  // nothing is accumulated
         renderer->render(snapshot, nullptr, s);
       }
-      images[lit] = renderer->read_linear();
-      texels = renderer->read_gbuffer();
+      images[lit] = renderer->read().linear();
+      texels = renderer->read().gbuffer();
     }
     float largest = 0.0f;
     for (std::size_t i = 0; i < texels.size(); ++i)
@@ -90,7 +90,7 @@ TEST_F(AmbientTest, TheDenoiserKeepsItAndAChangeStartsAnew) {
     snapshot.ambient = vec3(light);
     for (int frame = 0; frame < 3; ++frame) renderer->render(snapshot, nullptr, s);
     EXPECT_EQ(renderer->accumulated_frames(), 3u);
-    for (const vec4& p : renderer->read_denoised()) ASSERT_NEAR(p.x, albedo * light, 1e-3f * light);
+    for (const vec4& p : renderer->read().denoised()) ASSERT_NEAR(p.x, albedo * light, 1e-3f * light);
   }
 }
 

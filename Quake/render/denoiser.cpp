@@ -25,10 +25,9 @@ int levels_for(uvec2 size) {
 
 }  // namespace
 
-void Denoiser::resize(uvec2 render, const RenderSettings& settings, const gpu::Buffer& gbuffer) {
+void Denoiser::resize(uvec2 render, const RenderSettings& settings) {
   on_ = wanted(settings);
   const uvec2 size = on_ ? render : uvec2(0);
-  table_.set_texels(shared::kTexelsGBuffer, gbuffer);
   if (size == size_) return;
   const auto bind = [&] {
     table_.set_texels(shared::kTexelsHistory, buffer_);
@@ -49,21 +48,15 @@ void Denoiser::resize(uvec2 render, const RenderSettings& settings, const gpu::B
 
 void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
                     bool still) {
+  c.denoise = on_;
+  c.taa = on_ && antialiases(settings);
   if (!on_) return;
   const bool again = still && snapshot.frame == last_frame_;
   parity_ ^= 1u;
   levels_ = settings.svgf_levels > 0 ? std::max(settings.svgf_levels, 2) : levels_for(size_);
-  c.denoise = 1;
   c.history_parity = parity_;
   c.history_valid = valid_ && (again || !snapshot.cut);
   c.still = still;
-  c.svgf_alpha = settings.svgf_alpha;
-  c.svgf_moments_alpha = settings.svgf_moments_alpha;
-  c.sigma_depth = settings.sigma_depth;
-  c.sigma_normal = settings.sigma_normal;
-  c.sigma_luminance = settings.sigma_luminance;
-  c.firefly = settings.firefly;
-  c.taa = antialiases(settings);
   const float n = static_cast<float>(c.accumulated_frames);
   c.mean_weight = c.accumulated_frames > 0 ? n / (n + settings.svgf_mean_frames) : 0.0f;
   blends_mean_ = c.mean_weight > 0;
@@ -71,15 +64,15 @@ void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snaps
   last_frame_ = snapshot.frame;
 }
 
-void Denoiser::record(gpu::Commands& commands, ShaderSet& shaders) {
+void Denoiser::add_passes(PassList& list, ShaderSet& shaders) {
   if (!on_) return;
-  const std::uint32_t x = (size_.x + 7) / 8, y = (size_.y + 7) / 8;
-  {
-    gpu::Commands::Scope scope(commands, "denoise_temporal");
-    commands.dispatch(shaders.pass("denoise_temporal"), x, y);
-    commands.barrier();
-  }
-  gpu::Commands::Scope scope(commands, "denoise_wavelets");
+  const uvec2 groups = groups_over(size_, 8);
+  list.dispatch("denoise_temporal", PassKind::kFrame, shaders.get("denoise_temporal"), groups);
+  list.add("denoise_wavelets", PassKind::kFrame,
+           [this, &shaders, groups](gpu::Commands& commands) { record_wavelets(commands, shaders, groups); });
+}
+
+void Denoiser::record_wavelets(gpu::Commands& commands, ShaderSet& shaders, uvec2 groups) {
   // Powers of 2 + i; every other frame mirrored, so that what a level leaves is not the same twice.
   std::int32_t a = 1, b = 0;
   for (int level = 0; level < levels_; ++level) {
@@ -89,14 +82,14 @@ void Denoiser::record(gpu::Commands& commands, ShaderSet& shaders) {
     const char* shader = level == 0             ? "denoise_wavelet_first"
                          : level + 1 == levels_ ? "denoise_wavelet_last"
                                                 : "denoise_wavelet";
-    commands.dispatch(shaders.pass(shader), x, y);
+    commands.dispatch(shaders.get(shader), groups.x, groups.y);
     commands.barrier();
     const std::int32_t next = 2 * a - b;
     b = a + 2 * b;
     a = next;
   }
   if (!blends_mean_) return;
-  commands.dispatch(shaders.pass("denoise_mean"), x, y);
+  commands.dispatch(shaders.get("denoise_mean"), groups.x, groups.y);
   commands.barrier();
 }
 

@@ -10,6 +10,7 @@
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "gpu/pipeline.h"
+#include "render/pass.h"
 #include "render/settings.h"
 #include "render/shader_set.h"
 #include "scene/snapshot.h"
@@ -26,14 +27,14 @@ class Denoiser {
   static bool antialiases(const RenderSettings& settings) { return wanted(settings) && settings.taa != 0; }
 
   // Makes room for the history, or frees it; what was there is lost when the size changes.
-  void resize(uvec2 render, const RenderSettings& settings, const gpu::Buffer& gbuffer);
+  void resize(uvec2 render, const RenderSettings& settings);
   // The next frame's history is none: what was to be written to it may not have been.
   void forget() { valid_ = false; }
   // This frame's rows of the uniform block. `still`: the same snapshot was rendered just before.
   void fill(shared::FrameConstants& constants, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
             bool still);
-  // From radiance to the denoised picture; nothing if it is off.
-  void record(gpu::Commands& commands, ShaderSet& shaders);
+  // From radiance to the denoised picture; none if it is off.
+  void add_passes(PassList& list, ShaderSet& shaders);
 
   bool on() const { return on_; }
   // rgb: denoised radiance of the last frame.
@@ -42,6 +43,8 @@ class Denoiser {
   std::vector<glm::uvec4> read_history() const;
 
  private:
+  void record_wavelets(gpu::Commands& commands, ShaderSet& shaders, uvec2 groups);
+
   gpu::Device& device_;
   gpu::BindingTable& table_;
   gpu::Buffer buffer_;

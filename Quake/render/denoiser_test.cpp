@@ -55,7 +55,7 @@ double mean_luminance(const std::vector<vec4>& image) {
 
 std::vector<std::uint32_t> history_lengths(const Renderer& renderer) {
   std::vector<std::uint32_t> frames;
-  for (const auto& texel : renderer.denoiser().read_history()) frames.push_back((texel.y >> 16u) & 0xffu);
+  for (const auto& texel : renderer.read().history()) frames.push_back((texel.y >> 16u) & 0xffu);
   return frames;
 }
 
@@ -68,7 +68,7 @@ std::vector<vec4> reference_of(const std::function<std::unique_ptr<Renderer>(con
   s.seed = 1000;
   auto renderer = make(s);
   for (int i = 0; i < frames; ++i) renderer->render(snapshot, nullptr, s);
-  return renderer->read_linear();
+  return renderer->read().linear();
 }
 
 // --- energy ---
@@ -84,7 +84,7 @@ TEST_F(DenoiserTest, AFurnaceKeepsItsValueAtEveryFrame) {
     for (int frame = 0; frame < 8; ++frame) {
       renderer->render(still ? snapshot : at_time(snapshot, frame), nullptr, s);
       std::vector<double> values;
-      for (const vec4& p : renderer->read_denoised()) values.push_back(p.x);
+      for (const vec4& p : renderer->read().denoised()) values.push_back(p.x);
       // Every path has the same value; what is left is the history's precision: a step of pack_rgb9e5 is at most 1/256,
       // and its random rounding is averaged by the levels. Lost rays are the raw picture's too (renderer_test).
       for (const double v : values) EXPECT_NEAR(v, expected, expected / 200) << frame;
@@ -92,8 +92,8 @@ TEST_F(DenoiserTest, AFurnaceKeepsItsValueAtEveryFrame) {
       for (const double v : values) mean += v / static_cast<double>(values.size());
       EXPECT_NEAR(mean, expected, expected * 1e-3) << frame;
     }
-    EXPECT_EQ(renderer->nan_count(), 0u);
-    EXPECT_EQ(renderer->history_nan_count(), 0u);
+    EXPECT_EQ(renderer->read().counters().not_finite, 0u);
+    EXPECT_EQ(renderer->read().counters().history_not_finite, 0u);
   }
 }
 
@@ -107,7 +107,7 @@ TEST_F(DenoiserTest, TheRawMeanIsTheSameBitsWithAndWithout) {
     auto renderer = make_renderer(s, 64, 40);
     const scene::FrameSnapshot snapshot = scene::cornell_box();
     for (int frame = 0; frame < 3; ++frame) renderer->render(at_time(snapshot, frame), nullptr, s);
-    const auto image = renderer->read_linear();
+    const auto image = renderer->read().linear();
     hashes.push_back(hash_span(std::span<const vec4>(image)));
   }
   EXPECT_EQ(hashes[0], hashes[1]);
@@ -127,8 +127,8 @@ TEST_F(DenoiserTest, ErrorFallsAtOneSample) {
   double first = 0, late = 0;
   for (int frame = 0; frame < 30; ++frame) {
     renderer->render(at_time(snapshot, frame), nullptr, s);
-    const double factor = mean_square_difference(renderer->read_linear(), reference) /
-                          mean_square_difference(renderer->read_denoised(), reference);
+    const double factor = mean_square_difference(renderer->read().linear(), reference) /
+                          mean_square_difference(renderer->read().denoised(), reference);
     if (frame == 0) first = factor;
     late = factor;
   }
@@ -166,9 +166,9 @@ TEST_F(DenoiserTest, ANormalMapTiltsNoPlane) {
     const auto reference = reference_of(make, snapshot, 48);
     auto renderer = make(s);
     renderer->render(at_time(snapshot, 0), nullptr, s);
-    Seen seen{mean_square_difference(renderer->read_linear(), reference) /
-              mean_square_difference(renderer->read_denoised(), reference)};
-    for (const auto& g : renderer->read_gbuffer()) seen.turned += g.shading_normal != g.normal;
+    Seen seen{mean_square_difference(renderer->read().linear(), reference) /
+              mean_square_difference(renderer->read().denoised(), reference)};
+    for (const auto& g : renderer->read().gbuffer()) seen.turned += g.shading_normal != g.normal;
     return seen;
   };
   const Seen flat = look(scene::cornell_box()), bumpy = look(tilted(scene::cornell_box()));
@@ -186,7 +186,7 @@ TEST_F(DenoiserTest, AStillViewConvergesToTheRawMean) {
   auto renderer = make_renderer(s, 48, 48);
   for (int frame = 0; frame < 400; ++frame) renderer->render(snapshot, nullptr, s);
   // The mean's weight is n / (n + 4): what is left of any difference is a hundredth of it.
-  const auto raw = renderer->read_linear(), denoised = renderer->read_denoised();
+  const auto raw = renderer->read().linear(), denoised = renderer->read().denoised();
   for (std::size_t i = 0; i < raw.size(); ++i) EXPECT_NEAR(denoised[i].x, raw[i].x, 0.01f * (raw[i].x + 0.2f)) << i;
 }
 
@@ -225,7 +225,7 @@ TEST_F(DenoiserTest, HistoryFollowsWhatMovesAndIsDroppedWhereSomethingComesIntoS
       scene::FrameSnapshot snapshot = scene::moving(assets, frame * step, (frame - 1) * step);
       snapshot.frame = static_cast<std::uint64_t>(frame);
       renderer->render(snapshot, nullptr, s);
-      const auto now = renderer->read_gbuffer();
+      const auto now = renderer->read().gbuffer();
       const auto frames = history_lengths(*renderer);
       for (std::size_t i = 0; frame > 1 && i < now.size(); ++i) {
         const auto& g = now[i];
@@ -260,7 +260,7 @@ TEST_F(DenoiserTest, AnotherInstanceInTheSamePlaceHasNoHistory) {
   for (scene::Instance& i : snapshot.instances)
     if (i.id == scene::kIdEntity + 2) i.id = scene::kIdEntity + 9;
   renderer->render(at_time(snapshot, frame), nullptr, s);
-  const auto gbuffer = renderer->read_gbuffer();
+  const auto gbuffer = renderer->read().gbuffer();
   const auto frames = history_lengths(*renderer);
   int count = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -283,10 +283,10 @@ TEST_F(DenoiserTest, DepthAndNormalTellWhatAnIdDoesNot) {
   for (scene::Instance& i : with.instances) i.id = scene::kIdWorld;
   int frame = 0;
   for (; frame < 4; ++frame) renderer->render(at_time(with, frame), nullptr, s);
-  const auto before = renderer->read_gbuffer();
+  const auto before = renderer->read().gbuffer();
   with.instances.erase(with.instances.begin() + index);
   renderer->render(at_time(with, frame), nullptr, s);
-  const auto now = renderer->read_gbuffer();
+  const auto now = renderer->read().gbuffer();
   const auto frames = history_lengths(*renderer);
   int dropped = 0, kept = 0;
   for (std::size_t i = 3 * size.x + 3; i + 3 * size.x + 3 < now.size(); ++i) {
@@ -341,8 +341,8 @@ TEST_F(DenoiserTest, PicturesAreSteadyInMotion) {
     scene::FrameSnapshot snapshot = scene::moving(assets, frame / 60.0, (frame - 1) / 60.0);
     snapshot.frame = static_cast<std::uint64_t>(frame);
     renderer->render(snapshot, nullptr, s);
-    const auto now = renderer->read_gbuffer();
-    const auto raw_now = renderer->read_linear(), denoised_now = renderer->read_denoised();
+    const auto now = renderer->read().gbuffer();
+    const auto raw_now = renderer->read().linear(), denoised_now = renderer->read().denoised();
     if (frame > 16) {
       raw_flicker += flicker(raw_now, raw, now, before, size);
       denoised_flicker += flicker(denoised_now, denoised, now, before, size);
@@ -381,7 +381,7 @@ TEST_F(DenoiserTest, ACutAndANewSizeStartAnew) {
   RenderSettings off = s;
   off.denoise = 0;
   renderer->render(at_time(snapshot, frame++), nullptr, off);
-  EXPECT_EQ(renderer->read_denoised(), renderer->read_linear());
+  EXPECT_EQ(renderer->read().denoised(), renderer->read().linear());
   renderer->render(at_time(snapshot, frame++), nullptr, s);
   EXPECT_EQ(longest(), 1u) << "what was gathered before it was off is too old";
 }
@@ -401,14 +401,14 @@ TEST_F(DenoiserTest, NothingIsLeftBehindByWhatHasGone) {
     renderer->render(at_time(with, frame), nullptr, s);
     fresh->render(at_time(without, frame), nullptr, s);
   }
-  const auto where = renderer->read_gbuffer();
-  const auto box_picture = renderer->read_output();
+  const auto where = renderer->read().gbuffer();
+  const auto box_picture = renderer->read().output();
   for (const int last = frame + 4; frame < last; ++frame) {
     renderer->render(at_time(without, frame), nullptr, s);
     fresh->render(at_time(without, frame), nullptr, s);
   }
   // The finished pictures, anti-aliasing included, where the box was: how much of it is left.
-  const auto a = renderer->read_output(), b = fresh->read_output();
+  const auto a = renderer->read().output(), b = fresh->read().output();
   double left = 0, whole = 0;
   int count = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -437,14 +437,14 @@ TEST_F(DenoiserTest, LightThatChangesIsFollowed) {
     for (; frame < 40; ++frame) renderer->render(at_time(darker ? bright : dim, frame), nullptr, s);
     const auto settled = [&] {
       for (int i = 0; i < 40; ++i) fresh->render(at_time(darker ? dim : bright, i), nullptr, s);
-      return mean_luminance(fresh->read_denoised());
+      return mean_luminance(fresh->read().denoised());
     }();
-    const double start = mean_luminance(renderer->read_denoised());
+    const double start = mean_luminance(renderer->read().denoised());
     int needed = 0;
     while (needed < 100) {
       ++needed;
       renderer->render(at_time(darker ? dim : bright, frame++), nullptr, s);
-      if (std::abs(mean_luminance(renderer->read_denoised()) - settled) < 0.1 * std::abs(start - settled)) break;
+      if (std::abs(mean_luminance(renderer->read().denoised()) - settled) < 0.1 * std::abs(start - settled)) break;
     }
     RecordProperty(darker ? "frames_darker" : "frames_brighter", needed);
     // With the least weight of 0.04 alone it would take ln 0.1 / ln 0.96 = 56 frames.
@@ -465,14 +465,14 @@ TEST_F(DenoiserTest, WhatIsNotFiniteNeverEntersTheHistory) {
   }
   auto renderer = make_renderer(s, 96, 64);
   for (int frame = 0; frame < 3; ++frame) renderer->render(at_time(snapshot, frame), nullptr, s);
-  EXPECT_GT(renderer->history_nan_count(), 0u);
-  const auto gbuffer = renderer->read_gbuffer();
-  const auto denoised = renderer->read_denoised();
+  EXPECT_GT(renderer->read().counters().history_not_finite, 0u);
+  const auto gbuffer = renderer->read().gbuffer();
+  const auto denoised = renderer->read().denoised();
   for (std::size_t i = 0; i < gbuffer.size(); ++i) {
     if (gbuffer[i].id == scene::kMovingViewModel) continue;
     ASSERT_TRUE(std::isfinite(denoised[i].x) && std::isfinite(denoised[i].y) && std::isfinite(denoised[i].z)) << i;
   }
-  for (const auto& texel : renderer->denoiser().read_history()) {
+  for (const auto& texel : renderer->read().history()) {
     for (const std::uint32_t half :
          {texel.x & 0xffffu, texel.x >> 16u, texel.y & 0xffffu, texel.z & 0xffffu, texel.z >> 16u})
       ASSERT_NE(half & 0x7c00u, 0x7c00u) << "an infinity or a NaN";
@@ -490,8 +490,8 @@ TEST_F(DenoiserTest, TheSameFramesGiveTheSameBits) {
       snapshot.frame = static_cast<std::uint64_t>(frame);
       renderer->render(snapshot, nullptr, s);
     }
-    const auto pixels = renderer->read_output();
-    const auto history = renderer->denoiser().read_history();
+    const auto pixels = renderer->read().output();
+    const auto history = renderer->read().history();
     hashes.insert(hash_bytes(history.data(), history.size() * sizeof(history[0]),
                              hash_span(std::span<const std::uint32_t>(pixels))));
   }
@@ -509,7 +509,7 @@ TEST_F(DenoiserTest, ItsDebugViewsDiffer) {
       const auto snapshot = scene::moving(scene::moving_assets(), frame / 30.0, (frame - 1) / 30.0);
       renderer->render(at_time(snapshot, frame), nullptr, s);
     }
-    const auto pixels = renderer->read_output();
+    const auto pixels = renderer->read().output();
     pictures.insert(hash_span(std::span<const std::uint32_t>(pixels)));
   }
   EXPECT_EQ(pictures.size(), 6u);

@@ -13,12 +13,17 @@ CameraFrame camera_frame(const scene::Camera& camera, std::uint32_t width, std::
   return {camera.position, axes.forward, axes.right * tan_x, axes.up * tan_y};
 }
 
+float half_pixel_tangent(const CameraFrame& camera, std::uint32_t height) {
+  return glm::length(camera.up) / static_cast<float>(height);
+}
+
 shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
                                        uvec2 render, uvec2 output) {
   shared::FrameConstants c{};
+  copy_settings(settings, c);
   const CameraFrame now = camera_frame(snapshot.camera, render.x, render.y);
   const CameraFrame before = camera_frame(snapshot.cut ? snapshot.camera : snapshot.prev_camera, render.x, render.y);
-  c.camera_position = vec4(now.position, glm::length(now.up) / static_cast<float>(render.y));
+  c.camera_position = vec4(now.position, half_pixel_tangent(now, render.y));
   c.camera_forward = vec4(now.forward, 0);
   c.camera_right = vec4(now.right, 0);
   c.camera_up = vec4(now.up, 0);
@@ -58,19 +63,8 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
   c.height = render.y;
   c.output_width = output.x;
   c.output_height = output.y;
-  c.seed = static_cast<std::uint32_t>(settings.seed);
-  c.spp = static_cast<std::uint32_t>(settings.spp);
-  c.bounces = static_cast<std::uint32_t>(settings.bounces);
-  c.light_candidates = static_cast<std::uint32_t>(settings.nee_candidates);
   c.time = static_cast<float>(snapshot.time);
   c.prev_time = static_cast<float>(snapshot.prev_time);
-  c.exposure = settings.exposure;
-  c.auto_exposure = static_cast<float>(settings.auto_exposure);
-  c.exposure_target = settings.exposure_target;
-  c.tone_map = static_cast<std::uint32_t>(settings.tone_map);
-  c.fxaa = static_cast<std::uint32_t>(settings.fxaa);
-  c.debug_view = static_cast<std::uint32_t>(settings.debug_view);
-  c.texture_filter = static_cast<std::uint32_t>(settings.texture_filter);
   return c;
 }
 

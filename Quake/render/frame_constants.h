@@ -14,6 +14,9 @@ struct CameraFrame {
 };
 CameraFrame camera_frame(const scene::Camera& camera, std::uint32_t width, std::uint32_t height);
 
+// Tangent of half the angle that a pixel subtends, of a picture of so many rows.
+float half_pixel_tangent(const CameraFrame& camera, std::uint32_t height);
+
 // Camera, sky, suns, time, sizes. What depends on the renderer's history (accumulation, jitter, adaptation) is left to
 // it.
 shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings,

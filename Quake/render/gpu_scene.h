@@ -15,6 +15,7 @@
 #include "gpu/commands.h"
 #include "gpu/device.h"
 #include "gpu/pipeline.h"
+#include "render/pass.h"
 #include "scene/snapshot.h"
 
 namespace fb::render {
@@ -59,10 +60,13 @@ class GpuScene {
   void forget();
   // Device part: copies, poses, refits, acceleration structures. Ends with a barrier.
   void record(gpu::Commands& commands);
+  void add_passes(PassList& list);
 
   const SceneFeatures& features() const;
   // Elements of the list of lights: the first triangle's, and one past the last. Equal: none glows, or none was wanted.
   uvec2 lights() const;
+  // Elements of it that say where the former frame's instances are.
+  uvec2 former_instances() const;
   const SceneStatistics& statistics() const;
   SceneBuffers buffers() const;
 

@@ -33,7 +33,7 @@ struct Estimate {
 };
 Estimate estimate(const Renderer& renderer) {
   double sum = 0, sum2 = 0;
-  const auto image = renderer.read_linear();
+  const auto image = renderer.read().linear();
   for (const vec4& p : image) {
     sum += p.x;
     sum2 += static_cast<double>(p.x) * p.x;
@@ -43,7 +43,7 @@ Estimate estimate(const Renderer& renderer) {
 }
 
 std::uint64_t image_hash(const Renderer& renderer) {
-  const auto image = renderer.read_linear();
+  const auto image = renderer.read().linear();
   return hash_span(std::span<const vec4>(image));
 }
 
@@ -63,8 +63,8 @@ void expect_furnace(const Renderer& renderer, int bounces, double albedo, const 
   const Estimate e = estimate(renderer);
   EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 4e-6 * expected) << what;
   EXPECT_LT(e.error, 0.01 * expected) << what << ": the test can see little";
-  EXPECT_EQ(renderer.nan_count(), 0u) << what;
-  EXPECT_EQ(renderer.guide_nan_count(), 0u) << what;
+  EXPECT_EQ(renderer.read().counters().not_finite, 0u) << what;
+  EXPECT_EQ(renderer.read().counters().states_not_finite, 0u) << what;
 }
 
 // The same scene elsewhere.
@@ -117,7 +117,7 @@ TEST_F(GuideTest, FurnaceHasItsClosedFormThirtyThousandUnitsAway) {
       const Estimate e = estimate(*renderer);
       const double a = static_cast<double>(kAlbedo), expected = static_cast<double>(kEmission) * (1 + a + a * a);
       EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 1e-3 * expected) << name;
-      EXPECT_EQ(renderer->nan_count() + renderer->guide_nan_count(), 0u) << name;
+      EXPECT_EQ(renderer->read().counters().not_finite + renderer->read().counters().states_not_finite, 0u) << name;
     }
   }
 }
@@ -175,10 +175,10 @@ TEST_F(GuideTest, FullTablesKeepTheMean) {
       s.seed = guide ? 1 : 0;
       auto renderer = make_renderer(s, 64, 48);
       render_frames(*renderer, scene, s, guide ? 48 : 96);
-      EXPECT_EQ(renderer->nan_count() + renderer->guide_nan_count(), 0u);
+      EXPECT_EQ(renderer->read().counters().not_finite + renderer->read().counters().states_not_finite, 0u);
       // The picture's own structure is no error: that of the mean is told by the frames.
       double variance = 0;
-      const auto variances = renderer->read_variance_of_mean();
+      const auto variances = renderer->read().variance_of_mean();
       for (const vec4& v : variances) variance += v.x;
       found[guide] = {estimate(*renderer).mean, std::sqrt(variance) / static_cast<double>(variances.size())};
     }
@@ -215,17 +215,17 @@ TEST_F(GuideTest, ItsMemoryIsGivenBackWhenNothingLearns) {
   const scene::FrameSnapshot scene = furnace();
   renderer->render(scene, nullptr, pt);
   const std::uint64_t before = renderer->device_bytes();
-  EXPECT_EQ(renderer->guide_bytes(), 0u);
+  EXPECT_EQ(renderer->learnt_bytes(), 0u);
   for (int round = 0; round < 3; ++round) {
     for (const int states : {1024, 100000}) {
       const RenderSettings s =
           guided(2, 2, [&](RenderSettings& r) { r.mc_states = states, r.deterministic = round == 1; });
       render_frames(*renderer, scene, s, 2);
-      EXPECT_GE(renderer->guide_bytes(), static_cast<std::uint64_t>(states) * 24);
-      EXPECT_GE(renderer->device_bytes(), before + renderer->guide_bytes());
+      EXPECT_GE(renderer->learnt_bytes(), static_cast<std::uint64_t>(states) * 24);
+      EXPECT_GE(renderer->device_bytes(), before + renderer->learnt_bytes());
     }
     renderer->render(scene, nullptr, pt);
-    EXPECT_EQ(renderer->guide_bytes(), 0u);
+    EXPECT_EQ(renderer->learnt_bytes(), 0u);
     EXPECT_EQ(renderer->device_bytes(), before);
   }
 }
@@ -240,7 +240,7 @@ class CacheTest : public GuideTest {
     auto renderer = make_renderer(s, 16, 12);
     render_frames(*renderer, scene::furnace(kAlbedo, kEmission), s, frames);
     double sum = 0;
-    for (const std::uint32_t pixel : renderer->read_output())
+    for (const std::uint32_t pixel : renderer->read().output())
       sum += (pixel >> 8u) & 255u;  // a missing cell has no green
     return sum / (16 * 12);
   }

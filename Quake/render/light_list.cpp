@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "render/gpu_scene_copies.h"
 #include "scene/asset_builder.h"
@@ -71,17 +72,8 @@ float LightList::radiance(const scene::Assets& assets, const shared::GpuMaterial
   return all_glows ? sum(means(assets, m.base).all * factor) : 0.0f;
 }
 
-void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::span<const Source> sources,
-                      std::span<const shared::GpuMaterial> materials) {
-  elements_.clear();
-  first_ = 0;
-  if (sources.empty()) return;
-  if (assets.generation != generation_) means_.clear();
-  generation_ = assets.generation;
-  const float sky_mean = sky_radiance(assets, sky);
-  std::vector<float> glow(materials.size());
-  for (std::size_t i = 0; i < materials.size(); ++i) glow[i] = radiance(assets, materials[i], sky_mean);
-
+void LightList::list_triangles(const scene::Assets& assets, std::span<const Source> sources,
+                               std::span<const float> glow) {
   first_ = static_cast<std::uint32_t>(sources.size());
   elements_.assign(first_, uvec2(shared::kNoIndex, 0));
   std::vector<double> ends;  // sums of powers
@@ -108,12 +100,41 @@ void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::s
       elements_.emplace_back(0, i);
     }
   }
-  if (total <= 0) {
+  if (total <= 0)
     elements_.assign(first_, uvec2(shared::kNoIndex, 0));
-    return;
+  else
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      elements_[first_ + i].x = static_cast<std::uint32_t>(ends[i] / total * shared::kLightRange);
+  end_ = static_cast<std::uint32_t>(elements_.size());
+}
+
+// Where the former list's instances are in this one, by their ids.
+void LightList::list_former(std::span<const Source> sources) {
+  std::unordered_map<std::uint32_t, std::uint32_t> now;
+  for (std::uint32_t i = 0; i < first_; ++i) now.try_emplace(sources[i].instance->id, i);
+  for (const std::uint32_t id : ids_) {
+    const auto found = now.find(id);
+    elements_.emplace_back(found == now.end() ? shared::kNoIndex : found->second, id);
   }
-  for (std::size_t i = 0; i < ends.size(); ++i)
-    elements_[first_ + i].x = static_cast<std::uint32_t>(ends[i] / total * shared::kLightRange);
+  ids_.clear();
+  for (const Source& source : sources) ids_.push_back(source.instance->id);
+}
+
+void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::span<const Source> sources,
+                      std::span<const shared::GpuMaterial> materials) {
+  elements_.clear();
+  first_ = end_ = 0;
+  if (assets.generation != generation_ || sources.empty()) {  // other meshes: a triangle's index means another
+    means_.clear();
+    ids_.clear();
+  }
+  generation_ = assets.generation;
+  if (sources.empty()) return;
+  const float sky_mean = sky_radiance(assets, sky);
+  std::vector<float> glow(materials.size());
+  for (std::size_t i = 0; i < materials.size(); ++i) glow[i] = radiance(assets, materials[i], sky_mean);
+  list_triangles(assets, sources, glow);
+  list_former(sources);
 }
 
 }  // namespace fb::render

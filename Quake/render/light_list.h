@@ -26,9 +26,11 @@ class LightList {
   // leaves.
   void build(const scene::Assets& assets, const scene::Sky& sky, std::span<const Source> sources,
              std::span<const shared::GpuMaterial> materials);
-  // As Shaders/shared/scene_gpu.h has it; the elements from first() on are triangles. first() == size(): nothing glows.
+  // As Shaders/shared/scene_gpu.h has it: elements first() to end() are triangles (equal: nothing glows); from end() on
+  // there is one for each instance of the former list.
   const std::vector<uvec2>& elements() const { return elements_; }
   std::uint32_t first() const { return first_; }
+  std::uint32_t end() const { return end_; }
 
  private:
   // Mean linear colour of an image's texels: of all, and of those alone that glow by their palette index.
@@ -36,13 +38,16 @@ class LightList {
     vec3 all{0.0f}, glowing{0.0f};
   };
   const Means& means(const scene::Assets& assets, std::uint32_t image);
+  void list_triangles(const scene::Assets& assets, std::span<const Source> sources, std::span<const float> glow);
+  void list_former(std::span<const Source> sources);
   float radiance(const scene::Assets& assets, const shared::GpuMaterial& material, float sky);
   float sky_radiance(const scene::Assets& assets, const scene::Sky& sky);
 
   std::uint64_t generation_ = 0;
   std::vector<std::optional<Means>> means_;
   std::vector<uvec2> elements_;
-  std::uint32_t first_ = 0;
+  std::uint32_t first_ = 0, end_ = 0;
+  std::vector<std::uint32_t> ids_;  // of the instances, in order
 };
 
 }  // namespace fb::render

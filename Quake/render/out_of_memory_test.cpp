@@ -86,9 +86,9 @@ class OutOfMemoryTest : public testing::Test {
   static std::uint64_t picture(Renderer& renderer, const View& view) {
     renderer.reset_learning();
     draw(renderer, view);
-    EXPECT_EQ(renderer.read_denoised().size(), renderer.read_linear().size());
-    const std::uint64_t size[] = {renderer.read_output().size(), renderer.guide_bytes()};
-    const auto linear = renderer.read_linear();
+    EXPECT_EQ(renderer.read().denoised().size(), renderer.read().linear().size());
+    const std::uint64_t size[] = {renderer.read().output().size(), renderer.learnt_bytes()};
+    const auto linear = renderer.read().linear();
     return hash_span(std::span<const vec4>(linear), hash_span(std::span<const std::uint64_t>(size)));
   }
 

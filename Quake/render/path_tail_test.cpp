@@ -35,7 +35,7 @@ double mean_after(Renderer& renderer, const scene::FrameSnapshot& snapshot, cons
   for (int i = 0; i < warm; ++i) renderer.render(snapshot, nullptr, settings);
   renderer.restart_accumulation();
   for (int i = 0; i < frames; ++i) renderer.render(snapshot, nullptr, settings);
-  return image_mean(renderer.read_linear());
+  return image_mean(renderer.read().linear());
 }
 
 // Any number of reflections in a closed room of albedo a and emission e: e / (1 - a). What the cache lacks of it
@@ -51,8 +51,8 @@ TEST_F(PathTailTest, FurnaceGivesTheSumOfAllReflections) {
       const double found = mean_after(*renderer, scene::furnace(albedo, emission, objects), s, 150, 16);
       const double expected = emission / (1.0 - albedo);
       EXPECT_NEAR(found, expected, 0.02 * expected) << objects << ' ' << albedo;
-      EXPECT_EQ(renderer->nan_count(), 0u);
-      EXPECT_EQ(renderer->guide_nan_count(), 0u);
+      EXPECT_EQ(renderer->read().counters().not_finite, 0u);
+      EXPECT_EQ(renderer->read().counters().states_not_finite, 0u);
     }
   }
 }
@@ -65,7 +65,7 @@ TEST_F(PathTailTest, FirstFrameHasNoHoles) {
   for (int frame = 0; frame < 8; ++frame) {
     renderer->restart_accumulation();
     renderer->render(scene::furnace(albedo, 1.0f), nullptr, s);
-    for (const vec4& p : renderer->read_linear()) ASSERT_GT(p.y, 0.999f * (1 + albedo + albedo * albedo)) << frame;
+    for (const vec4& p : renderer->read().linear()) ASSERT_GT(p.y, 0.999f * (1 + albedo + albedo * albedo)) << frame;
   }
 }
 
@@ -73,7 +73,7 @@ TEST_F(PathTailTest, NoReflectionIsNoReflection) {
   const RenderSettings s = settings_of("mcpg_tail", 1, 0);
   auto renderer = make_renderer(s, 16, 16);
   renderer->render(scene::furnace(0.5f, 1.0f), nullptr, s);
-  EXPECT_NEAR(image_mean(renderer->read_linear()), 1.0, 1e-4);
+  EXPECT_NEAR(image_mean(renderer->read().linear()), 1.0, 1e-4);
 }
 
 TEST_F(PathTailTest, CornellBoxIsNearAllReflections) {
@@ -81,7 +81,7 @@ TEST_F(PathTailTest, CornellBoxIsNearAllReflections) {
   const auto of = [&](const RenderSettings& s, int warm, int frames) {
     auto renderer = make_renderer(s, 64, 64);
     const double mean = mean_after(*renderer, box, s, warm, frames);
-    EXPECT_EQ(renderer->nan_count(), 0u);
+    EXPECT_EQ(renderer->read().counters().not_finite, 0u);
     return mean;
   };
   const double two = of(settings_of("pt", 64, 2), 0, 4), many = of(settings_of("pt", 64, 16), 0, 4);

@@ -10,8 +10,8 @@
 #include "base/log.h"
 #include "base/out_of_memory.h"
 #include "gpu/pipeline.h"
+#include "render/debug_views.h"
 #include "render/frame_constants.h"
-#include "render/guide.h"
 #include "render/overlay.h"
 #include "render/picture_size.h"
 #include "render/shader_set.h"
@@ -44,17 +44,6 @@ std::uint64_t view_key(std::uint64_t scene, const RenderSettings& settings) {
   return hash_bytes(settings.estimator.data(), settings.estimator.size(), key);
 }
 
-constexpr std::uint32_t kMaxLobes = 32;  // of the guide's mixture: they are kept in registers or local memory
-
-// What the settings mean to an estimator whose paths end in the cache: one reflection, and one more on paths that go on
-// (frame.bounces counts both); a tail that the cache did not fill would be none.
-RenderSettings settings_for(const EstimatorInfo& info, RenderSettings settings) {
-  if (!info.tail) return settings;
-  settings.bounces = settings.bounces > 0 ? 2 : 0;
-  settings.mc_cache = 1;
-  return settings;
-}
-
 // Points of a low-discrepancy sequence (Roberts 2018, R2) in [-1/2, 1/2)^2.
 vec2 jitter_at(std::uint32_t index) {
   const double x = 0.5 + 0.7548776662466927 * index, y = 0.5 + 0.5698402909980532 * index;
@@ -70,7 +59,6 @@ struct Renderer::Impl {
         table(d),
         scene(d, table, options),
         overlay(d, table),
-        guide(d, table),
         shaders(d, table, memory_access(d, options.by_address)),
         denoiser(d, table),
         timer(d) {
@@ -90,21 +78,26 @@ struct Renderer::Impl {
   void fit(const RenderSettings& settings);
   void render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw, const RenderSettings& asked);
   void forget_frame();
-  void prepare_guide(const RenderSettings& settings, bool new_assets);
+  void choose_technique(const std::string& name);
+  void choose_features(const scene::FrameSnapshot& snapshot, bool all);
+  void swap_gbuffers();
   void fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings);
-  void record(gpu::Commands& commands);
+  // The technique draws the debug view that is asked for.
+  bool shows_view() const {
+    return info->views != shared::kViewOfFrame && view_owner(constants.debug_view) == info->views;
+  }
+  PassList list_passes();
 
   gpu::Device& device;
   bool ray_query;
   gpu::BindingTable table;
   GpuScene scene;
   Overlay overlay;
-  Guide guide;
   ShaderSet shaders;
   Denoiser denoiser;
   gpu::PassTimer timer;
 
-  Buffer uniform, gbuffer, radiance, mean, m2, ldr, smoothed, output, exposure, counters;
+  Buffer uniform, gbuffer, previous_gbuffer, radiance, mean, m2, ldr, smoothed, output, exposure, counters;
   uvec2 output_size{640, 360}, render_size{0, 0}, allocated_output{0, 0};
   bool swap_red_blue = false;
 
@@ -114,12 +107,11 @@ struct Renderer::Impl {
   bool restart = true;
   double last_time = 0;
   SceneFeatures features;
-  std::string estimator;
-  const EstimatorInfo* info = nullptr;
-  std::uint32_t accesses = 1, bucket = 1;  // of the guide
-  bool resolve = false;
+  bool previous_valid = false;  // previous_gbuffer is the former frame's
+  const TechniqueInfo* info = nullptr;
+  std::unique_ptr<Technique> technique;
   shared::FrameConstants constants{};
-  std::vector<gpu::PassTime> pass_times;
+  std::vector<PassTime> pass_times;
   bool said_unknown_estimator = false;
 };
 
@@ -159,6 +151,9 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
     buffer = Buffer(device, BufferUse::kStorage, bytes, name);
     table.set_array(shared::kSetFrame, binding, buffer);
   };
+  previous_gbuffer = Buffer();
+  previous_valid = false;
+  table.set_array(shared::kSetFrame, shared::kBindPreviousGBuffer, previous_gbuffer);
   make(gbuffer, shared::kBindGBuffer, pixels * sizeof(shared::GBufferTexel), "G-buffer");
   make(radiance, shared::kBindRadiance, pixels * 16, "radiance");
   make(mean, shared::kBindMean, pixels * 16, "mean radiance");
@@ -175,26 +170,56 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
 void Renderer::Impl::fit(const RenderSettings& settings) {
   check_picture_size(device, output_size, settings);
   resize_buffers(scaled_size(output_size, settings), output_size);
-  denoiser.resize(render_size, settings, gbuffer);
+  denoiser.resize(render_size, settings);
 }
 
 // The frame ended early: what it was to write, and what says that it was written, is as good as lost.
 void Renderer::Impl::forget_frame() {
   restart = true;
   scene.forget();
-  guide.reset();
+  previous_valid = false;
+  if (technique) technique->forget();
   denoiser.forget();
 }
 
-void Renderer::Impl::prepare_guide(const RenderSettings& settings, bool new_assets) {
-  resolve = info->learns && settings.deterministic != 0;
-  accesses = bucket = 1;
-  if (!info->learns) return guide.release();
-  bucket = std::bit_floor(static_cast<std::uint32_t>(settings.mc_bucket));
-  accesses = std::min(static_cast<std::uint32_t>(settings.mc_accesses), kMaxLobes / bucket);
-  guide.prepare(settings, static_cast<std::uint64_t>(render_size.x) * render_size.y *
-                              static_cast<std::uint64_t>(settings.spp) * static_cast<std::uint64_t>(settings.bounces));
-  if (new_assets) guide.reset();
+// An unknown name leaves what there is. What one technique learnt is of no use to another.
+void Renderer::Impl::choose_technique(const std::string& name) {
+  const TechniqueInfo* chosen = find_technique(name);
+  if (chosen != nullptr) {
+    said_unknown_estimator = false;
+  } else {
+    chosen = info != nullptr ? info : &techniques().front();
+    if (!std::exchange(said_unknown_estimator, true))
+      log_warning("r_estimator {}: there is no such estimator; {} stays", name, chosen->name);
+  }
+  if (chosen == info && technique) return;
+  info = chosen;
+  technique.reset();
+  for (std::uint32_t i = 0; i < shared::kTechniqueArrays; ++i) table.set_array(shared::kSetTechnique, i, Buffer());
+  table.set_uniform(shared::kSetTechnique, Buffer());
+  technique = info->make({device, table}, info->name);
+}
+
+// Features only grow while the assets stay: no compilation in mid-game when something comes and goes.
+void Renderer::Impl::choose_features(const scene::FrameSnapshot& snapshot, bool all) {
+  if (snapshot.assets->generation != generation) features = SceneFeatures{};
+  features.alpha_test |= scene.features().alpha_test || all;
+  features.translucent |= scene.features().translucent || all;
+  features.specular |= scene.features().specular || all;
+}
+
+// The G-buffer that the former frame wrote becomes the previous one, for techniques that want it.
+void Renderer::Impl::swap_gbuffers() {
+  if (!info->wants_previous_gbuffer) {
+    previous_valid = false;
+    if (previous_gbuffer) previous_gbuffer = Buffer();
+  } else {
+    if (!previous_gbuffer) previous_gbuffer = Buffer(device, BufferUse::kStorage, gbuffer.size(), "previous G-buffer");
+    std::swap(gbuffer, previous_gbuffer);
+    table.set_array(shared::kSetFrame, shared::kBindGBuffer, gbuffer);
+  }
+  table.set_texels(shared::kTexelsGBuffer, gbuffer);
+  table.set_array(shared::kSetFrame, shared::kBindPreviousGBuffer, previous_gbuffer);
 }
 
 void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings) {
@@ -206,8 +231,11 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants = frame_constants(snapshot, settings, render_size, output_size);
   constants.light_first = this->scene.lights().x;
   constants.light_end = this->scene.lights().y;
+  constants.former_first = this->scene.former_instances().x;
+  constants.former_end = this->scene.former_instances().y;
   constants.accumulated_frames = accumulated;
   constants.frame = shared::hash_combine(static_cast<std::uint32_t>(snapshot.frame), accumulated);
+  if (technique->salt() != 0) constants.frame = shared::hash_combine(constants.frame, technique->salt());
   const bool always = settings.jitter > 0 || (settings.jitter < 0 && Denoiser::antialiases(settings));
   if (always || (settings.jitter < 0 && accumulated > 0)) {
     const vec2 jitter =
@@ -222,7 +250,8 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.draw_quads = !overlay.empty();
   constants.quad_tiles_x = overlay.tiles_x();
   constants.atlas_width = overlay.atlas_width();
-  if (info->learns) guide.fill_constants(constants, settings, 2 * constants.camera_position.w);
+  constants.technique_view = shows_view();
+  constants.previous_gbuffer = previous_valid && !snapshot.cut;
   denoiser.fill(constants, snapshot, settings, scene == last_scene);
   std::memcpy(uniform.mapped(), &constants, sizeof(constants));
 
@@ -232,41 +261,27 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   restart = false;
 }
 
-void Renderer::Impl::record(gpu::Commands& commands) {
-  const auto tiles = [](std::uint32_t pixels, std::uint32_t side) { return (pixels + side - 1) / side; };
-  const std::uint32_t x = tiles(render_size.x, 8), y = tiles(render_size.y, 8);
+// The way of a frame.
+PassList Renderer::Impl::list_passes() {
   const Variant variant{ray_query, features.alpha_test || features.translucent, features.specular};
-  Variant path_variant = variant;
-  path_variant.resolve = resolve;
-  path_variant.accesses = accesses;
-  path_variant.bucket = bucket;
-  path_variant.show_view =
-      info->learns && constants.debug_view >= shared::kFirstGuideView && constants.debug_view < shared::kNanView;
-
-  timer.reset(commands.handle());
-  commands.set_timer(&timer);
-  commands.bind(table);
-  {
-    gpu::Commands::Scope scope(commands, "scene");
-    scene.record(commands);
-  }
-  const auto dispatch = [&](const char* name, const gpu::ComputePipeline& pipeline, std::uint32_t gx,
-                            std::uint32_t gy) {
-    gpu::Commands::Scope scope(commands, name);
-    commands.dispatch(pipeline, gx, gy);
-    commands.barrier();
+  const uvec2 tiles = groups_over(render_size, 8);
+  PassList list;
+  const auto frame = [&](const char* name, const gpu::ComputePipeline& pipeline, uvec2 groups) {
+    list.dispatch(name, PassKind::kFrame, pipeline, groups);
   };
-  dispatch("gbuffer", shaders.gbuffer(variant), x, y);
-  if (info->learns) guide.record_begin(commands);
-  dispatch("paths", shaders.paths(estimator, path_variant), x, y);
-  if (info->learns) guide.record_end(commands, shaders);
-  dispatch("accumulate", shaders.pass("accumulate"), x, y);
-  denoiser.record(commands, shaders);
-  dispatch("histogram", shaders.pass("exposure_histogram"), tiles(render_size.x, 16), tiles(render_size.y, 16));
-  dispatch("exposure", shaders.pass("exposure"), 1, 1);
-  dispatch("tonemap", shaders.pass(constants.debug_view != 0 ? "debug_view" : "tonemap"), x, y);
-  dispatch("antialias", shaders.pass(constants.taa != 0 ? "temporal_antialias" : "antialias"), x, y);
-  dispatch("present", shaders.pass("present"), tiles(output_size.x, 8), tiles(output_size.y, 8));
+  scene.add_passes(list);
+  frame("gbuffer", shaders.get("gbuffer", variant), tiles);
+  Variant path_variant = variant;
+  path_variant.show_view = shows_view();
+  technique->add_passes({list, shaders, path_variant, render_size});
+  frame("accumulate", shaders.get("accumulate"), tiles);
+  denoiser.add_passes(list, shaders);
+  frame("histogram", shaders.get("exposure_histogram"), groups_over(render_size, 16));
+  frame("exposure", shaders.get("exposure"), {1, 1});
+  frame("tonemap", shaders.get(constants.debug_view != 0 ? "debug_view" : "tonemap"), tiles);
+  frame("antialias", shaders.get(constants.taa != 0 ? "temporal_antialias" : "antialias"), tiles);
+  frame("present", shaders.get("present"), groups_over(output_size, 8));
+  return list;
 }
 
 Status Renderer::fit(const RenderSettings& settings) {
@@ -294,39 +309,36 @@ void Renderer::Impl::render(const scene::FrameSnapshot& snapshot, const scene::D
     empty.instances.clear();
     return render(empty, draw, asked);
   }
-  const auto& known = estimators();
-  if (std::any_of(known.begin(), known.end(), [&](const EstimatorInfo& e) { return e.name == asked.estimator; })) {
-    estimator = asked.estimator;
-    said_unknown_estimator = false;
-  } else if (!std::exchange(said_unknown_estimator, true)) {
-    if (estimator.empty()) estimator = known.front().name;
-    log_warning("r_estimator {}: there is no such estimator; {} stays", asked.estimator, estimator);
-  }
-  info = &*std::find_if(known.begin(), known.end(), [&](const EstimatorInfo& e) { return e.name == estimator; });
-  const RenderSettings settings = settings_for(*info, asked);
-
+  choose_technique(asked.estimator);
+  const RenderSettings settings = technique->adapt(asked);
   fit(settings);
-  scene.prepare(snapshot, emission_scales(settings), info->samples_lights);
-  prepare_guide(settings, snapshot.assets->generation != generation);
-
-  // Features only grow while the assets stay: no compilation in mid-game when something comes and goes.
-  if (snapshot.assets->generation != generation) features = SceneFeatures{};
+  swap_gbuffers();
+  scene.prepare(snapshot, emission_scales(settings), info->wants_lights);
+  if (snapshot.assets->generation != generation) technique->forget();
+  choose_features(snapshot, settings.force_features != 0);
   generation = snapshot.assets->generation;
-  const bool all = settings.force_features != 0;
-  features.alpha_test |= scene.features().alpha_test || all;
-  features.translucent |= scene.features().translucent || all;
-  features.specular |= scene.features().specular || all;
-
+  const CameraFrame camera = camera_frame(snapshot.camera, render_size.x, render_size.y);
+  technique->prepare({settings, render_size, 2 * half_pixel_tangent(camera, render_size.y)});
   overlay.prepare(draw, output_size.x, output_size.y);
   fill_constants(snapshot, settings);
   table.flush();
-  device.run([&](gpu::Commands& commands) { record(commands); });
+
+  const PassList passes = list_passes();
+  device.run([&](gpu::Commands& commands) {
+    timer.reset(commands.handle());
+    commands.set_timer(&timer);
+    commands.bind(table);
+    passes.record(commands);
+  });
   ++accumulated;
-  pass_times = timer.read();
+  previous_valid = true;
+  pass_times = passes.times(timer.read());
 }
 
 void Renderer::restart_accumulation() { impl_->restart = true; }
-void Renderer::reset_learning() { impl_->guide.reset(); }
+void Renderer::reset_learning() {
+  if (impl_->technique) impl_->technique->forget();
+}
 std::uint32_t Renderer::accumulated_frames() const { return impl_->accumulated; }
 const std::string& Renderer::intersector_name() const {
   static const std::string query = "query", bvh = "bvh";
@@ -334,46 +346,18 @@ const std::string& Renderer::intersector_name() const {
 }
 
 const gpu::Buffer& Renderer::output_pixels() const { return impl_->output; }
-std::vector<std::uint32_t> Renderer::read_output() const {
-  return gpu::read_now<std::uint32_t>(impl_->device, impl_->output,
-                                      static_cast<std::size_t>(impl_->output_size.x) * impl_->output_size.y);
+Readback Renderer::read() const {
+  const Impl& r = *impl_;
+  return Readback({r.device, r.output, r.mean, r.m2, r.gbuffer, r.counters, r.denoiser, r.output_size, r.render_size,
+                   r.accumulated});
 }
-std::vector<vec4> Renderer::read_linear() const {
-  return gpu::read_now<vec4>(impl_->device, impl_->mean,
-                             static_cast<std::size_t>(impl_->render_size.x) * impl_->render_size.y);
-}
-std::vector<vec4> Renderer::read_denoised() const {
-  return impl_->denoiser.on() ? impl_->denoiser.read() : read_linear();
-}
-std::vector<vec4> Renderer::read_variance_of_mean() const {
-  auto variance = gpu::read_now<vec4>(impl_->device, impl_->m2,
-                                      static_cast<std::size_t>(impl_->render_size.x) * impl_->render_size.y);
-  const float n = static_cast<float>(impl_->accumulated);
-  const float factor = n > 1 ? 1.0f / ((n - 1) * n) : 0.0f;
-  for (vec4& v : variance) v *= factor;
-  return variance;
-}
-std::vector<shared::GBufferTexel> Renderer::read_gbuffer() const {
-  return gpu::read_now<shared::GBufferTexel>(impl_->device, impl_->gbuffer,
-                                             static_cast<std::size_t>(impl_->render_size.x) * impl_->render_size.y);
-}
-std::uint32_t Renderer::nan_count() const {
-  return gpu::read_now<std::uint32_t>(impl_->device, impl_->counters, shared::kCounterCount)[shared::kCounterNan];
-}
-
-std::uint32_t Renderer::guide_nan_count() const {
-  return gpu::read_now<std::uint32_t>(impl_->device, impl_->counters, shared::kCounterCount)[shared::kCounterGuideNan];
-}
-std::uint64_t Renderer::guide_bytes() const { return impl_->guide.bytes(); }
-std::uint32_t Renderer::history_nan_count() const {
-  return gpu::read_now<std::uint32_t>(impl_->device, impl_->counters, shared::kCounterCount)[shared::kCounterHistory];
-}
+std::uint64_t Renderer::learnt_bytes() const { return impl_->technique ? impl_->technique->bytes() : 0; }
 const Denoiser& Renderer::denoiser() const { return impl_->denoiser; }
 
-const std::vector<gpu::PassTime>& Renderer::pass_times() const { return impl_->pass_times; }
+const std::vector<PassTime>& Renderer::pass_times() const { return impl_->pass_times; }
 double Renderer::gpu_milliseconds() const {
   double sum = 0;
-  for (const gpu::PassTime& pass : impl_->pass_times) sum += pass.milliseconds;
+  for (const PassTime& pass : impl_->pass_times) sum += pass.milliseconds;
   return sum;
 }
 const SceneStatistics& Renderer::scene_statistics() const { return impl_->scene.statistics(); }

@@ -1,5 +1,5 @@
-// Renderer: a snapshot and a draw list in, a picture out. Owns the frame's buffers and passes; the list of passes in
-// record_passes() is the way of a frame.
+// Renderer: a snapshot and a draw list in, a picture out. Owns the frame's buffers; Impl::list_passes() is the way of a
+// frame. What an estimator does of its own is a Technique.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +13,14 @@
 #include "gpu/device.h"
 #include "render/denoiser.h"
 #include "render/gpu_scene.h"
+#include "render/pass.h"
+#include "render/readback.h"
 #include "render/settings.h"
+#include "render/technique.h"
 #include "scene/draw_list.h"
 #include "scene/snapshot.h"
-#include "shared/frame.h"
 
 namespace fb::render {
-
-struct EstimatorInfo {
-  std::string name, description;
-  bool unbiased;
-  bool learns;                  // keeps what it learnt from frame to frame
-  bool tail = false;            // its paths end in the irradiance cache
-  bool samples_lights = false;  // wants the list of lights
-};
-const std::vector<EstimatorInfo>& estimators();
 
 class Renderer {
  public:
@@ -63,24 +56,13 @@ class Renderer {
   std::uint32_t accumulated_frames() const;
   const std::string& intersector_name() const;  // "query" or "bvh"
 
-  const gpu::Buffer& output_pixels() const;         // packed 8-bit pixels, output size
-  std::vector<std::uint32_t> read_output() const;   // r lowest (unless swapped)
-  std::vector<vec4> read_linear() const;            // mean radiance, linear Rec.709; w: frames averaged
-  std::vector<vec4> read_denoised() const;          // denoised radiance; the raw mean where the denoiser is off
-  std::vector<vec4> read_variance_of_mean() const;  // per channel, from the accumulated frames (zero for one)
-  std::vector<shared::GBufferTexel> read_gbuffer() const;
-  // Samples that were not finite, since the renderer was made; they counted as zero.
-  std::uint32_t nan_count() const;
-  // Irradiances that were not finite and were kept out of the denoiser's history.
-  std::uint32_t history_nan_count() const;
+  const gpu::Buffer& output_pixels() const;  // packed 8-bit pixels, output size
+  Readback read() const;                     // of the last frame
   const Denoiser& denoiser() const;
+  std::uint64_t learnt_bytes() const;  // device memory of what the technique learns
 
-  // States of the guide that were not finite and were not stored.
-  std::uint32_t guide_nan_count() const;
-  std::uint64_t guide_bytes() const;  // device memory of what the estimator learns
-
-  const std::vector<gpu::PassTime>& pass_times() const;  // of the last frame
-  double gpu_milliseconds() const;                       // their sum
+  const std::vector<PassTime>& pass_times() const;  // of the last frame
+  double gpu_milliseconds() const;                  // their sum
   const SceneStatistics& scene_statistics() const;
   std::uint64_t device_bytes() const;
 

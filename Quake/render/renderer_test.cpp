@@ -50,13 +50,13 @@ TEST_F(RendererTest, FurnaceGivesItsClosedForm) {
         const float emission = 0.7f;
         auto renderer = make_renderer(settings_for(intersector, 4, 2), 96, 64);
         renderer->render(scene::furnace(albedo, emission, objects), nullptr, settings_for(intersector, 4, 2));
-        const Estimate e = image_estimate(renderer->read_linear());
+        const Estimate e = image_estimate(renderer->read().linear());
         const double expected = emission * (1.0 + albedo + albedo * albedo);
         // Every path has the same value, so the spread comes from lost rays alone: 4.5 sigma and rounding.
         EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 4e-6 * expected)
             << renderer->intersector_name() << objects << albedo;
         EXPECT_LT(e.error, 1e-3 * expected);
-        EXPECT_EQ(renderer->nan_count(), 0u);
+        EXPECT_EQ(renderer->read().counters().not_finite, 0u);
       }
     }
   }
@@ -69,8 +69,8 @@ TEST_F(RendererTest, SamplesThatAreNotFiniteAreCountedAndShown) {
   for (const bool lost : {false, true}) {
     auto renderer = make_renderer(s, 16, 16);
     renderer->render(scene::furnace(0.5f, lost ? std::numeric_limits<float>::infinity() : 1.0f), nullptr, s);
-    EXPECT_EQ(renderer->nan_count(), lost ? 16u * 16u * 2u : 0u);
-    for (const std::uint32_t pixel : renderer->read_output()) {
+    EXPECT_EQ(renderer->read().counters().not_finite, lost ? 16u * 16u * 2u : 0u);
+    for (const std::uint32_t pixel : renderer->read().output()) {
       const std::uint32_t red = pixel & 255u, green = (pixel >> 8) & 255u;
       ASSERT_EQ(lost, red == 255u && green == 0u) << red << ' ' << green;
     }
@@ -84,7 +84,7 @@ TEST_F(RendererTest, BouncesAreCounted) {
     renderer->render(scene::furnace(albedo, 1.0f), nullptr, settings_for(Intersector::kBvh, 1, bounces));
     double expected = 0;
     for (int k = 0; k <= bounces; ++k) expected += std::pow(albedo, k);
-    EXPECT_NEAR(image_estimate(renderer->read_linear()).mean, expected, 1e-4 * expected) << bounces;
+    EXPECT_NEAR(image_estimate(renderer->read().linear()).mean, expected, 1e-4 * expected) << bounces;
   }
 }
 
@@ -101,7 +101,7 @@ TEST_F(RendererTest, OneLightLightsTheFloorAsTheFormulaSays) {
   const RenderSettings s = settings_for(Intersector::kBvh, 256, 1);
   auto renderer = make_renderer(s, 48, 48);
   renderer->render(snapshot, nullptr, s);
-  const Estimate e = image_estimate(renderer->read_linear());
+  const Estimate e = image_estimate(renderer->read().linear());
   const double distance = 128, expected = albedo * radiance * radius * radius / (distance * distance);
   // 2%: the mesh of 80 triangles stands for the sphere only on average over its orientations.
   EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 0.02 * expected);
@@ -114,7 +114,7 @@ TEST_F(RendererTest, HolesLetTheWallShine) {
     auto renderer = make_renderer(s, 128, 128);
     renderer->render(scene::alpha_panel(), nullptr, s);
     std::size_t bright = 0, dark = 0;
-    for (const vec4& p : renderer->read_linear()) (p.x > 0 ? bright : dark) += 1;
+    for (const vec4& p : renderer->read().linear()) (p.x > 0 ? bright : dark) += 1;
     EXPECT_GT(bright, 1000u) << renderer->intersector_name();
     EXPECT_GT(dark, 1000u) << renderer->intersector_name();
   }
@@ -124,8 +124,8 @@ TEST_F(RendererTest, TexelsHaveTheirPaletteColours) {
   const RenderSettings s = settings_for(Intersector::kBvh, 1, 1);
   auto renderer = make_renderer(s, 160, 160);
   renderer->render(scene::textured_quad(), nullptr, s);
-  const auto image = renderer->read_linear();
-  const auto gbuffer = renderer->read_gbuffer();
+  const auto image = renderer->read().linear();
+  const auto gbuffer = renderer->read().gbuffer();
   const auto linear = [](int c) {
     const double x = c / 255.0;
     return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
@@ -171,7 +171,7 @@ TEST_F(RendererTest, MotionCarriesPointsToWhereTheyWere) {
 // --- repetition and agreement ---
 
 std::uint64_t image_hash(const Renderer& renderer) {
-  const auto image = renderer.read_linear();
+  const auto image = renderer.read().linear();
   return hash_span(std::span<const vec4>(image));
 }
 
@@ -196,10 +196,10 @@ TEST_F(RendererTest, AccumulatingNarrowsTheMeanAndAChangeStartsAnew) {
   double early = 0;
   for (int i = 0; i < 64; ++i) {
     renderer->render(snapshot, nullptr, s);
-    if (i == 7) early = image_estimate(renderer->read_variance_of_mean()).mean;
+    if (i == 7) early = image_estimate(renderer->read().variance_of_mean()).mean;
   }
   EXPECT_EQ(renderer->accumulated_frames(), 64u);
-  const double late = image_estimate(renderer->read_variance_of_mean()).mean;
+  const double late = image_estimate(renderer->read().variance_of_mean()).mean;
   EXPECT_LT(late, early * 0.35) << "eight times the frames, an eighth of the variance, give or take";
   snapshot.camera.position.x += 1;
   renderer->render(snapshot, nullptr, s);
@@ -216,7 +216,7 @@ TEST_F(RendererTest, ArraysGiveTheSameBitsBoundAndByAddress) {
     s.arrays = arrays;
     auto renderer = make_renderer(s, 64, 64);
     for (int frame = 0; frame < 3; ++frame) renderer->render(scene::many_lights(20), nullptr, s);
-    pictures.push_back(renderer->read_linear());
+    pictures.push_back(renderer->read().linear());
   }
   EXPECT_EQ(pictures[0], pictures[1]);
 }
@@ -234,9 +234,9 @@ TEST_F(RendererTest, IntersectorsAgree) {
         s.seed = intersector == Intersector::kQuery ? 1 : 0;  // independent, as the z-test wants
         auto renderer = make_renderer(s, 128, 128);
         for (int frame = 0; frame < 32; ++frame) renderer->render(snapshot, nullptr, s);
-        hits.push_back(renderer->read_gbuffer());
-        means.push_back(renderer->read_linear());
-        variances.push_back(renderer->read_variance_of_mean());
+        hits.push_back(renderer->read().gbuffer());
+        means.push_back(renderer->read().linear());
+        variances.push_back(renderer->read().variance_of_mean());
       }
       std::size_t different = 0;
       for (std::size_t i = 0; i < hits[0].size(); ++i) {
@@ -266,7 +266,7 @@ TEST_F(RendererTest, EmptySnapshotsAreBlackAndEveryDebugViewDraws) {
   RenderSettings s;
   auto renderer = make_renderer(s, 65, 37);
   renderer->render(scene::FrameSnapshot{}, nullptr, s);
-  for (const vec4& p : renderer->read_linear()) EXPECT_EQ(p.x, 0);
+  for (const vec4& p : renderer->read().linear()) EXPECT_EQ(p.x, 0);
   // Smooth and flat surfaces, several materials, motion: all that views show.
   const scene::FrameSnapshot snapshot = scene::moving(scene::moving_assets(), 0.1, 0.0);
   std::vector<std::uint64_t> pictures;
@@ -274,7 +274,7 @@ TEST_F(RendererTest, EmptySnapshotsAreBlackAndEveryDebugViewDraws) {
     s.debug_view = view;
     renderer->render(snapshot, nullptr, s);
     renderer->render(snapshot, nullptr, s);
-    const auto pixels = renderer->read_output();
+    const auto pixels = renderer->read().output();
     pictures.push_back(hash_span(std::span<const std::uint32_t>(pixels)));
   }
   std::sort(pictures.begin(), pictures.end());
@@ -293,7 +293,7 @@ TEST_F(RendererTest, DrawsQuadsInOrderOverThePicture) {
   list.quads.push_back({{10, 10}, {90, 40}, {0, 0}, {0, 0}, {0, 1, 0, 1}});  // green
   list.quads.push_back({{20, 20}, {40, 30}, {0, 0}, {2, 1}, {1, 1, 1, 1}});  // left half red, right half clear
   renderer->render(scene::FrameSnapshot{}, &list, s);
-  const auto pixels = renderer->read_output();
+  const auto pixels = renderer->read().output();
   const auto at = [&](std::size_t x, std::size_t y) { return pixels[y * 100 + x] & 0xffffffu; };
   EXPECT_EQ(at(5, 5), 0u);
   EXPECT_EQ(at(15, 15), 0x00ff00u);

@@ -1,9 +1,9 @@
 // Pipelines, made when first asked for and kept: few variants, since each costs start-up time.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -18,10 +18,8 @@ struct Variant {
   bool ray_query = false;
   bool candidates = false;  // alpha tests or translucency
   bool specular = false;
-  // Of techniques that learn.
-  bool resolve = false;
-  std::uint32_t accesses = 1, bucket = 1;
-  bool show_view = false;  // a debug view of the technique's own: r_debug 20 to 29
+  bool show_view = false;                                          // the technique draws its debug view
+  std::array<std::uint32_t, shared::kTechniqueSpecs> technique{};  // the technique's own
   auto operator<=>(const Variant&) const = default;
 };
 
@@ -29,14 +27,10 @@ class ShaderSet {
  public:
   ShaderSet(gpu::Device& device, const gpu::BindingTable& table, const MemoryAccess& access)
       : device_(device), table_(table), access_(access) {}
-  const gpu::ComputePipeline& gbuffer(const Variant& variant);
-  // `estimator` is a name of estimators().
-  const gpu::ComputePipeline& paths(std::string_view estimator, const Variant& variant);
-  // Passes that trace nothing, by their shader's name ("accumulate", "tonemap").
-  const gpu::ComputePipeline& pass(std::string_view name);
+  // `name`: of a shader in Shaders/CMakeLists.txt. Passes that trace nothing have one variant. It stays where it is.
+  const gpu::ComputePipeline& get(std::string_view name, const Variant& variant = {});
 
  private:
-  const gpu::ComputePipeline& get(std::string_view name, const Variant& variant);
   gpu::Device& device_;
   const gpu::BindingTable& table_;
   MemoryAccess access_;

@@ -56,7 +56,7 @@ template <typename Wanted>
 std::map<std::uint32_t, int> check_motion(const scene::FrameSnapshot& snapshot, const Renderer& renderer,
                                           Wanted wanted) {
   const auto width = renderer.render_size().x, height = renderer.render_size().y;
-  const auto gbuffer = renderer.read_gbuffer();
+  const auto gbuffer = renderer.read().gbuffer();
   const CameraFrame camera = camera_frame(snapshot.prev_camera, width, height);
   std::map<std::uint32_t, int> checked;
   for (std::size_t i = 0; i < gbuffer.size(); ++i) {

@@ -22,10 +22,10 @@ vec3 denoiser_color(uint at, GBufferTexel g) {
   Reflector r = reflector(gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), g.material_metalness,
                           cosine_to(camera_direction(vec2(invocation_pixel()) + 0.5), unpack_direction(g.shading_normal)));
   switch (frame.debug_view) {
-    case 12u: return vec3(sqrt(max(moments.y * moments.y - moments.x * moments.x, 0.0)) / max(4.0 * moments.x, 1e-6));
-    case 13u: return vec3(log2(1.0 + frames) / 8.0);
-    case 14u: return frames == 1.0 ? vec3(1.0, 0.0, 0.0) : frames < 4.0 ? vec3(1.0, 0.7, 0.0) : vec3(0.2 * luminance(g.albedo_roughness.rgb) + 0.1);
-    case 15u: return srgb_from_linear(filmic(demodulate(shown_radiance(at) - r.emission, r.factor) * 0.3 * exposure_now()));
+    case kViewDeviation: return vec3(sqrt(max(moments.y * moments.y - moments.x * moments.x, 0.0)) / max(4.0 * moments.x, 1e-6));
+    case kViewHistory: return vec3(log2(1.0 + frames) / 8.0);
+    case kViewDisocclusion: return frames == 1.0 ? vec3(1.0, 0.0, 0.0) : frames < 4.0 ? vec3(1.0, 0.7, 0.0) : vec3(0.2 * luminance(g.albedo_roughness.rgb) + 0.1);
+    case kViewDenoised: return srgb_from_linear(filmic(demodulate(shown_radiance(at) - r.emission, r.factor) * 0.3 * exposure_now()));
     default: return srgb_from_linear(filmic(vec3(unpackHalf2x16(past.x), unpackHalf2x16(past.y & 0xffffu).x) * 0.3 * exposure_now()));
   }
 }
@@ -38,25 +38,26 @@ vec3 lost_color(uint at) {
 
 vec3 debug_color(uint at) {
   GBufferTexel g = gbuffer.at[at];
-  if (frame.debug_view == kNanView) return lost_color(at);
-  if (frame.debug_view >= kFirstGuideView) return vec3(0.0);  // the estimator learns nothing
   switch (frame.debug_view) {
-    case 1u: return unpack_direction(g.normal) * 0.5 + 0.5;
-    case 2u: return unpack_direction(g.shading_normal) * 0.5 + 0.5;
-    case 3u: return srgb_from_linear(g.albedo_roughness.rgb);
-    case 4u: return srgb_from_linear(filmic(g.emission_specular.rgb * exposure_now()));
-    case 5u: return vec3(exp2(-g.motion.z / 512.0));
-    case 6u: return vec3(g.motion.xy / 16.0 + 0.5, 0.5);
-    case 7u: return id_color(g.id);
-    case 8u: return id_color(g.material_metalness & 0xffffffu);
-    case 9u: return vec3(g.albedo_roughness.w, g.emission_specular.w, float(g.material_metalness >> 24u) / 255.0);
-    case 10u: return srgb_from_linear(filmic(radiance.at[at].rgb * exposure_now()));
-    case 12u: case 13u: case 14u: case 15u: case 16u: return denoiser_color(at, g);
-    default: {  // standard error of the mean, relative to the mean
+    case kViewNormal: return unpack_direction(g.normal) * 0.5 + 0.5;
+    case kViewShadingNormal: return unpack_direction(g.shading_normal) * 0.5 + 0.5;
+    case kViewAlbedo: return srgb_from_linear(g.albedo_roughness.rgb);
+    case kViewEmission: return srgb_from_linear(filmic(g.emission_specular.rgb * exposure_now()));
+    case kViewDepth: return vec3(exp2(-g.motion.z / 512.0));
+    case kViewMotion: return vec3(g.motion.xy / 16.0 + 0.5, 0.5);
+    case kViewInstance: return id_color(g.id);
+    case kViewMaterial: return id_color(g.material_metalness & 0xffffffu);
+    case kViewGloss: return vec3(g.albedo_roughness.w, g.emission_specular.w, float(g.material_metalness >> 24u) / 255.0);
+    case kViewRadiance: return srgb_from_linear(filmic(radiance.at[at].rgb * exposure_now()));
+    case kViewDeviation: case kViewHistory: case kViewDisocclusion: case kViewDenoised: case kViewNoisy:
+      return denoiser_color(at, g);
+    case kViewNotFinite: return lost_color(at);
+    case kViewError: {
       float n = mean_radiance.at[at].w;
       float variance = n > 1.0 ? luminance(m2_radiance.at[at].rgb) / ((n - 1.0) * n) : 0.0;
       return vec3(sqrt(variance) / max(luminance(mean_radiance.at[at].rgb), 1e-6));
     }
+    default: return vec3(0.0);  // a view of a technique that is not at work
   }
 }
 
@@ -64,6 +65,6 @@ void main() {
   uvec2 pixel = invocation_pixel();
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
   uint at = pixel.y * frame.width + pixel.x;
-  if (frame.debug_view >= kFirstGuideView && frame.debug_view != kNanView && frame.guide_states != 0u) return;
+  if (frame.technique_view != 0u) return;  // the technique's step `views` drew it
   ldr.at[at] = packUnorm4x8(vec4(debug_color(at), 1.0));
 }

@@ -2,6 +2,8 @@
 #ifndef FB_SHARED_FRAME_H
 #define FB_SHARED_FRAME_H
 #include "shared/common.h"
+#include "shared/debug_views.h"
+#include "shared/settings.h"
 FB_NAMESPACE_BEGIN
 
 FB_CONST uint kCounterNan = 0u;       // samples that were NaN or infinite; they count as zero
@@ -11,13 +13,9 @@ FB_CONST uint kCounterCount = 16u;
 FB_CONST uint kHistogramBins = 128u;
 FB_CONST uint kDrawTile = 32u;  // output pixels a side
 
-FB_CONST uint kFirstGuideView =
-    20u;  // frame.debug_view from here to below kNanView: estimators that learn write the picture themselves
-FB_CONST uint kNanView = 30u;
-
 FB_CONST uint kMaxSuns = 4u;
 
-// std140-compatible: vec4s, and rows of four words.
+// std140-compatible: vec4s, then scalars. Settings are as set, but for those that their reader resolves (denoise, taa).
 struct FrameConstants {
   vec4 camera_position;  // w: tan of half a pixel's angle (footprints)
   vec4 camera_forward;
@@ -34,28 +32,26 @@ struct FrameConstants {
   vec4 screen_tint;
   uint width, height;  // rendered pixels
   uint output_width, output_height;
-  uint frame, seed, spp, bounces;
+  uint frame;  // seed of this frame's random numbers; differs from frame to frame
   uint sky_mode, sky_solid, sky_alpha, sun_count;
   uint sky_box0, sky_box1, sky_box2, sky_box3;
   uint sky_box4, sky_box5, sky_beyond, accumulated_frames;
-  float time, prev_time, jitter_x, jitter_y;                   // jitter in pixels, 0: pixel centre
-  float exposure, auto_exposure, adaptation, exposure_target;  // adaptation: weight of the new value, 1 at a cut
-  uint tone_map, fxaa, debug_view, swap_red_blue;
-  uint quad_tiles_x, draw_quads, atlas_width, texture_filter;
-  vec4
-      guide_grid;  // adaptive cells: tangent of their angle; static cells: width; probability of the adaptive grid; rho
-  vec4 guide_learn;  // probability of guiding before it is learnt; smallest blend factor; largest count; radius of the
-                     // prior, squared
-  vec4 guide_pick;   // exponent of weights in the mixture; largest and least probability of guiding; cache's angle
-  uint guide_states, guide_cells, guide_flags, guide_frame;  // table sizes (powers of two); frames since the start
-  uint train_every, tail_every;  // one in so many groups of paths trains; goes on where its tail is known
-  float cache_blend;             // least weight of a new frame in a mean of the irradiance cache
-  uint guide_pad0;
-  uint light_first, light_end;  // elements of the list of lights; equal: there are none
-  uint light_candidates, light_pad0;
-  uint denoise, history_parity, history_valid, still;  // still: the same snapshot again, so nothing has moved
-  float svgf_alpha, svgf_moments_alpha, sigma_depth, sigma_normal;
-  float sigma_luminance, firefly, mean_weight, taa;  // mean_weight: of the accumulated mean in the denoised picture
+  float time, prev_time, jitter_x, jitter_y;  // jitter in pixels, 0: pixel centre
+  float adaptation;                           // of the exposure: weight of the new value, 1 at a cut
+  uint swap_red_blue, quad_tiles_x, draw_quads, atlas_width;
+  uint technique_view;                        // the technique draws the debug view
+  uint previous_gbuffer;                      // kBindPreviousGBuffer holds the former frame's
+  uint light_first, light_end;                // elements of the list of lights; equal: there are none
+  uint former_first, former_end;              // its elements that say where the former frame's instances are now
+  uint history_parity, history_valid, still;  // still: the same snapshot again, so nothing has moved
+  float mean_weight;                          // of the accumulated mean in the denoised picture
+  FB_FRAME_SETTINGS(FB_UNIFORM_FIELD)
+  FB_DENOISER_SETTINGS(FB_UNIFORM_FIELD)
+};
+
+// The uniform block of techniques that look for lights and keep nothing (estimators/nee).
+struct NeeConstants {
+  FB_LIGHT_SETTINGS(FB_UNIFORM_FIELD)
 };
 
 struct GBufferTexel {  // 80 bytes

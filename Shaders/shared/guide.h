@@ -4,6 +4,7 @@
 #define FB_SHARED_GUIDE_H
 #include "shared/bindings.h"
 #include "shared/hash_grid.h"
+#include "shared/settings.h"
 #include "shared/vmf.h"
 FB_NAMESPACE_BEGIN
 
@@ -179,15 +180,16 @@ FB_CONST float kMomentLargest = 4096.0f;
 // Probabilities of guiding whose second moments are compared (lib/steps/mcpg/propose.glsl).
 FB_FN vec4 guide_shares() { return vec4(0.0f, 0.3f, 0.6f, 0.85f); }
 
-// frame.guide_flags
-FB_CONST uint kGuideLearnShare = 1u;  // learn how often to guide
-FB_CONST uint kGuidePredict = 2u;     // move targets by their velocity
-FB_CONST uint kGuideLoss = 4u;        // discard states whose light is gone
-FB_CONST uint kGuidePrevious = 8u;    // look states up where a moving surface was
-FB_CONST uint kGuideShareScore =
-    16u;                             // a score is the lobe's share of the energy (else all of f / pdf, as in the paper)
-FB_CONST uint kGuideInWorld = 64u;   // extents and weights are the light's own, not those seen from a point
-FB_CONST uint kGuideUseCache = 32u;  // reflected light counts in scores, from the cache
+// The technique's uniform block. Settings as they hold in this frame: sizes are powers of two, probabilities of guiding
+// leave room for the BSDF, and the shares that train grow with the samples of a pixel.
+struct GuideConstants {
+  FB_GUIDE_SETTINGS(FB_UNIFORM_FIELD)
+  FB_LIGHT_SETTINGS(FB_UNIFORM_FIELD)
+  float adaptive_angle;  // tangent of the angle that an adaptive cell subtends
+  float cache_angle;     // the same of a cell of the irradiance cache
+  float prior_extent;    // radius of the prior, squared
+  uint frame_number;     // frames since the guide forgot, from 1
+};
 
 FB_NAMESPACE_END
 #endif

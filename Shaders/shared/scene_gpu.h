@@ -91,6 +91,10 @@ struct GpuMaterial {               // 80 bytes
 // The list of lights. Element i below the number of instances: x is the element of instance i's triangle 0, kNoIndex if
 // nothing of it glows; its other triangles follow. Such an element: x ends its interval of [0, kLightRange), which
 // begins where the former one's ends; y is the instance. A random integer in that range chooses the triangle.
+//
+// A light's name is its instance and triangle. Instances are numbered anew each frame: for instance i of the former
+// frame, element frame.former_first + i has in x its number now, or kNoIndex where it is gone, and in y its id, which
+// stays (lib/light_ids.glsl).
 FB_CONST uint kLightRange = 0x80000000u;
 
 struct GpuImage {  // 16 bytes

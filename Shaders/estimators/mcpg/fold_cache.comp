@@ -9,7 +9,7 @@ const float kMomentBlendLeast = 0.06;  // of a new frame in an old moment: some 
 
 void fold_samples(uint entry, uint samples) {
   uint count = min((guide_cache.at[entry + kCacheCount] & 0xffffu) + 1u, 65535u);
-  float blend = max(1.0 / float(count), frame.cache_blend);
+  float blend = max(1.0 / float(count), guide.mc_cache_alpha);
   float scale = 1.0 / (kCacheFixed * float(samples));
   for (uint i = 0u; i < 3u; ++i) {
     float mean = uintBitsToFloat(guide_cache.at[entry + kCacheMean + i]);
@@ -26,7 +26,7 @@ void fold_samples(uint entry, uint samples) {
     guide_cache.at[entry + kCacheMoment] = packHalf2x16(moments.xy);
     guide_cache.at[entry + kCacheMoment + 1u] = packHalf2x16(moments.zw);
   }
-  guide_cache.at[entry + kCacheCount] = count | (frame.guide_frame << 16u);
+  guide_cache.at[entry + kCacheCount] = count | (guide.frame_number << 16u);
 }
 
 void main() {
@@ -40,7 +40,7 @@ void main() {
       fold_samples(entry, samples);
     } else {  // claimed, and its owner did not come
       for (uint w = 0u; w < kCacheWords; ++w) guide_cache.at[entry + w] = w == kCacheCheck ? guide_cache.at[entry + kCacheClaim] : 0u;
-      guide_cache.at[entry + kCacheCount] = frame.guide_frame << 16u;
+      guide_cache.at[entry + kCacheCount] = guide.frame_number << 16u;
     }
     for (uint w = kCacheTouched; w < kCacheWords; ++w) guide_cache.at[entry + w] = 0u;
   }

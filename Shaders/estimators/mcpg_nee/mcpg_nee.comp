@@ -9,6 +9,7 @@
 const bool kEndsInField = false;
 #include "lib/steps/mcpg/all.glsl"
 #include "lib/steps/direct_list.glsl"
+uint light_candidates() { return uint(guide.nee_candidates); }
 #include "lib/steps/mcpg/views.glsl"
 
 #include "lib/paths_main.glsl"

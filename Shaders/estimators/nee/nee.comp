@@ -10,6 +10,8 @@
 #include "lib/steps/no_field.glsl"
 #include "lib/steps/propose_scatter.glsl"
 #include "lib/steps/direct_list.glsl"
+layout(set = kSetTechnique, binding = kBindTechniqueConstants, std140) uniform NeeBlock { NeeConstants nee; };
+uint light_candidates() { return uint(nee.nee_candidates); }
 #include "lib/steps/no_learning.glsl"
 #include "lib/steps/no_views.glsl"
 

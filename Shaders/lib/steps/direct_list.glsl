@@ -6,6 +6,9 @@
 
 const bool kLooksForLight = true;
 
+// Light samples that a vertex draws to choose one of (r_nee_candidates). The technique defines it, from its constants.
+uint light_candidates();
+
 bool has_lights() { return frame.light_first < frame.light_end; }
 
 // The first element whose interval ends above u.
@@ -74,10 +77,10 @@ vec3 light_emission(uint instance, uint triangle, vec2 bary, vec3 direction, out
   return shade_point(m, instance, hit_uv(instances.at[instance].first_attribute + triangle, bary), false).emission;
 }
 
-// The emission that a direction meets is shared by the balance heuristic (Veach and Guibas 1995): frame.light_candidates
+// The emission that a direction meets is shared by the balance heuristic (Veach and Guibas 1995): light_candidates()
 // samples of the list, one of the suns, one of the BSDF. It stands for whatever else samples directions, too: shares need
 // only add up to one.
-float density_of_all(float list, float sun, float bsdf) { return float(frame.light_candidates) * list + sun + bsdf; }
+float density_of_all(float list, float sun, float bsdf) { return float(light_candidates()) * list + sun + bsdf; }
 
 // The share of emission that was met by a direction of the path's own.
 float met_share(Vertex v, Hit hit, vec3 direction, vec3 emission) {
@@ -98,12 +101,12 @@ struct Aim {
 };
 const Aim kNoAim = Aim(vec3(0.0), vec3(0.0), 0.0, 0.0, kNoIndex, kNoIndex);
 
-// One of frame.light_candidates points of lights, chosen by what each would bring if nothing stood between (resampled
+// One of light_candidates() points of lights, chosen by what each would bring if nothing stood between (resampled
 // importance sampling, Talbot 2005).
 Aim aim_at_light(Vertex v, vec3 origin, inout uint rng) {
   Aim aim = kNoAim;
   float sum = 0.0, target = 0.0;
-  for (uint i = 0u; i < frame.light_candidates; ++i) {
+  for (uint i = 0u; i < light_candidates(); ++i) {
     uint element = light_at(rng_next(rng) & (kLightRange - 1u));
     float root = sqrt(rng_uniform(rng)), along = rng_uniform(rng), pick = rng_uniform(rng);
     vec2 bary = vec2(root * (1.0 - along), root * along);

@@ -2,12 +2,13 @@
 #ifndef FB_MCPG_BEGIN
 #define FB_MCPG_BEGIN
 #include "lib/path_state.glsl"
+#include "lib/steps/mcpg/cache.glsl"
 
 Path begin_path(uvec2 pixel, uint number, uint i) {
   Path path = Path(number, 0u, false, false, false, 0u);
   path.group_rng = rng_seed((pixel.y >> 1u) * frame.width + (pixel.x >> 2u), frame.frame, i, frame.seed ^ 0x5bd1e995u);
-  path.goes_on = kEndsInField && rng_next(path.group_rng) % frame.tail_every == 0u;
-  path.trains = rng_next(path.group_rng) % frame.train_every == 0u || path.goes_on;
+  path.goes_on = kEndsInField && rng_next(path.group_rng) % guide.mc_tail_train == 0u;
+  path.trains = rng_next(path.group_rng) % guide.mc_train == 0u || path.goes_on;
   return path;
 }
 #endif

@@ -11,13 +11,14 @@
 #include "shared/guide.h"
 #include "shared/scene_gpu.h"
 
+layout(set = kSetTechnique, binding = kBindTechniqueConstants, std140) uniform GuideBlock { GuideConstants guide; };
 FB_TECHNIQUE_ARRAY(kBindGuideStates, 16, , GuideStateArray, uvec4, guide_states)
 FB_TECHNIQUE_ARRAY(kBindGuideProposals, 16, , GuideProposalArray, uvec4, guide_proposals)
 FB_TECHNIQUE_ARRAY(kBindGuideCache, 4, , GuideCacheArray, uint, guide_cache)
 
 // Motions lie after the states, two in a word of four.
 void store_guide_motion(uint at, uvec2 motion) {
-  uint word = frame.guide_states + (at >> 1u);
+  uint word = guide.mc_states + (at >> 1u);
   if ((at & 1u) == 0u) guide_states.at[word].xy = motion;
   else guide_states.at[word].zw = motion;
 }
@@ -25,15 +26,15 @@ void store_guide_motion(uint at, uvec2 motion) {
 const uint kCacheTries = 4u;  // two places for a cell, then two for a coarser one
 const uint kCacheStale = 120u;  // frames after which another cell may take an entry
 
-uint guide_list_at() { return frame.guide_cells * kCacheWords; }
+uint guide_list_at() { return guide.mc_cells * kCacheWords; }
 // Two counters take turns: while one counts, the other is set to zero for the next frame.
-uint guide_list_count_at() { return frame.guide_cells * (kCacheWords + 1u) + (frame.guide_frame & 1u); }
-uint guide_next_count_at() { return frame.guide_cells * (kCacheWords + 1u) + ((frame.guide_frame + 1u) & 1u); }
-uint guide_winner_at() { return frame.guide_cells * (kCacheWords + 1u) + 4u; }
+uint guide_list_count_at() { return guide.mc_cells * (kCacheWords + 1u) + (guide.frame_number & 1u); }
+uint guide_next_count_at() { return guide.mc_cells * (kCacheWords + 1u) + ((guide.frame_number + 1u) & 1u); }
+uint guide_winner_at() { return guide.mc_cells * (kCacheWords + 1u) + 4u; }
 
 // Of the proposals for one slot, the one of highest rank is taken: as good as random, and the same in any order.
 // Multiplication by an odd number and exclusive or with a constant permute the words.
-uint proposal_rank(uint proposal) { return ((proposal + 1u) * 2654435769u) ^ hash_u32(frame.guide_frame); }
+uint proposal_rank(uint proposal) { return ((proposal + 1u) * 2654435769u) ^ hash_u32(guide.frame_number); }
 
 struct CacheCell {
   uint entry;  // first word of the entry that holds the cell, or kNoIndex
@@ -42,18 +43,18 @@ struct CacheCell {
 };
 
 uint cache_frames(uint entry) { return guide_cache.at[entry + kCacheCount] & 0xffffu; }
-uint cache_age(uint entry) { return (frame.guide_frame - (guide_cache.at[entry + kCacheCount] >> 16u)) & 0xffffu; }
+uint cache_age(uint entry) { return (guide.frame_number - (guide_cache.at[entry + kCacheCount] >> 16u)) & 0xffffu; }
 
 // The cell about a point; where its entry holds another cell, a coarser one. Lanes that run together choose alike, so that
 // they share memory.
 CacheCell find_cache_cell(vec3 p, vec3 n, inout uint group_rng) {
   CacheCell cell = CacheCell(kNoIndex, kNoIndex, 0u);
   vec3 u = vec3(rng_uniform(group_rng), rng_uniform(group_rng), rng_uniform(group_rng));
-  uint level = grid_level(distance(p, frame.camera_position.xyz), frame.guide_pick.w, rng_uniform(group_rng));
+  uint level = grid_level(distance(p, frame.camera_position.xyz), guide.cache_angle, rng_uniform(group_rng));
   for (uint i = 0u; i < kCacheTries && cell.entry == kNoIndex; ++i) {
     uint at = min(level + (i >> 1u), kGridLevels - 1u);
     GridKey key = grid_vertex(p, exp2(float(at)), kCacheTag + adaptive_tag(at, n), u);
-    uint entry = ((key.hash & (frame.guide_cells - 1u)) ^ (i & 1u)) * kCacheWords;
+    uint entry = ((key.hash & (guide.mc_cells - 1u)) ^ (i & 1u)) * kCacheWords;
     uint check = guide_cache.at[entry + kCacheCheck];
     if (check == key.check) cell.entry = entry;
     else if (cell.claim == kNoIndex && (check == 0u || cache_age(entry) > kCacheStale)) {

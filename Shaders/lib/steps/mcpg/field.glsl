@@ -20,7 +20,7 @@ Field field_at(vec3 position, vec3 normal, inout Path path) {
 vec3 field_reflection(Field there, Field here, Surface s) {
   uint entry = there.cell.entry;
   if (kEndsInField && (entry == kNoIndex || cache_frames(entry) < kTailFrames)) entry = here.cell.entry;
-  bool known = entry != kNoIndex && (frame.guide_flags & kGuideUseCache) != 0u;
+  bool known = entry != kNoIndex && guide.mc_cache != 0;
   return known ? s.bsdf.albedo * cached_reflection(entry) : vec3(0.0);
 }
 

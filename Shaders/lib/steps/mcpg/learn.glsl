@@ -48,14 +48,14 @@ void update_state(Vertex v, Transition t, vec3 hit_position, vec3 velocity, floa
   float scale = view_state(s, to_target, v.normal).scale;
   bool seen = score > 0.0 && t.value >= 0.1 * s.weight * scale;
   // The light is gone: nothing where it should be, and nobody saw it in the former frame (Alber 2025, Section 5).
-  bool lost = (frame.guide_flags & kGuideLoss) != 0u && t.matched && t.near && t.value < 0.02 * s.weight * scale &&
+  bool lost = guide.mc_loss != 0 && t.matched && t.near && t.value < 0.02 * s.weight * scale &&
               guide_age(s) > 1u;
   if (seen) s.target = expected;
   s = update_guide_state(s, v.position, hit_position, t.value / scale, score > 0.0 ? emitted / score : 0.0,
-                         frame.guide_learn.y, frame.guide_learn.z, (frame.guide_flags & kGuideInWorld) != 0u);
+                         guide.mc_alpha, float(guide.mc_count), guide.mc_in_world != 0);
   if (lost) s.weight = 0.0;
   if (seen) {
-    s.time = frame.guide_frame & 0xffffu;
+    s.time = guide.frame_number & 0xffffu;
     s.velocity = velocity;
   }
   s.check = t.check;

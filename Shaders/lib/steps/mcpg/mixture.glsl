@@ -47,7 +47,7 @@ void load_mixture(Vertex v, inout Guidance g, inout uint group_rng, inout uint r
   g.choice = GuideChoice(VmfLobe(v.normal, 0.0, 0.0), 0.0, kNoIndex);
   float stratum = rng_uniform(group_rng);
   [[unroll]] for (uint a = 0u; a < GUIDE_ACCESSES; ++a) {
-    bool adaptive = float(a) + stratum < frame.guide_grid.z * float(GUIDE_ACCESSES);
+    bool adaptive = float(a) + stratum < guide.mc_adaptive * float(GUIDE_ACCESSES);
     bool from_past = g.moved && a + 1u == GUIDE_ACCESSES;
     GuideCell cell = guide_cell(from_past ? v.previous : v.position, v.normal, adaptive, group_rng);
     g.cells[a] = cell;
@@ -62,7 +62,7 @@ void load_mixture(Vertex v, inout Guidance g, inout uint group_rng, inout uint r
       GuideView view = view_state(s, valid ? to_light : v.normal, v.normal);
       float score = valid ? s.weight * view.scale : 0.0;
       float part = dot(view.direction, v.normal) > 0.0 ? (g.last ? score * s.emissive : score) : 0.0;
-      if (frame.guide_pick.x != 1.0) part = part > 0.0 ? pow(part, frame.guide_pick.x) : 0.0;
+      if (guide.mc_power != 1.0) part = part > 0.0 ? pow(part, guide.mc_power) : 0.0;
       g.lobes[i] = vmf_lobe(view.direction, vmf_kappa(view.spread));
       g.weights[i] = vec2(part, score);
       g.total += part;

@@ -12,8 +12,8 @@ const float kLeastUseful = 0.06;
 // How often to guide at a point: of several probabilities, which were all tried on the same samples, the ones with low
 // second moments of the estimate (off-policy: f^2 / (p_k p) averages f^2 / p_k whatever p the samples are from).
 float learnt_share(CacheCell cell, uint cell_frames) {
-  float prior = frame.guide_learn.x;
-  if ((frame.guide_flags & kGuideLearnShare) == 0u || cell.entry == kNoIndex) return prior;
+  float prior = guide.mc_share;
+  if (guide.mc_learn_share == 0 || cell.entry == kNoIndex) return prior;
   vec4 m = cached_moments(cell.entry);
   if (!(min(min(m.x, m.y), min(m.z, m.w)) > 0.0)) return prior;
   // Moments are over the squared mean: less one they are variances, which the floor keeps from being trusted too far.
@@ -25,14 +25,14 @@ float learnt_share(CacheCell cell, uint cell_frames) {
   float n = float(cell_frames);
   float share = mix(prior, learnt, n / (n + 4.0));
   // A guided sample that finds nothing costs more than it brings where there is next to nothing to guide to.
-  return clamp(share < kLeastUseful ? 0.0 : share, frame.guide_pick.z, frame.guide_pick.y);
+  return clamp(share < kLeastUseful ? 0.0 : share, guide.mc_share_min, guide.mc_share_max);
 }
 
 void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g) {
   g.cache = here.cell;
   g.cache_frames = g.cache.entry != kNoIndex ? cache_frames(g.cache.entry) : 0u;
   g.last = path.last;
-  g.moved = (frame.guide_flags & kGuidePrevious) != 0u && v.previous != v.position;
+  g.moved = guide.mc_previous != 0 && v.previous != v.position;
   load_mixture(v, g, path.group_rng, rng);
   g.share = g.total > 0.0 ? learnt_share(g.cache, g.cache_frames) : 0.0;
 }

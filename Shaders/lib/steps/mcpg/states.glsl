@@ -18,21 +18,21 @@ struct GuideCell {
 // The cell that a point falls into, at random: of the adaptive grid (at a random level) or of the static one.
 GuideCell guide_cell(vec3 p, vec3 n, bool adaptive, inout uint group_rng) {
   vec3 u = vec3(rng_uniform(group_rng), rng_uniform(group_rng), rng_uniform(group_rng));
-  float width = frame.guide_grid.y;
+  float width = guide.mc_static_width;
   uint tag = kStaticTag;
   if (adaptive) {
-    uint level = grid_level(distance(p, frame.camera_position.xyz), frame.guide_grid.x, rng_uniform(group_rng));
-    level = min(level + grid_coarsening(frame.guide_grid.w, rng_uniform(group_rng)), kGridLevels - 1u);
+    uint level = grid_level(distance(p, frame.camera_position.xyz), guide.adaptive_angle, rng_uniform(group_rng));
+    level = min(level + grid_coarsening(guide.mc_coarser, rng_uniform(group_rng)), kGridLevels - 1u);
     width = exp2(float(level));
     tag = adaptive_tag(level, n);
   }
   GridKey key = grid_vertex(p, width, tag, u);
-  uint buckets = frame.guide_states / GUIDE_BUCKET;
+  uint buckets = guide.mc_states / GUIDE_BUCKET;
   return GuideCell((key.hash & (buckets - 1u)) * GUIDE_BUCKET, key.check);
 }
 
 uvec2 load_guide_motion(uint at) {
-  uint word = frame.guide_states + (at >> 1u);
+  uint word = guide.mc_states + (at >> 1u);
   return (at & 1u) == 0u ? guide_states.at[word].xy : guide_states.at[word].zw;
 }
 GuideState load_guide_state(uint at) {
@@ -56,17 +56,17 @@ void store_guide_state(GuideState s, uint at, uint proposal) {
   }
 }
 
-uint guide_age(GuideState s) { return (frame.guide_frame - s.time) & 0xffffu; }
+uint guide_age(GuideState s) { return (guide.frame_number - s.time) & 0xffffu; }
 
 // Where its light should be now (Alber 2025, eq. 10), for the few frames that this can be trusted.
 vec3 predicted_target(GuideState s) {
   uint age = guide_age(s);
-  bool moves = (frame.guide_flags & kGuidePredict) != 0u && age <= 8u;
+  bool moves = guide.mc_predict != 0 && age <= 8u;
   return moves ? s.target + s.velocity * (float(age) * max(frame.time - frame.prev_time, 0.0)) : s.target;
 }
 
 GuideView view_state(GuideState s, vec3 to_target, vec3 n) {
-  return view_guide_state(s, to_target, dot(to_target, n) * inversesqrt(dot(to_target, to_target)), frame.guide_learn.w,
-                          (frame.guide_flags & kGuideInWorld) != 0u);
+  return view_guide_state(s, to_target, dot(to_target, n) * inversesqrt(dot(to_target, to_target)), guide.prior_extent,
+                          guide.mc_in_world != 0);
 }
 #endif

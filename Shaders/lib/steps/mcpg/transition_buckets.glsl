@@ -6,7 +6,7 @@
 
 bool bucket_transition(Vertex v, Guidance g, vec3 hit_position, float score, float emitted, inout uint rng, out Transition t) {
   GuideSlot slot = g.slot;
-  bool share_score = (frame.guide_flags & kGuideShareScore) != 0u;
+  bool share_score = guide.mc_share_score != 0;
   t.slot = slot.at;
   t.check = slot.check;
   t.matched = slot.matched;

@@ -1,4 +1,4 @@
-// Step `views`: what is known at the first vertex, as colours (r_debug 20 to 29).
+// Step `views`: what is known at the first vertex, as colours (shared/debug_views.h, kViewOfGuide).
 #ifndef FB_MCPG_VIEWS
 #define FB_MCPG_VIEWS
 #include "lib/steps/mcpg/propose.glsl"
@@ -22,9 +22,9 @@ GuideState strongest_state(Vertex v, GuideCell cell, out bool collides) {
 }
 
 vec3 view_color(Vertex v, Path path, uint rng) {
-  uint level = grid_level(distance(v.position, frame.camera_position.xyz), frame.guide_grid.x, 0.0);
+  uint level = grid_level(distance(v.position, frame.camera_position.xyz), guide.adaptive_angle, 0.0);
   GridKey key = grid_vertex(v.position, exp2(float(level)), adaptive_tag(level, v.normal), vec3(0.5));
-  GuideCell cell = GuideCell((key.hash & (frame.guide_states / GUIDE_BUCKET - 1u)) * GUIDE_BUCKET, key.check);
+  GuideCell cell = GuideCell((key.hash & (guide.mc_states / GUIDE_BUCKET - 1u)) * GUIDE_BUCKET, key.check);
   bool collides;
   GuideState s = strongest_state(v, cell, collides);
   vec3 to_target = s.target - v.position;
@@ -33,18 +33,18 @@ vec3 view_color(Vertex v, Path path, uint rng) {
   CacheCell cached = find_cache_cell(v.position, v.normal, path.group_rng);
   bool has_cache = cached.entry != kNoIndex;
   switch (frame.debug_view) {
-    case 20u: return known ? view.direction * 0.5 + 0.5 : vec3(0.0);
-    case 21u: return known ? heat(clamp(-log2(max(view.spread, 1e-6)) / 16.0, 0.0, 1.0)) : vec3(0.0);
-    case 22u: return known ? heat(clamp(log2(s.weight * view.scale * exposure_now()) / 16.0 + 0.7, 0.0, 1.0)) : vec3(0.0);
-    case 23u: return known ? heat(float(s.count) / frame.guide_learn.z) : vec3(0.0);
-    case 24u: return mix(heat(float(level) / 8.0), cell_color(key.hash), 0.3);
-    case 25u: return collides ? vec3(1.0, 0.2, 0.1) : known ? vec3(0.1, 0.4, 0.1) : vec3(0.0);
-    case 26u: return known ? heat(1.0 - float(min(guide_age(s), 64u)) / 64.0) : vec3(0.0);
-    case 27u: {
+    case kViewGuideDirection: return known ? view.direction * 0.5 + 0.5 : vec3(0.0);
+    case kViewGuideCosine: return known ? heat(clamp(-log2(max(view.spread, 1e-6)) / 16.0, 0.0, 1.0)) : vec3(0.0);
+    case kViewGuideWeight: return known ? heat(clamp(log2(s.weight * view.scale * exposure_now()) / 16.0 + 0.7, 0.0, 1.0)) : vec3(0.0);
+    case kViewGuideSamples: return known ? heat(float(s.count) / float(guide.mc_count)) : vec3(0.0);
+    case kViewGuideLevel: return mix(heat(float(level) / 8.0), cell_color(key.hash), 0.3);
+    case kViewGuideCollisions: return collides ? vec3(1.0, 0.2, 0.1) : known ? vec3(0.1, 0.4, 0.1) : vec3(0.0);
+    case kViewGuideAge: return known ? heat(1.0 - float(min(guide_age(s), 64u)) / 64.0) : vec3(0.0);
+    case kViewGuideCache: {
       vec3 x = has_cache ? cached_reflection(cached.entry) * (0.5 * exposure_now()) : vec3(0.0);
       return has_cache ? sqrt(x / (1.0 + x)) : vec3(0.5, 0.0, 0.5);
     }
-    case 28u: {
+    case kViewGuideSampler: {
       path.last = frame.bounces <= 1u;
       Guidance g;
       prepare(v, field_at(v.position, v.normal, path), path, rng, g);

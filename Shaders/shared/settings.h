@@ -1,0 +1,100 @@
+// Every number that a user can set of the renderer: a row is a setting, from its cvar to the uniform field that shaders
+// read.
+//
+//   X(type, field, cvar, default, lowest, highest, help)
+//
+// The host makes fields of RenderSettings and cvars of the rows (render/settings.h), the laboratory its --set, and the
+// manual its table (Misc/docs/settings.md, `make settings-table`). Shaders make uniform fields of the same rows, with
+// the type float or int: the struct of a group names it.
+#ifndef FB_SHARED_SETTINGS_H
+#define FB_SHARED_SETTINGS_H
+
+#define FB_UNIFORM_FIELD(type, field, cvar, value, low, high, help) type field;
+
+// clang-format off
+// Rows of FrameConstants, in every pass.
+#define FB_FRAME_SETTINGS(X) \
+  X(int, spp, "r_spp", 1, 1, 4096, "samples (paths) per pixel and frame") \
+  X(int, bounces, "r_bounces", 2, 0, 64, "most reflections of a path; 0 shows emission alone") \
+  X(int, seed, "r_seed", 0, 0, 2147483647, "seed of the random numbers; the same seed gives the same picture") \
+  X(int, texture_filter, "r_texture_filter", 0, 0, 1, "filter of textures that camera rays hit: 0 nearest texel, 1 bilinear") \
+  X(int, auto_exposure, "r_autoexposure", 1, 0, 1, "automatic exposure: adapt to the picture's mean luminance") \
+  X(float, exposure, "r_exposure", 1, 0.0001f, 10000, "exposure: a factor on the automatic one; the whole exposure where r_autoexposure is 0") \
+  X(float, exposure_target, "r_exposure_target", 0.16f, 0.001f, 10, "mean luminance that automatic exposure aims at") \
+  X(float, exposure_time, "r_exposure_time", 0.7f, 0, 60, "time constant of automatic exposure, seconds") \
+  X(int, tone_map, "r_tonemap", 1, 0, 1, "tone mapping: 0 clamps at white, 1 is a filmic curve") \
+  X(int, fxaa, "r_fxaa", 1, 0, 1, "anti-alias the finished picture by FXAA (unless r_taa does)") \
+  X(int, debug_view, "r_debug", 0, 0, 30, "show a buffer in the place of the picture, by name or number; the command debugviews lists them")
+
+// Rows of FrameConstants, for the denoiser's passes.
+#define FB_DENOISER_SETTINGS(X) \
+  X(int, denoise, "r_denoise", -1, -1, 1, "denoiser: -1 on in the game and off in the laboratory, 0 off, 1 on") \
+  X(float, svgf_alpha, "r_svgf_alpha", 0.04f, 0.004f, 1, "denoiser: least weight of the new frame when it is blended into the history of irradiance") \
+  X(float, svgf_moments_alpha, "r_svgf_moments_alpha", 0.1f, 0.004f, 1, "denoiser: the same weight for the luminance's moments, of which the variance is estimated") \
+  X(int, svgf_levels, "r_svgf_levels", 0, 0, 6, "denoiser: levels of the wavelet filter, 2 to 6; n levels average up to 5^n pixels; 0 chooses n so that this is at most a sixtieth of the picture") \
+  X(float, sigma_depth, "r_svgf_sigma_depth", 0.5f, 0.01f, 100, "denoiser: edge stop by depth: distance off the pixel's plane, relative to the distance along it, at which neighbours stop mixing; larger blurs more") \
+  X(float, sigma_normal, "r_svgf_sigma_normal", 16, 0, 10000, "denoiser: edge stop by normals: exponent of the cosine between two normals; larger keeps more edges") \
+  X(float, sigma_luminance, "r_svgf_sigma_luminance", 4, 0.01f, 1000, "denoiser: edge stop by luminance: difference, in standard deviations, at which neighbours stop mixing; larger blurs more") \
+  X(float, svgf_mean_frames, "r_svgf_mean_frames", 256, 1, 1000000, "denoiser: number of accumulated frames at which the raw mean makes up half of a still view's picture") \
+  X(float, firefly, "r_firefly", 0, 0, 1000, "denoiser: clamp samples that exceed their pixel's history by this many standard deviations; 0 clamps none") \
+  X(int, taa, "r_taa", 1, 0, 1, "denoiser: temporal anti-aliasing, in the place of r_fxaa")
+
+// Factors that the host multiplies into materials.
+#define FB_EMISSION_SETTINGS(X) \
+  X(float, emit_fullbright, "r_emit_fullbright", 6, 0, 10000, "emission of fullbright texels and of glow and luma images: factor") \
+  X(float, emit_lava, "r_emit_lava", 8, 0, 10000, "emission of lava: factor") \
+  X(float, emit_slime, "r_emit_slime", 1, 0, 10000, "emission of slime: factor") \
+  X(float, emit_teleport, "r_emit_teleport", 4, 0, 10000, "emission of teleporters: factor") \
+  X(float, emit_sky, "r_emit_sky", 1, 0, 10000, "emission of the sky: factor") \
+  X(float, emit_sprite, "r_emit_sprite", 8, 0, 10000, "emission of sprites: factor") \
+  X(float, emit_particle, "r_emit_particle", 1, 0, 10000, "emission of particles: factor") \
+  X(float, emit_dlight, "r_emit_dlight", 1, 0, 10000, "emission of dynamic lights (rockets, muzzle flashes): factor") \
+  X(float, emit_entlight, "r_emit_entlight", 1, 0, 10000, "emission of the map's light entities (r_entlights): factor") \
+  X(float, emit_sun, "r_emit_sun", 1, 0, 10000, "emission of suns: factor")
+
+// What the host alone reads.
+#define FB_RENDERER_SETTINGS(X) \
+  X(int, accumulate, "r_accumulate", 1, 0, 1, "while nothing in the view changes, show the mean of its frames") \
+  X(int, jitter, "r_jitter", -1, -1, 1, "sub-pixel jitter of camera rays: -1 while accumulating and with r_taa, 0 never, 1 always") \
+  X(float, scale, "r_scale", 1, 0.1f, 1, "rendered width and height, relative to the shown picture's") \
+  X(int, deterministic, "r_deterministic", 0, 0, 1, "learning estimators do not depend on the order of threads: the same picture in every run, at some cost") \
+  X(int, fast_build, "r_as_build", 0, 0, 1, "acceleration structures of ray queries: 0 fast to trace, 1 fast to build") \
+  X(int, force_features, "r_force_features", 0, 0, 1, "compile shader features that the scene does not use, to measure what specialisation saves")
+
+// Techniques that sample the list of lights (lib/steps/direct_list.glsl).
+#define FB_LIGHT_SETTINGS(X) \
+  X(int, nee_candidates, "r_nee_candidates", 8, 1, 256, "next-event estimation: light samples a vertex draws, of which it chooses one to trace a shadow ray to")
+
+// Markov chain path guiding (shared/guide.h).
+#define FB_GUIDE_SETTINGS(X) \
+  X(int, mc_states, "r_mc_states", 1000000, 1024, 16777216, "path guiding: states in the hash table, 24 bytes each; rounded up to a power of two") \
+  X(int, mc_cells, "r_mc_cells", 131072, 1024, 4194304, "path guiding: cells of the irradiance cache, 68 bytes each; rounded up to a power of two") \
+  X(int, mc_accesses, "r_mc_accesses", 2, 1, 16, "path guiding: cells from which a vertex gathers states; times r_mc_bucket this is the paper's N_mc") \
+  X(int, mc_bucket, "r_mc_bucket", 4, 1, 16, "path guiding: states in a cell, a power of two; 1 is the paper's table") \
+  X(float, mc_adaptive, "r_mc_adaptive", 0.7f, 0, 1, "path guiding: probability of gathering from the adaptive grid; the rest is from the static grid") \
+  X(float, mc_angle, "r_mc_angle", 0.6f, 0.01f, 45, "path guiding: angle that an adaptive cell subtends at the camera, degrees") \
+  X(float, mc_pixels, "r_mc_pixels", 4, 0, 256, "path guiding: least width of an adaptive cell, pixels") \
+  X(float, mc_static_width, "r_mc_static", 64, 1, 4096, "path guiding: width of a static cell, units") \
+  X(float, mc_coarser, "r_mc_coarser", 0.3f, 0, 0.95f, "path guiding: probability of gathering one adaptive level coarser, applied again at each level") \
+  X(float, mc_share, "r_mc_share", 0.5f, 0, 1, "path guiding: probability of guiding (1 - p_bsdf), where it is not learnt") \
+  X(int, mc_learn_share, "r_mc_learn_share", 1, 0, 1, "path guiding: learn the probability of guiding, from second moments of the estimate") \
+  X(float, mc_share_min, "r_mc_share_min", 0, 0, 1, "path guiding: lower bound of the learnt probability of guiding") \
+  X(float, mc_share_max, "r_mc_share_max", 0.7f, 0, 1, "path guiding: upper bound of the learnt probability of guiding") \
+  X(float, mc_alpha, "r_mc_alpha", 0.03f, 0.0001f, 1, "path guiding: least weight of a new sample in a state's moving averages (alpha_min)") \
+  X(int, mc_count, "r_mc_count", 255, 1, 255, "path guiding: upper bound of a state's sample count (N_max)") \
+  X(float, mc_radius, "r_mc_radius", 8, 0.01f, 1024, "path guiding: radius of a light before samples show it (the prior of a lobe's width), units") \
+  X(float, mc_power, "r_mc_power", 1, 0, 4, "path guiding: exponent of states' scores in the mixture's weights") \
+  X(int, mc_share_score, "r_mc_score", 1, 0, 1, "path guiding: 1 a state's score is its lobe's share of the light; 0 the whole estimate, as in the paper") \
+  X(int, mc_in_world, "r_mc_world", 1, 0, 1, "path guiding: 1 states keep the light's own extent and strength; 0 as seen from the point that learnt them, as in the paper") \
+  X(int, mc_cache, "r_mc_cache", 1, 0, 1, "path guiding: learn from reflected light too, which the irradiance cache estimates") \
+  X(float, mc_cache_alpha, "r_mc_cache_alpha", 0.15f, 0.001f, 1, "path guiding: least weight of a new frame in the irradiance cache; larger adapts faster, smaller is smoother") \
+  X(float, mc_cache_pixels, "r_mc_cache_pixels", 8, 0, 256, "path guiding: least width of a cell of the irradiance cache, pixels") \
+  X(int, mc_train, "r_mc_train", 2, 1, 64, "path guiding: where the irradiance cache is well sampled, one in this many paths trains the states; light that no lobe explains is always learnt") \
+  X(int, mc_tail_train, "r_mc_tail_train", 8, 1, 64, "path guiding: with mcpg_tail, one in this many paths is traced one reflection further, to train the irradiance cache out of the camera's sight") \
+  X(int, mc_loss, "r_mc_loss", 1, 0, 1, "path guiding: discard states whose light is gone") \
+  X(int, mc_predict, "r_mc_predict", 1, 0, 1, "path guiding: extrapolate targets by the velocity of their light") \
+  X(int, mc_previous, "r_mc_previous", 1, 0, 1, "path guiding: on moving surfaces, gather also where the point was in the previous frame")
+
+// clang-format on
+
+#endif
