@@ -474,5 +474,30 @@ TEST(ServerLinkOverUdp, ConnectsPlaysAndTimesOut) {
   remove_log_listener(handle);
 }
 
+TEST(ServerLinkOverUdp, AMapStaysInViewWhileNobodyAnswers) {
+  net::testing::TestNetwork network(7);
+  auto files = test::game_files();
+  con::Console console;
+  scene::ModelLibrary library(files.loader());
+  Client client(console, library, files.loader());
+  client.set_clock([&] { return network.now(); });
+  client.set_network(network.host(net::ipv4(192, 0, 2, 1, 0)));
+  ASSERT_TRUE(client.map_view("test").ok());
+  for (const bool again : {false, true}) {
+    ASSERT_TRUE(client.connect("192.0.2.2").ok()) << again;
+    EXPECT_TRUE(client.connecting());
+    for (int i = 0; i < 20 * 12; ++i) {
+      EXPECT_TRUE(client.active());
+      network.advance(0.05);
+      client.advance(0.05);
+    }
+    EXPECT_FALSE(client.connecting());
+    EXPECT_TRUE(client.last_error().has_value());
+  }
+  const double time = client.time();
+  client.advance(0.5);
+  EXPECT_EQ(client.time(), time + 0.5);
+}
+
 }  // namespace
 }  // namespace fb::cl

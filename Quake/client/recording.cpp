@@ -27,10 +27,10 @@ void Client::Impl::register_recording_commands() {
 }
 
 void Client::Impl::record(const con::Args& args) {
-  if (demo) return log_info("Can't record during demo playback");
+  if (demo()) return log_info("Can't record during demo playback");
   stop_recording();
   if (args.size() < 2 || args.size() > 4) return log_info("{}", kRecordHelp);
-  if (args.size() == 2 && link && session.state.signon < 2)
+  if (args.size() == 2 && link() && session.state.signon < 2)
     return log_info("Can't record while the game is still loading; try again in a moment.");
   if (!write_path) return console.fail(fmt::format("record {}: there is nowhere to write to", args[1]));
   const auto path = write_path(demo_path(args[1]));
@@ -49,7 +49,7 @@ void Client::Impl::record(const con::Args& args) {
   const bool replaces = std::filesystem::exists(*path, ignored);
   log_info("recording to {}{}", path->string(), replaces ? ", which will be replaced when the recording ends" : "");
   recorder.emplace(std::move(*started));
-  if (args.size() == 2 && link) record_game_so_far();
+  if (args.size() == 2 && link()) record_game_so_far();
 }
 
 void Client::Impl::record_message(ByteView data) {

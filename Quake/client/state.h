@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/maths.h"
-#include "client/client.h"
+#include "client/hud.h"
 #include "net/server_messages.h"
 #include "scene/library.h"
 
