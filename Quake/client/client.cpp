@@ -163,8 +163,8 @@ void Client::Impl::show_moment(double seconds) {
   if (link()) drift_pitch(frame_seconds);
   if (!state.hud.paused || state.hud.intermission != Intermission::kNone)
     view = calculate_view(session, view_memory, library.map(), frame_seconds);
-  state.view_model.frame = state.hud.stats[kStatWeaponFrame];
-  const scene::Model* weapon = state.model(state.hud.stats[kStatWeapon]);
+  state.view_model.frame = state.hud.stats[net::kStatWeaponFrame];
+  const scene::Model* weapon = state.model(state.hud.stats[net::kStatWeapon]);
   if (weapon && weapon->kind == scene::ModelKind::kAlias)
     animate_entity(state.view_model, *weapon, state.time, animates_smoothly(session.settings, weapon->name));
   place_entities(session);

@@ -165,7 +165,7 @@ TEST_F(Playing, KeepalivesAreNoMessages) {
   join();
   console.append("record keep\n");
   frame();
-  server.say_raw({static_cast<std::uint8_t>(net::Svc::kNop)});
+  server.say_raw({net::svc::Nop::kCommand.number});
   frames(2);
   console.execute("stop");
   const Bytes demo = read_whole(folder / "keep.dem");
@@ -298,7 +298,7 @@ TEST_F(Playing, ARecordedDemoShowsTheSamePositions) {
 
   const Bytes demo = read_whole(folder / "walk.dem");
   ASSERT_EQ(std::string(demo.begin(), demo.begin() + 2), "5\n") << "the CD track";
-  EXPECT_EQ(demo.back(), static_cast<std::uint8_t>(net::Svc::kDisconnect));
+  EXPECT_EQ(demo.back(), net::svc::Disconnect::kCommand.number);
   const std::vector<float> shown = positions("walk.dem");
   ASSERT_GE(shown.size(), walked.size());
   EXPECT_EQ(std::vector<float>(shown.end() - static_cast<std::ptrdiff_t>(walked.size()), shown.end()), walked);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/maths.h"
+#include "net/protocol.h"
 
 namespace fb::cl {
 
@@ -19,24 +20,6 @@ struct MusicTracks {
   int track = 0, loop = 0;
   bool operator==(const MusicTracks&) const = default;
 };
-// What a status bar and a scoreboard show.
-enum Stat : int {
-  kStatHealth,
-  kStatFrags,
-  kStatWeapon,
-  kStatAmmo,
-  kStatArmor,
-  kStatWeaponFrame,
-  kStatShells,
-  kStatNails,
-  kStatRockets,
-  kStatCells,
-  kStatActiveWeapon,
-  kStatTotalSecrets,
-  kStatTotalMonsters,
-  kStatSecrets,
-  kStatMonsters,
-};
 struct Score {
   std::string name;
   int frags = 0;
@@ -44,7 +27,7 @@ struct Score {
 };
 enum class Intermission { kNone, kLevel, kFinale, kCutscene };
 struct Hud {
-  std::array<std::int32_t, 32> stats{};  // Stat
+  std::array<std::int32_t, net::kMaxStats> stats{};  // by net::Stat
   std::int32_t items = 0;
   std::array<double, 32> item_time{};  // when each bit of items was won
   double face_pain_until = 0.0;

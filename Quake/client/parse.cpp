@@ -179,11 +179,11 @@ struct Apply {
     return {};
   }
   std::string operator()(const net::svc::KilledMonster&) const {
-    ++state.hud.stats[kStatMonsters];
+    ++state.hud.stats[net::kStatMonsters];
     return {};
   }
   std::string operator()(const net::svc::FoundSecret&) const {
-    ++state.hud.stats[kStatSecrets];
+    ++state.hud.stats[net::kStatSecrets];
     return {};
   }
   std::string operator()(const net::svc::Intermission&) const {
@@ -269,14 +269,14 @@ std::string Apply::operator()(const net::svc::ClientData& m) const {
   state.in_water = m.in_water;
   state.on_elevator = m.on_elevator;
   auto& stats = state.hud.stats;
-  if (stats[kStatWeapon] != m.weapon) state.view_model.lerp_flags |= kLerpResetAnim;
-  stats[kStatWeaponFrame] = m.weapon_frame;
-  stats[kStatArmor] = m.armor;
-  stats[kStatWeapon] = m.weapon;
-  stats[kStatHealth] = m.health;
-  stats[kStatAmmo] = m.ammo;
-  for (std::size_t i = 0; i < 4; ++i) stats[kStatShells + i] = m.ammo_counts[i];
-  stats[kStatActiveWeapon] = m.active_weapon;
+  if (stats[net::kStatWeapon] != m.weapon) state.view_model.lerp_flags |= kLerpResetAnim;
+  stats[net::kStatWeaponFrame] = m.weapon_frame;
+  stats[net::kStatArmor] = m.armor;
+  stats[net::kStatWeapon] = m.weapon;
+  stats[net::kStatHealth] = m.health;
+  stats[net::kStatAmmo] = m.ammo;
+  for (std::size_t i = 0; i < 4; ++i) stats[net::kStatShells + i] = m.ammo_counts[i];
+  stats[net::kStatActiveWeapon] = m.active_weapon;
   state.view_model.alpha = m.weapon_alpha;
   return {};
 }

@@ -82,7 +82,7 @@ void Client::Impl::record_game_so_far() {
   }
   for (std::size_t i = 0; i < state.light_styles.size(); ++i)
     say(net::svc::LightStyle{static_cast<int>(i), state.light_styles[i]});
-  for (const int stat : {kStatTotalSecrets, kStatTotalMonsters, kStatSecrets, kStatMonsters})
+  for (const int stat : {net::kStatTotalSecrets, net::kStatTotalMonsters, net::kStatSecrets, net::kStatMonsters})
     say(net::svc::UpdateStat{stat, state.hud.stats[static_cast<std::size_t>(stat)]});
   if (state.skybox) say(net::svc::StuffText{fmt::format("sky \"{}\"\n", *state.skybox)});
   const Fog& fog = state.fog.now;

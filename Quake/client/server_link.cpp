@@ -2,10 +2,12 @@
 
 #include <utility>
 
+#include "net/server_messages.h"
+
 namespace fb::cl {
 namespace {
 
-bool is_keepalive(ByteView data) { return data.size() == 1 && data[0] == static_cast<std::uint8_t>(net::Svc::kNop); }
+bool is_keepalive(ByteView data) { return data.size() == 1 && data[0] == net::svc::Nop::kCommand.number; }
 
 Bytes encoded(const net::ClientMessage& message, const net::Protocol& protocol = {}) {
   net::MessageWriter writer(protocol);

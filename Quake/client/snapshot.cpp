@@ -255,7 +255,7 @@ void SnapshotBuilder::add_sprite(const SnapshotInput& input, scene::FrameSnapsho
 
 void SnapshotBuilder::add_weapon(const SnapshotInput& input, scene::FrameSnapshot& snapshot) {
   const ClientState& state = input.session.state;
-  const scene::Model* model = state.model(state.hud.stats[kStatWeapon]);
+  const scene::Model* model = state.model(state.hud.stats[net::kStatWeapon]);
   if (!input.view.show_weapon || !model || model->kind != scene::ModelKind::kAlias) return;
   scene::Instance instance;
   instance.id = scene::kIdViewModel;

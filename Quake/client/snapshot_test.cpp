@@ -34,7 +34,7 @@ struct Scene : ToldSession {
     state.time = time;
     relink(*this, true, false);
     view = calculate_view(*this, memory, nullptr, 0.05);
-    const scene::Model* weapon = state.model(state.hud.stats[kStatWeapon]);
+    const scene::Model* weapon = state.model(state.hud.stats[net::kStatWeapon]);
     if (weapon) animate_entity(state.view_model, *weapon, state.time, true);
     place_entities(*this);
   }

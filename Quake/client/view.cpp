@@ -28,7 +28,7 @@ void add_roll(ClientState& state, const Settings& s, const Entity& player, doubl
     angles.x += left * state.damage_pitch;
     state.damage_time -= static_cast<float>(seconds);
   }
-  if (state.hud.stats[kStatHealth] <= 0) angles.z = 80.0f;
+  if (state.hud.stats[net::kStatHealth] <= 0) angles.z = 80.0f;
 }
 
 // The kick of a weapon, as the server said it or gliding there within a tenth of a second.
@@ -222,7 +222,7 @@ View calculate_view(Session& session, ViewMemory& memory, const formats::Bsp* ma
                        vec3(0, 0, static_cast<float>(state.view_height) + bob + weapon_lift(s));
   const auto items = static_cast<std::uint32_t>(state.hud.items);
   view.show_weapon = s.r_drawviewmodel != 0.0f && s.chase_active == 0.0f && !(items & kItemInvisibility) &&
-                     state.hud.stats[kStatHealth] > 0;
+                     state.hud.stats[net::kStatHealth] > 0;
 
   view.angles += gun_kick(state, s, memory, seconds);
 

@@ -71,7 +71,7 @@ TEST(View, RollsWithSidewaysSpeed) {
 
 TEST(View, DeadPlayersLieDown) {
   Player p;
-  p.state.hud.stats[kStatHealth] = 0;
+  p.state.hud.stats[net::kStatHealth] = 0;
   const View v = p.look();
   EXPECT_EQ(v.angles.z, 80.0f);
   EXPECT_FALSE(v.show_weapon);
@@ -80,7 +80,7 @@ TEST(View, DeadPlayersLieDown) {
 TEST(View, DamageTiltsAndFades) {
   Player p;
   p.tell({svc::Damage{0, 40, {100, 0, 0}}});
-  p.state.hud.stats[kStatHealth] = 50;
+  p.state.hud.stats[net::kStatHealth] = 50;
   EXPECT_NEAR(p.look(0.25).angles.x, 12.0f, 1e-4f);
   EXPECT_NEAR(p.look(0.25).angles.x, 6.0f, 1e-4f);
   EXPECT_NEAR(p.look(0.25).angles.x, 0.0f, 1e-4f);

@@ -23,8 +23,6 @@ constexpr int kMostColor = 13;          // of the palette's rows; the last two g
 // Commands from afar: so many at once, and so many a second.
 constexpr double kBurst = 60.0, kPerSecond = 15.0, kForgiven = 30.0;
 
-constexpr int kStatTotalSecrets = 11, kStatTotalMonsters = 12, kStatSecrets = 13, kStatMonsters = 14;
-
 // Text of one line: line breaks would let players speak as others do, and 1 to 3 at the beginning colour a print and
 // make a sound.
 std::string one_line(std::string_view text, std::size_t most) {
@@ -155,10 +153,10 @@ struct ClientCommands {
     const auto say_stat = [&](int stat, progs::Global<float> value) {
       say(net::svc::UpdateStat{stat, to_int(level.vm->get(value))});
     };
-    say_stat(kStatTotalSecrets, globals::total_secrets);
-    say_stat(kStatTotalMonsters, globals::total_monsters);
-    say_stat(kStatSecrets, globals::found_secrets);
-    say_stat(kStatMonsters, globals::killed_monsters);
+    say_stat(net::kStatTotalSecrets, globals::total_secrets);
+    say_stat(net::kStatTotalMonsters, globals::total_monsters);
+    say_stat(net::kStatSecrets, globals::found_secrets);
+    say_stat(net::kStatMonsters, globals::killed_monsters);
     // Without roll: a save may have caught the view tilted, and nothing would right it.
     const vec3 angles = edict().get(fields::angles);
     say(net::svc::SetAngle{vec3(angles.x, angles.y, 0.0f)});
