@@ -143,10 +143,7 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
   snapshot.camera = camera_;
   snapshot.prev_camera = snapshot.cut ? camera_ : prev_camera_;
   snapshot.screen_tint = input.view.tint;
-  snapshot.contents_blur = input.view.in_liquid ? 1.0f : 0.0f;
   snapshot.sky = input.sky;
-  for (std::size_t i = 0; i < snapshot.lightstyles.size(); ++i)
-    snapshot.lightstyles[i] = light_style_value(state.light_styles[i], state.time);
   if (input.active) {
     const Settings& settings = input.session.settings;
     if (input.world && input.world->mesh != scene::kNone && settings.r_drawworld != 0.0f) {
@@ -312,6 +309,7 @@ void SnapshotBuilder::add_particles(const SnapshotInput& input, scene::FrameSnap
 
 void SnapshotBuilder::add_lights(const SnapshotInput& input, scene::FrameSnapshot& snapshot) {
   const Settings& settings = input.session.settings;
+  const ClientState& state = input.session.state;
   scene::Instance instance;
   instance.visibility = scene::kSeenByIndirect;
   instance.flags = scene::kInstanceColor | scene::kInstanceShareTime;
@@ -320,8 +318,8 @@ void SnapshotBuilder::add_lights(const SnapshotInput& input, scene::FrameSnapsho
     const auto& lights = input.session.lights.lights();
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const DynamicLight& light = lights[i];
-      if (!light.lit(input.session.state.time)) continue;
-      const LightSphere sphere = light_sphere(light.radius, light.key == input.session.state.view_entity);
+      if (!light.lit(state.time)) continue;
+      const LightSphere sphere = light_sphere(light.radius, light.key == state.view_entity);
       instance.id = scene::kIdDynamicLight + static_cast<std::uint32_t>(i);
       instance.mesh = input.library.sphere_mesh();
       instance.material_base = input.library.dynamic_light_material();
@@ -334,8 +332,9 @@ void SnapshotBuilder::add_lights(const SnapshotInput& input, scene::FrameSnapsho
     const auto& lights = input.library.entity_lights();
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const scene::EntityLight& light = lights[i];
-      const bool styled = light.style >= 0 && static_cast<std::size_t>(light.style) < snapshot.lightstyles.size();
-      const float brightness = styled ? snapshot.lightstyles[static_cast<std::size_t>(light.style)] : 1.0f;
+      const auto style = static_cast<std::size_t>(light.style);  // a negative one is out of range, too
+      const float brightness =
+          style < state.light_styles.size() ? light_style_value(state.light_styles[style], state.time) : 1.0f;
       if (!(brightness > 0.0f)) continue;
       instance.id = scene::kIdEntityLight + static_cast<std::uint32_t>(i);
       instance.mesh = input.library.sphere_mesh();

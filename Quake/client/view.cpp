@@ -130,8 +130,6 @@ void color_picture(Session& session, const formats::Bsp* map, double seconds, Vi
   const std::int32_t contents = map ? world::point_contents(*map, view.origin) : formats::kContentsEmpty;
   set_contents_shift(state, contents);
   set_powerup_shift(state);
-  view.in_liquid =
-      contents == formats::kContentsWater || contents == formats::kContentsSlime || contents == formats::kContentsLava;
   view.tint = blend_shifts(state, session.settings);
   const auto fade = [seconds](ColorShift& shift, float speed) {
     shift.percent = std::max(0.0f, shift.percent - static_cast<float>(seconds) * speed);

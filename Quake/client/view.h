@@ -12,7 +12,6 @@ struct View {
   bool show_weapon = false;                       // the weapon in hand is there to be drawn
   vec3 weapon_origin{0.0f}, weapon_angles{0.0f};  // angles as an entity's: pitch is negated
   vec4 tint{0.0f};                                // sRGB colour 0..1 and its weight
-  bool in_liquid = false;
 };
 
 // What view.cpp remembers from frame to frame.

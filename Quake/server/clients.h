@@ -4,7 +4,7 @@
 // What is said goes one of four ways, which are QuakeC's MSG_* too:
 // - datagram(): to everybody in this frame's unreliable message, lost where it does not fit;
 // - ServerClient::reliable: to one player, in order, some time;
-// - reliable_datagram(): the same to all;
+// - write_to_all(): the same to all;
 // - signon(): to whoever comes to this level, before it is in the game.
 // QuakeC writes bytes, not messages, so a buffer is bytes; where a message ends is found by reading it back
 // (split_messages), which is only done where something has to be cut.
@@ -152,7 +152,6 @@ class Clients final : public LevelEvents {
   void set_pause(bool paused);
 
   net::MessageWriter& datagram() { return datagram_; }
-  net::MessageWriter& reliable_datagram() { return reliable_datagram_; }
   net::MessageWriter& signon() { return signon_; }
 
   // Whether mods may be told of extensions of QuakeC (pr_checkextension).
