@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/log.h"
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
 #include "server/test_level.h"
 
 namespace fb::sv {

@@ -1,4 +1,5 @@
 // Each builtin that needs a server, called from QuakeC.
+#include "formats/test_models.h"
 #include "server/test_server.h"
 
 namespace fb::sv {

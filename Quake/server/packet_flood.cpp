@@ -13,7 +13,7 @@
 #include <memory>
 
 #include "base/log.h"
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
 #include "net/connect_attempt.h"
 #include "net/datagram_listener.h"
 #include "net/test_mutation.h"

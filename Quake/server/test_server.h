@@ -16,7 +16,7 @@
 #include <string>
 
 #include "base/log.h"
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
 #include "net/loopback.h"
 #include "progs/test_qc.h"
 #include "server/clients.h"
