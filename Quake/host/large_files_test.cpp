@@ -9,7 +9,7 @@
 #include "formats/test_bsp.h"
 #include "fs/test_large_files.h"
 #include "host/engine.h"
-#include "server/test_map.h"
+#include "server/simulation/test_map.h"
 #include "ui/atlas.h"
 
 namespace fb::host {

@@ -12,10 +12,10 @@
 #include "base/stop.h"
 #include "progs/entity_text.h"
 #include "server/mod_cvars.h"
-#include "server/physics.h"
+#include "server/simulation/physics.h"
 #include "server/server_commands.h"
-#include "server/spawn.h"
-#include "server/user.h"
+#include "server/simulation/spawn.h"
+#include "server/simulation/user.h"
 
 namespace fb::sv {
 namespace {
