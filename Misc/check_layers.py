@@ -40,6 +40,7 @@ ORDER = list(MAY_INCLUDE)
 # A module's subfolders, from the bottom up: each may include itself and those before it. "" is the module's own folder.
 # Tests may include all of them.
 SUBFOLDERS = {
+    "progs": ["", "builtins"],
     "server": ["simulation", "clients", "builtins", ""],
 }
 # Modules whose C++ code shares structs and pure functions with the shaders.

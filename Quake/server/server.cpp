@@ -10,6 +10,7 @@
 #include "base/out_of_memory.h"
 #include "base/progress.h"
 #include "base/stop.h"
+#include "progs/builtins/builtins.h"
 #include "progs/entity_text.h"
 #include "server/mod_cvars.h"
 #include "server/simulation/physics.h"

@@ -23,10 +23,10 @@
 #include <string_view>
 #include <vector>
 
+#include "base/file_data.h"
 #include "base/result.h"
 #include "base/rng.h"
 #include "console/console.h"
-#include "progs/builtins.h"
 #include "server/builtins/game_builtins.h"
 #include "server/simulation/level.h"
 #include "server/simulation/level_files.h"

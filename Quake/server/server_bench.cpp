@@ -7,7 +7,8 @@
 #include <optional>
 
 #include "fs/filesystem.h"
-#include "progs/test_builtins.h"
+#include "progs/builtins/builtins.h"
+#include "progs/builtins/test_builtins.h"
 #include "progs/test_compile.h"
 #include "server/simulation/link.h"
 #include "server/simulation/physics.h"

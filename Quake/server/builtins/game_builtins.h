@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-#include "progs/builtins.h"
+#include "progs/builtin_table.h"
 #include "server/clients/clients.h"
 #include "server/simulation/level.h"
 #include "world/pvs.h"

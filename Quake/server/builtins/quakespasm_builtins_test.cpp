@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "progs/test_builtins.h"
+#include "progs/builtins/test_builtins.h"
 #include "progs/test_qc.h"
 #include "server/test_quakespasm.h"
 

@@ -23,6 +23,7 @@
 
 #include "base/log.h"
 #include "net/loopback.h"
+#include "progs/builtins/builtins.h"
 #include "progs/test_qc.h"
 #include "server/clients/clients.h"
 #include "server/builtins/game_builtins.h"

@@ -1,4 +1,4 @@
-#include "progs/output.h"
+#include "progs/builtins/output.h"
 
 #include <memory>
 #include <string>

@@ -9,8 +9,8 @@
 
 #include "base/log.h"
 #include "console/args.h"
-#include "progs/builtins_detail.h"
-#include "progs/output.h"
+#include "progs/builtins/kinds.h"
+#include "progs/builtins/output.h"
 #include "progs/vm.h"
 
 namespace fb::progs {

@@ -1,7 +1,7 @@
 // Entities: making, removing and finding them. What needs the world (findradius, setmodel, ...) is the server's.
 #include <fmt/format.h>
 
-#include "progs/builtins_detail.h"
+#include "progs/builtins/kinds.h"
 #include "progs/entity_text.h"
 #include "progs/vm.h"
 

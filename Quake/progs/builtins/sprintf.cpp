@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "base/log.h"
-#include "progs/builtins_detail.h"
+#include "progs/builtins/kinds.h"
 #include "progs/vm.h"
 
 namespace fb::progs {

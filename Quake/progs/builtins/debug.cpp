@@ -1,9 +1,9 @@
 // What helps a mod's author: errors, prints of edicts, tracing.
 #include <fmt/format.h>
 
-#include "progs/builtins_detail.h"
+#include "progs/builtins/kinds.h"
 #include "progs/entity_text.h"
-#include "progs/output.h"
+#include "progs/builtins/output.h"
 #include "progs/vm.h"
 
 namespace fb::progs {

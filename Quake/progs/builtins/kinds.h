@@ -1,7 +1,7 @@
 // The standard builtins, a file for each kind.
 #pragma once
 
-#include "progs/builtins.h"
+#include "progs/builtins/builtins.h"
 
 namespace fb::progs {
 

@@ -5,7 +5,7 @@
 
 #include "base/maths.h"
 #include "progs/angles.h"
-#include "progs/builtins_detail.h"
+#include "progs/builtins/kinds.h"
 #include "progs/vm.h"
 
 namespace fb::progs {

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <cstdlib>
 
-#include "progs/builtins_detail.h"
+#include "progs/builtins/kinds.h"
 #include "progs/text_tokens.h"
 #include "progs/vm.h"
 

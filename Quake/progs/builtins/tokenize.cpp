@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "progs/builtins_detail.h"
+#include "progs/builtins/kinds.h"
 #include "progs/vm.h"
 
 namespace fb::progs {

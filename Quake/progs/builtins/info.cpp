@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include "progs/builtins_detail.h"
+#include "progs/builtins/kinds.h"
 #include "progs/vm.h"
 
 namespace fb::progs {

@@ -1,7 +1,6 @@
-#include "progs/builtins.h"
+#include "progs/builtin_table.h"
 
 #include "base/check.h"
-#include "progs/builtins_detail.h"
 
 namespace fb::progs {
 
@@ -24,23 +23,6 @@ std::uint32_t BuiltinTable::number_of(std::string_view name) const {
 
 std::string_view BuiltinTable::name_of(std::uint32_t number) const {
   return number < entries_.size() ? std::string_view(entries_[number].name) : std::string_view();
-}
-
-BuiltinTable standard_builtins(const Services& services) {
-  BuiltinTable table;
-  add_math_builtins(table, services);
-  add_string_builtins(table);
-  add_string_style_builtins(table);
-  add_info_builtins(table);
-  table.add_extension("FTE_STRINGS");  // the three above together
-  add_sprintf_builtin(table);
-  add_tokenize_builtins(table);
-  add_entity_builtins(table);
-  add_entity_data_builtins(table);
-  add_console_builtins(table, services);
-  add_debug_builtins(table, services);
-  add_file_builtins(table, services);
-  return table;
 }
 
 }  // namespace fb::progs

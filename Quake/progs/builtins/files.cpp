@@ -9,7 +9,7 @@
 
 #include "base/log.h"
 #include "fs/path.h"
-#include "progs/builtins_detail.h"
+#include "progs/builtins/kinds.h"
 #include "progs/vm.h"
 
 namespace fb::progs {

@@ -3,7 +3,7 @@
 #include <cctype>
 #include <cstdlib>
 
-#include "progs/builtins_detail.h"
+#include "progs/builtins/kinds.h"
 #include "progs/vm.h"
 
 namespace fb::progs {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string_view>
 
-#include "progs/builtins.h"
+#include "progs/builtins/builtins.h"
 
 namespace fb::progs {
 
