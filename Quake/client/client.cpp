@@ -86,7 +86,7 @@ Status Client::Impl::start(FileData data, std::string_view name, DemoMode mode) 
   session.clear();
   session.state.message_view_angles = {};
   session.rng = Rng(0x66756c6c62726967ull);
-  session.particles = ParticleSystem(session.particles.capacity());
+  session.effects.particles = ParticleSystem(session.effects.particles.capacity());
   view = {};
   view_memory = {};
   snapshots.forget();
@@ -116,8 +116,8 @@ void Client::Impl::end_demo(std::optional<Error> why) {
 void Client::Impl::finish_frame() {
   const ClientState& state = session.state;
   const double seconds = std::max(0.0, state.time - state.old_time);
-  session.particles.run(state.time, seconds);
-  if (state.signon == kSignons) session.lights.decay(state.time, seconds);
+  session.effects.particles.run(state.time, seconds);
+  if (state.signon == kSignons) session.effects.lights.decay(state.time, seconds);
 }
 
 void Client::Impl::read_demo() {
@@ -157,7 +157,7 @@ void Client::Impl::show_moment(double seconds) {
   ClientState& state = session.state;
   relink(session, demo() != nullptr, timing() || (link() && link()->is_local() && in_step));
   const Entity* eye = state.view_entity_state();
-  session.beams.update(state.time, state.view_entity, eye ? eye->origin : vec3(0.0f));
+  session.effects.beams.update(state.time, state.view_entity, eye ? eye->origin : vec3(0.0f));
   // A timedemo's frames are as long as the time between its messages, so that they look the same on any machine.
   frame_seconds = timing() ? std::clamp(state.time - state.old_time, 0.0, 0.1) : seconds;
   if (link()) drift_pitch(frame_seconds);
@@ -266,7 +266,7 @@ void Client::give_up(const Error& why) {
 
 void Client::advance(double seconds) { impl_->advance(seconds); }
 bool Client::active() const { return impl_->active(); }
-void Client::set_particle_limit(std::size_t limit) { impl_->session.particles.set_capacity(limit); }
+void Client::set_particle_limit(std::size_t limit) { impl_->session.effects.particles.set_capacity(limit); }
 void Client::set_view_size(int width, int height) {
   impl_->width = width;
   impl_->height = height;

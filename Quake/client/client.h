@@ -23,6 +23,7 @@
 #include "base/file_data.h"
 #include "base/maths.h"
 #include "base/result.h"
+#include "client/demo_mode.h"
 #include "client/hud.h"
 #include "scene/library.h"
 #include "scene/snapshot.h"
@@ -37,24 +38,10 @@ class Network;
 
 namespace fb::cl {
 
-enum class DemoMode {
-  kPlay,  // in its own time
-  kTime,  // one message a frame, as fast as frames come: advance() ignores its argument
-};
-
 // The server in the same program, where there is one.
 struct LocalServer {
   std::function<std::unique_ptr<net::Connection>()> connect;  // null: no game runs there
   std::function<void()> shut_down;                            // the player leaves, and the game ends with that
-};
-
-// The line that timedemo ends with.
-struct TimeDemoResult {
-  std::string demo;
-  int frames = 0;
-  double seconds = 0.0;
-  double fps() const { return frames / seconds; }
-  std::string line() const;  // "N frames T seconds F fps"
 };
 
 class Client {

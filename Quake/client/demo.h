@@ -13,7 +13,7 @@
 
 #include "base/file_data.h"
 #include "base/result.h"
-#include "client/client.h"
+#include "client/demo_mode.h"
 #include "formats/dem.h"
 
 namespace fb::cl {

@@ -200,11 +200,11 @@ TEST(TempEntities, EachDoesItsThing) {
     t.color_start = 10;
     t.color_length = 3;
     s->tell({t});
-    s->beams.update(s->state.time, 1, vec3(0.0f));
+    s->effects.beams.update(s->state.time, 1, vec3(0.0f));
     return s;
   };
-  const auto count = [&](TempEntityType type) { return after(type)->particles.particles().size(); };
-  const auto lit = [&](TempEntityType type) { return after(type)->lights.lights()[0].lit(0.0); };
+  const auto count = [&](TempEntityType type) { return after(type)->effects.particles.particles().size(); };
+  const auto lit = [&](TempEntityType type) { return after(type)->effects.lights.lights()[0].lit(0.0); };
   EXPECT_EQ(count(TempEntityType::kSpike), 10u);
   EXPECT_EQ(count(TempEntityType::kSuperSpike), 20u);
   EXPECT_EQ(count(TempEntityType::kGunshot), 20u);
@@ -221,8 +221,8 @@ TEST(TempEntities, EachDoesItsThing) {
   for (TempEntityType beam :
        {TempEntityType::kLightning1, TempEntityType::kLightning2, TempEntityType::kLightning3, TempEntityType::kBeam}) {
     const auto s = after(beam);
-    ASSERT_EQ(s->beams.segments().size(), 3u);
-    EXPECT_EQ(s->beams.segments()[0].type, beam);
+    ASSERT_EQ(s->effects.beams.segments().size(), 3u);
+    EXPECT_EQ(s->effects.beams.segments()[0].type, beam);
   }
   EXPECT_STREQ(beam_model(TempEntityType::kLightning3), "progs/bolt3.mdl");
 }

@@ -56,14 +56,14 @@ void frame(Session& session, ViewMemory& memory, SnapshotBuilder& builder, Fixtu
   state.time += 0.02;
   relink(session, true, false);
   const Entity* eye = state.view_entity_state();
-  session.beams.update(state.time, state.view_entity, eye ? eye->origin : vec3(0.0f));
+  session.effects.beams.update(state.time, state.view_entity, eye ? eye->origin : vec3(0.0f));
   const View view = calculate_view(session, memory, fixture.library.map(), 0.02);
   place_entities(session);
   static scene::FrameSnapshot snapshot;
   builder.build({session, view, fixture.library, state.model(1), std::nullopt, 64, 48, true, {}}, snapshot);
   show(snapshot);
-  session.particles.run(state.time, 0.02);
-  session.lights.decay(state.time, 0.02);
+  session.effects.particles.run(state.time, 0.02);
+  session.effects.lights.decay(state.time, 0.02);
 }
 
 void play(ByteView input, Fixture& fixture) {

@@ -61,7 +61,7 @@ void move_between_messages(Entity& e, float fraction, bool lerp_move, std::uint6
 }
 
 void light_up(Session& session, int number, const vec3& at, float radius, double die, const vec3& color = vec3(1.0f)) {
-  DynamicLight& light = session.lights.allocate(number, session.state.time);
+  DynamicLight& light = session.effects.lights.allocate(number, session.state.time);
   light.origin = at;
   light.radius = radius;
   light.die = session.state.time + die;
@@ -72,7 +72,7 @@ void light_up(Session& session, int number, const vec3& at, float radius, double
 void apply_effects(Session& session, Entity& e, int number) {
   ClientState& state = session.state;
   const auto flicker = [&session] { return static_cast<float>(session.rng.below(32)); };
-  if (e.effects & kEffectBrightField) session.particles.bright_field(e.origin, state.time);
+  if (e.effects & kEffectBrightField) session.effects.particles.bright_field(e.origin, state.time);
   if (e.effects & kEffectMuzzleFlash) {
     const vec3 muzzle = e.origin + vec3(0, 0, 16) + 18.0f * angle_vectors(e.angles).forward;
     light_up(session, number, muzzle, 200.0f + flicker(), 0.1);
@@ -91,7 +91,9 @@ void apply_effects(Session& session, Entity& e, int number) {
 }
 
 void leave_trail(Session& session, const Entity& e, int number, std::uint32_t flags, const vec3& old_origin) {
-  const auto trail = [&](Trail type) { session.particles.trail(old_origin, e.origin, type, session.state.time); };
+  const auto trail = [&](Trail type) {
+    session.effects.particles.trail(old_origin, e.origin, type, session.state.time);
+  };
   if (flags & formats::kMdlGib)
     trail(Trail::kBlood);
   else if (flags & formats::kMdlZomGib)

@@ -224,10 +224,10 @@ TEST(Interpolate, ItemsTurnAndRocketsTrail) {
   s.known[2].flags = formats::kMdlRotate | formats::kMdlRocket;
   const Entity& e = s.at(1.05);
   EXPECT_NEAR(e.drawn_angles.y, 105.0f, 1e-3f);
-  EXPECT_EQ(s.particles.particles().size(), 10u);  // every 3 of 30 units
-  EXPECT_TRUE(s.lights.lights()[0].lit(1.05));
-  EXPECT_EQ(s.lights.lights()[0].radius, 200.0f);
-  EXPECT_NEAR(s.lights.lights()[0].origin.x, 30.0f, 0.01f);
+  EXPECT_EQ(s.effects.particles.particles().size(), 10u);  // every 3 of 30 units
+  EXPECT_TRUE(s.effects.lights.lights()[0].lit(1.05));
+  EXPECT_EQ(s.effects.lights.lights()[0].radius, 200.0f);
+  EXPECT_NEAR(s.effects.lights.lights()[0].origin.x, 30.0f, 0.01f);
 }
 
 TEST(Interpolate, EffectsMakeLights) {
@@ -237,7 +237,7 @@ TEST(Interpolate, EffectsMakeLights) {
   s.tell({svc::Time{1.0f}, u});
   s.state.time = 1.0;
   relink(s, true, false);
-  const DynamicLight& flash = s.lights.lights()[0];
+  const DynamicLight& flash = s.effects.lights.lights()[0];
   EXPECT_NEAR(flash.origin.y, 18.0f, 1e-3f);
   EXPECT_EQ(flash.origin.z, 16.0f);
   EXPECT_GE(flash.radius, 200.0f);
@@ -247,7 +247,7 @@ TEST(Interpolate, EffectsMakeLights) {
   u.effects = kEffectBrightField;
   s.tell({svc::Time{1.1f}, u});
   relink(s, true, false);
-  EXPECT_EQ(s.particles.particles().size(), 162u);
+  EXPECT_EQ(s.effects.particles.particles().size(), 162u);
 }
 
 }  // namespace

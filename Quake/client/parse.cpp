@@ -7,6 +7,7 @@
 
 #include "base/log.h"
 #include "client/entities.h"
+#include "client/temp_entities.h"
 #include "world/entity_lump.h"
 
 namespace fb::cl {
@@ -154,7 +155,7 @@ struct Apply {
   std::string operator()(const net::svc::ClientData& m) const;
   std::string operator()(const net::svc::Particle& m) const {
     const vec3 direction = vec3(m.direction[0], m.direction[1], m.direction[2]) / 16.0f;
-    session.particles.effect(m.origin, direction, m.color, m.count == 255 ? 1024 : m.count, state.time);
+    session.effects.particles.effect(m.origin, direction, m.color, m.count == 255 ? 1024 : m.count, state.time);
     return {};
   }
   std::string operator()(const net::svc::Damage& m) const;
@@ -162,7 +163,7 @@ struct Apply {
   std::string operator()(const net::svc::SpawnBaseline& m) const { return apply_baseline(state, m); }
   std::string operator()(const net::svc::EntityUpdate& m) const { return apply_update(session, m); }
   std::string operator()(const net::svc::TempEntity& m) const {
-    apply_temp_entity(session, m);
+    apply_temp_entity(session.effects, m, state.time);
     return {};
   }
   std::string operator()(const net::svc::SetPause& m) const {
@@ -310,9 +311,7 @@ void Session::clear() {
   const auto view_angles = state.message_view_angles;
   state = ClientState{};
   state.message_view_angles = view_angles;
-  particles.clear();
-  lights.clear();
-  beams.clear();
+  effects.clear();
   disconnected = reconnect = false;
   stuffed.clear();
 }

@@ -27,13 +27,13 @@ TEST(Parse, ServerInfoStartsAnew) {
   EXPECT_EQ(s.state.signon, 3);
   s.tell({svc::Time{1.0f}, update(7, 3, {1, 2, 3})});
   EXPECT_EQ(s.state.signon, kSignons) << "the first update is the last stage";
-  s.particles.explosion(vec3(0.0f), 0.0);
+  s.effects.particles.explosion(vec3(0.0f), 0.0);
   s.tell({svc::StuffText{"reconnect\n"}});
   s.tell({test::server_info()});
   EXPECT_EQ(s.state.signon, 0);
   EXPECT_FALSE(s.reconnect);
   EXPECT_EQ(s.state.entities.size(), 1u);
-  EXPECT_TRUE(s.particles.particles().empty());
+  EXPECT_TRUE(s.effects.particles.particles().empty());
 }
 
 TEST(Parse, UpdatesAreRelativeToTheBaseline) {

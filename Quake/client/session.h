@@ -6,19 +6,15 @@
 #include <string_view>
 
 #include "base/rng.h"
-#include "client/dlights.h"
-#include "client/particles.h"
+#include "client/effects.h"
 #include "client/settings.h"
 #include "client/state.h"
-#include "client/temp_entities.h"
 
 namespace fb::cl {
 
 struct Session {
   ClientState state;
-  ParticleSystem particles;
-  DynamicLights lights;
-  Beams beams;
+  Effects effects;
   Settings settings;
   Rng rng{0x66756c6c62726967ull};
   std::uint64_t frame = 1;    // of advance(): what Entity::cut_frame counts in

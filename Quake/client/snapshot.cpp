@@ -269,7 +269,7 @@ void SnapshotBuilder::add_weapon(const SnapshotInput& input, scene::FrameSnapsho
 }
 
 void SnapshotBuilder::add_beams(const SnapshotInput& input, scene::FrameSnapshot& snapshot) {
-  for (const BeamSegment& s : input.session.beams.segments()) {
+  for (const BeamSegment& s : input.session.effects.beams.segments()) {
     const scene::Model& model = input.library.model(beam_model(s.type));
     if (model.kind != scene::ModelKind::kAlias || model.mesh == scene::kNone) continue;
     scene::Instance instance;
@@ -285,7 +285,7 @@ void SnapshotBuilder::add_beams(const SnapshotInput& input, scene::FrameSnapshot
 }
 
 void SnapshotBuilder::add_particles(const SnapshotInput& input, scene::FrameSnapshot& snapshot) {
-  const auto& particles = input.session.particles.particles();
+  const auto& particles = input.session.effects.particles.particles();
   if (particles.empty()) return;
   const std::uint32_t mesh = input.library.tetrahedron_mesh(), material = input.library.particle_material();
   const auto colors = linear_palette(input.library.assets()->palette);
@@ -315,7 +315,7 @@ void SnapshotBuilder::add_lights(const SnapshotInput& input, scene::FrameSnapsho
   instance.flags = scene::kInstanceColor | scene::kInstanceShareTime;
   instance.color = vec3(0.0f);
   if (settings.r_dynamic != 0.0f) {
-    const auto& lights = input.session.lights.lights();
+    const auto& lights = input.session.effects.lights.lights();
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const DynamicLight& light = lights[i];
       if (!light.lit(state.time)) continue;

@@ -61,8 +61,8 @@ TEST(Snapshot, EverythingKeepsItsIdAndItsPast) {
   torch.model = 3;
   s.tell({svc::SpawnStatic{torch, true}, svc::Time{1.1f}, update(1, 3, {5, 0, 24}), update(2, 2, {0, 0, 0}),
           update(3, 3, {100, 0, 0})});
-  s.particles.trail({0, 0, 50}, {9, 0, 50}, Trail::kBlood, 1.0);
-  s.particles.run(1.05, 0.05);
+  s.effects.particles.trail({0, 0, 50}, {9, 0, 50}, Trail::kBlood, 1.0);
+  s.effects.particles.run(1.05, 0.05);
   s.pass(1.05);
   s.build();
   EXPECT_TRUE(s.snapshot.cut);
@@ -78,7 +78,7 @@ TEST(Snapshot, EverythingKeepsItsIdAndItsPast) {
 
   const scene::Camera old_camera = s.snapshot.camera;
   s.entity(3).frame = 1;
-  s.particles.run(1.05, 0.05);
+  s.effects.particles.run(1.05, 0.05);
   s.tell({svc::Time{1.2f}, update(1, 3, {10, 0, 24}), update(2, 2, {10, 0, 0}),
           update(3, 3, {110, 0, 0}, {0, 45, 0}, net::kUpdateFrame)});
   s.pass(1.15);
@@ -242,9 +242,9 @@ TEST(Snapshot, SpriteOrientations) {
 
 TEST(Snapshot, ParticlesAndLightsAreInstances) {
   Scene s;
-  s.particles.explosion({0, 0, 100}, 1.0);
-  s.particles.effect({0, 0, 100}, vec3(0.0f), 50, 1, 1.0);
-  DynamicLight& light = s.lights.allocate(0, 1.0);
+  s.effects.particles.explosion({0, 0, 100}, 1.0);
+  s.effects.particles.effect({0, 0, 100}, vec3(0.0f), 50, 1, 1.0);
+  DynamicLight& light = s.effects.lights.allocate(0, 1.0);
   light.radius = 200.0f;
   light.die = 2.0;
   light.origin = {1, 2, 3};
