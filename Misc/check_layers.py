@@ -42,6 +42,7 @@ ORDER = list(MAY_INCLUDE)
 SUBFOLDERS = {
     "progs": ["", "builtins"],
     "server": ["simulation", "clients", "builtins", ""],
+    "client": ["effects", "session", "input", "sources", ""],
 }
 # Modules whose C++ code shares structs and pure functions with the shaders.
 USES_SHARED = {"scene", "gpu", "render", "lab", "host"}

@@ -9,9 +9,9 @@
 #include "base/log.h"
 #include "base/out_of_memory.h"
 #include "client/client_impl.h"
-#include "client/interpolate.h"
-#include "client/map_view.h"
-#include "client/parse.h"
+#include "client/session/interpolate.h"
+#include "client/sources/map_view.h"
+#include "client/session/parse.h"
 
 namespace fb::cl {
 

@@ -7,11 +7,11 @@
 
 #include "client/client.h"
 #include "client/demo_recorder.h"
-#include "client/input.h"
-#include "client/message_source.h"
-#include "client/session.h"
-#include "client/snapshot.h"
-#include "client/view.h"
+#include "client/input/input.h"
+#include "client/sources/message_source.h"
+#include "client/session/session.h"
+#include "client/snapshot_builder.h"
+#include "client/session/view.h"
 
 namespace fb::con {
 class Args;

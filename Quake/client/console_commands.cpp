@@ -6,7 +6,7 @@
 
 #include "base/log.h"
 #include "client/client_impl.h"
-#include "client/parse.h"
+#include "client/session/parse.h"
 #include "console/console.h"
 
 namespace fb::cl {
