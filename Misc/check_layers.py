@@ -2,8 +2,9 @@
 """Checks the order of the modules: which may include and link which.
 
 A module may use the modules in its row of MAY_INCLUDE and, through them, those that they may use. Tests, benchmarks and
-fuzzers may also use every module that is built before theirs. Shaders have layers of their own. Only platform may use
-SDL, only gpu and the modules above it Vulkan's headers, and only benchmarks Embree.
+fuzzers may also use every module that is built before theirs. Subfolders of a module have an order of their own
+(SUBFOLDERS), and shaders have layers of their own. Only platform may use SDL, only gpu and the modules above it Vulkan's
+headers, and only benchmarks Embree.
 
     Misc/check_layers.py [--root DIR]    prints each violation as file:line: sentence; exit status 1 if there is one
     Misc/check_layers.py --self-test     tests the checks themselves on a small tree that breaks every rule
@@ -36,6 +37,13 @@ MAY_INCLUDE = {
     "host": ["server", "ui", "audio", "platform", "lab"],
 }
 ORDER = list(MAY_INCLUDE)
+# A module's subfolders, from the bottom up: each may include itself and those before it. "" is the module's own folder.
+# Tests may include all of them.
+SUBFOLDERS = {
+    "progs": ["", "builtins"],
+    "server": ["simulation", "clients", "builtins", ""],
+    "client": ["effects", "session", "input", "sources", ""],
+}
 # Modules whose C++ code shares structs and pure functions with the shaders.
 USES_SHARED = {"scene", "gpu", "render", "lab", "host"}
 SHADER_LAYERS = {
@@ -75,6 +83,25 @@ def allowed_modules(module, is_test):
     return allowed
 
 
+def subfolder_of(parts):
+    """The subfolder of a file whose path, from its module on, has these parts."""
+    return "/".join(parts[1:-1])
+
+
+def check_subfolders(name, module, is_test, targets):
+    order = SUBFOLDERS.get(module, [""])
+    own = subfolder_of(name.parts[1:])
+    if own not in order:
+        yield f"{name}:1: '{own}' is not a subfolder of {module}"
+        return
+    for number, target in targets:
+        other = subfolder_of(target.split("/"))
+        if other not in order:
+            yield f"{name}:{number}: '{other}' is not a subfolder of {module}"
+        elif not is_test and order.index(other) > order.index(own):
+            yield f"{name}:{number}: {name.parent} must not include {target}, which is above it"
+
+
 def includes(path):
     for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), 1):
         match = INCLUDE.match(line)
@@ -93,6 +120,8 @@ def check_cpp(root):
             continue
         is_test = bool(TEST_FILE.search(str(name)))
         allowed = allowed_modules(module, is_test)
+        own = [(n, target) for n, quote, target in includes(path) if quote == '"' and target.startswith(module + "/")]
+        yield from check_subfolders(name, module, is_test, own)
         for number, quote, target in includes(path):
             if quote == '"':
                 first = target.split("/")[0]
@@ -176,6 +205,11 @@ SELF_TEST = {  # file: (text, lines that break a rule)
     "Quake/scene/a.h": ("#include <SDL.h>\n  #  include <vulkan/vulkan.h>\n", [1, 2]),
     "Quake/platform/a.cpp": ("#include <SDL2/SDL.h>\n", []),
     "Quake/extra/a.cpp": ("", [1]),
+    "Quake/server/server.cpp": ('#include "server/clients/c.h"\n#include "server/attic/a.h"\n', [2]),
+    "Quake/server/clients/c.h": ('#include "server/simulation/s.h"\n#include "server/clients/d.h"\n', []),
+    "Quake/server/simulation/s.cpp": ('#include "server/clients/c.h"\n#include "server/server.h"\n', [1, 2]),
+    "Quake/server/simulation/s_test.cpp": ('#include "server/clients/c.h"\n', []),
+    "Quake/server/attic/a.h": ("", [1]),
     "Quake/render/CMakeLists.txt": (
         "fb_module(render\n  LINKS fb_gpu fb_net fb_scene\n  PRIVATE_LINKS fb_client\n  TEST_LINKS fb_world fb_host)\n",
         [2, 3, 4],

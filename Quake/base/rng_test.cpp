@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "base/test_chi_squared.h"
+
 namespace fb {
 namespace {
 
@@ -30,9 +32,9 @@ TEST(Rng, UniformFillsItsRangeEvenly) {
     ASSERT_LT(u, 1.0f);
     ++bins[static_cast<std::size_t>(u * 16)];
   }
-  double chi2 = 0;
-  for (int n : bins) chi2 += (n - kDraws / 16.0) * (n - kDraws / 16.0) / (kDraws / 16.0);
-  EXPECT_LT(chi2, 44.3) << "chi-squared, 15 degrees of freedom, false alarm 1e-4";
+  ChiSquared test;
+  for (const int n : bins) test.add(kDraws / 16.0, n);
+  EXPECT_GT(test.p(), 1e-4);
 }
 
 }  // namespace

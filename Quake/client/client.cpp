@@ -9,9 +9,9 @@
 #include "base/log.h"
 #include "base/out_of_memory.h"
 #include "client/client_impl.h"
-#include "client/interpolate.h"
-#include "client/map_view.h"
-#include "client/parse.h"
+#include "client/session/interpolate.h"
+#include "client/sources/map_view.h"
+#include "client/session/parse.h"
 
 namespace fb::cl {
 
@@ -46,7 +46,7 @@ Status Client::Impl::load_world(ClientState& state) {
   sky = {};
   drift.forget();
   mouse_move = {};
-  if (link) link->begin_level();
+  if (link()) link()->begin_level();
   if (state.model_names.size() < 2) return world_required ? Status(Error{"the server names no map"}) : ok_status();
   const std::string& path = state.model_names[1];
   const Status loaded = library.load_map(path);
@@ -56,7 +56,7 @@ Status Client::Impl::load_world(ClientState& state) {
   }
   for (std::size_t i = 1; i < state.model_names.size(); ++i) {
     if (loaded.ok() || i > 1) state.models[i] = &library.model(state.model_names[i]);
-    if (link) link->keep_alive(clock());
+    if (link()) link()->keep_alive(clock());
   }
   if (loaded.ok()) apply_worldspawn(library.map_entities(), path, state);
   log_info("{}", state.hud.level_name);
@@ -86,24 +86,23 @@ Status Client::Impl::start(FileData data, std::string_view name, DemoMode mode) 
   session.clear();
   session.state.message_view_angles = {};
   session.rng = Rng(0x66756c6c62726967ull);
-  session.particles = ParticleSystem(session.particles.capacity());
+  session.effects.particles = ParticleSystem(session.effects.particles.capacity());
   view = {};
   view_memory = {};
   snapshots.forget();
-  showing_map = false;
   error.reset();
-  demo.emplace(std::move(*opened));
+  source.emplace<DemoPlayback>(std::move(*opened));
   log_info("Playing demo from {}.", name);
   return ok_status();
 }
 
 void Client::Impl::end_demo(std::optional<Error> why) {
-  if (!demo) return;
-  if (demo->mode() == DemoMode::kTime) {
-    time_demo = demo->result(frame, clock());
+  if (!demo()) return;
+  if (timing()) {
+    time_demo = demo()->result(frame, clock());
     log_info("{}", time_demo->line());
   }
-  demo.reset();
+  source = NoSource{};
   session.state.signon = 0;
   session.state.hud.intermission = Intermission::kNone;
   snapshots.forget();
@@ -117,23 +116,24 @@ void Client::Impl::end_demo(std::optional<Error> why) {
 void Client::Impl::finish_frame() {
   const ClientState& state = session.state;
   const double seconds = std::max(0.0, state.time - state.old_time);
-  session.particles.run(state.time, seconds);
-  if (state.signon == kSignons) session.lights.decay(state.time, seconds);
+  session.effects.particles.run(state.time, seconds);
+  if (state.signon == kSignons) session.effects.lights.decay(state.time, seconds);
 }
 
 void Client::Impl::read_demo() {
   ClientState& state = session.state;
-  while (demo && demo->due(state.signon == kSignons, state.time, state.message_times[0], frame, clock())) {
-    if (demo->at_end()) {
+  while (DemoPlayback* const playback = demo()) {
+    if (!playback->due(state.signon == kSignons, state.time, state.message_times[0], frame, clock())) return;
+    if (playback->at_end()) {
       end_demo(std::nullopt);
       next_demo();
       return;
     }
-    auto message = demo->next();
+    auto message = playback->next();
     Status status = ok_status();
     if (message.ok()) {
       state.message_view_angles = {glm::clamp(message->view_angles, -1e6f, 1e6f), state.message_view_angles[0]};
-      status = parse_server_message(session, message->data, demo->message_name());
+      status = parse_server_message(session, message->data, playback->message_name());
     } else {
       status = message.error();
     }
@@ -155,17 +155,16 @@ void Client::Impl::read_demo() {
 // Everything between the two latest messages, and how the player sees it.
 void Client::Impl::show_moment(double seconds) {
   ClientState& state = session.state;
-  const bool timing = demo && demo->mode() == DemoMode::kTime;
-  relink(session, demo.has_value(), timing || (link && link->is_local() && in_step));
+  relink(session, demo() != nullptr, timing() || (link() && link()->is_local() && in_step));
   const Entity* eye = state.view_entity_state();
-  session.beams.update(state.time, state.view_entity, eye ? eye->origin : vec3(0.0f));
+  session.effects.beams.update(state.time, state.view_entity, eye ? eye->origin : vec3(0.0f));
   // A timedemo's frames are as long as the time between its messages, so that they look the same on any machine.
-  frame_seconds = timing ? std::clamp(state.time - state.old_time, 0.0, 0.1) : seconds;
-  if (link) drift_pitch(frame_seconds);
+  frame_seconds = timing() ? std::clamp(state.time - state.old_time, 0.0, 0.1) : seconds;
+  if (link()) drift_pitch(frame_seconds);
   if (!state.hud.paused || state.hud.intermission != Intermission::kNone)
     view = calculate_view(session, view_memory, library.map(), frame_seconds);
-  state.view_model.frame = state.hud.stats[kStatWeaponFrame];
-  const scene::Model* weapon = state.model(state.hud.stats[kStatWeapon]);
+  state.view_model.frame = state.hud.stats[net::kStatWeaponFrame];
+  const scene::Model* weapon = state.model(state.hud.stats[net::kStatWeapon]);
   if (weapon && weapon->kind == scene::ModelKind::kAlias)
     animate_entity(state.view_model, *weapon, state.time, animates_smoothly(session.settings, weapon->name));
   place_entities(session);
@@ -173,23 +172,23 @@ void Client::Impl::show_moment(double seconds) {
 
 void Client::Impl::advance(double seconds) {
   read_settings();
-  if (attempt) poll_attempt();
+  if (asked()) poll_attempt();
   ClientState& state = session.state;
   ++session.frame;
-  if (showing_map) {
+  if (shows_map()) {
     state.old_time = state.time;
     state.time += seconds;
     finish_frame();
     place_entities(session);
-  } else if (demo || link) {
+  } else if (source_has_messages()) {
     finish_frame();
     state.old_time = state.time;
-    if (link || demo->mode() == DemoMode::kPlay) state.time += seconds;
-    if (demo)
+    if (!timing()) state.time += seconds;
+    if (demo())
       read_demo();
     else
       read_server();
-    if (demo || link) show_moment(seconds);
+    if (source_has_messages()) show_moment(seconds);
   }
   if (active()) refresh_sky();
   state.hud.time = state.time;
@@ -224,14 +223,14 @@ void Client::connect(std::unique_ptr<net::Connection> connection, std::string se
 }
 Status Client::connect(std::string_view server) { return impl_->connect_to(server); }
 void Client::disconnect() { impl_->disconnect(); }
-bool Client::connected() const { return impl_->link.has_value(); }
-bool Client::connecting() const { return impl_->attempt != nullptr; }
+bool Client::connected() const { return impl_->link() != nullptr; }
+bool Client::connecting() const { return impl_->asked() != nullptr; }
 bool Client::recording() const { return impl_->recorder.has_value(); }
 void Client::set_in_step(bool in_step) { impl_->in_step = in_step; }
 void Client::look(double seconds, const vec2& mouse) { impl_->look(seconds, mouse); }
 void Client::send() { impl_->send(); }
-bool Client::playing() const { return impl_->demo.has_value(); }
-bool Client::timing() const { return playing() && impl_->demo->mode() == DemoMode::kTime; }
+bool Client::playing() const { return impl_->demo() != nullptr; }
+bool Client::timing() const { return impl_->timing(); }
 const std::optional<Error>& Client::last_error() const { return impl_->error; }
 const std::optional<TimeDemoResult>& Client::last_time_demo() const { return impl_->time_demo; }
 
@@ -241,7 +240,7 @@ Status Client::map_view(std::string_view name) {
   try {
     const Status status = load_map_view(name, impl_->library, impl_->session, impl_->view);
     if (!status.ok()) return status;
-    impl_->showing_map = true;
+    impl_->source = StillMap{};
     impl_->snapshots.forget();
     impl_->read_settings();  // it can be seen at once, before any advance
     impl_->tell_of_even_light(map_path(name));
@@ -249,7 +248,7 @@ Status Client::map_view(std::string_view name) {
     place_entities(impl_->session);
     return status;
   } catch (const std::bad_alloc& failure) {
-    impl_->showing_map = false;  // the former view is gone, too
+    impl_->source = NoSource{};  // the former view is gone, too
     return Error{sentence_of(failure)};
   }
 }
@@ -258,7 +257,7 @@ void Client::give_up(const Error& why) {
   impl_->demo_loop_next = -1;
   stop();
   disconnect();
-  impl_->showing_map = false;
+  impl_->source = NoSource{};
   impl_->session.state.signon = 0;
   impl_->snapshots.forget();
   log_error("{}", why.message);
@@ -267,7 +266,7 @@ void Client::give_up(const Error& why) {
 
 void Client::advance(double seconds) { impl_->advance(seconds); }
 bool Client::active() const { return impl_->active(); }
-void Client::set_particle_limit(std::size_t limit) { impl_->session.particles.set_capacity(limit); }
+void Client::set_particle_limit(std::size_t limit) { impl_->session.effects.particles.set_capacity(limit); }
 void Client::set_view_size(int width, int height) {
   impl_->width = width;
   impl_->height = height;
@@ -295,9 +294,9 @@ int Client::protocol() const {
 }
 const std::string& Client::demo_name() const {
   static const std::string kNone;
-  return impl_->demo ? impl_->demo->name() : kNone;
+  return impl_->demo() ? impl_->demo()->name() : kNone;
 }
-std::size_t Client::messages_read() const { return impl_->demo ? impl_->demo->messages_read() : 0; }
+std::size_t Client::messages_read() const { return impl_->demo() ? impl_->demo()->messages_read() : 0; }
 void Client::set_clock(std::function<double()> clock) { impl_->clock = std::move(clock); }
 void Client::set_world_required(bool required) { impl_->world_required = required; }
 

@@ -12,7 +12,6 @@
 // Everything random comes from one seed: the same demo with the same time steps gives the same snapshots.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -20,11 +19,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "base/file_data.h"
 #include "base/maths.h"
 #include "base/result.h"
+#include "client/sources/demo_mode.h"
+#include "client/session/hud.h"
 #include "scene/library.h"
 #include "scene/snapshot.h"
 
@@ -38,73 +38,10 @@ class Network;
 
 namespace fb::cl {
 
-enum class DemoMode {
-  kPlay,  // in its own time
-  kTime,  // one message a frame, as fast as frames come: advance() ignores its argument
-};
-
-// What a status bar and a scoreboard show.
-enum Stat : int {
-  kStatHealth,
-  kStatFrags,
-  kStatWeapon,
-  kStatAmmo,
-  kStatArmor,
-  kStatWeaponFrame,
-  kStatShells,
-  kStatNails,
-  kStatRockets,
-  kStatCells,
-  kStatActiveWeapon,
-  kStatTotalSecrets,
-  kStatTotalMonsters,
-  kStatSecrets,
-  kStatMonsters,
-};
-struct Score {
-  std::string name;
-  int frags = 0;
-  int colors = 0;  // 16 * shirt + trousers
-};
-struct Fog {
-  float density = 0.0f;  // QuakeSpasm's unit: fog 1 hides what is 64 units away, about
-  vec3 color{0.3f};
-};
-// svc_cdtrack: what plays, and what goes on when that is over. 0: silence.
-struct MusicTracks {
-  int track = 0, loop = 0;
-  bool operator==(const MusicTracks&) const = default;
-};
-enum class Intermission { kNone, kLevel, kFinale, kCutscene };
-struct Hud {
-  std::array<std::int32_t, 32> stats{};  // Stat
-  std::int32_t items = 0;
-  std::array<double, 32> item_time{};  // when each bit of items was won
-  double face_pain_until = 0.0;
-  std::string level_name, map_name;
-  int max_clients = 1, game_type = 0;
-  std::vector<Score> scores;
-  std::string center_print;
-  double center_print_time = -1000.0;  // when it came
-  Intermission intermission = Intermission::kNone;
-  double completed_time = 0.0;  // when intermission began
-  bool paused = false;
-  double time = 0.0;
-};
-
 // The server in the same program, where there is one.
 struct LocalServer {
   std::function<std::unique_ptr<net::Connection>()> connect;  // null: no game runs there
   std::function<void()> shut_down;                            // the player leaves, and the game ends with that
-};
-
-// The line that timedemo ends with.
-struct TimeDemoResult {
-  std::string demo;
-  int frames = 0;
-  double seconds = 0.0;
-  double fps() const { return frames / seconds; }
-  std::string line() const;  // "N frames T seconds F fps"
 };
 
 class Client {

@@ -1,4 +1,4 @@
-// The inside of Client: the session, the demo or the server that feeds it, and what is shown of it.
+// The inside of Client: the session, the source of its messages, and what is shown of it.
 #pragma once
 
 #include <optional>
@@ -6,14 +6,12 @@
 #include <vector>
 
 #include "client/client.h"
-#include "client/demo.h"
 #include "client/demo_recorder.h"
-#include "client/input.h"
-#include "client/server_link.h"
-#include "client/session.h"
-#include "client/snapshot.h"
-#include "client/view.h"
-#include "net/connect_attempt.h"
+#include "client/input/input.h"
+#include "client/sources/message_source.h"
+#include "client/session/session.h"
+#include "client/snapshot_builder.h"
+#include "client/session/view.h"
 
 namespace fb::con {
 class Args;
@@ -35,6 +33,7 @@ struct Client::Impl {
   void connect(std::unique_ptr<net::Connection> connection, std::string server);
   Status connect_to(std::string_view server);
   void poll_attempt();
+  void stop_asking();
   void read_server();
   bool take_server_message(ByteView data);
   void reply_to_signon(int signon);
@@ -68,7 +67,20 @@ struct Client::Impl {
   void refresh_sky();
   void print(const std::string& text);
   const scene::Model* world() const { return session.state.model(1); }
-  bool active() const { return (demo || link || showing_map) && session.state.signon == kSignons; }
+  bool active() const { return (source_has_messages() || shows_map()) && session.state.signon == kSignons; }
+
+  // The source, where it is of that kind; else null.
+  DemoPlayback* demo() { return std::get_if<DemoPlayback>(&source); }
+  ServerLink* link() { return std::get_if<ServerLink>(&source); }
+  AskedServer* asked() { return std::get_if<AskedServer>(&source); }
+  bool source_has_messages() const {
+    return std::holds_alternative<DemoPlayback>(source) || std::holds_alternative<ServerLink>(source);
+  }
+  bool shows_map() const {
+    const auto* server = std::get_if<AskedServer>(&source);
+    return std::holds_alternative<StillMap>(source) || (server && server->over_map);
+  }
+  bool timing() { return demo() && demo()->mode() == DemoMode::kTime; }
 
   con::Console& console;
   scene::ModelLibrary& library;
@@ -77,15 +89,12 @@ struct Client::Impl {
   bool world_required = true;
 
   Session session;
-  std::optional<DemoPlayback> demo;
-  bool showing_map = false;
+  MessageSource source;
 
   LocalServer local;
   net::Network* network = nullptr;
-  std::unique_ptr<net::ConnectAttempt> attempt;
-  std::string asked_server, last_server;  // of the attempt; of the last game
-  std::optional<ServerLink> link;
-  int games = 0;  // joined so far
+  std::string last_server;  // of the last game
+  int games = 0;            // joined so far
   bool in_step = false;
   std::vector<Bytes> head;  // messages of this level's signon, for a recording that begins later
 

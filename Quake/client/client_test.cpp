@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/log.h"
-#include "client/demo.h"
+#include "client/sources/demo.h"
 #include "client/test_demo.h"
 #include "console/console.h"
 

@@ -6,7 +6,7 @@
 
 #include "base/log.h"
 #include "client/client_impl.h"
-#include "client/parse.h"
+#include "client/session/parse.h"
 #include "console/console.h"
 
 namespace fb::cl {
@@ -109,7 +109,7 @@ void Client::Impl::register_console() {
                       });
   console.add_command("timedemo_wait", "timedemo_wait: delay the commands that follow until the timedemo has ended",
                       [this](const con::Args&) {
-                        if (demo && demo->mode() == DemoMode::kTime) console.insert("wait\ntimedemo_wait\n");
+                        if (timing()) console.insert("wait\ntimedemo_wait\n");
                       });
   console.add_command("stopdemo", "stopdemo: stop the playing demo", [this](const con::Args&) {
     demo_loop_next = -1;
@@ -118,7 +118,7 @@ void Client::Impl::register_console() {
   console.add_command("startdemos", "startdemos <demo> ...: play demos in a loop", [this](const con::Args& args) {
     demo_loop.clear();
     for (std::size_t i = 1; i < args.size() && i <= kMaxDemoLoop; ++i) demo_loop.push_back(args[i]);
-    const bool busy = demo || link || attempt || showing_map || held;
+    const bool busy = held || !std::holds_alternative<NoSource>(source);
     held = false;
     demo_loop_next = busy || !console.cvar("cl_startdemos").on() ? -1 : 0;
     next_demo();

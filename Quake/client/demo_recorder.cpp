@@ -8,7 +8,7 @@
 
 #include "base/log.h"
 #include "formats/dem.h"
-#include "net/protocol.h"
+#include "net/server_messages.h"
 
 namespace fb::cl {
 namespace {
@@ -85,7 +85,7 @@ Status DemoRecorder::add(const vec3& view_angles, ByteView message) {
 }
 
 Status DemoRecorder::finish(const vec3& view_angles) {
-  const Bytes goodbye = {static_cast<std::uint8_t>(net::Svc::kDisconnect)};
+  const Bytes goodbye = {net::svc::Disconnect::kCommand.number};
   if (auto status = add(view_angles, goodbye); !status.ok()) return status;
   file_->stream.close();
   std::error_code failed;

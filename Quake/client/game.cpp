@@ -6,7 +6,7 @@
 
 #include "base/log.h"
 #include "client/client_impl.h"
-#include "client/parse.h"
+#include "client/session/parse.h"
 #include "console/console.h"
 
 namespace fb::cl {
@@ -45,16 +45,15 @@ void Client::Impl::connect(std::unique_ptr<net::Connection> connection, std::str
   demo_loop_next = -1;
   end_demo(std::nullopt);
   leave_game(std::nullopt);
-  showing_map = false;
   error.reset();
   session.clear();
   session.signon_heard = 0;
   view = {};
   ++games;
   last_server = server;
-  link.emplace(std::move(connection), std::move(server), clock());
+  const ServerLink& joined = source.emplace<ServerLink>(std::move(connection), std::move(server), clock());
   session.command = nullptr;
-  if (link->is_local()) session.command = [this](std::string_view line) { console.append(std::string(line) + "\n"); };
+  if (joined.is_local()) session.command = [this](std::string_view line) { console.append(std::string(line) + "\n"); };
 }
 
 Status Client::Impl::connect_to(std::string_view server) {
@@ -71,41 +70,45 @@ Status Client::Impl::connect_to(std::string_view server) {
   end_demo(std::nullopt);
   disconnect();
   error.reset();
-  asked_server = server;
-  attempt = std::make_unique<net::ConnectAttempt>(*network, *address);
+  AskedServer asking{std::make_unique<net::ConnectAttempt>(*network, *address), std::string(server), shows_map()};
   if (const con::Cvar* timeout = console.find_cvar("net_messagetimeout"))
-    attempt->set_timeout(static_cast<double>(timeout->value()));
+    asking.attempt->set_timeout(static_cast<double>(timeout->value()));
+  source = std::move(asking);
   log_info("Connecting to {} ...", address->to_string());
   return ok_status();
 }
 
 void Client::Impl::poll_attempt() {
-  switch (attempt->poll(clock())) {
+  AskedServer& server = *asked();
+  switch (server.attempt->poll(clock())) {
     case net::ConnectAttempt::State::kTrying:
       break;
-    case net::ConnectAttempt::State::kConnected: {
-      auto connection = attempt->take();
-      attempt.reset();
-      connect(std::move(connection), asked_server);
+    case net::ConnectAttempt::State::kConnected:
+      connect(server.attempt->take(), std::move(server.name));
       log_info("Connection accepted");
       break;
-    }
     case net::ConnectAttempt::State::kFailed:
-      error = Error{fmt::format("Cannot connect to {}: {}", asked_server, attempt->failure())};
+      error = Error{fmt::format("Cannot connect to {}: {}", server.name, server.attempt->failure())};
       log_error("{}", error->message);
-      attempt.reset();
+      stop_asking();
       break;
   }
 }
 
+void Client::Impl::stop_asking() {
+  if (!asked()) return;
+  if (shows_map())
+    source = StillMap{};
+  else
+    source = NoSource{};
+}
+
 void Client::Impl::read_server() {
-  while (link) {
-    const auto message = link->receive(clock());
-    if (!message) break;
+  ServerLink& server = *link();
+  while (const auto message = server.receive(clock()))
     if (!take_server_message(message->data)) return;
-  }
-  if (link && !link->is_open())
-    leave_game(Error{fmt::format("Lost the connection to {}: {}", link->name(), link->close_reason())});
+  if (!server.is_open())
+    leave_game(Error{fmt::format("Lost the connection to {}: {}", server.name(), server.close_reason())});
 }
 
 // False: the game is over.
@@ -114,9 +117,9 @@ bool Client::Impl::take_server_message(ByteView data) {
   if (std::exchange(session.reconnect, false)) state.signon = 0;
   const int level = session.levels, signon = state.signon;
   record_message(data);
-  const Status status = parse_server_message(session, data, link->name());
+  const Status status = parse_server_message(session, data, link()->name());
   if (!status.ok()) {
-    const bool was_local = link->is_local();
+    const bool was_local = link()->is_local();
     leave_game(status.error());
     if (was_local && local.shut_down) local.shut_down();
     return false;
@@ -136,24 +139,25 @@ bool Client::Impl::take_server_message(ByteView data) {
 
 // Each stage of the signon asks for the next (CL_SignonReply).
 void Client::Impl::reply_to_signon(int signon) {
+  ServerLink& server = *link();
   if (signon == 1) {
-    link->command("prespawn");
+    server.command("prespawn");
   } else if (signon == 2) {
     const int colors = console.cvar("_cl_color").integer();
-    link->command(fmt::format("name {}", con::in_quotes(console.cvar("_cl_name").string())));
-    link->command(fmt::format("color {} {}", shirt(colors), trousers(colors)));
-    link->command("spawn");
+    server.command(fmt::format("name {}", con::in_quotes(console.cvar("_cl_name").string())));
+    server.command(fmt::format("color {} {}", shirt(colors), trousers(colors)));
+    server.command("spawn");
   } else if (signon == 3) {
-    link->command("begin");
+    server.command("begin");
   }
-  link->flush(clock());
+  server.flush(clock());
 }
 
 void Client::Impl::leave_game(std::optional<Error> why) {
-  attempt.reset();
+  stop_asking();
   stop_recording();
-  if (!link) return;
-  link.reset();
+  if (!link()) return;
+  source = NoSource{};
   head.clear();
   session.command = nullptr;
   session.state.signon = 0;
@@ -166,31 +170,32 @@ void Client::Impl::leave_game(std::optional<Error> why) {
 }
 
 void Client::Impl::disconnect() {
-  const bool was_local = link && link->is_local();
-  if (link) link->disconnect(clock());
+  const bool was_local = link() && link()->is_local();
+  if (link()) link()->disconnect(clock());
   leave_game(std::nullopt);
   if (was_local && local.shut_down) local.shut_down();
 }
 
 void Client::Impl::forward(const std::string& text) {
-  if (demo) return;  // as in Quake: a demo is no server
-  if (!link) {
+  if (demo()) return;  // as in Quake: a demo is no server
+  if (!link()) {
     log_info("Can't \"{}\", not connected", text.substr(0, text.find(' ')));
-  } else if (!link->command(text)) {
+  } else if (!link()->command(text)) {
     log_info("The server does not take commands any more: \"{}\" is dropped.", text);
   }
 }
 
 void Client::Impl::send() {
-  if (!link) return;
+  ServerLink* const server = link();
+  if (!server) return;
   const ClientState& state = session.state;
   if (state.signon == kSignons && !session.reconnect) {
     const net::clc::Move move = make_move(buttons, input, mouse_move, state.view_angles, state.message_times[0]);
     last_forward = static_cast<float>(move.forward);
-    link->send_move(move, state.protocol, clock());
+    server->send_move(move, state.protocol, clock());
   }
   mouse_move = {};
-  link->flush(clock());
+  server->flush(clock());
 }
 
 void Client::Impl::register_game_commands() {
@@ -219,8 +224,8 @@ void Client::Impl::register_game_commands() {
   console.add_command("reconnect",
                       "reconnect: sign on again for the next level; when not in a game, join the last server again",
                       [this](const con::Args&) {
-                        if (demo) return;  // as in Quake: it says itself where a level begins
-                        if (link) {
+                        if (demo()) return;  // as in Quake: it says itself where a level begins
+                        if (link()) {
                           session.reconnect = true;
                         } else if (last_server.empty()) {
                           log_info("reconnect: there is no server to return to");
@@ -246,7 +251,7 @@ void Client::Impl::register_game_commands() {
     const std::string wanted = args.joined(1).substr(0, kMostNameBytes);
     if (wanted == name.string()) return;
     name.set(wanted);
-    if (link) forward("name " + con::in_quotes(wanted));
+    if (link()) forward("name " + con::in_quotes(wanted));
   });
   console.add_command("color", "color <shirt> [trousers]: set your colours, 0 to 13 each",
                       [this](const con::Args& args) {
@@ -259,7 +264,7 @@ void Client::Impl::register_game_commands() {
                         const auto color = [&](std::size_t i) { return std::min(args.integer(i) & 15, kMostColor); };
                         const int top = color(1), bottom = args.size() > 2 ? color(2) : top;
                         colors.set(static_cast<float>(top * 16 + bottom));
-                        if (link) forward(fmt::format("color {} {}", top, bottom));
+                        if (link()) forward(fmt::format("color {} {}", top, bottom));
                       });
 }
 

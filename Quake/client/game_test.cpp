@@ -15,8 +15,6 @@
 #include "client/test_server.h"
 #include "console/console.h"
 #include "formats/dem.h"
-#include "net/datagram_listener.h"
-#include "net/test_network.h"
 
 namespace fb::cl {
 namespace {
@@ -165,7 +163,7 @@ TEST_F(Playing, KeepalivesAreNoMessages) {
   join();
   console.append("record keep\n");
   frame();
-  server.say_raw({static_cast<std::uint8_t>(net::Svc::kNop)});
+  server.say_raw({net::svc::Nop::kCommand.number});
   frames(2);
   console.execute("stop");
   const Bytes demo = read_whole(folder / "keep.dem");
@@ -298,7 +296,7 @@ TEST_F(Playing, ARecordedDemoShowsTheSamePositions) {
 
   const Bytes demo = read_whole(folder / "walk.dem");
   ASSERT_EQ(std::string(demo.begin(), demo.begin() + 2), "5\n") << "the CD track";
-  EXPECT_EQ(demo.back(), static_cast<std::uint8_t>(net::Svc::kDisconnect));
+  EXPECT_EQ(demo.back(), net::svc::Disconnect::kCommand.number);
   const std::vector<float> shown = positions("walk.dem");
   ASSERT_GE(shown.size(), walked.size());
   EXPECT_EQ(std::vector<float>(shown.end() - static_cast<std::ptrdiff_t>(walked.size()), shown.end()), walked);
@@ -414,64 +412,6 @@ TEST_F(Playing, AFullDiskEndsTheRecordingAloneAndSpoilsNothing) {
   EXPECT_TRUE(client.connected());
   EXPECT_EQ(read_whole(folder / "x.dem").size(), 11u) << "the old one";
   EXPECT_EQ(stdfs::file_size(folder / "x.dem.part"), recorded) << "and what was recorded";
-}
-
-TEST(ServerLinkOverUdp, ConnectsPlaysAndTimesOut) {
-  net::testing::TestNetwork network(7);
-  net::Network& here = network.host(net::ipv4(192, 0, 2, 1, 0));
-  net::Network& there = network.host(net::ipv4(192, 0, 2, 2, 0));
-  auto listener = net::DatagramListener::open(
-      there, 26000, [] { return net::ServerStatus{}; }, 5);
-  ASSERT_TRUE(listener.ok()) << listener.error().message;
-  (*listener)->set_timeout(3.0);
-
-  auto files = test::game_files();
-  con::Console console;
-  scene::ModelLibrary library(files.loader());
-  Client client(console, library, files.loader());
-  client.set_clock([&] { return network.now(); });
-  std::string log;
-  const int handle = add_log_listener([&](LogLevel, std::string_view line) { log += std::string(line) + "\n"; });
-  console.execute("connect 192.0.2.2");
-  EXPECT_THAT(log, HasSubstr("there is no network"));
-  client.set_network(here);
-  console.execute("connect nowhere.invalid");
-  EXPECT_THAT(log, HasSubstr("no such host"));
-
-  test::FakeServer server;
-  bool served = true;
-  const auto frame = [&] {
-    network.advance(0.05);
-    console.execute();
-    client.look(0.05);
-    client.send();
-    if (served) {
-      if (auto connection = (*listener)->accept(network.now())) server.take(std::move(connection));
-      server.frame(0.05, network.now());
-    }
-    client.advance(0.05);
-  };
-  console.append("connect 192.0.2.2\n");
-  frame();
-  EXPECT_TRUE(client.connecting());
-  for (int i = 0; i < 200 && !client.active(); ++i) frame();
-  ASSERT_TRUE(client.active()) << log;
-  console.append("+forward\n");
-  server.say({svc::StuffText{"echo obeyed a stranger\n"}});
-  for (int i = 0; i < 20; ++i) frame();
-  EXPECT_GT(client.player_origin().y, 50.0f);
-  EXPECT_THAT(log, Not(HasSubstr("obeyed a stranger")));
-
-  served = false;
-  for (int i = 0; i < 20 * 400 && client.connected(); ++i) frame();
-  EXPECT_FALSE(client.connected());
-  ASSERT_TRUE(client.last_error().has_value());
-  EXPECT_EQ(client.last_error()->message, "Lost the connection to 192.0.2.2: timed out");
-  (*listener).reset();
-  console.append("reconnect\n");
-  for (int i = 0; i < 20 * 12; ++i) frame();
-  EXPECT_THAT(log, HasSubstr("Cannot connect to 192.0.2.2: no response"));
-  remove_log_listener(handle);
 }
 
 }  // namespace

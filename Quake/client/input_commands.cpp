@@ -46,7 +46,7 @@ void Client::Impl::look(double seconds, const vec2& mouse) {
   const vec2 counts = input.mouse_filter != 0.0f ? 0.5f * (mouse + last_mouse) : mouse;
   last_mouse = mouse;
   ClientState& state = session.state;
-  if (!link || state.signon != kSignons) return;
+  if (!link() || state.signon != kSignons) return;
   if (adjust_angles(buttons, input, seconds, state.view_angles)) drift.stop(state.time);
   if (apply_mouse(buttons, input, counts, state.view_angles, mouse_move)) drift.stop(state.time);
 }

@@ -27,10 +27,10 @@ void Client::Impl::register_recording_commands() {
 }
 
 void Client::Impl::record(const con::Args& args) {
-  if (demo) return log_info("Can't record during demo playback");
+  if (demo()) return log_info("Can't record during demo playback");
   stop_recording();
   if (args.size() < 2 || args.size() > 4) return log_info("{}", kRecordHelp);
-  if (args.size() == 2 && link && session.state.signon < 2)
+  if (args.size() == 2 && link() && session.state.signon < 2)
     return log_info("Can't record while the game is still loading; try again in a moment.");
   if (!write_path) return console.fail(fmt::format("record {}: there is nowhere to write to", args[1]));
   const auto path = write_path(demo_path(args[1]));
@@ -49,7 +49,7 @@ void Client::Impl::record(const con::Args& args) {
   const bool replaces = std::filesystem::exists(*path, ignored);
   log_info("recording to {}{}", path->string(), replaces ? ", which will be replaced when the recording ends" : "");
   recorder.emplace(std::move(*started));
-  if (args.size() == 2 && link) record_game_so_far();
+  if (args.size() == 2 && link()) record_game_so_far();
 }
 
 void Client::Impl::record_message(ByteView data) {
@@ -82,7 +82,7 @@ void Client::Impl::record_game_so_far() {
   }
   for (std::size_t i = 0; i < state.light_styles.size(); ++i)
     say(net::svc::LightStyle{static_cast<int>(i), state.light_styles[i]});
-  for (const int stat : {kStatTotalSecrets, kStatTotalMonsters, kStatSecrets, kStatMonsters})
+  for (const int stat : {net::kStatTotalSecrets, net::kStatTotalMonsters, net::kStatSecrets, net::kStatMonsters})
     say(net::svc::UpdateStat{stat, state.hud.stats[static_cast<std::size_t>(stat)]});
   if (state.skybox) say(net::svc::StuffText{fmt::format("sky \"{}\"\n", *state.skybox)});
   const Fog& fog = state.fog.now;

@@ -9,7 +9,8 @@
 #include <iterator>
 
 #include "formats/dem.h"
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
+#include "formats/test_models.h"
 #include "net/server_messages.h"
 #include "scene/test_maps.h"
 

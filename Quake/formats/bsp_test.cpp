@@ -9,7 +9,8 @@
 
 #include "formats/invariants.h"
 #include "formats/test_corruption.h"
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
+#include "formats/test_bytes.h"
 
 namespace fb::formats {
 namespace {
@@ -320,75 +321,6 @@ TEST_P(EachVersion, HullThatDoesNotExist) {
   EXPECT_EQ(expect_mended("hull is taken as empty").models[0].head_nodes[2], kContentsEmpty);
 }
 
-// --- textures ---
-
-class TextureLump : public ::testing::Test {
- protected:
-  // The room with its texture lump as `edit` leaves it; offsets in the lump: 16 wall, then outside.
-  template <typename Edit>
-  Result<Bsp> parse_with(const Edit& edit) {
-    const Bytes valid = write_bsp(box_room(BspVersion::kBsp29));
-    testing::ByteWriter file{valid};
-    std::uint32_t lump = 0;
-    std::memcpy(&lump, valid.data() + 4 + 8 * 2, 4);
-    edit(file, lump);
-    return parse_bsp(file.out, "maps/x.bsp");
-  }
-};
-
-TEST_F(TextureLump, OffsetOutside) {
-  const auto bsp = parse_with([](auto& file, std::uint32_t lump) { file.patch_u32(lump + 4, 0x7fffffff); });
-  ASSERT_TRUE(bsp.ok());
-  EXPECT_TRUE(bsp->textures[0].missing());
-  EXPECT_EQ(bsp->textures[0].width, 16);
-  EXPECT_THAT(bsp->warnings, Contains(HasSubstr("texture lies outside its lump")));
-}
-TEST_F(TextureLump, TexelsOutside) {
-  const auto bsp = parse_with([](auto& file, std::uint32_t lump) { file.patch_u32(lump + 16 + 16, 4096); });
-  ASSERT_TRUE(bsp.ok());
-  EXPECT_TRUE(bsp->textures[0].missing());
-  EXPECT_EQ(bsp->textures[0].name, "wall");
-  EXPECT_THAT(bsp->warnings, Contains(HasSubstr("runs past the end of its lump")));
-}
-TEST_F(TextureLump, ImpossibleSize) {
-  for (const std::uint32_t size : {0u, 0xffffffffu, 16385u}) {
-    const auto bsp = parse_with([&](auto& file, std::uint32_t lump) { file.patch_u32(lump + 16 + 20, size); });
-    ASSERT_TRUE(bsp.ok());
-    EXPECT_TRUE(bsp->textures[0].missing());
-    EXPECT_THAT(bsp->warnings, Contains(HasSubstr("impossible size")));
-  }
-}
-TEST_F(TextureLump, WrongOffsetOfTexelsMeansBehindTheHeader) {
-  const auto bsp = parse_with([](auto& file, std::uint32_t lump) { file.patch_u32(lump + 16 + 24, 0x01010101); });
-  ASSERT_TRUE(bsp.ok());
-  EXPECT_EQ(bsp->textures[0].indices, box_room(BspVersion::kBsp29).textures[0].indices);
-}
-TEST_F(TextureLump, DirectoryTooLarge) {
-  for (const std::uint32_t count : {0xffffffffu, 0x40000000u, 100000u}) {
-    const auto bsp = parse_with([&](auto& file, std::uint32_t lump) { file.patch_u32(lump, count); });
-    ASSERT_FALSE(bsp.ok());
-    EXPECT_THAT(bsp.error().message, HasSubstr("too small for its directory"));
-  }
-}
-
-// A directory that names one texture a thousand times does not cost a thousand times its memory.
-TEST(BspMemory, TexturesCannotBeMultiplied) {
-  Bsp room = box_room(BspVersion::kBsp29);
-  room.textures.assign(1000, BspTexture{"", 16, 16, {}});
-  room.textures[0] = {"wall", 64, 64, std::vector<std::uint8_t>(4096, 5)};
-  Bytes file = write_bsp(room);
-  std::uint32_t lump = 0;
-  std::memcpy(&lump, file.data() + 4 + 8 * 2, 4);
-  testing::ByteWriter edited{file};
-  for (std::uint32_t i = 0; i < 1000; ++i) edited.patch_u32(lump + 4 + 4 * i, 4 + 4 * 1000);
-  const auto bsp = parse_bsp(edited.out, "maps/x.bsp");
-  ASSERT_TRUE(bsp.ok());
-  std::size_t texels = 0;
-  for (const BspTexture& texture : bsp->textures) texels += texture.indices.size();
-  EXPECT_LE(texels, edited.out.size());
-  EXPECT_GE(texels, 4096u);
-}
-
 TEST(BspMemory, BspxLumpsCannotBeMultiplied) {
   Bsp room = box_room(BspVersion::kBsp29);
   room.bspx.assign(100, {"AGAIN", Bytes(16)});
@@ -460,79 +392,6 @@ TEST(Bsp, EntitiesHaveALimit) {
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().message, "x: entities lump: 16777217 bytes of entities; at most 16777216 are taken");
 }
-
-// --- external visibility ---
-
-class Vis : public ::testing::Test {
- protected:
-  Vis() : map_(box_room(BspVersion::kBsp29)), changed_(map_), other_(map_) {
-    changed_.visibility = {0, 3, 1};
-    changed_.leafs[1].vis_offset = 2;
-    changed_.leafs[1].ambient = {9, 8, 7, 6};
-    other_.leafs.resize(1);
-  }
-  Bytes file() const { return testing::write_vis({{"other.bsp", other_}, {"Room.bsp", changed_}}); }
-  testing::Attempt attempt() const {
-    return testing::attempt([this](const Bytes& bytes) { return parse_vis(bytes, "x.vis", "room.bsp", map_); },
-                            [this](const std::optional<VisRecord>& record) {
-                              return record ? testing::broken_leafs(record->leafs, map_.mark_faces.size(),
-                                                                    record->visibility.size())
-                                            : std::string();
-                            });
-  }
-  Bsp map_, changed_, other_;
-};
-
-TEST_F(Vis, ReplacesLeafs) {
-  const auto record = parse_vis(file(), "x.vis", "room.bsp", map_);
-  ASSERT_TRUE(record.ok()) << record.error().message;
-  ASSERT_TRUE(record->has_value());
-  EXPECT_EQ((*record)->visibility, changed_.visibility);
-  ASSERT_EQ((*record)->leafs.size(), 2u);
-  EXPECT_EQ((*record)->leafs[1].vis_offset, 2);
-  EXPECT_EQ((*record)->leafs[1].ambient, changed_.leafs[1].ambient);
-  EXPECT_EQ((*record)->leafs[1].mins, map_.leafs[1].mins);
-}
-TEST_F(Vis, NoRecord) {
-  const auto record = parse_vis(file(), "x.vis", "start.bsp", map_);
-  ASSERT_TRUE(record.ok());
-  EXPECT_FALSE(record->has_value());
-}
-TEST_F(Vis, RecordOfNothing) {
-  const auto record = parse_vis(Bytes(36 * 1000), "x.vis", "room.bsp", map_);
-  ASSERT_FALSE(record.ok());
-  EXPECT_EQ(record.error().message, "x.vis: offset 0: record of 0 bytes has no visibility and leafs");
-}
-TEST_F(Vis, LeafsOfAnotherMap) {
-  const auto record = parse_vis(file(), "x.vis", "other.bsp", map_);
-  ASSERT_FALSE(record.ok());
-  EXPECT_THAT(record.error().message, HasSubstr("the map has 2 leafs"));
-}
-TEST_F(Vis, MapOfAnotherVersion) {
-  const auto record = parse_vis(file(), "x.vis", "room.bsp", box_room(BspVersion::kBsp2));
-  ASSERT_FALSE(record.ok());
-  EXPECT_THAT(record.error().message, HasSubstr("BSP29"));
-}
-// The sizes inside a record are held against the record, not against the file.
-TEST_F(Vis, RecordTooSmallForItsParts) {
-  const Bytes valid = file();
-  constexpr std::size_t kRecord = 36 + 8 + 1 + 28 + 32;  // offset of the second record's size
-  for (const std::uint32_t missing : {1u, 56u, 58u, 62u}) {
-    testing::ByteWriter cut{valid};
-    cut.patch_u32(kRecord, 4 + 3 + 4 + 56 - missing);
-    testing::expect_refused(attempt(), cut.out, "x.vis");
-  }
-}
-TEST_F(Vis, RefusedWhenCut) {
-  const Bytes valid = file();
-  const std::size_t second = 32 + 4 + 8 + 1 + 28;  // between two records is a good end
-  for (std::size_t length = 1; length < valid.size(); ++length) {
-    if (length == second) continue;
-    testing::expect_refused(attempt(), Bytes(valid.begin(), valid.begin() + static_cast<std::ptrdiff_t>(length)),
-                            "x.vis");
-  }
-}
-TEST_F(Vis, SoundWhenDamaged) { testing::expect_sound_when_damaged(attempt(), file(), "x.vis"); }
 
 }  // namespace
 }  // namespace fb::formats

@@ -2,7 +2,7 @@
 #include "formats/bsp.h"
 #include "formats/fuzz_check.h"
 #include "formats/invariants.h"
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fb::formats;

@@ -7,7 +7,9 @@
 #include <vector>
 #include <system_error>
 
+#include "formats/test_bsp.h"
 #include "formats/test_files.h"
+#include "formats/test_models.h"
 #include "formats/test_images.h"
 
 namespace fb::formats::testing {

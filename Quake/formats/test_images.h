@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "formats/image.h"
-#include "formats/test_files.h"
+#include "formats/test_bytes.h"
 
 namespace fb::formats::testing {
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "base/test_directory.h"
-#include "formats/test_files.h"
+#include "formats/test_models.h"
 #include "host/engine.h"
 #include "platform/program_directory.h"
 #include "scene/test_maps.h"

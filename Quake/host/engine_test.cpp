@@ -12,7 +12,7 @@
 
 #include "base/log.h"
 #include "fs/file.h"
-#include "server/test_rules.h"
+#include "server/simulation/test_rules.h"
 
 namespace fb::host {
 namespace {

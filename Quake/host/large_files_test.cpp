@@ -6,10 +6,10 @@
 #include "base/log.h"
 #include "base/test_directory.h"
 #include "base/test_memory.h"
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
 #include "fs/test_large_files.h"
 #include "host/engine.h"
-#include "server/test_map.h"
+#include "server/simulation/test_map.h"
 #include "ui/atlas.h"
 
 namespace fb::host {

@@ -15,7 +15,7 @@
 #include "base/out_of_memory.h"
 #include "client/client.h"
 #include "console/console.h"
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
 #include "gpu/device.h"
 #include "render/renderer.h"
 #include "scene/scenes_in_code.h"

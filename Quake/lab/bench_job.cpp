@@ -10,12 +10,6 @@
 namespace fb::lab {
 namespace {
 
-// A renderer whose estimator learns forgets; others have nothing to forget.
-template <typename R>
-void forget(R& renderer) {
-  if constexpr (requires { renderer.reset_learning(); }) renderer.reset_learning();
-}
-
 // A configuration at work.
 struct Lane {
   render::RenderSettings settings;
@@ -153,7 +147,7 @@ Result<BenchResult> run_bench(gpu::Device& device, const View& view, const std::
   for (std::uint32_t run = 0; run < job.runs; ++run) {
     for (std::size_t i = 0; i < lanes.size(); ++i) {
       Lane& lane = lanes[i];
-      forget(*lane.renderer);
+      lane.renderer->reset_learning();
       lane.settings.seed = job.configurations[i].settings.seed + 1 + static_cast<int>(run);
       lane.run_average = lane.warm_average = Runs();
     }

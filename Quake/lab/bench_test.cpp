@@ -164,7 +164,7 @@ TEST_F(BenchTest, TheKeyIsOfWhatIsSeen) {
   EXPECT_FALSE(changed([](FrameSnapshot& s, Assets&) { s.frame += 5; }));
   EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.instances[0].transform[3].x += 1; }));
   EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.camera.angles.y += 1; }));
-  EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.lightstyles[3] += 1; }));
+  EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.ambient.y += 1; }));
   EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.sky.color.x += 1; }));
   EXPECT_TRUE(changed([](FrameSnapshot&, Assets& a) { a.materials[0].base_color.y *= 0.5f; }));
   EXPECT_TRUE(changed([](FrameSnapshot&, Assets& a) { a.meshes[0].positions[0].z += 1; }));

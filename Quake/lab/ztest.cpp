@@ -5,27 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "base/check.h"
+#include "base/probability.h"
 
 namespace fb::lab {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kRounding = 1e-6;
-
-double normal_probability(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
-
-// The z whose P(|Z| > z) is p.
-double normal_quantile_two_sided(double p) {
-  double low = 0, high = 40;
-  for (int i = 0; i < 80; ++i) {
-    const double middle = 0.5 * (low + high);
-    (two_sided_p(middle) > p ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
 
 // A block's values, run by run.
 std::vector<double> column(const BlockRuns& runs, std::size_t block) {
@@ -158,13 +146,6 @@ Welch welch_test(const std::vector<double>& reference, const std::vector<double>
     w.z = std::copysign((8 * n + 1) / (8 * n + 3) * std::sqrt(n * std::log1p(t * t / n)), t);
   }
   return w;
-}
-
-double two_sided_p(double z) { return std::erfc(std::abs(z) / std::numbers::sqrt2); }
-
-double chi_squared_p(double chi_squared, double degrees) {
-  const double k = 2.0 / (9.0 * degrees);
-  return 1.0 - normal_probability((std::cbrt(chi_squared / degrees) - (1 - k)) / std::sqrt(k));
 }
 
 double kolmogorov_p(std::vector<double> values) {

@@ -56,8 +56,6 @@ struct Welch {
 // Of two samples, two values each at least. An error below 1e-6 of the mean (the rounding of sums) counts as that.
 Welch welch_test(const std::vector<double>& reference, const std::vector<double>& test);
 
-double two_sided_p(double z);                                     // P(|Z| > |z|), standard normal
-double chi_squared_p(double chi_squared, double degrees);         // P(X > x) (Wilson and Hilferty 1931)
 double kolmogorov_p(std::vector<double> standard_normal_values);  // of their largest distance (Stephens 1970)
 
 struct ZTestOptions {

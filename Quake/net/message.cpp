@@ -1,7 +1,6 @@
 #include "net/message.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace fb::net {
@@ -122,56 +121,6 @@ int encode_alpha(float alpha) {
 
 int encode_scale(float scale) {
   return scale > 0.0f ? static_cast<int>(std::min(scale * 16.0f, 255.0f)) : kScaleDefault;
-}
-
-std::string_view svc_name(unsigned command) {
-  static constexpr std::array<std::string_view, 45> kNames = {"svc_bad",
-                                                              "svc_nop",
-                                                              "svc_disconnect",
-                                                              "svc_updatestat",
-                                                              "svc_version",
-                                                              "svc_setview",
-                                                              "svc_sound",
-                                                              "svc_time",
-                                                              "svc_print",
-                                                              "svc_stufftext",
-                                                              "svc_setangle",
-                                                              "svc_serverinfo",
-                                                              "svc_lightstyle",
-                                                              "svc_updatename",
-                                                              "svc_updatefrags",
-                                                              "svc_clientdata",
-                                                              "svc_stopsound",
-                                                              "svc_updatecolors",
-                                                              "svc_particle",
-                                                              "svc_damage",
-                                                              "svc_spawnstatic",
-                                                              "svc_?",
-                                                              "svc_spawnbaseline",
-                                                              "svc_temp_entity",
-                                                              "svc_setpause",
-                                                              "svc_signonnum",
-                                                              "svc_centerprint",
-                                                              "svc_killedmonster",
-                                                              "svc_foundsecret",
-                                                              "svc_spawnstaticsound",
-                                                              "svc_intermission",
-                                                              "svc_finale",
-                                                              "svc_cdtrack",
-                                                              "svc_sellscreen",
-                                                              "svc_cutscene",
-                                                              "svc_?",
-                                                              "svc_?",
-                                                              "svc_skybox",
-                                                              "svc_?",
-                                                              "svc_?",
-                                                              "svc_bf",
-                                                              "svc_fog",
-                                                              "svc_spawnbaseline2",
-                                                              "svc_spawnstatic2",
-                                                              "svc_spawnstaticsound2"};
-  if (command >= 128) return "fast update";
-  return command < kNames.size() ? kNames[command] : "svc_?";
 }
 
 }  // namespace fb::net

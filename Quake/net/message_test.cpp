@@ -136,14 +136,6 @@ TEST(Message, AlphaBytes) {
   EXPECT_NEAR(decode_alpha(encode_alpha(0.4f)), 0.4f, 0.5f / 254);
 }
 
-TEST(Message, SvcNames) {
-  EXPECT_EQ(svc_name(7), "svc_time");
-  EXPECT_EQ(svc_name(44), "svc_spawnstaticsound2");
-  EXPECT_EQ(svc_name(36), "svc_?");
-  EXPECT_EQ(svc_name(99), "svc_?");
-  EXPECT_EQ(svc_name(129), "fast update");
-}
-
 TEST(ClientMessages, RoundTrip) {
   for (const Protocol& p :
        {Protocol{15, 0}, Protocol{666, 0}, Protocol{999, kShortAngle}, Protocol{999, kFloatAngle}}) {
@@ -166,6 +158,15 @@ TEST(ClientMessages, RoundTrip) {
     }
     EXPECT_TRUE(r.at_end());
   }
+}
+
+TEST(ClientMessages, TheirBytesAreTheProtocols) {
+  const clc::Move move{1.0f, {90, -90, 45}, 258, -1, 3, 1, 7};
+  MessageWriter w;
+  for (const ClientMessage& m : {ClientMessage(clc::Nop{}), ClientMessage(clc::Disconnect{}), ClientMessage(move),
+                                 ClientMessage(clc::StringCommand{"a"})})
+    write_client_message(w, m);
+  EXPECT_EQ(w.bytes(), (Bytes{1, 2, 3, 0, 0, 128, 63, 64, 192, 32, 2, 1, 255, 255, 3, 0, 1, 7, 4, 'a', 0}));
 }
 
 TEST(ClientMessages, BadOnesAreErrors) {

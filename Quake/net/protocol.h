@@ -35,54 +35,12 @@ constexpr bool is_known_protocol(int version) {
   return version == kProtocolNetQuake || version == kProtocolFitzQuake || version == kProtocolRmq;
 }
 
-// Server to client.
-enum class Svc : std::uint8_t {
-  kBad = 0,
-  kNop = 1,
-  kDisconnect = 2,
-  kUpdateStat = 3,
-  kVersion = 4,
-  kSetView = 5,
-  kSound = 6,
-  kTime = 7,
-  kPrint = 8,
-  kStuffText = 9,
-  kSetAngle = 10,
-  kServerInfo = 11,
-  kLightStyle = 12,
-  kUpdateName = 13,
-  kUpdateFrags = 14,
-  kClientData = 15,
-  kStopSound = 16,
-  kUpdateColors = 17,
-  kParticle = 18,
-  kDamage = 19,
-  kSpawnStatic = 20,
-  kSpawnBaseline = 22,
-  kTempEntity = 23,
-  kSetPause = 24,
-  kSignonNum = 25,
-  kCenterPrint = 26,
-  kKilledMonster = 27,
-  kFoundSecret = 28,
-  kSpawnStaticSound = 29,
-  kIntermission = 30,
-  kFinale = 31,
-  kCdTrack = 32,
-  kSellScreen = 33,
-  kCutscene = 34,
-  kSkybox = 37,
-  kBonusFlash = 40,
-  kFog = 41,
-  kSpawnBaseline2 = 42,
-  kSpawnStatic2 = 43,
-  kSpawnStaticSound2 = 44,
+// The byte that begins a message, and its name in errors. Each struct of server_messages.h and client_messages.h has
+// one.
+struct Command {
+  std::uint8_t number;
+  std::string_view name;
 };
-// "svc_time"; "fast update" from 128 on; "svc_?" for numbers that no protocol uses.
-std::string_view svc_name(unsigned command);
-
-// Client to server.
-enum class Clc : std::uint8_t { kBad = 0, kNop = 1, kDisconnect = 2, kMove = 3, kStringCommand = 4 };
 
 // Fields of an entity update. A command byte of 128 and more is an update; its low seven bits are the first bits.
 enum UpdateBits : std::uint32_t {
@@ -166,6 +124,10 @@ enum class TempEntityType : std::uint8_t {
   kExplosion2 = 12,
   kBeam = 13,
 };
+constexpr bool is_beam(TempEntityType type) {
+  return type == TempEntityType::kLightning1 || type == TempEntityType::kLightning2 ||
+         type == TempEntityType::kLightning3 || type == TempEntityType::kBeam;
+}
 
 // An entity's alpha and scale are bytes: alpha 0 means "as the model has it", 1 invisible, 255 opaque; scale is in
 // sixteenths.
@@ -175,6 +137,25 @@ float decode_alpha(int alpha);
 int encode_alpha(float alpha);
 int encode_scale(float scale);  // a value that is not positive is not sent
 inline float decode_scale(int scale) { return static_cast<float>(scale) / 16.0f; }
+
+// The statistics of a player and the level that svc_updatestat and svc_clientdata carry.
+enum Stat : int {
+  kStatHealth = 0,
+  kStatFrags = 1,
+  kStatWeapon = 2,
+  kStatAmmo = 3,
+  kStatArmor = 4,
+  kStatWeaponFrame = 5,
+  kStatShells = 6,
+  kStatNails = 7,
+  kStatRockets = 8,
+  kStatCells = 9,
+  kStatActiveWeapon = 10,
+  kStatTotalSecrets = 11,
+  kStatTotalMonsters = 12,
+  kStatSecrets = 13,
+  kStatMonsters = 14,
+};
 
 constexpr int kDefaultViewHeight = 22;
 constexpr int kMaxStats = 32, kMaxLightStyles = 64, kMaxClients = 16;

@@ -85,6 +85,106 @@ TEST(ServerMessages, PlainOnesSurviveEveryProtocol) {
     for (const ServerMessage& m : messages) EXPECT_EQ(round_trip(m, p), m) << p.version << " " << m.index();
 }
 
+// What protocol 15 (and, for the last ones, 666) has on the wire, byte by byte: demos and other engines know no other.
+TEST(ServerMessages, TheirBytesAreTheProtocols) {
+  const vec3 at(1, -1, 0.125f);  // in eighths
+  svc::TempEntity explosion2{TempEntityType::kExplosion2, at, 0, {}, 230, 5};
+  svc::TempEntity beam{TempEntityType::kLightning2, at, 258, {0, 0, 1}, 0, 1};
+  svc::ServerInfo info;
+  info.max_clients = 4;
+  info.game_type = 1;
+  info.level_name = "A";
+  info.models = {"m", "n"};
+  info.sounds = {"s"};
+  svc::ClientData data;
+  data.view_height = 20;
+  data.punch = {-5, 0, 0};
+  data.items = 0x04030201;
+  data.on_ground = true;
+  data.weapon_frame = 3;
+  data.armor = 150;
+  data.weapon = 2;
+  data.health = 100;
+  data.ammo = 25;
+  data.ammo_counts = {1, 2, 3, 4};
+  data.active_weapon = 32;
+  svc::EntityUpdate update;
+  update.bits = kUpdateOrigin1 | kUpdateFrame | kUpdateModel;
+  update.entity = 7;
+  update.origin.x = 1;
+  update.model = 2;
+  update.frame = 3;
+  const struct {
+    ServerMessage message;
+    Bytes bytes;
+  } cases[] = {
+      {svc::Nop{}, {1}},
+      {svc::Disconnect{}, {2}},
+      {svc::UpdateStat{kStatMonsters, -2}, {3, 14, 254, 255, 255, 255}},
+      {svc::Version{15}, {4, 15, 0, 0, 0}},
+      {svc::SetView{258}, {5, 2, 1}},
+      {svc::Sound{258, 3, 9, 255, 64, at}, {6, 0, 19, 8, 9, 8, 0, 248, 255, 1, 0}},
+      {svc::Sound{258, 3, 9, 100, 32, at}, {6, 3, 100, 32, 19, 8, 9, 8, 0, 248, 255, 1, 0}},
+      {svc::Time{1.0f}, {7, 0, 0, 128, 63}},
+      {svc::Print{"hi"}, {8, 'h', 'i', 0}},
+      {svc::StuffText{"bf"}, {9, 'b', 'f', 0}},
+      {svc::SetAngle{{90, -90, 45}}, {10, 64, 192, 32}},
+      {info, {11, 15, 0, 0, 0, 4, 1, 'A', 0, 'm', 0, 'n', 0, 0, 's', 0, 0}},
+      {svc::LightStyle{63, "az"}, {12, 63, 'a', 'z', 0}},
+      {svc::UpdateName{3, "r"}, {13, 3, 'r', 0}},
+      {svc::UpdateFrags{3, -2}, {14, 3, 254, 255}},
+      {data, {15, 5, 0x76, 20, 251, 1, 2, 3, 4, 3, 150, 2, 100, 0, 25, 1, 2, 3, 4, 32}},
+      {svc::StopSound{258, 3}, {16, 19, 8}},
+      {svc::UpdateColors{3, 0x4d}, {17, 3, 0x4d}},
+      {svc::Particle{at, {-128, 5, 127}, 255, 73}, {18, 8, 0, 248, 255, 1, 0, 128, 5, 127, 255, 73}},
+      {svc::Damage{10, 20, at}, {19, 10, 20, 8, 0, 248, 255, 1, 0}},
+      {svc::SpawnStatic{{at, {90, 0, 45}, 7, 3, 1, 2}, false}, {20, 7, 3, 1, 2, 8, 0, 64, 248, 255, 0, 1, 0, 32}},
+      {svc::SpawnBaseline{258, {at, {90, 0, 45}, 7, 3, 1, 2}, false},
+       {22, 2, 1, 7, 3, 1, 2, 8, 0, 64, 248, 255, 0, 1, 0, 32}},
+      {svc::TempEntity{TempEntityType::kGunshot, at, 0, {}, 0, 1}, {23, 2, 8, 0, 248, 255, 1, 0}},
+      {explosion2, {23, 12, 8, 0, 248, 255, 1, 0, 230, 5}},
+      {beam, {23, 6, 2, 1, 8, 0, 248, 255, 1, 0, 0, 0, 0, 0, 8, 0}},
+      {svc::SetPause{true}, {24, 1}},
+      {svc::SignonNum{3}, {25, 3}},
+      {svc::CenterPrint{"c"}, {26, 'c', 0}},
+      {svc::KilledMonster{}, {27}},
+      {svc::FoundSecret{}, {28}},
+      {svc::SpawnStaticSound{at, 12, 200, 64, false}, {29, 8, 0, 248, 255, 1, 0, 12, 200, 64}},
+      {svc::Intermission{}, {30}},
+      {svc::Finale{"f"}, {31, 'f', 0}},
+      {svc::CdTrack{4, 5}, {32, 4, 5}},
+      {svc::SellScreen{}, {33}},
+      {svc::Cutscene{"c"}, {34, 'c', 0}},
+      {svc::Skybox{"d"}, {37, 'd', 0}},
+      {svc::BonusFlash{}, {40}},
+      {svc::Fog{10, 20, 30, 40, 258}, {41, 10, 20, 30, 40, 2, 1}},
+      {update, {0xc3, 4, 7, 2, 3, 8, 0}},
+      {svc::SpawnBaseline{258, {at, {90, 0, 45}, 258, 3, 1, 2, 0, 100}, true},
+       {42, 2, 1, 5, 2, 1, 3, 1, 2, 8, 0, 64, 248, 255, 0, 1, 0, 32, 100}},
+      {svc::SpawnStatic{{at, {90, 0, 45}, 7, 258, 1, 2, 0, 0, 32}, true},
+       {43, 10, 7, 2, 1, 1, 2, 8, 0, 64, 248, 255, 0, 1, 0, 32, 32}},
+      {svc::SpawnStaticSound{at, 258, 200, 64, true}, {44, 8, 0, 248, 255, 1, 0, 2, 1, 200, 64}},
+  };
+  for (const auto& c : cases) {
+    MessageWriter writer;
+    write_server_message(writer, c.message);
+    EXPECT_EQ(writer.bytes(), c.bytes) << c.message.index();
+    ServerMessageReader reader(c.bytes, "test", Protocol{c.bytes[0] >= 42 && c.bytes[0] < 128 ? 666 : 15, 0});
+    const auto read = reader.next();
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    EXPECT_EQ(read->index(), c.message.index());
+    EXPECT_TRUE(reader.at_end());
+  }
+}
+
+TEST(ServerMessages, HaveNames) {
+  EXPECT_EQ(svc_name(7), "svc_time");
+  EXPECT_EQ(svc_name(44), "svc_spawnstaticsound2");
+  EXPECT_EQ(svc_name(36), "svc_?");
+  EXPECT_EQ(svc_name(99), "svc_?");
+  EXPECT_EQ(svc_name(129), "fast update");
+}
+
 TEST(ServerMessages, EveryTempEntityTypeSurvives) {
   for (int type = 0; type <= 13; ++type) {
     svc::TempEntity t;

@@ -184,7 +184,6 @@ void write_client_data(MessageWriter& w, const svc::ClientData& d) {
     if (bits >> 24) bits |= kDataExtend2;
     if (bits >> 16) bits |= kDataExtend1;
   }
-  w.u8(static_cast<int>(Svc::kClientData));
   w.u16(static_cast<int>(bits & 0xffffu));
   if (bits & kDataExtend1) w.u8(static_cast<int>(bits >> 16));
   if (bits & kDataExtend2) w.u8(static_cast<int>(bits >> 24));
@@ -209,6 +208,50 @@ void write_client_data(MessageWriter& w, const svc::ClientData& d) {
     if (bits & (kDataShells2 << i)) w.u8(d.ammo_counts[i] >> 8);
   if (bits & kDataWeaponFrame2) w.u8(d.weapon_frame >> 8);
   if (bits & kDataWeaponAlpha) w.u8(d.weapon_alpha);
+}
+
+// --- sounds ----------------------------------------------------------------------------------------------------------
+
+svc::Sound read_sound(MessageReader& r) {
+  svc::Sound s;
+  const auto bits = static_cast<std::uint32_t>(r.u8());
+  if (bits & kSoundVolume) s.volume = r.u8();
+  if (bits & kSoundAttenuation) s.attenuation = r.u8();
+  if (bits & kSoundLargeEntity) {
+    s.entity = r.u16();
+    s.channel = r.u8();
+  } else {
+    const int both = r.u16();
+    s.entity = both >> 3;
+    s.channel = both & 7;
+  }
+  s.sound = bits & kSoundLargeSound ? r.u16() : r.u8();
+  s.origin = r.coords();
+  return s;
+}
+
+void write_sound(MessageWriter& w, const svc::Sound& s) {
+  std::uint32_t bits = 0;
+  if (s.volume != 255) bits |= kSoundVolume;
+  if (s.attenuation != 64) bits |= kSoundAttenuation;
+  if (w.protocol.extended()) {
+    if (s.entity >= 8192 || s.channel >= 8) bits |= kSoundLargeEntity;
+    if (s.sound > 255) bits |= kSoundLargeSound;
+  }
+  w.u8(static_cast<int>(bits));
+  if (bits & kSoundVolume) w.u8(s.volume);
+  if (bits & kSoundAttenuation) w.u8(s.attenuation);
+  if (bits & kSoundLargeEntity) {
+    w.u16(s.entity);
+    w.u8(s.channel);
+  } else {
+    w.u16((s.entity << 3) | (s.channel & 7));
+  }
+  if (bits & kSoundLargeSound)
+    w.u16(s.sound);
+  else
+    w.u8(s.sound);
+  w.coords(s.origin);
 }
 
 }  // namespace fb::net

@@ -1,5 +1,7 @@
-// The largest messages of a game, whose layout depends on bits: baselines, entity updates, client data. Used by
-// server_messages.cpp only. Readers do not check for the end of the message: their caller checks once.
+// The messages whose layout depends on bits, which are also the largest of a game: baselines, entity updates, client
+// data, sounds. Used by the codec only (fields.h, server_messages.cpp). Readers do not check for the end of the
+// message: their caller checks once. The caller writes the command byte, except that of an update, which holds its
+// first bits.
 #pragma once
 
 #include "net/message.h"
@@ -10,13 +12,13 @@ namespace fb::net {
 EntityState read_baseline(MessageReader& reader, bool extended);
 void write_baseline(MessageWriter& writer, const EntityState& state, bool extended);
 
-// `command` is the byte that announced the update: 128 and the first bits.
 svc::EntityUpdate read_update(MessageReader& reader, unsigned command);
-// With the command byte.
 void write_update(MessageWriter& writer, const svc::EntityUpdate& update);
 
 svc::ClientData read_client_data(MessageReader& reader);
-// With the command byte.
 void write_client_data(MessageWriter& writer, const svc::ClientData& data);
+
+svc::Sound read_sound(MessageReader& reader);
+void write_sound(MessageWriter& writer, const svc::Sound& sound);
 
 }  // namespace fb::net

@@ -73,13 +73,6 @@ void Window::resize(std::uint32_t width, std::uint32_t height) {
   SDL_SetWindowSize(impl_->window, static_cast<int>(width), static_cast<int>(height));
 }
 
-void Window::set_fullscreen(bool fullscreen) {
-  if (SDL_SetWindowFullscreen(impl_->window, fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0) != 0)
-    log_warning("the window cannot {} full screen ({})", fullscreen ? "go" : "leave", SDL_GetError());
-}
-
-void Window::set_title(const std::string& title) { SDL_SetWindowTitle(impl_->window, title.c_str()); }
-
 void Window::grab_mouse(bool grab) {
   if (grab == impl_->grabbed) return;
   impl_->grabbed = grab;

@@ -39,8 +39,6 @@ class Window {
   uvec2 pixel_size() const;
   bool focused() const;
   void resize(std::uint32_t width, std::uint32_t height);
-  void set_fullscreen(bool fullscreen);
-  void set_title(const std::string& title);
   // Hides the pointer and keeps it inside the window; motion then comes in mouse counts, without limit.
   void grab_mouse(bool grab);
   bool mouse_grabbed() const;

@@ -187,7 +187,6 @@ TEST(Window, GrabsTheMouse) {
   (*window)->grab_mouse(false);
   EXPECT_FALSE((*window)->mouse_grabbed());
   (*window)->set_text_input(true);
-  (*window)->set_title("another title");
 }
 
 }  // namespace

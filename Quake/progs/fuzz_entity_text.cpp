@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/log.h"
+#include "progs/builtins/builtins.h"
 #include "progs/entity_text.h"
 #include "progs/test_program.h"
 

@@ -1,6 +1,7 @@
 // QuakeC instructions a second, on the kinds of code that mods are made of. Without fteqcc there is nothing to run.
 #include <benchmark/benchmark.h>
 
+#include "progs/builtins/builtins.h"
 #include "progs/test_compile.h"
 #include "progs/vm.h"
 

@@ -12,7 +12,8 @@
 #include <string>
 
 #include "base/log.h"
-#include "progs/test_builtins.h"
+#include "progs/builtins/builtins.h"
+#include "progs/builtins/test_builtins.h"
 #include "progs/test_compile.h"
 #include "progs/vm.h"
 

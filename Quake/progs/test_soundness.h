@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/check.h"
+#include "progs/builtins/builtins.h"
 #include "progs/vm.h"
 
 namespace fb::progs::testing {

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "progs/builtins.h"
+#include "progs/builtin_table.h"
 #include "progs/edicts.h"
 #include "progs/program.h"
 #include "progs/strings.h"

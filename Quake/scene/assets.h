@@ -49,7 +49,6 @@ enum MaterialFlags : std::uint32_t {
   kMaterialLiquid = 1u << 2,        // a liquid's surface (r_wateralpha and its kin)
   kMaterialNoFullbright = 1u << 3,  // indices 224..255 are plain colours
   kMaterialClampTexture = 1u << 4,  // skins and sprites: texture coordinates do not wrap
-  kMaterialTwoSided = 1u << 5,      // emits and shades on both sides (sprites, sky)
 };
 
 // One texture of a material: base image and the images that go with it; kNone where absent.

@@ -115,7 +115,6 @@ TEST(BrushMesh, LiquidsHaveOneSurface) {
   }
   EXPECT_NEAR(up, 64 * 64, 0.1);
   EXPECT_NEAR(down, 28 * 32, 0.1);
-  EXPECT_TRUE(built->material(0).flags & kMaterialTwoSided);
 }
 
 TEST(LiquidFaces, Subtraction) {
@@ -151,7 +150,7 @@ TEST(MapMaterials, LiquidsSkyAndHoles) {
   EXPECT_FLOAT_EQ(by_name.at("*04water")->alpha, 0.5f);
   EXPECT_FLOAT_EQ(by_name.at("*lava1")->alpha, 0.6f);
   EXPECT_FLOAT_EQ(by_name.at("*teleport")->alpha, 0.8f);
-  EXPECT_EQ(by_name.at("*lava1")->flags, kMaterialWarp | kMaterialLiquid | kMaterialTwoSided);
+  EXPECT_EQ(by_name.at("*lava1")->flags, kMaterialWarp | kMaterialLiquid);
   EXPECT_EQ(by_name.at("sky1")->emission_kind, EmissionKind::kSky);
   EXPECT_EQ(by_name.at("{fence")->flags, kMaterialAlphaTest);
   EXPECT_EQ(by_name.at("lamp")->emission_kind, EmissionKind::kFullbright);

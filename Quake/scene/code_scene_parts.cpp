@@ -57,7 +57,6 @@ FrameSnapshot still(std::shared_ptr<const Assets> assets, const Camera& camera) 
   FrameSnapshot snapshot;
   snapshot.assets = std::move(assets);
   snapshot.camera = snapshot.prev_camera = camera;
-  snapshot.lightstyles.fill(1.0f);
   return snapshot;
 }
 

@@ -3,7 +3,8 @@
 
 #include "base/log.h"
 #include "formats/test_corruption.h"
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
+#include "formats/test_models.h"
 #include "scene/library.h"
 #include "scene/test_maps.h"
 #include "scene/test_sound.h"

@@ -6,7 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "base/log.h"
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
+#include "formats/test_models.h"
 #include "scene/shapes.h"
 #include "scene/test_maps.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
 #include "scene/library.h"
 #include "scene/test_maps.h"
 

@@ -5,7 +5,8 @@
 #include <fstream>
 #include <string>
 
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
+#include "formats/test_models.h"
 #include "scene/test_maps.h"
 
 namespace {

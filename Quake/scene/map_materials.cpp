@@ -100,7 +100,6 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
     material.emission_kind = EmissionKind::kSky;
     material.emission = vec3(1.0f);
     material.base_color = vec3(0.0f);
-    material.flags = kMaterialTwoSided;
     return builder_.add_material(std::move(material));
   }
   if (const auto animated = animated_name(texture.name)) {
@@ -145,8 +144,7 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
       material.emission_kind = EmissionKind::kTeleport;
       break;
   }
-  if (liquid_kind(texture.name) != LiquidKind::kNone)
-    material.flags |= kMaterialWarp | kMaterialLiquid | kMaterialTwoSided;
+  if (liquid_kind(texture.name) != LiquidKind::kNone) material.flags |= kMaterialWarp | kMaterialLiquid;
 
   const auto lit = surface_lights_.find(lower_case(texture.name));
   if (lit != surface_lights_.end() &&

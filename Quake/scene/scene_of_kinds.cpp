@@ -78,7 +78,7 @@ FrameSnapshot light_of_every_kind() {
       add_textured(*assets, "luma", EmissionKind::kFullbright, {.base = base, .luma = luma});
   const std::uint32_t pane = add_textured(*assets, "*teleport", EmissionKind::kTeleport, {.base = base});
   const std::uint32_t sprite = add_textured(*assets, "sprite", EmissionKind::kSprite, {.base = holes},
-                                            kMaterialAlphaTest | kMaterialTwoSided | kMaterialClampTexture);
+                                            kMaterialAlphaTest | kMaterialClampTexture);
   const std::uint32_t body = add_material(*assets, "body", vec3(0.3f), vec3(0.5f, 1.5f, 2.5f));
 
   BlockGrid grid;

@@ -240,7 +240,7 @@ FrameSnapshot alpha_panel() {
   const std::uint32_t wall = add_material(*assets, "wall", vec3(0.0f), vec3(1.0f));
   const std::uint32_t panel = add_material(*assets, "panel", vec3(0.0f));
   assets->materials[panel].frames = {TextureSet{0}};
-  assets->materials[panel].flags = kMaterialAlphaTest | kMaterialTwoSided | kMaterialNoFullbright;
+  assets->materials[panel].flags = kMaterialAlphaTest | kMaterialNoFullbright;
   Mesh mesh;
   add_quad(mesh, {200, -400, -400}, {0, 0, 800}, {0, 800, 0}, wall);
   add_picture(mesh, panel);
@@ -256,7 +256,7 @@ FrameSnapshot textured_quad() {
   assets->images.push_back(std::move(colors));
   const std::uint32_t material = add_material(*assets, "all colours", vec3(1.0f));
   assets->materials[material].frames = {TextureSet{0}};
-  assets->materials[material].flags = kMaterialNoFullbright | kMaterialClampTexture | kMaterialTwoSided;
+  assets->materials[material].flags = kMaterialNoFullbright | kMaterialClampTexture;
   Mesh mesh;
   add_picture(mesh, material);
   FrameSnapshot snapshot = still(assets, camera_at(vec3(0.0f), vec3(0.0f), 60.0f));

@@ -89,11 +89,8 @@ struct FrameSnapshot {
   Camera camera, prev_camera;
   std::vector<Instance> instances;  // [0] is the world if there is one
   Sky sky;
-  vec3 ambient{0.0f};  // radiance from everywhere: what the camera sees reflects it, unoccluded and only once
-  std::array<float, 64>
-      lightstyles{};           // 1 is normal brightness (style 'm'); entity lights have it in `emission` already
-  vec4 screen_tint{0.0f};      // colour and its weight: damage, pickup, liquid
-  float contents_blur = 0.0f;  // under water the view swings (v_contents warp): 0 or 1
+  vec3 ambient{0.0f};      // radiance from everywhere: what the camera sees reflects it, unoccluded and only once
+  vec4 screen_tint{0.0f};  // colour and its weight: damage, pickup, liquid
 };
 
 }  // namespace fb::scene

@@ -39,7 +39,7 @@ std::vector<Model::SpriteFrame> make_sprite_frames(AssetBuilder& builder, const 
       material.name = image_name;
       material.emission_kind = EmissionKind::kSprite;
       material.emission = vec3(1.0f);
-      material.flags = kMaterialAlphaTest | kMaterialTwoSided | kMaterialClampTexture;
+      material.flags = kMaterialAlphaTest | kMaterialClampTexture;
       TextureSet set = builder.replacement({image_name}, name);
       if (set.base == kNone)
         set.base = builder.add_image(

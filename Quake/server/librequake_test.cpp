@@ -11,7 +11,7 @@
 #include "fs/filesystem.h"
 #include "server/server.h"
 #include "server/test_librequake.h"
-#include "server/test_rules.h"
+#include "server/simulation/test_rules.h"
 
 namespace fb::sv {
 namespace {

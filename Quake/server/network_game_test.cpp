@@ -2,7 +2,7 @@
 #include "net/connect_attempt.h"
 #include "net/datagram_listener.h"
 #include "net/test_network.h"
-#include "server/test_clients.h"
+#include "server/clients/test_clients.h"
 
 namespace fb::sv::testing {
 namespace {

@@ -13,15 +13,15 @@
 #include <memory>
 
 #include "base/log.h"
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
 #include "net/connect_attempt.h"
 #include "net/datagram_listener.h"
 #include "net/test_mutation.h"
 #include "net/test_network.h"
 #include "progs/test_program.h"
-#include "server/clients.h"
+#include "server/clients/clients.h"
 #include "server/server.h"
-#include "server/test_map.h"
+#include "server/simulation/test_map.h"
 
 #if defined(__GLIBC__)
 #include <malloc.h>

@@ -8,7 +8,7 @@
 #include "fs/filesystem.h"
 #include "server/server.h"
 #include "server/test_quakespasm.h"
-#include "server/test_rules.h"
+#include "server/simulation/test_rules.h"
 
 namespace fb::sv {
 namespace {

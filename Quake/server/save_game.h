@@ -13,7 +13,7 @@
 
 #include "base/result.h"
 #include "progs/entity_text.h"
-#include "server/level.h"
+#include "server/simulation/level.h"
 
 namespace fb::sv {
 

@@ -10,12 +10,13 @@
 #include "base/out_of_memory.h"
 #include "base/progress.h"
 #include "base/stop.h"
+#include "progs/builtins/builtins.h"
 #include "progs/entity_text.h"
 #include "server/mod_cvars.h"
-#include "server/physics.h"
+#include "server/simulation/physics.h"
 #include "server/server_commands.h"
-#include "server/spawn.h"
-#include "server/user.h"
+#include "server/simulation/spawn.h"
+#include "server/simulation/user.h"
 
 namespace fb::sv {
 namespace {

@@ -23,13 +23,13 @@
 #include <string_view>
 #include <vector>
 
+#include "base/file_data.h"
 #include "base/result.h"
 #include "base/rng.h"
 #include "console/console.h"
-#include "progs/builtins.h"
-#include "server/game_builtins.h"
-#include "server/level.h"
-#include "server/level_files.h"
+#include "server/builtins/game_builtins.h"
+#include "server/simulation/level.h"
+#include "server/simulation/level_files.h"
 #include "server/save_game.h"
 
 namespace fb::sv {

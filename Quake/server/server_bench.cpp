@@ -7,11 +7,12 @@
 #include <optional>
 
 #include "fs/filesystem.h"
-#include "progs/test_builtins.h"
+#include "progs/builtins/builtins.h"
+#include "progs/builtins/test_builtins.h"
 #include "progs/test_compile.h"
-#include "server/link.h"
-#include "server/physics.h"
-#include "server/steps.h"
+#include "server/simulation/link.h"
+#include "server/simulation/physics.h"
+#include "server/simulation/steps.h"
 
 namespace fb::sv {
 namespace {

@@ -16,12 +16,12 @@
 #include <string>
 
 #include "base/log.h"
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
 #include "net/loopback.h"
 #include "progs/test_qc.h"
-#include "server/clients.h"
+#include "server/clients/clients.h"
 #include "server/server.h"
-#include "server/test_map.h"
+#include "server/simulation/test_map.h"
 
 namespace fb::sv::testing {
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
 #include "world/test_hulls.h"
 
 namespace fb::world {

@@ -4,7 +4,8 @@
 #include <fstream>
 #include <string>
 
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
+#include "formats/test_bytes.h"
 
 int main(int argc, char** argv) {
   using namespace fb;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "formats/test_files.h"
+#include "formats/test_bsp.h"
 #include "world/test_hulls.h"
 
 namespace fb::world {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/rng.h"
+#include "base/test_chi_squared.h"
 
 namespace fb::shared {
 namespace {
@@ -38,8 +39,7 @@ std::vector<double> integrate_cells(Pdf pdf) {
   return mass;
 }
 
-// Pearson's statistic over cells of at least five expected draws, the rest pooled; compared with the Wilson-Hilferty
-// quantile of a false-alarm rate of 1e-5.
+// At a false-alarm rate of 1e-5.
 template <typename Sample>
 void expect_chi_squared(const std::vector<double>& mass, Sample sample, int draws) {
   std::vector<double> seen(mass.size(), 0.0);
@@ -47,25 +47,9 @@ void expect_chi_squared(const std::vector<double>& mass, Sample sample, int draw
     vec3 w;
     if (sample(w)) seen[static_cast<std::size_t>(cell_of(w))] += 1;
   }
-  double chi2 = 0, pooled_expected = 0, pooled_seen = 0;
-  int cells = 0;
-  for (std::size_t i = 0; i < mass.size(); ++i) {
-    const double expected = mass[i] * draws;
-    if (expected < 5) {
-      pooled_expected += expected;
-      pooled_seen += seen[i];
-      continue;
-    }
-    chi2 += (seen[i] - expected) * (seen[i] - expected) / expected;
-    ++cells;
-  }
-  if (pooled_expected > 5) {
-    chi2 += (pooled_seen - pooled_expected) * (pooled_seen - pooled_expected) / pooled_expected;
-    ++cells;
-  }
-  const double n = cells - 1, z = 4.265;
-  const double limit = n * std::pow(1 - 2 / (9 * n) + z * std::sqrt(2 / (9 * n)), 3);
-  EXPECT_LT(chi2, limit) << cells << " cells";
+  ChiSquared test;
+  for (std::size_t i = 0; i < mass.size(); ++i) test.add(mass[i] * draws, seen[i]);
+  EXPECT_GT(test.p(), 1e-5) << test.statistic() << " of " << test.degrees();
 }
 
 vec3 direction_at(float degrees) {

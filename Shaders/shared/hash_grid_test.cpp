@@ -10,15 +10,12 @@
 #include <vector>
 
 #include "base/rng.h"
+#include "base/test_chi_squared.h"
 
 namespace fb::shared {
 namespace {
 
-// Upper limit of chi-squared at a false-alarm rate of 1e-6 (Wilson-Hilferty; 4.75 deviations).
-double chi_squared_limit(double freedom) {
-  const double a = 2.0 / (9.0 * freedom), root = 1.0 - a + 4.75 * std::sqrt(a);
-  return freedom * root * root * root;
-}
+constexpr double kFalseAlarm = 1e-6;
 
 vec3 uniform_vector(Rng& rng) {
   const float x = rng.uniform(), y = rng.uniform();
@@ -66,16 +63,9 @@ TEST(HashGrid, VerticesAreChosenWithTrilinearWeights) {
     const float width = i % 2 == 0 ? 64.0f : std::exp2(static_cast<float>(i % 10));
     const vec3 p = (uniform_vector(rng) - vec3(0.5f)) * (width * 8);
     const auto counts = vertex_counts(p, width, kDraws, rng);
-    double chi2 = 0, freedom = -1;
-    for (unsigned k = 0; k < 8; ++k) {
-      const double expected = vertex_weight(p, width, k) * kDraws;
-      if (expected < 5) continue;
-      chi2 += (counts[k] - expected) * (counts[k] - expected) / expected;
-      ++freedom;
-    }
-    if (freedom >= 1) {
-      EXPECT_LT(chi2, chi_squared_limit(freedom)) << p.x << ' ' << p.y << ' ' << p.z << " width " << width;
-    }
+    ChiSquared test;
+    for (unsigned k = 0; k < 8; ++k) test.add(vertex_weight(p, width, k) * kDraws, counts[k]);
+    EXPECT_GT(test.p(), kFalseAlarm) << p.x << ' ' << p.y << ' ' << p.z << " width " << width;
   }
 }
 
@@ -130,15 +120,12 @@ TEST(HashGrid, CoarseningIsGeometric) {
       ASSERT_LE(k, kGridLevels);
       ++counts[k];
     }
-    double chi2 = 0, freedom = -1;
+    ChiSquared test;
     for (std::size_t k = 0; k < counts.size(); ++k) {
       const double p = std::pow(static_cast<double>(rho), static_cast<double>(k));
-      const double expected = kDraws * (k + 1 < counts.size() ? p * (1 - static_cast<double>(rho)) : p);
-      if (expected < 10) continue;
-      chi2 += (counts[k] - expected) * (counts[k] - expected) / expected;
-      ++freedom;
+      test.add(kDraws * (k + 1 < counts.size() ? p * (1 - static_cast<double>(rho)) : p), counts[k]);
     }
-    EXPECT_LT(chi2, chi_squared_limit(freedom)) << rho;
+    EXPECT_GT(test.p(), kFalseAlarm) << rho;
   }
   for (const float u : {0.0f, 0.5f, 1.0f - 0x1p-24f}) {
     EXPECT_EQ(grid_coarsening(0, u), 0u);

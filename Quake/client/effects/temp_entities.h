@@ -1,0 +1,11 @@
+// svc_temp_entity: what happens in a moment and has no entity.
+#pragma once
+
+#include "client/effects/effects.h"
+#include "net/server_messages.h"
+
+namespace fb::cl {
+
+void apply_temp_entity(Effects& effects, const net::svc::TempEntity& message, double time);
+
+}  // namespace fb::cl

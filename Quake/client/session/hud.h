@@ -1,0 +1,45 @@
+// What the server tells of a game that others than the renderer show: status bar, scoreboard, music; and the fog.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/maths.h"
+#include "net/protocol.h"
+
+namespace fb::cl {
+
+struct Fog {
+  float density = 0.0f;  // QuakeSpasm's unit: fog 1 hides what is 64 units away, about
+  vec3 color{0.3f};
+};
+// svc_cdtrack: what plays, and what goes on when that is over. 0: silence.
+struct MusicTracks {
+  int track = 0, loop = 0;
+  bool operator==(const MusicTracks&) const = default;
+};
+struct Score {
+  std::string name;
+  int frags = 0;
+  int colors = 0;  // 16 * shirt + trousers
+};
+enum class Intermission { kNone, kLevel, kFinale, kCutscene };
+struct Hud {
+  std::array<std::int32_t, net::kMaxStats> stats{};  // by net::Stat
+  std::int32_t items = 0;
+  std::array<double, 32> item_time{};  // when each bit of items was won
+  double face_pain_until = 0.0;
+  std::string level_name, map_name;
+  int max_clients = 1, game_type = 0;
+  std::vector<Score> scores;
+  std::string center_print;
+  double center_print_time = -1000.0;  // when it came
+  Intermission intermission = Intermission::kNone;
+  double completed_time = 0.0;  // when intermission began
+  bool paused = false;
+  double time = 0.0;
+};
+
+}  // namespace fb::cl

@@ -1,0 +1,22 @@
+// How a demo is played, and what timedemo says of it: the part of demos that the client's users see.
+#pragma once
+
+#include <string>
+
+namespace fb::cl {
+
+enum class DemoMode {
+  kPlay,  // in its own time
+  kTime,  // one message a frame, as fast as frames come: advance() ignores its argument
+};
+
+// The line that timedemo ends with.
+struct TimeDemoResult {
+  std::string demo;
+  int frames = 0;
+  double seconds = 0.0;
+  double fps() const { return frames / seconds; }
+  std::string line() const;  // "N frames T seconds F fps"
+};
+
+}  // namespace fb::cl

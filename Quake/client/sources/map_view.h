@@ -1,0 +1,23 @@
+// A map without a server: what its entity lump puts where, as far as it needs no QuakeC.
+#pragma once
+
+#include <string_view>
+
+#include "base/result.h"
+#include "client/session/session.h"
+#include "client/session/view.h"
+#include "scene/library.h"
+
+namespace fb::cl {
+
+// "start" -> "maps/start.bsp"
+std::string map_path(std::string_view name);
+
+// Loads the map and fills a session with its brush entities (triggers left out), torches, lamps' styles and fog; sets
+// the view into the first player start. On failure nothing changes but, maybe, the library.
+Status load_map_view(std::string_view name, scene::ModelLibrary& library, Session& session, View& view);
+
+// Of the worldspawn: fog and the sky's name. Used by games, too.
+void apply_worldspawn(std::string_view entities, std::string_view map_name, ClientState& state);
+
+}  // namespace fb::cl

@@ -1,0 +1,51 @@
+// The table of builtins: what QuakeC's functions without a body do. One table belongs to one virtual machine; some
+// builtins (files, tokenize) keep their state in it.
+//
+//   BuiltinTable table = standard_builtins(services);       // everything that needs no server: builtins/builtins.h
+//   table.set(2, "setorigin", [&server](Vm& vm) { ... });   // the server's own
+//   table.add_extension("FTE_SV_POINTPARTICLES");           // what checkextension answers for
+//   auto vm = Vm::create(program, std::move(table), options);
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace fb::progs {
+
+class Vm;
+
+// Reads its parameters with vm.parm_*(i), answers with vm.return_*(...), and fails with vm.fail(sentence): QuakeC ends
+// as the builtin returns. Reading a parameter that makes no sense fails the same way and gives zero, "" or the world.
+using Builtin = std::function<void(Vm&)>;
+
+class BuiltinTable {
+ public:
+  static constexpr std::uint32_t kMaxNumber = 4095;
+
+  // Replaces what has that number. The name is what #0:name and error messages call it.
+  void set(std::uint32_t number, std::string_view name, Builtin builtin);
+  // nullptr where there is none: calling it is an error of QuakeC.
+  const Builtin* find(std::uint32_t number) const;
+  // 0 where there is none.
+  std::uint32_t number_of(std::string_view name) const;
+  std::string_view name_of(std::uint32_t number) const;
+
+  void add_extension(std::string_view name) { extensions_.emplace(name); }
+  bool has_extension(std::string_view name) const { return extensions_.contains(name); }
+
+ private:
+  struct Entry {
+    std::string name;
+    Builtin builtin;
+  };
+  std::vector<Entry> entries_;
+  std::unordered_map<std::string, std::uint32_t> numbers_;
+  std::set<std::string, std::less<>> extensions_;
+};
+
+}  // namespace fb::progs

@@ -1,0 +1,24 @@
+#include "progs/builtins/builtins.h"
+
+#include "progs/builtins/kinds.h"
+
+namespace fb::progs {
+
+BuiltinTable standard_builtins(const Services& services) {
+  BuiltinTable table;
+  add_math_builtins(table, services);
+  add_string_builtins(table);
+  add_string_style_builtins(table);
+  add_info_builtins(table);
+  table.add_extension("FTE_STRINGS");  // the three above together
+  add_sprintf_builtin(table);
+  add_tokenize_builtins(table);
+  add_entity_builtins(table);
+  add_entity_data_builtins(table);
+  add_console_builtins(table, services);
+  add_debug_builtins(table, services);
+  add_file_builtins(table, services);
+  return table;
+}
+
+}  // namespace fb::progs

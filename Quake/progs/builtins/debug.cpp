@@ -1,0 +1,36 @@
+// What helps a mod's author: errors, prints of edicts, tracing.
+#include <fmt/format.h>
+
+#include "progs/builtins/kinds.h"
+#include "progs/entity_text.h"
+#include "progs/builtins/output.h"
+#include "progs/vm.h"
+
+namespace fb::progs {
+
+void add_debug_builtins(BuiltinTable& table, const Services& services) {
+  const auto print = output_of(services);
+  const auto print_error = [print](Vm& vm, std::string_view what, std::string_view text) {
+    print(fmt::format("======{} ERROR in {}:\n{}\n{}", what, vm.function_name(vm.current_function()), text,
+                      print_edict(vm, vm.self().id())));
+  };
+  table.set(10, "error", [print_error](Vm& vm) {
+    const std::string text = vm.parm_text_from(0);
+    print_error(vm, "SERVER", text);
+    vm.fail(fmt::format("the mod gives up: {}", text));
+  });
+  // Not the end of the game, only of the entity, as in QuakeSpasm.
+  table.set(11, "objerror", [print_error](Vm& vm) {
+    print_error(vm, "OBJECT", vm.parm_text_from(0));
+    vm.edicts().free(vm.self().id(), vm.level_time);
+  });
+  table.set(6, "break", [](Vm& vm) { vm.fail("break statement"); });
+  table.set(28, "coredump", [print](Vm& vm) {
+    for (EdictId id{}; vm.edicts().valid(id); id = next(id)) print(print_edict(vm, id));
+  });
+  table.set(29, "traceon", [](Vm& vm) { vm.set_trace(true); });
+  table.set(30, "traceoff", [](Vm& vm) { vm.set_trace(false); });
+  table.set(31, "eprint", [print](Vm& vm) { print(print_edict(vm, vm.parm_entity(0))); });
+}
+
+}  // namespace fb::progs

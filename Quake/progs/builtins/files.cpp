@@ -1,0 +1,135 @@
+// FRIK_FILE: text files of the mod, in the folder data/ of its game. A file is read whole when it is opened and written
+// whole when it is closed, or with the table at the level's end.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "base/log.h"
+#include "fs/path.h"
+#include "progs/builtins/kinds.h"
+#include "progs/vm.h"
+
+namespace fb::progs {
+namespace {
+
+constexpr std::size_t kMaxOpen = 64, kMaxBytes = 16u << 20u;
+enum Mode { kRead = 0, kAppend = 1, kWrite = 2 };
+
+class Files {
+ public:
+  explicit Files(const Services& services) : services_(services) {}
+  Files(const Files&) = delete;
+  Files& operator=(const Files&) = delete;
+  ~Files() {
+    for (const auto& [handle, file] : open_) save(file);
+  }
+
+  // fopen(name, mode): a handle, or -1.
+  void open(Vm& vm) {
+    const auto name = fs::normalise(vm.parm_string(0));
+    const int mode = vm.parm_int(1);
+    vm.return_float(-1.0f);
+    if (!name || open_.size() >= kMaxOpen) {
+      log_warning("fopen: {}", name ? "too many files are open" : "no name for a file of the mod");
+      return;
+    }
+    File file{"data/" + *name, "", 0, mode != kRead};
+    if (mode == kRead) {
+      auto text = read(file.name);
+      if (!text) text = read(*name);  // of the game itself
+      if (!text) return;
+      file.text = std::move(*text);
+    } else if (mode == kAppend) {
+      file.text = read(file.name).value_or("");
+    } else if (mode != kWrite) {
+      log_warning("fopen: {} is no mode", mode);
+      return;
+    }
+    const int handle = first_unused();
+    open_.emplace(handle, std::move(file));
+    vm.return_float(static_cast<float>(handle));
+  }
+
+  void close(Vm& vm) {
+    const auto found = open_.find(vm.parm_int(0));
+    if (found == open_.end()) return complain(vm, "fclose");
+    save(found->second);
+    open_.erase(found);
+  }
+
+  // The next line without its end; the null string behind the last.
+  void gets(Vm& vm) {
+    const auto found = open_.find(vm.parm_int(0));
+    vm.return_string_id(StringId::kNull);
+    if (found == open_.end() || found->second.writing) return complain(vm, "fgets");
+    File& file = found->second;
+    if (file.position >= file.text.size()) return;
+    const std::size_t end = std::min(file.text.find('\n', file.position), file.text.size());
+    std::string line = file.text.substr(file.position, end - file.position);
+    file.position = end + 1;
+    std::erase(line, '\r');
+    vm.return_string(line);
+  }
+
+  void puts(Vm& vm) {
+    const auto found = open_.find(vm.parm_int(0));
+    if (found == open_.end() || !found->second.writing) return complain(vm, "fputs");
+    const std::string text = vm.parm_text_from(1);
+    if (text.size() > kMaxBytes - std::min(kMaxBytes, found->second.text.size())) {
+      return vm.fail(fmt::format("{} would have more than {} bytes", found->second.name, kMaxBytes));
+    }
+    found->second.text += text;
+  }
+
+ private:
+  struct File {
+    std::string name, text;
+    std::size_t position = 0;
+    bool writing = false;
+  };
+
+  std::optional<std::string> read(const std::string& name) const {
+    if (!services_.read_file) return std::nullopt;
+    const auto bytes = services_.read_file(name);
+    if (!bytes) return std::nullopt;
+    if (bytes->size() > kMaxBytes) {
+      log_warning("fopen: {} has {} bytes; at most {} can be read", name, bytes->size(), kMaxBytes);
+      return std::nullopt;
+    }
+    return std::string(bytes->text());
+  }
+  void save(const File& file) const {
+    if (!file.writing || !services_.write_file) return;
+    const ByteView bytes(reinterpret_cast<const std::uint8_t*>(file.text.data()), file.text.size());
+    if (const Status status = services_.write_file(file.name, bytes); !status)
+      log_warning("{}", status.error().message);
+  }
+  // From 1 on: some mods take 0 for a failure, although the extension says -1.
+  int first_unused() const {
+    int handle = 1;
+    while (open_.contains(handle)) ++handle;
+    return handle;
+  }
+  static void complain(Vm& vm, const char* what) {
+    log_warning("{}: {} is no file that is open for this", what, vm.parm_float(0));
+  }
+
+  Services services_;
+  std::map<int, File> open_;
+};
+
+}  // namespace
+
+void add_file_builtins(BuiltinTable& table, const Services& services) {
+  const auto files = std::make_shared<Files>(services);
+  table.set(110, "fopen", [files](Vm& vm) { files->open(vm); });
+  table.set(111, "fclose", [files](Vm& vm) { files->close(vm); });
+  table.set(112, "fgets", [files](Vm& vm) { files->gets(vm); });
+  table.set(113, "fputs", [files](Vm& vm) { files->puts(vm); });
+  table.add_extension("FRIK_FILE");
+}
+
+}  // namespace fb::progs

@@ -1,0 +1,275 @@
+// Each builtin that needs a server, called from QuakeC.
+#include "formats/test_models.h"
+#include "server/test_server.h"
+
+namespace fb::sv {
+namespace {
+
+using ::testing::HasSubstr;
+namespace fields = progs::fields;
+
+class GameBuiltinsTest : public testing::ServerTest {
+ protected:
+  // What was written where WriteByte(0, ...) writes, by `statements` on a level that runs.
+  Bytes datagram_of(const std::string& statements) {
+    start("void() go = {" + statements + "};");
+    if (!server_ || !server_->active()) return {};
+    const std::size_t before = server_->clients().datagram().bytes().size();
+    EXPECT_TRUE(level().run(level().vm->program().find_function("go"), EdictId::kWorld)) << level().error()->message;
+    const Bytes& all = server_->clients().datagram().bytes();
+    return Bytes(all.begin() + static_cast<std::ptrdiff_t>(before), all.end());
+  }
+  // Of one temporary entity.
+  net::svc::TempEntity effect_of(const std::string& statements) {
+    const Bytes bytes = datagram_of(statements);
+    net::ServerMessageReader reader(bytes, "datagram", server_->clients().protocol());
+    const auto message = reader.next();
+    EXPECT_TRUE(message.ok() && reader.at_end());
+    return message.ok() ? std::get<net::svc::TempEntity>(*message) : net::svc::TempEntity{};
+  }
+};
+
+TEST_F(GameBuiltinsTest, OriginSizeAndModel) {
+  EXPECT_EQ(says(R"(setorigin(self, '10 20 30'); saysv(self.origin);
+    setsize(self, '-1 -2 -3', '4 5 6'); saysv(self.size); saysv(self.absmin); saysv(self.absmax);)"),
+            "(10 20 30) (5 7 9) (8 17 26) (15 26 37) ");
+  EXPECT_THAT(says("setsize(self, '0 0 1', '0 0 0');"), HasSubstr("box of entity 2 is inside out"));
+  EXPECT_THAT(says("setmodel(self, \"progs/never.mdl\");"), HasSubstr("progs/never.mdl is not precached"));
+  EXPECT_EQ(says("setmodel(self, \"maps/test.bsp\"); saysf(self.modelindex); saysv(self.mins); saysv(self.maxs);"),
+            "1 (-513 -513 -1) (513 513 257) ");
+}
+
+TEST_F(GameBuiltinsTest, BoxesOfModelFiles) {
+  const formats::Mdl mdl = formats::testing::tetrahedron();
+  files_["progs/t.mdl"] = formats::testing::write_mdl(mdl);
+  files_["progs/s.spr"] = formats::testing::write_spr(formats::testing::small_sprite({}));
+  const auto spr = formats::parse_spr(files_["progs/s.spr"], "s");
+  ASSERT_TRUE(spr.ok());
+  start(
+      R"(void() thing = { precache_model("progs/t.mdl"); precache_model("progs/s.spr"); precache_model("progs/no.mdl");
+    setmodel(self, "progs/t.mdl"); local entity e; e = spawn(); setmodel(e, "progs/s.spr");
+    saysf(self.modelindex); saysf(e.modelindex); setmodel(e, "progs/no.mdl"); saysv(e.size); saysf(e.modelindex);
+    says(e.model); setmodel(e, "progs/s.spr"); };)",
+      "{ \"classname\" \"thing\" }");
+  EXPECT_EQ(said(), "2 3 (0 0 0) 4 progs/no.mdl ");
+  vec3 mins(1e9f), maxs(-1e9f);
+  for (const formats::MdlVertex& v : mdl.vertices) {
+    const vec3 p = vec3(v.x, v.y, v.z) * mdl.scale + mdl.origin;
+    mins = glm::min(mins, p);
+    maxs = glm::max(maxs, p);
+  }
+  EXPECT_EQ(edict(2).get(fields::mins), mins);
+  EXPECT_EQ(edict(2).get(fields::maxs), maxs);
+  EXPECT_EQ(edict(3).get(fields::maxs).z, static_cast<float>(spr->max_height / 2));
+}
+
+TEST_F(GameBuiltinsTest, Traces) {
+  EXPECT_EQ(
+      says(R"(traceline('0 0 100', '0 0 -100', 0, self); saysf(trace_fraction * 200 > 99); saysv(trace_plane_normal);
+    sayse(trace_ent); saysf(trace_inopen); saysf(trace_allsolid); saysf(trace_startsolid);)"),
+      "1 (0 0 1) e0 1 0 0 ");
+  EXPECT_EQ(says(R"(local entity e; e = spawn(); e.solid = SOLID_BBOX; setorigin(e, '100 0 50');
+    setsize(e, '-10 -10 -10', '10 10 10'); traceline('0 0 50', '200 0 50', 0, self); sayse(trace_ent);
+    traceline('0 0 50', '200 0 50', 1, self); sayse(trace_ent); traceline('0 0 50', '200 0 50', 0, e); sayse(trace_ent);
+    tracebox('0 0 50', '-8 -8 -8', '8 8 8', '200 0 50', 0, self); saysf(rint(trace_endpos_x));)"),
+            "e3 e0 e0 82 ");
+  // What is no number is 0, as in QuakeSpasm.
+  EXPECT_EQ(says(R"(local vector v; v = '0 0 0'; v_x = stof("nan"); v_x = 0 / v_x; traceline('0 0 9', v, 0, self);
+    saysf(trace_fraction <= 1);)"),
+            "1 ");
+}
+
+TEST_F(GameBuiltinsTest, PointsAndBottoms) {
+  EXPECT_EQ(says("saysf(pointcontents('0 0 10')); saysf(pointcontents('0 0 -10'));"), "-1 -2 ");
+  EXPECT_EQ(says(R"(setsize(self, '-16 -16 -24', '16 16 32'); setorigin(self, '0 0 60'); saysf(checkbottom(self));
+    saysf(droptofloor()); saysf(checkbottom(self)); saysf(rint(self.origin_z)); saysf((self.flags & FL_ONGROUND) > 0);
+    saysf(walkmove(0, 16)); saysf(rint(self.origin_x)); self.flags = 0; saysf(walkmove(0, 16));)"),
+            "0 1 1 24 1 1 16 0 ");
+}
+
+TEST_F(GameBuiltinsTest, MoveToGoal) {
+  EXPECT_EQ(says(R"(setsize(self, '-16 -16 -24', '16 16 32'); setorigin(self, '0 0 30'); droptofloor();
+    self.movetype = MOVETYPE_STEP; self.solid = SOLID_SLIDEBOX; self.yaw_speed = 360; local entity goal; goal = spawn();
+    setorigin(goal, '300 0 24'); self.goalentity = goal; self.enemy = goal; local float i;
+    for (i = 0; i < 20; i++) movetogoal(8); saysf(vlen(self.origin - goal.origin) < 250);)"),
+            "1 ");
+}
+
+TEST_F(GameBuiltinsTest, FindRadius) {
+  EXPECT_EQ(says(R"(local entity a, b, c, e; a = spawn(); b = spawn(); c = spawn(); a.solid = b.solid = c.solid = 2;
+    setorigin(a, '10 0 0'); setorigin(b, '0 500 0'); setorigin(c, '0 0 20'); e = findradius('0 0 0', 50);
+    while (e) { sayse(e); e = e.chain; } c.solid = 0; sayse(findradius('0 0 0', 50)); sayse(findradius('0 0 0', -1));)"),
+            "e5 e3 e3 e0 ");
+}
+
+TEST_F(GameBuiltinsTest, Aim) {
+  const std::string setup = R"(local entity e; e = spawn(); e.solid = SOLID_BBOX; e.takedamage = 2;
+    setsize(e, '-16 -16 -16', '16 16 16'); setorigin(self, '0 0 30'); makevectors('0 0 0'); )";
+  console_.execute("set sv_aim 0.93");
+  EXPECT_EQ(
+      says(setup + "setorigin(e, '200 0 100'); local vector v; v = aim(self, 1000); saysf(v_z > 0.3); saysf(v_y);"),
+      "1 0 ");
+  EXPECT_EQ(says(setup + "setorigin(e, '-200 0 100'); saysv(aim(self, 1000) + '0 0 0');"), "(1 0 0) ");
+  console_.set("sv_aim", "1");
+  EXPECT_EQ(says(setup + "setorigin(e, '200 0 100'); saysv(aim(self, 1000) + '0 0 0');"), "(1 0 0) ");
+  console_.set("sv_aim", "0.93");
+  EXPECT_EQ(says(setup + "remove(e); saysv(aim(e, 1000) + '0 0 0'); saysv(aim(self, 1) + '0 0 0');"),
+            "(1 0 0) (1 0 0) ");
+}
+
+TEST_F(GameBuiltinsTest, EntitiesThatAreNone) {
+  for (const char* call :
+       {"setorigin(nobody, '0 0 0')", "setsize(nobody, '0 0 0', '1 1 1')", "setmodel(nobody, \"\")",
+        "sound(nobody, 0, \"x.wav\", 1, 1)", "traceline('0 0 0', '1 1 1', 0, nobody)", "checkbottom(nobody)",
+        "aim(nobody, 1)", "makestatic(nobody)", "sprint(nobody, \"x\")", "stuffcmd(nobody, \"x\")",
+        "setspawnparms(nobody)", "centerprint(nobody, \"x\")", "WriteEntity(0, nobody)",
+        "getsurfacenumpoints(nobody, 0)", "te_lightning1(nobody, '0 0 0', '1 1 1')"}) {
+    start("entity nobody; void() go = { " + std::string(call) + "; };");
+    level().vm->set(global<EdictId>("nobody"), EdictId{0x7fffffff});
+    EXPECT_FALSE(level().run(level().vm->program().find_function("go"), EdictId::kWorld)) << call;
+    ASSERT_TRUE(level().failed());
+    EXPECT_THAT(level().error()->message, HasSubstr("is entity 2147483647")) << call;
+  }
+}
+
+TEST_F(GameBuiltinsTest, Precaching) {
+  EXPECT_EQ(says(R"(says(precache_sound("a.wav")); says(precache_sound2("a.wav")); says(precache_model("m.mdl"));
+    says(precache_model2("m.mdl")); says(precache_file("f")); says(precache_file2("f"));)"),
+            "a.wav a.wav m.mdl m.mdl f f ");
+  EXPECT_EQ(level().sounds.size(), 2u);
+  EXPECT_EQ(level().models.size(), 3u);
+  EXPECT_THAT(says("precache_sound(\"\");"), HasSubstr("no name of a file"));
+  EXPECT_THAT(says("precache_model(\" x\");"), HasSubstr("no name of a file"));
+  EXPECT_THAT(says("local float i; for (i = 0; i < 9000; i++) precache_sound(ftos(i + 1));"),
+              HasSubstr("more than 8191 sounds"));
+}
+
+TEST_F(GameBuiltinsTest, Sounds) {
+  const std::string before = "precache_sound(\"a.wav\"); ";
+  EXPECT_EQ(says(before + "sound(self, 7, \"a.wav\", 1, 4); sound(self, 0, \"b.wav\", 0, 0);"
+                          "ambientsound('0 0 0', \"a.wav\", 1, 3); ambientsound('0 0 0', \"none.wav\", 1, 3);"),
+            "");
+  EXPECT_THAT(says(before + "sound(self, 8, \"a.wav\", 1, 1);"), HasSubstr("channel 8, of 0 to 7"));
+  EXPECT_THAT(says(before + "sound(self, -1, \"a.wav\", 1, 1);"), HasSubstr("channel -1, of 0 to 7"));
+  EXPECT_THAT(says(before + "sound(self, 1, \"a.wav\", 1.1, 1);"), HasSubstr("volume 1.1, of 0 to 1"));
+  EXPECT_THAT(says(before + "sound(self, 1, \"a.wav\", 1, 4.5);"), HasSubstr("attenuation 4.5, of 0 to 4"));
+  EXPECT_THAT(says(before + "local float nan; nan = 0; nan = 0 / nan; sound(self, 1, \"a.wav\", 1, nan);"),
+              HasSubstr("attenuation"));
+}
+
+TEST_F(GameBuiltinsTest, LightStyles) {
+  EXPECT_EQ(says("lightstyle(0, \"m\"); lightstyle(63, \"az\"); lightstyle(64, \"x\"); lightstyle(-1, \"x\");"), "");
+  EXPECT_EQ(level().light_styles.at(0), "m");
+  EXPECT_EQ(level().light_styles.at(63), "az");
+}
+
+TEST_F(GameBuiltinsTest, ThoseWhoAreNoPlayers) {
+  EXPECT_EQ(says("sprint(self, \"x\"); sprint(world, \"x\"); centerprint(self, \"x\"); sprint(edict_num(1), \"x\");"),
+            "");
+  EXPECT_THAT(says("stuffcmd(self, \"x\");"), HasSubstr("stuffcmd to entity 2, which is no player"));
+  EXPECT_THAT(says("setspawnparms(self);"), HasSubstr("setspawnparms of entity 2, which is no player"));
+  EXPECT_EQ(says("setspawnparms(edict_num(1)); saysf(parm1);"), "0 ");
+}
+
+TEST_F(GameBuiltinsTest, Writes) {
+  const Bytes bytes = datagram_of(R"(WriteByte(0, 200); WriteChar(0, -2); WriteShort(0, -300); WriteLong(0, 70000);
+    WriteString(0, "hi"); WriteEntity(0, self); WriteByte(0, 1000000 * 1000000);)");
+  const Bytes expected{200, 254, 0xd4, 0xfe, 0x70, 0x11, 1, 0, 'h', 'i', 0, 0, 0, 0};
+  EXPECT_EQ(bytes, expected);
+  EXPECT_EQ(datagram_of("WriteCoord(0, 10.5); WriteAngle(0, 90);").size(), 3u);  // protocol 666: two bytes, and one
+  EXPECT_THAT(says("WriteByte(4, 1);"), HasSubstr("error: "));
+  EXPECT_THAT(says("WriteByte(-1, 1);"), HasSubstr("error: "));
+  EXPECT_THAT(says("msg_entity = self; WriteByte(1, 1);"), HasSubstr("error: "));
+}
+
+TEST_F(GameBuiltinsTest, Effects) {
+  EXPECT_EQ(effect_of("te_gunshot('8 16 24');").origin, vec3(8, 16, 24));
+  EXPECT_EQ(effect_of("te_explosion('8 16 24');").type, net::TempEntityType::kExplosion);
+  const auto colored = effect_of("te_explosion2('8 16 24', 7, 9);");
+  EXPECT_EQ(colored.color_start, 7);
+  EXPECT_EQ(colored.color_length, 9);
+  const auto beam = effect_of("te_lightning1(self, '8 0 0', '0 8 0');");
+  EXPECT_EQ(beam.type, net::TempEntityType::kLightning1);
+  EXPECT_EQ(beam.end, vec3(0, 8, 0));
+  EXPECT_TRUE(datagram_of("pointparticles(particleeffectnum(\"x\"), '0 0 0', '0 0 0', 1);"
+                          "te_particlerain('0 0 0', '1 1 1', '0 0 0', 1, 1);")
+                  .empty());
+}
+
+TEST_F(GameBuiltinsTest, ExtensionsAreToldHonestly) {
+  EXPECT_EQ(says(R"(saysf(checkextension("DP_QC_GETSURFACE")); saysf(checkextension("DP_QC_TRACEBOX"));
+    saysf(checkextension("DP_TE_STANDARDEFFECTBUILTINS")); saysf(checkextension("DP_GFX_FOG"));
+    saysf(checkextension("DP_SV_POINTPARTICLES")); saysf(checkextension("FTE_SV_POINTPARTICLES"));
+    saysf(checkextension("DP_TE_PARTICLERAIN")); saysf(checkextension("DP_TE_PARTICLESNOW"));
+    saysf(checkextension("DP_SV_ROTATINGBMODEL")); saysf(checkextension("FTE_ENT_SKIN_CONTENTS"));)"),
+            "1 1 1 1 0 0 0 0 1 1 ");
+  console_.set("pr_checkextension", "0");
+  EXPECT_EQ(says("saysf(checkextension(\"DP_QC_GETSURFACE\")); saysf(checkextension(\"DP_SV_ROTATINGBMODEL\"));"),
+            "0 0 ");
+  EXPECT_FALSE(level().asked.rotating_pushers);
+}
+
+TEST_F(GameBuiltinsTest, MakeStatic) {
+  start("void() thing = { setmodel(self, \"maps/test.bsp\"); makestatic(self); };", "{ \"classname\" \"thing\" }");
+  EXPECT_TRUE(level().edicts().is_free(EdictId{2}));
+  const std::size_t shown = server_->clients().signon().bytes().size();
+  start("void() thing = { setmodel(self, \"maps/test.bsp\"); makestatic(self); };",
+        "{ \"classname\" \"thing\" \"alpha\" \"-1\" }");
+  EXPECT_TRUE(level().edicts().is_free(EdictId{2}));
+  EXPECT_LT(server_->clients().signon().bytes().size(), shown);  // nobody could see it
+}
+
+TEST_F(GameBuiltinsTest, CheckClient) {
+  start(
+      "float found; void() thinks = { found = num_for_edict(checkclient()); self.nextthink = time + 0.1; };"
+      "void() thing = { self.think = thinks; self.nextthink = time + 0.1; setorigin(self, '0 0 50'); };"
+      "void() PutClientInServer = { self.health = 100; setorigin(self, '100 0 50'); };",
+      "{ \"classname\" \"thing\" }");
+  frames(3);
+  EXPECT_EQ(level().vm->get(global<float>("found")), 0.0f);
+  const Player player = join();
+  frames(3);
+  EXPECT_EQ(level().vm->get(global<float>("found")), 1.0f);
+  edict(1).set(fields::health, 0.0f);
+  frames(3);
+  EXPECT_EQ(level().vm->get(global<float>("found")), 0.0f);
+}
+
+// A room of six faces, as the formats' tests have it.
+class SurfaceTest : public GameBuiltinsTest {
+ protected:
+  std::string says_of_room(const std::string& statements) {
+    put_progs("void() worldspawn = {" + statements + "};");
+    formats::Bsp bsp = formats::testing::box_room(formats::BspVersion::kBsp29);
+    bsp.entities = "{ \"classname\" \"worldspawn\" }";
+    files_["maps/room.bsp"] = formats::testing::write_bsp(bsp);
+    make_server();
+    const Status status = server_->map("room");
+    return status.ok() ? said() : "error: " + status.error().message;
+  }
+};
+
+TEST_F(SurfaceTest, Surfaces) {
+  const std::string each = "local float i; for (i = 0; getsurfacenumpoints(self, i) > 0; i++)";
+  EXPECT_EQ(says_of_room(each +
+                         "{} saysf(i); saysf(getsurfacenumpoints(self, -1)); saysf(getsurfacenumpoints(self, 999));"
+                         "saysv(getsurfacepoint(self, 999, 0)); saysv(getsurfacepoint(self, 0, -1));"
+                         "saysf(strlen(getsurfacetexture(self, 999))); saysf(strlen(getsurfacetexture(self, 0)) > 0);"),
+            "6 0 0 (0 0 0) (0 0 0) 0 1 ");
+  // Each face's middle, a little inside the room, is nearest to that face, and the nearest point of it is the middle.
+  EXPECT_EQ(
+      says_of_room(each + R"({ local vector m, p, n; local float k, c; m = '0 0 0'; c = getsurfacenumpoints(self, i);
+      for (k = 0; k < c; k++) m = m + getsurfacepoint(self, i, k) * (1 / c);
+      n = getsurfacenormal(self, i); p = m + n * 2;
+      saysf(getsurfacenearpoint(self, p) == i); saysf(vlen(getsurfaceclippedpoint(self, i, p) - m) < 0.1);
+      p = getsurfaceclippedpoint(self, i, getsurfacepoint(self, i, 0) * 10 - m * 9);
+      saysf(vlen(p - getsurfacepoint(self, i, 0)) < 0.1); })"),
+      "1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 ");
+  EXPECT_EQ(
+      says_of_room(
+          "local entity e; e = spawn(); saysf(getsurfacenearpoint(e, '0 0 0')); saysf(getsurfacenumpoints(e, 0));"),
+      "-1 0 ");
+}
+
+}  // namespace
+}  // namespace fb::sv
