@@ -7,7 +7,7 @@ QUAKE_DIR ?=
 export FUZZ_SECONDS QUAKE_DIR JOBS
 
 .DEFAULT_GOAL := all
-.PHONY: all deps test demo play bench fuzz asan coverage check platforms tidy format clean help
+.PHONY: all deps test demo play bench fuzz asan coverage settings-page check platforms tidy format clean help
 
 # Arguments: preset, its folder, options of the build. Configuring is silent unless it fails.
 define configure_and_build
@@ -52,6 +52,9 @@ coverage: ## measure the tests' line coverage: build-coverage/coverage.html
 	@merge=; if gcovr --help | grep -q merge-mode-functions; then merge=--merge-mode-functions=separate; fi; \
 	gcovr --root . --filter Quake/ --filter Shaders/ --exclude '.*_test\.cpp' --exclude '.*_bench\.cpp' $$merge \
 	  --print-summary --html-details build-coverage/coverage.html build-coverage
+
+settings-page: all ## write Misc/docs/settings.md from the settings' rows
+	build/fullbright-lab settings >Misc/docs/settings.md
 
 check: ## check layers, formatting, text and includes of the sources
 	@$(DEPS) check

@@ -17,6 +17,8 @@ from __future__ import annotations
 import argparse
 import csv
 import json
+import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -49,11 +51,26 @@ class Lab:
             raise RuntimeError(f"fullbright-lab {command}: {said.stderr.strip()[-800:]}")
         return said.stdout
 
-    def reference(self, name: str, out: Path, *sets: str, **options) -> None:
+    def reference_args(self, name: str, out: Path, *sets: str, **options) -> list[str]:
         frame = load(name).get("frame", 0)
         args = [a for key, value in options.items() for a in (f"--{key}", value)]
-        self.run("reference", *self.common, *lab_args(name), "--frame", frame, "--out", out, *args,
-                 *[a for cvar in sets for a in ("--set", cvar)])
+        args = [*self.common, *lab_args(name), "--frame", frame, "--out", out, *args]
+        return [str(a) for a in [*args, *[a for cvar in sets for a in ("--set", cvar)]]]
+
+    def reference(self, name: str, out: Path, *sets: str, **options) -> None:
+        self.run("reference", *self.reference_args(name, out, *sets, **options))
+
+    def keep_evidence(self, test: str, reference: Path, image: Path, command: list[str]) -> Path:
+        """Fills out/failed/TEST with what a failing picture test saw: image, reference, their difference (FLIP per pixel, black
+        to white), and the command that makes the image again. Returns the folder."""
+        folder = HERE.parent / "out" / "failed" / test
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        shutil.copy(image, folder / "image.exr")
+        shutil.copy(reference, folder / "reference.exr")
+        (folder / "command").write_text(shlex.join(command) + "\n")
+        self.run("compare", reference, image, "--flip-map", folder / "difference.png")
+        return folder
 
 
 def make_reference(lab: Lab, name: str, spp: int) -> None:

@@ -1,8 +1,29 @@
 # fb_module(NAME SOURCES a.cpp ... [LINKS fb_base ...] [PRIVATE_LINKS ...] [TESTS a_test.cpp ...] [TEST_LINKS ...]
 #           [BENCHMARKS b.cpp ...] [BENCHMARK_LINKS ...] [FUZZERS fuzz_x.cpp ...])
 # makes the library fb_NAME, the test program NAME_test, the benchmark NAME_bench and one fuzzer for each file.
+#
+# The test program runs as test NAME. Filters of GoogleTest move tests of it out, to tests of their own with a label:
+#   STATISTICAL "A*:B*"  NAME_statistical: hypothesis tests over many frames, whose host code other tests run, too
+#   INTERSECTOR "C*"     NAME_intersector: what another driver may do otherwise; "*" labels the whole program
+#   SHARDS n             each of these in n parts, which may run side by side
+function(fb_add_gtest name program filter label shards)
+  foreach(shard RANGE 1 ${shards})
+    set(test ${name})
+    if(shards GREATER 1)
+      string(APPEND test _${shard})
+    endif()
+    math(EXPR index "${shard} - 1")
+    add_test(NAME ${test} COMMAND ${program} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+    set_tests_properties(${test} PROPERTIES LABELS "${label}")
+    if(NOT filter STREQUAL "*")
+      set_tests_properties(${test} PROPERTIES ENVIRONMENT
+        "GTEST_FILTER=${filter};GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
+    endif()
+  endforeach()
+endfunction()
+
 function(fb_module name)
-  cmake_parse_arguments(M "" "" "SOURCES;LINKS;PRIVATE_LINKS;TESTS;TEST_LINKS;BENCHMARKS;BENCHMARK_LINKS;FUZZERS" ${ARGN})
+  cmake_parse_arguments(M "" "STATISTICAL;INTERSECTOR;SHARDS" "SOURCES;LINKS;PRIVATE_LINKS;TESTS;TEST_LINKS;BENCHMARKS;BENCHMARK_LINKS;FUZZERS" ${ARGN})
   if(M_SOURCES)
     add_library(fb_${name} STATIC ${M_SOURCES})
     target_link_libraries(fb_${name} PUBLIC fb_options ${M_LINKS} PRIVATE ${M_PRIVATE_LINKS})
@@ -17,7 +38,23 @@ function(fb_module name)
     if(FULLBRIGHT_SANITIZE)
       target_compile_options(${name}_test PRIVATE -O0)  # half of a sanitized build is the tests' own text
     endif()
-    add_test(NAME ${name} COMMAND ${name}_test WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+    if(NOT M_SHARDS)
+      set(M_SHARDS 1)
+    endif()
+    if(M_INTERSECTOR STREQUAL "*")
+      fb_add_gtest(${name} ${name}_test "*" intersector 1)
+    elseif(M_STATISTICAL OR M_INTERSECTOR)
+      string(JOIN ":" moved ${M_STATISTICAL} ${M_INTERSECTOR})
+      fb_add_gtest(${name} ${name}_test "-${moved}" "" 1)
+      if(M_STATISTICAL)
+        fb_add_gtest(${name}_statistical ${name}_test "${M_STATISTICAL}" statistical ${M_SHARDS})
+      endif()
+      if(M_INTERSECTOR)
+        fb_add_gtest(${name}_intersector ${name}_test "${M_INTERSECTOR}" intersector ${M_SHARDS})
+      endif()
+    else()
+      fb_add_gtest(${name} ${name}_test "*" "" 1)
+    endif()
   endif()
   if(M_BENCHMARKS AND FULLBRIGHT_BENCHMARKS AND benchmark_FOUND)
     add_executable(${name}_bench ${M_BENCHMARKS})

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace fb::con {
@@ -33,6 +34,8 @@ struct CvarSpec {
   std::function<void(const Cvar&)> on_change = nullptr;
   // For cvars where 0 has a special meaning: a smaller number above 0 is raised to this one.
   std::optional<float> least_above_zero = std::nullopt;
+  // Words that stand for numbers of the range; the cvar holds the number.
+  std::vector<std::pair<std::string, float>> words = {};
 };
 
 // Lives as long as its Console and does not move: keep a reference and read it every frame.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "render/debug_views.h"
+
 namespace fb::render {
 namespace {
 
@@ -14,6 +16,9 @@ con::CvarSpec number_spec(const char* name, float value, float low, float high, 
   spec.min = low;
   spec.max = high;
   spec.integer = integer;
+  if (spec.name == "r_debug")
+    for (const DebugView& view : debug_views())
+      spec.words.emplace_back(view.name, static_cast<float>(view.number));
   return spec;
 }
 

@@ -45,6 +45,8 @@ EmissionScales emission_scales(const RenderSettings& settings);
 
 // Registers a cvar for every row, r_estimator, r_intersector and r_arrays.
 void register_render_cvars(con::Console& console);
+// The manual's page of all rows and of the debug views, in Markdown.
+std::string settings_page();
 // The cvars' values now.
 RenderSettings read_render_settings(const con::Console& console);
 

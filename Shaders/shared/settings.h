@@ -4,7 +4,7 @@
 //   X(type, field, cvar, default, lowest, highest, help)
 //
 // The host makes fields of RenderSettings and cvars of the rows (render/settings.h), the laboratory its --set, and the
-// manual its table (Misc/docs/settings.md, `make settings-table`). Shaders make uniform fields of the same rows, with
+// manual its table (Misc/docs/settings.md, `make settings-page`). Shaders make uniform fields of the same rows, with
 // the type float or int: the struct of a group names it.
 #ifndef FB_SHARED_SETTINGS_H
 #define FB_SHARED_SETTINGS_H
@@ -24,7 +24,7 @@
   X(float, exposure_time, "r_exposure_time", 0.7f, 0, 60, "time constant of automatic exposure, seconds") \
   X(int, tone_map, "r_tonemap", 1, 0, 1, "tone mapping: 0 clamps at white, 1 is a filmic curve") \
   X(int, fxaa, "r_fxaa", 1, 0, 1, "anti-alias the finished picture by FXAA (unless r_taa does)") \
-  X(int, debug_view, "r_debug", 0, 0, 30, "show a buffer in the place of the picture, by name or number; the command debugviews lists them")
+  X(int, debug_view, "r_debug", 0, 0, 30, "show a buffer in the place of the picture, by name or number; Misc/docs/settings.md lists them")
 
 // Rows of FrameConstants, for the denoiser's passes.
 #define FB_DENOISER_SETTINGS(X) \

@@ -1,0 +1,50 @@
+// The manual's page of settings, from the rows that define them.
+#include <fmt/format.h>
+
+#include <string>
+
+#include "console/cvar.h"
+#include "render/debug_views.h"
+#include "render/settings.h"
+
+namespace fb::render {
+namespace {
+
+void add_row(std::string& page, std::string_view cvar, float value, float low, float high, std::string_view help) {
+  page += fmt::format("| `{}` | {} | {} to {} | {} |\n", cvar, con::number_text(value), con::number_text(low),
+                      con::number_text(high), help);
+}
+
+void begin_table(std::string& page, std::string_view title) {
+  page += fmt::format("\n## {}\n\n| cvar | default | range | what it does |\n| --- | --- | --- | --- |\n", title);
+}
+
+}  // namespace
+
+std::string settings_page() {
+  std::string page =
+      "# Settings of the renderer\n\n"
+      "Written by `make settings-page` from `Shaders/shared/settings.h` and `Shaders/shared/debug_views.h`; a test holds "
+      "them equal.\n"
+      "A setting is a cvar of the game, and `--set NAME=VALUE` in the laboratory.\n";
+#define FB_ROW(type, field, cvar, value, low, high, help)                                              \
+  add_row(page, cvar, static_cast<float>(value), static_cast<float>(low), static_cast<float>(high), help);
+  begin_table(page, "The picture");
+  FB_FRAME_SETTINGS(FB_ROW)
+  FB_RENDERER_SETTINGS(FB_ROW)
+  begin_table(page, "The denoiser");
+  FB_DENOISER_SETTINGS(FB_ROW)
+  begin_table(page, "Emission");
+  FB_EMISSION_SETTINGS(FB_ROW)
+  begin_table(page, "Sampling of lights");
+  FB_LIGHT_SETTINGS(FB_ROW)
+  begin_table(page, "Path guiding");
+  FB_GUIDE_SETTINGS(FB_ROW)
+#undef FB_ROW
+  page += "\n## Debug views\n\n`r_debug` takes a name or its number.\n\n| name | number | what it shows |\n| --- | --- | --- |\n";
+  for (const DebugView& view : debug_views())
+    page += fmt::format("| `{}` | {} | {} |\n", view.name, view.number, view.help);
+  return page;
+}
+
+}  // namespace fb::render
