@@ -23,8 +23,8 @@
 #include "base/file_data.h"
 #include "base/maths.h"
 #include "base/result.h"
-#include "client/sources/demo_mode.h"
 #include "client/session/hud.h"
+#include "client/sources/demo_mode.h"
 #include "scene/library.h"
 #include "scene/snapshot.h"
 

@@ -1,4 +1,4 @@
-// The denoiser in motion: what its history follows, and what it lets go of.
+// The denoiser in motion: when its history is kept, and when it is discarded.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The denoiser on scenes made in code: energy, error, numbers that are none, repetition.
+// The denoiser on scenes made in code: energy, error, non-finite values, repeatability.
 #include "render/denoiser.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Both intersectors where rounding shows: far coordinates, rays along axes, their ends, cracks, triangles without an
-// area.
+// Both intersectors at the limits of precision: far coordinates, rays along axes, the ends of rays, cracks, triangles
+// without area.
 #include <gtest/gtest.h>
 
 #include "render/test_gpu_scene.h"

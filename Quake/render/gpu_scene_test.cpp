@@ -1,5 +1,5 @@
-// Both intersectors against a brute-force one on the host: soups of triangles under transforms, posed meshes between
-// poses, masks, alpha tests, trees of no, one and two thousand instances, scenes that change; and the tree's boxes.
+// Both intersectors against a brute-force one on the host: random triangles under transforms, interpolated poses,
+// masks, alpha tests, zero, one and two thousand instances, changing scenes; and the boxes of the tree.
 #include "render/gpu_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// For tests of the denoiser: its settings, frames of a clock that runs, and measures of pictures.
+// For tests of the denoiser: settings, frames with a running clock, and picture metrics.
 #pragma once
 
 #include <cmath>

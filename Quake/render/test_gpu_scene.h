@@ -1,14 +1,14 @@
-// For tests of GpuScene: scenes of random triangles, what rays hit there by brute force in double precision, and the
-// comparison of every way to trace that the device has with it.
+// For tests of GpuScene: scenes of random triangles, a brute-force intersector in double precision, and the comparison
+// of all the device's intersectors with it.
 #pragma once
 
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <cmath>
 
-#include "render/gpu_scene.h"
 #include "base/rng.h"
 #include "gpu/bvh.h"
+#include "render/gpu_scene.h"
 #include "render/ray_list.h"
 #include "render/test_device.h"
 #include "scene/assets.h"
