@@ -42,6 +42,7 @@ ORDER = list(MAY_INCLUDE)
 SUBFOLDERS = {
     "progs": ["", "builtins"],
     "server": ["simulation", "clients", "builtins", ""],
+    "scene": ["", "library", "in_code"],
     "client": ["effects", "session", "input", "sources", ""],
 }
 # Modules whose C++ code shares structs and pure functions with the shaders.

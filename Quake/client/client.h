@@ -25,7 +25,7 @@
 #include "base/result.h"
 #include "client/session/hud.h"
 #include "client/sources/demo_mode.h"
-#include "scene/library.h"
+#include "scene/library/library.h"
 #include "scene/snapshot.h"
 
 namespace fb::con {

@@ -13,7 +13,7 @@
 #include "console/console.h"
 #include "fs/filesystem.h"
 #include "render/renderer.h"
-#include "scene/scenes_in_code.h"
+#include "scene/in_code/scenes_in_code.h"
 
 namespace fb::lab {
 namespace {

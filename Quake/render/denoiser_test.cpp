@@ -9,7 +9,7 @@
 
 #include "base/hash.h"
 #include "render/test_denoiser.h"
-#include "scene/scenes_in_code.h"
+#include "scene/in_code/scenes_in_code.h"
 #include "shared/denoise.h"
 
 namespace fb::render {

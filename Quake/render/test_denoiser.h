@@ -9,7 +9,7 @@
 
 #include "render/denoiser.h"
 #include "render/test_device.h"
-#include "scene/scenes_in_code.h"
+#include "scene/in_code/scenes_in_code.h"
 
 namespace fb::render {
 
