@@ -1,4 +1,4 @@
-#include "lab/flip.h"
+#include "lab/compare/flip.h"
 
 #include <algorithm>
 #include <cmath>

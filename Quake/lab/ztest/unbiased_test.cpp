@@ -12,7 +12,7 @@
 #include <cctype>
 #include <ostream>
 
-#include "lab/ztest_job.h"
+#include "lab/ztest/ztest_job.h"
 #include "render/test_device.h"
 
 namespace fb::lab {

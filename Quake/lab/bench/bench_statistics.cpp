@@ -1,4 +1,4 @@
-#include "lab/bench_statistics.h"
+#include "lab/bench/bench_statistics.h"
 
 #include <algorithm>
 #include <cmath>

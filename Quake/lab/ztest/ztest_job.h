@@ -10,7 +10,7 @@
 #include "base/result.h"
 #include "gpu/device.h"
 #include "lab/frame_source.h"
-#include "lab/ztest.h"
+#include "lab/ztest/ztest.h"
 #include "render/settings.h"
 
 namespace fb::lab {

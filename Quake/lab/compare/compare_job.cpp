@@ -1,4 +1,4 @@
-#include "lab/compare_job.h"
+#include "lab/compare/compare_job.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "lab/ztest.h"
+#include "lab/ztest/ztest.h"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lab/metrics.h"
+#include "lab/compare/metrics.h"
 #include "lab/statistics.h"
 
 namespace fb::lab {

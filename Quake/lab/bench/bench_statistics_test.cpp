@@ -1,5 +1,5 @@
 // Gains that can be computed by hand, and intervals that cover the true gain as often as they should.
-#include "lab/bench_statistics.h"
+#include "lab/bench/bench_statistics.h"
 
 #include <gtest/gtest.h>
 

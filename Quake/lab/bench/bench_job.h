@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "lab/bench_statistics.h"
-#include "lab/bench_view.h"
+#include "lab/bench/bench_statistics.h"
+#include "lab/bench/bench_view.h"
 #include "render/renderer.h"
 
 namespace fb::lab {

@@ -1,4 +1,4 @@
-#include "lab/bench_view.h"
+#include "lab/bench/bench_view.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <system_error>
 
 #include "base/hash.h"
+#include "base/progress.h"
 #include "lab/image_io.h"
 #include "lab/jobs.h"
-#include "base/progress.h"
 #include "render/shader_set.h"
 
 namespace fb::lab {

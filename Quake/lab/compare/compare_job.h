@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "lab/flip.h"
-#include "lab/metrics.h"
+#include "lab/compare/flip.h"
+#include "lab/compare/metrics.h"
 #include "lab/statistics.h"
 
 namespace fb::lab {

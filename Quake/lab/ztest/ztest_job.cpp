@@ -1,4 +1,4 @@
-#include "lab/ztest_job.h"
+#include "lab/ztest/ztest_job.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // compare on files made here: what it computes, what it writes, what it refuses.
-#include "lab/compare_job.h"
+#include "lab/compare/compare_job.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // FLIP's pieces against what can be computed by hand, and the whole against the properties that the papers state.
-#include "lab/flip.h"
+#include "lab/compare/flip.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "lab/metrics.h"
+#include "lab/compare/metrics.h"
 
 #include <algorithm>
 #include <cmath>

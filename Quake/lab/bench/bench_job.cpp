@@ -1,4 +1,4 @@
-#include "lab/bench_job.h"
+#include "lab/bench/bench_job.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // The z-test itself: its distributions against closed forms, how often it cries wolf, and what it finds.
-#include "lab/ztest.h"
+#include "lab/ztest/ztest.h"
 
 #include <gtest/gtest.h>
 

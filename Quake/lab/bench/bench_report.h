@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "lab/bench_job.h"
+#include "lab/bench/bench_job.h"
 
 namespace fb::lab {
 

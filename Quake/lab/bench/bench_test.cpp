@@ -1,5 +1,5 @@
 // bench on scenes in code: what it measures agrees with itself and with arithmetic.
-#include "lab/bench_job.h"
+#include "lab/bench/bench_job.h"
 
 #include <gmock/gmock.h>
 
@@ -9,7 +9,7 @@
 #include <iterator>
 
 #include "base/test_directory.h"
-#include "lab/bench_report.h"
+#include "lab/bench/bench_report.h"
 #include "render/test_device.h"
 
 namespace fb::lab {

@@ -1,5 +1,5 @@
 // Errors that can be computed by hand, and the decomposition of the error held to noise of known variance and bias.
-#include "lab/metrics.h"
+#include "lab/compare/metrics.h"
 
 #include <gtest/gtest.h>
 
