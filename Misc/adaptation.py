@@ -26,7 +26,7 @@ import tempfile
 TRACKED = 5
 RECOVERED = 1.1
 WINDOW = 8
-LIGHTS_OUT = 100  # kLightsOutFrame of Quake/scene/scenes_in_motion.h
+LIGHTS_OUT = 100  # kLightsOutFrame of Quake/scene/in_code/scenes_in_motion.h
 
 
 def bench(options, scene, frames, warmup, configurations, name, *more):

@@ -42,7 +42,9 @@ ORDER = list(MAY_INCLUDE)
 SUBFOLDERS = {
     "progs": ["", "builtins"],
     "server": ["simulation", "clients", "builtins", ""],
+    "scene": ["", "library", "in_code"],
     "client": ["effects", "session", "input", "sources", ""],
+    "lab": ["", "compare", "ztest", "bench"],
 }
 # Modules whose C++ code shares structs and pure functions with the shaders.
 USES_SHARED = {"scene", "gpu", "render", "lab", "host"}

@@ -3,7 +3,7 @@
 
 Errors: trailing blanks, tabs and carriage returns in sources, a file that does not end with one newline, marks of
 unfinished work, absolute paths of somebody's machine, network addresses of private hosts, disabled code. A source of
-more than 600 lines gets a warning: it may hold a second idea.
+more than 500 lines gets a warning: it may hold a second idea.
 
     Misc/check_text.py [--root DIR]    checks the files that git would track
     Misc/check_text.py --self-test     tests the checks themselves on texts that break every rule
@@ -17,7 +17,7 @@ import sys
 
 CODE = {".cpp", ".h", ".glsl", ".comp", ".py", ".sh", ".cmake"}
 TEXT = CODE | {".md", ".txt", ".bib", ".json", ".supp", ".qc", ".ent", ".cfg"}
-LINES_WORTH_A_WARNING = 600
+LINES_WORTH_A_WARNING = 500
 
 # The words are split here so that this file does not break its own rules.
 UNFINISHED = re.compile(r"\b(" + "|".join(["TO" + "DO", "FIX" + "ME", "XX" + "X", "HA" + "CK"]) + r")\b")

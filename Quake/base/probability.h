@@ -1,4 +1,4 @@
-// How likely chance alone is to do as much: tails of the distributions that the tests and the laboratory ask.
+// Tail probabilities of the normal and chi-squared distributions, for the tests and the laboratory.
 #pragma once
 
 namespace fb {

@@ -31,7 +31,7 @@ TEST(Probability, ChiSquaredHasItsClosedForm) {
   }
 }
 
-// Counts of a fair die, or of one whose six comes up by `more` too often.
+// Counts of a fair die, or of a die that shows a six with the additional probability `more`.
 ChiSquared die(double more, std::uint64_t seed) {
   constexpr int kDraws = 6000;
   double counts[6] = {};
@@ -56,7 +56,7 @@ TEST(ChiSquaredTest, FindsALoadedDie) { EXPECT_LT(die(0.05, 1).p(), 1e-5); }
 TEST(ChiSquaredTest, PoolsRareCellsAndLeavesOutTheRarest) {
   ChiSquared test;
   test.add(100, 90);
-  EXPECT_EQ(test.p(), 1.0) << "one cell says nothing";
+  EXPECT_EQ(test.p(), 1.0) << "one cell cannot be tested";
   test.add(4, 8);
   EXPECT_EQ(test.degrees(), 0) << "too rare";
   test.add(4, 8);

@@ -1,11 +1,11 @@
-// For tests of samplers: do counts follow the distribution that they should (Pearson's chi-squared)?
+// Pearson's chi-squared test of counts against their expected values, for tests of samplers:
 //
 //   ChiSquared test;
 //   for (...) test.add(probability[i] * draws, seen[i]);
 //   EXPECT_GT(test.p(), kFalseAlarm);
 //
-// With fixed seeds a test that is right once stays so; the false-alarm rate says how seldom a right sampler had to be
-// given another seed.
+// The seeds of tests are fixed, so a test that passes once always passes; the false-alarm rate is the probability that
+// a correct sampler needs another seed.
 #pragma once
 
 #include "base/probability.h"
@@ -14,8 +14,8 @@ namespace fb {
 
 class ChiSquared {
  public:
-  // Cells of fewer expected draws are pooled into one, since their counts are far from normal (Cochran 1954); so few
-  // that even the pool has no more are left out.
+  // Cells with fewer expected draws are pooled, since their counts are not nearly normal (Cochran 1954). A pool with no
+  // more than this is left out.
   static constexpr double kLeastExpected = 5;
 
   void add(double expected, double seen) {
@@ -30,7 +30,7 @@ class ChiSquared {
 
   double statistic() const { return sum_ + (has_pool() ? term(pooled_expected_, pooled_seen_) : 0.0); }
   int degrees() const { return cells_ + (has_pool() ? 1 : 0) - 1; }
-  // How likely chance alone is to stray this far; 1 where there are not two cells to compare.
+  // The probability of a statistic this large by chance; 1 with fewer than two cells.
   double p() const { return degrees() < 1 ? 1.0 : chi_squared_p(statistic(), degrees()); }
 
  private:

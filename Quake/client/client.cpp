@@ -10,8 +10,8 @@
 #include "base/out_of_memory.h"
 #include "client/client_impl.h"
 #include "client/session/interpolate.h"
-#include "client/sources/map_view.h"
 #include "client/session/parse.h"
+#include "client/sources/map_view.h"
 
 namespace fb::cl {
 

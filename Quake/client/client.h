@@ -23,9 +23,9 @@
 #include "base/file_data.h"
 #include "base/maths.h"
 #include "base/result.h"
-#include "client/sources/demo_mode.h"
 #include "client/session/hud.h"
-#include "scene/library.h"
+#include "client/sources/demo_mode.h"
+#include "scene/library/library.h"
 #include "scene/snapshot.h"
 
 namespace fb::con {

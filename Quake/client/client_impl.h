@@ -8,10 +8,10 @@
 #include "client/client.h"
 #include "client/demo_recorder.h"
 #include "client/input/input.h"
-#include "client/sources/message_source.h"
 #include "client/session/session.h"
-#include "client/snapshot_builder.h"
 #include "client/session/view.h"
+#include "client/snapshot_builder.h"
+#include "client/sources/message_source.h"
 
 namespace fb::con {
 class Args;
@@ -69,7 +69,7 @@ struct Client::Impl {
   const scene::Model* world() const { return session.state.model(1); }
   bool active() const { return (source_has_messages() || shows_map()) && session.state.signon == kSignons; }
 
-  // The source, where it is of that kind; else null.
+  // The source if it is of this kind, else null.
   DemoPlayback* demo() { return std::get_if<DemoPlayback>(&source); }
   ServerLink* link() { return std::get_if<ServerLink>(&source); }
   AskedServer* asked() { return std::get_if<AskedServer>(&source); }

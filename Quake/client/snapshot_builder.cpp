@@ -5,7 +5,7 @@
 
 #include "base/rng.h"
 #include "scene/animation.h"
-#include "scene/asset_builder.h"
+#include "scene/library/asset_builder.h"
 
 namespace fb::cl {
 namespace {

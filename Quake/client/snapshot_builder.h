@@ -7,7 +7,7 @@
 
 #include "client/session/session.h"
 #include "client/session/view.h"
-#include "scene/library.h"
+#include "scene/library/library.h"
 #include "scene/snapshot.h"
 
 namespace fb::cl {

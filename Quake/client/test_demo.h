@@ -12,7 +12,7 @@
 #include "formats/test_bsp.h"
 #include "formats/test_models.h"
 #include "net/server_messages.h"
-#include "scene/test_maps.h"
+#include "scene/library/test_maps.h"
 
 namespace fb::cl::test {
 

@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "formats/invariants.h"
-#include "formats/test_corruption.h"
 #include "formats/test_bsp.h"
 #include "formats/test_bytes.h"
+#include "formats/test_corruption.h"
 
 namespace fb::formats {
 namespace {

@@ -1,4 +1,4 @@
-// The texture lump: what is damaged in it is a missing texture and a warning, or the map is refused.
+// The texture lump: a damaged entry becomes a missing texture and a warning; a damaged directory is an error.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "formats/invariants.h"
-#include "formats/test_corruption.h"
 #include "formats/test_bytes.h"
+#include "formats/test_corruption.h"
 #include "formats/test_files.h"
 #include "formats/test_images.h"
 

@@ -9,8 +9,8 @@
 
 #include "formats/test_bsp.h"
 #include "formats/test_files.h"
-#include "formats/test_models.h"
 #include "formats/test_images.h"
+#include "formats/test_models.h"
 
 namespace fb::formats::testing {
 namespace {

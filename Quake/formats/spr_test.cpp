@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "formats/invariants.h"
-#include "formats/test_corruption.h"
 #include "formats/test_bytes.h"
+#include "formats/test_corruption.h"
 #include "formats/test_models.h"
 
 namespace fb::formats {

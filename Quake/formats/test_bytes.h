@@ -1,5 +1,5 @@
-// For tests: files written number by number. The writers of files on it (test_bsp.h, test_models.h, test_files.h) make
-// small valid ones and check nothing: a test breaks a structure, writes it, and checks the answer of the parser.
+// Writes files number by number, for tests. The writers that use it (test_bsp.h, test_models.h, test_files.h) make
+// small valid files and check nothing: a test breaks a structure, writes it, and checks the parser's answer.
 #pragma once
 
 #include <cstdint>

@@ -1,12 +1,12 @@
-// External .vis files: a record replaces a map's visibility and leafs; one that does not fit the map is refused.
+// External .vis files: a record replaces a map's visibility and leafs; a record that does not fit the map is an error.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "formats/bsp.h"
 #include "formats/invariants.h"
-#include "formats/test_corruption.h"
 #include "formats/test_bsp.h"
 #include "formats/test_bytes.h"
+#include "formats/test_corruption.h"
 
 namespace fb::formats {
 namespace {

@@ -6,7 +6,7 @@
 #include "formats/test_models.h"
 #include "host/engine.h"
 #include "platform/program_directory.h"
-#include "scene/test_maps.h"
+#include "scene/library/test_maps.h"
 
 namespace fb::host {
 namespace {

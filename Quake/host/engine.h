@@ -20,7 +20,7 @@
 #include "net/datagram_listener.h"
 #include "net/loopback.h"
 #include "net/network.h"
-#include "scene/library.h"
+#include "scene/library/library.h"
 #include "server/server.h"
 
 namespace fb::host {

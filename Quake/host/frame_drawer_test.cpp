@@ -8,7 +8,7 @@
 #include "base/log.h"
 #include "gpu/test_failures.h"
 #include "render/test_device.h"
-#include "scene/scenes_in_code.h"
+#include "scene/in_code/scenes_in_code.h"
 
 namespace fb::host {
 namespace {

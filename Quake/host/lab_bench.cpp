@@ -8,7 +8,7 @@
 #include "base/log.h"
 #include "host/lab_numbers.h"
 #include "host/lab_stage.h"
-#include "lab/bench_report.h"
+#include "lab/bench/bench_report.h"
 
 namespace fb::host {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "host/lab_numbers.h"
 #include "host/lab_stage.h"
-#include "lab/compare_job.h"
+#include "lab/compare/compare_job.h"
 
 namespace fb::host {
 namespace {

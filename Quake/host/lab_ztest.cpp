@@ -3,7 +3,7 @@
 
 #include "host/lab_numbers.h"
 #include "host/lab_stage.h"
-#include "lab/ztest_job.h"
+#include "lab/ztest/ztest_job.h"
 
 namespace fb::host {
 namespace {

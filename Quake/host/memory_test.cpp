@@ -18,8 +18,8 @@
 #include "formats/test_bsp.h"
 #include "gpu/device.h"
 #include "render/renderer.h"
-#include "scene/scenes_in_code.h"
-#include "scene/test_maps.h"
+#include "scene/in_code/scenes_in_code.h"
+#include "scene/library/test_maps.h"
 #include "server/test_server.h"
 
 namespace {

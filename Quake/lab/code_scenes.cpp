@@ -5,10 +5,10 @@
 #include <functional>
 
 #include "lab/frame_source.h"
-#include "scene/scene_of_kinds.h"
-#include "scene/scenes_in_code.h"
-#include "scene/scenes_in_motion.h"
-#include "scene/scenes_of_light.h"
+#include "scene/in_code/scene_of_kinds.h"
+#include "scene/in_code/scenes_in_code.h"
+#include "scene/in_code/scenes_in_motion.h"
+#include "scene/in_code/scenes_of_light.h"
 
 namespace fb::lab {
 namespace {

@@ -19,7 +19,8 @@ class FrameSource {
 };
 
 // A scene made in code by its name (code_scene_names); it never ends. In moving, candles_flicker, rocket and lightsout
-// something changes from frame to frame (scene/scenes_in_motion.h); the others stand still in space and in time.
+// something changes from frame to frame (scene/in_code/scenes_in_motion.h); the others stand still in space and in
+// time.
 Result<std::unique_ptr<FrameSource>> code_scene(std::string_view name, double frames_per_second);
 std::vector<std::string> code_scene_names();
 

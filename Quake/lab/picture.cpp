@@ -9,7 +9,7 @@
 #include "formats/image.h"
 #include "fs/file.h"
 #include "lab/image_io.h"
-#include "scene/asset_builder.h"
+#include "scene/library/asset_builder.h"
 
 namespace fb::lab {
 namespace {

@@ -81,13 +81,17 @@ struct FieldWriter {
 
 template <typename M>
 void read_fields(MessageReader& reader, M& message) {
-  FieldReader wire{reader};
-  if constexpr (!std::is_empty_v<M>) M::fields(message, wire);
+  if constexpr (!std::is_empty_v<M>) {
+    FieldReader wire{reader};
+    M::fields(message, wire);
+  }
 }
 template <typename M>
 void write_fields(MessageWriter& writer, const M& message) {
-  FieldWriter wire{writer};
-  if constexpr (!std::is_empty_v<M>) M::fields(message, wire);
+  if constexpr (!std::is_empty_v<M>) {
+    FieldWriter wire{writer};
+    M::fields(message, wire);
+  }
 }
 
 template <typename M>

@@ -8,8 +8,8 @@
 
 #include "render/renderer.h"
 #include "render/test_device.h"
-#include "scene/scene_of_kinds.h"
-#include "scene/scenes_in_code.h"
+#include "scene/in_code/scene_of_kinds.h"
+#include "scene/in_code/scenes_in_code.h"
 
 namespace fb::render {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "base/hash.h"
 #include "render/test_device.h"
-#include "scene/scenes_in_code.h"
+#include "scene/in_code/scenes_in_code.h"
 
 namespace fb::render {
 namespace {

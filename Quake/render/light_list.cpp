@@ -5,7 +5,7 @@
 #include <unordered_map>
 
 #include "render/gpu_scene_copies.h"
-#include "scene/asset_builder.h"
+#include "scene/library/asset_builder.h"
 #include "scene/shapes.h"
 
 namespace fb::render {

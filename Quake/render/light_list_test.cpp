@@ -10,8 +10,8 @@
 
 #include "render/gpu_scene_tables.h"
 #include "render/settings.h"
-#include "scene/scene_of_kinds.h"
-#include "scene/scenes_in_code.h"
+#include "scene/in_code/scene_of_kinds.h"
+#include "scene/in_code/scenes_in_code.h"
 #include "scene/shapes.h"
 
 namespace fb::render {

@@ -15,7 +15,7 @@
 #include "gpu/test_failures.h"
 #include "render/picture_size.h"
 #include "render/renderer.h"
-#include "scene/scenes_in_code.h"
+#include "scene/in_code/scenes_in_code.h"
 
 namespace fb::render {
 namespace {

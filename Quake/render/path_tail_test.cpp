@@ -6,7 +6,7 @@
 
 #include "render/renderer.h"
 #include "render/test_device.h"
-#include "scene/scenes_in_code.h"
+#include "scene/in_code/scenes_in_code.h"
 
 namespace fb::render {
 namespace {

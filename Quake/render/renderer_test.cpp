@@ -13,7 +13,7 @@
 #include "render/frame_constants.h"
 #include "render/test_device.h"
 #include "render/test_motion.h"
-#include "scene/scenes_in_code.h"
+#include "scene/in_code/scenes_in_code.h"
 #include "scene/shapes.h"
 
 namespace fb::render {

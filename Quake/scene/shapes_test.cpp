@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "scene/scenes_in_code.h"
+#include "scene/in_code/scenes_in_code.h"
 #include "scene/test_scenes.h"
 
 namespace fb::scene {

@@ -10,8 +10,8 @@
 #include "base/log.h"
 #include "fs/filesystem.h"
 #include "server/server.h"
-#include "server/test_librequake.h"
 #include "server/simulation/test_rules.h"
+#include "server/test_librequake.h"
 
 namespace fb::sv {
 namespace {

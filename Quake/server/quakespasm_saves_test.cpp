@@ -7,8 +7,8 @@
 #include "base/test_directory.h"
 #include "fs/filesystem.h"
 #include "server/server.h"
-#include "server/test_quakespasm.h"
 #include "server/simulation/test_rules.h"
+#include "server/test_quakespasm.h"
 
 namespace fb::sv {
 namespace {

@@ -13,8 +13,8 @@
 #include "progs/builtins/builtins.h"
 #include "progs/entity_text.h"
 #include "server/mod_cvars.h"
-#include "server/simulation/physics.h"
 #include "server/server_commands.h"
+#include "server/simulation/physics.h"
 #include "server/simulation/spawn.h"
 #include "server/simulation/user.h"
 

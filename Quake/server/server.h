@@ -28,9 +28,9 @@
 #include "base/rng.h"
 #include "console/console.h"
 #include "server/builtins/game_builtins.h"
+#include "server/save_game.h"
 #include "server/simulation/level.h"
 #include "server/simulation/level_files.h"
-#include "server/save_game.h"
 
 namespace fb::sv {
 

@@ -4,9 +4,9 @@
 #include "base/log.h"
 #include "base/out_of_memory.h"
 #include "fs/path.h"
-#include "server/simulation/link.h"
 #include "server/save_game.h"
 #include "server/server.h"
+#include "server/simulation/link.h"
 #include "server/simulation/spawn.h"
 
 namespace fb::sv {

@@ -1,4 +1,4 @@
-// Beams (lightning, grappling hooks): drawn as a row of models, each rolled at random.
+// Beams (lightning, grappling hooks): drawn as a row of models, each with a random roll.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What lives for a moment and is no entity.
+// The short-lived effects that are not entities.
 #pragma once
 
 #include "client/effects/beams.h"

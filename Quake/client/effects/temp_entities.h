@@ -1,4 +1,4 @@
-// svc_temp_entity: what happens in a moment and has no entity.
+// svc_temp_entity: events without an entity (impacts, explosions, beams).
 #pragma once
 
 #include "client/effects/effects.h"

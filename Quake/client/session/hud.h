@@ -1,4 +1,4 @@
-// What the server tells of a game that others than the renderer show: status bar, scoreboard, music; and the fog.
+// Values of a game for the status bar, the scoreboard, music and fog.
 #pragma once
 
 #include <array>

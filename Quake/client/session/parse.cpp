@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 #include "base/log.h"
-#include "client/session/entities.h"
 #include "client/effects/temp_entities.h"
+#include "client/session/entities.h"
 #include "world/entity_lump.h"
 
 namespace fb::cl {

@@ -11,7 +11,7 @@
 #include "base/maths.h"
 #include "client/session/hud.h"
 #include "net/server_messages.h"
-#include "scene/library.h"
+#include "scene/library/library.h"
 
 namespace fb::cl {
 

@@ -1,4 +1,4 @@
-// How a demo is played, and what timedemo says of it: the part of demos that the client's users see.
+// The ways to play a demo, and the result of timedemo; part of the client's interface.
 #pragma once
 
 #include <string>

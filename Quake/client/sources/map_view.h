@@ -6,7 +6,7 @@
 #include "base/result.h"
 #include "client/session/session.h"
 #include "client/session/view.h"
-#include "scene/library.h"
+#include "scene/library/library.h"
 
 namespace fb::cl {
 

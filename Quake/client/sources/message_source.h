@@ -1,4 +1,4 @@
-// Where what the client shows comes from: one of these at a time, each with what belongs to it alone.
+// The source of what the client shows: exactly one of these at a time, each with its own state.
 #pragma once
 
 #include <memory>
@@ -12,10 +12,9 @@
 namespace fb::cl {
 
 struct NoSource {};
-// A map without messages: nothing happens in it, but time passes.
+// A map without a server: there are no messages; only time passes.
 struct StillMap {};
-// A server that has been asked for a game and has not answered yet. A map that was shown stays in view, and is what
-// remains if nobody answers.
+// A connection request that has no answer yet. A still map stays visible meanwhile, and afterwards if no answer comes.
 struct AskedServer {
   std::unique_ptr<net::ConnectAttempt> attempt;
   std::string name;

@@ -1,4 +1,4 @@
-// The client and a server on a network of the test's own: connecting, playing, silence.
+// The client and a server over a simulated network: connecting, playing, timeouts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "progs/builtins/kinds.h"
-#include "progs/entity_text.h"
 #include "progs/builtins/output.h"
+#include "progs/entity_text.h"
 #include "progs/vm.h"
 
 namespace fb::progs {

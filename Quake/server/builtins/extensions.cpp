@@ -1,7 +1,7 @@
 // What changes how a level behaves, for mods that ask whether it is there (checkextension): from then on, and for them
 // alone. And commands of players that a mod hears first (KRIMZON_SV_PARSECLIENTCOMMAND).
-#include "server/clients/client_commands.h"
 #include "server/builtins/game_builtins.h"
+#include "server/clients/client_commands.h"
 
 namespace fb::sv {
 namespace {

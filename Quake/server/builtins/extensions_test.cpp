@@ -2,9 +2,9 @@
 // hears first. Each of them only where the mod has asked.
 #include "server/simulation/skin_contents.h"
 #include "server/simulation/test_level.h"
-#include "server/test_server.h"
 #include "server/simulation/test_things.h"
 #include "server/simulation/user.h"
+#include "server/test_server.h"
 
 namespace fb::sv {
 namespace {

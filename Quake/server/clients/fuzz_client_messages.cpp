@@ -12,8 +12,8 @@
 #include "net/loopback.h"
 #include "progs/test_program.h"
 #include "server/clients/clients.h"
-#include "server/simulation/test_map.h"
 #include "server/clients/test_remote_connection.h"
+#include "server/simulation/test_map.h"
 
 namespace fb::sv {
 namespace {

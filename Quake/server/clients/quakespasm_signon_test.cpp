@@ -16,8 +16,8 @@
 #include "net/server_messages.h"
 #include "server/clients/clients.h"
 #include "server/server.h"
-#include "server/test_quakespasm.h"
 #include "server/simulation/test_rules.h"
+#include "server/test_quakespasm.h"
 
 namespace fb::sv {
 namespace {

@@ -25,11 +25,11 @@
 #include "net/loopback.h"
 #include "progs/builtins/builtins.h"
 #include "progs/test_qc.h"
-#include "server/clients/clients.h"
 #include "server/builtins/game_builtins.h"
+#include "server/clients/clients.h"
+#include "server/clients/test_remote_connection.h"
 #include "server/simulation/link.h"
 #include "server/simulation/test_map.h"
-#include "server/clients/test_remote_connection.h"
 
 namespace fb::sv::testing {
 

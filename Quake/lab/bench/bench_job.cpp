@@ -1,0 +1,178 @@
+#include "lab/bench/bench_job.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+
+#include "base/progress.h"
+
+namespace fb::lab {
+namespace {
+
+// A configuration at work.
+struct Lane {
+  render::RenderSettings settings;
+  std::unique_ptr<render::Renderer> renderer;
+  ConfigurationResult result;
+  std::map<std::string, std::vector<double>> passes;  // of measured frames
+  std::vector<std::string> pass_order;
+  Runs run_average, warm_average;  // of this run
+  Runs frames;                     // of the last window, all runs
+};
+
+Result<Lane> open_lane(gpu::Device& device, const Configuration& configuration, const View& view, const BenchJob& job) {
+  Lane lane;
+  lane.settings = configuration.settings;
+  lane.settings.accumulate = 0;
+  auto renderer = render::Renderer::create(device, lane.settings);
+  if (!renderer) return renderer.error();
+  lane.renderer = std::move(*renderer);
+  lane.renderer->resize(job.width, job.height);
+  lane.renderer->render(view.at(0, 0), nullptr, lane.settings);  // compiles, uploads
+  lane.result.name = configuration.name;
+  lane.result.estimator = configuration.settings.estimator;
+  lane.result.frames.runs = job.runs;
+  lane.result.frames.warmup = view.warmup;
+  lane.result.frames.measured = view.measured;
+  lane.result.frames.spp = static_cast<std::uint32_t>(configuration.settings.spp);
+  return lane;
+}
+
+void add_times(Lane& lane, FrameRecord& record, bool measured) {
+  for (const render::PassTime& pass : lane.renderer->pass_times()) {
+    record.gpu_ms += pass.milliseconds;
+    if (pass.kind == render::PassKind::kEstimator) record.estimator_ms += pass.milliseconds;
+  }
+  if (!measured) return;
+  std::map<std::string, double> sums;  // a name may come twice in a frame
+  for (const render::PassTime& pass : lane.renderer->pass_times()) {
+    if (!lane.passes.contains(pass.name)) lane.pass_order.push_back(pass.name);
+    lane.passes.try_emplace(pass.name);
+    sums[pass.name] += pass.milliseconds;
+  }
+  for (const auto& [name, milliseconds] : sums) lane.passes[name].push_back(milliseconds);
+}
+
+void add_running_errors(Lane& lane, FrameRecord& record, const Picture& picture, const Reference& reference, bool warm,
+                        const MetricOptions& metrics) {
+  lane.run_average.add(picture);
+  const Errors running = measure(reference, lane.run_average.mean(), metrics);
+  record.running_mse = running.mse_corrected();
+  record.running_rel_mse = running.rel_mse_corrected();
+  if (!warm) return;
+  lane.warm_average.add(picture);
+  const Errors warm_running = measure(reference, lane.warm_average.mean(), metrics);
+  record.warm_running_mse = warm_running.mse_corrected();
+  record.warm_running_rel_mse = warm_running.rel_mse_corrected();
+  lane.frames.add(picture);
+}
+
+FrameRecord render_frame(Lane& lane, const View& view, std::uint32_t run, std::uint32_t index,
+                         const std::vector<Reference>& references, const BenchJob& job) {
+  lane.renderer->render(view.at(run, index), nullptr, lane.settings);
+  const bool warm = index >= view.warmup;
+  FrameRecord record;
+  record.measured = view.still || warm;
+  add_times(lane, record, warm);
+  if (!record.measured) return record;
+  const Picture picture = picture_of(lane.renderer->read().denoised(), lane.renderer->render_size());
+  const Reference& reference = references[view.still ? 0 : index - view.warmup];
+  record.errors = measure(reference, picture, job.metrics);
+  if (view.still) add_running_errors(lane, record, picture, reference, warm, job.metrics);
+  return record;
+}
+
+ConfigurationResult::Pass pass_times(std::string name, const std::vector<double>& milliseconds) {
+  return {std::move(name), quantile(milliseconds, 0.5), quantile(milliseconds, 0.1), quantile(milliseconds, 0.9)};
+}
+
+void summarise(Lane& lane, const View& view, const std::vector<Reference>& references, const Frames* baseline) {
+  ConfigurationResult& r = lane.result;
+  std::vector<double> all, own;
+  for (std::uint32_t run = 0; run < r.frames.runs; ++run) {
+    for (std::uint32_t i = view.warmup; i < view.frames(); ++i) {
+      all.push_back(r.frames.at(run, i).gpu_ms);
+      own.push_back(r.frames.at(run, i).estimator_ms);
+    }
+  }
+  r.all = pass_times("all", all);
+  r.estimator_passes = pass_times("estimator", own);
+  for (const std::string& name : lane.pass_order) r.passes.push_back(pass_times(name, lane.passes[name]));
+  r.not_finite = lane.renderer->read().counters().not_finite;
+  if (view.still || view.warmup == 0) r.windows.push_back(window_statistics(r.frames, {false, 0}, baseline));
+  if (view.warmup > 0) r.windows.push_back(window_statistics(r.frames, {true, view.warmup}, baseline));
+  if (view.still) {
+    r.variance = lane.frames.variance();
+    r.bias_squared = lane.frames.bias_squared(references[0]);
+  }
+}
+
+Status check_sizes(const std::vector<Lane>& lanes, const std::vector<Reference>& references) {
+  for (const Lane& lane : lanes) {
+    const uvec2 size = lane.renderer->render_size();
+    for (const Reference& reference : references) {
+      if (reference.mean.width == size.x && reference.mean.height == size.y) continue;
+      return Error{fmt::format("the reference has {}x{} pixels, {} renders {}x{}", reference.mean.width,
+                               reference.mean.height, lane.result.name, size.x, size.y)};
+    }
+  }
+  return ok_status();
+}
+
+void describe_references(BenchResult& result, const std::vector<Reference>& references) {
+  result.reference_variance_known = true;
+  for (const Reference& reference : references) {
+    const Errors of_black = measure(reference, Picture{reference.mean.width, reference.mean.height,
+                                                       std::vector<vec3>(reference.mean.pixels.size(), vec3(0.0f))});
+    result.reference_mean -= of_black.bias / static_cast<double>(references.size());
+    result.reference_variance += of_black.reference_variance / static_cast<double>(references.size());
+    result.reference_variance_known = result.reference_variance_known && !reference.variance.empty();
+  }
+}
+
+}  // namespace
+
+Result<BenchResult> run_bench(gpu::Device& device, const View& view, const std::vector<Reference>& references,
+                              const BenchJob& job) {
+  std::vector<Lane> lanes;
+  for (const Configuration& configuration : job.configurations) {
+    auto lane = open_lane(device, configuration, view, job);
+    if (!lane) return lane.error();
+    lanes.push_back(std::move(*lane));
+  }
+  if (auto status = check_sizes(lanes, references); !status) return status.error();
+
+  Progress progress("frame", std::uint64_t{job.runs} * view.frames(), {.quiet = job.quiet});
+  for (std::uint32_t run = 0; run < job.runs; ++run) {
+    for (std::size_t i = 0; i < lanes.size(); ++i) {
+      Lane& lane = lanes[i];
+      lane.renderer->reset_learning();
+      lane.settings.seed = job.configurations[i].settings.seed + 1 + static_cast<int>(run);
+      lane.run_average = lane.warm_average = Runs();
+    }
+    for (std::uint32_t index = 0; index < view.frames(); ++index) {
+      for (std::size_t k = 0; k < lanes.size(); ++k) {
+        Lane& lane = lanes[(k + index) % lanes.size()];
+        lane.result.frames.records.push_back(render_frame(lane, view, run, index, references, job));
+      }
+      progress.update(std::uint64_t{run} * view.frames() + index + 1);
+    }
+  }
+
+  BenchResult result;
+  result.still = view.still;
+  result.first_frame = view.first_frame;
+  result.width = job.width;
+  result.height = job.height;
+  result.device = device.report().name;
+  result.intersector = lanes.front().renderer->intersector_name();
+  describe_references(result, references);
+  for (Lane& lane : lanes) {
+    summarise(lane, view, references, &lane == &lanes.front() ? nullptr : &lanes.front().result.frames);
+  }
+  for (Lane& lane : lanes) result.configurations.push_back(std::move(lane.result));
+  return result;
+}
+
+}  // namespace fb::lab

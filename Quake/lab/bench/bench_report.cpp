@@ -1,0 +1,226 @@
+#include "lab/bench/bench_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lab/json.h"
+
+namespace fb::lab {
+namespace {
+
+std::string_view name_of(const Window& window) { return window.warm ? "warm" : "cold"; }
+
+void add_gains(std::string& out, const std::string& name, const std::string& baseline, const Gains& g) {
+  const auto line = [&](std::string_view what, const Estimate& e) {
+    out += fmt::format("    {:38} {:.3f} [{:.3f}, {:.3f}]\n", what, e.value, e.interval.low, e.interval.high);
+  };
+  out += fmt::format("  gain of {} over {} [95%]\n", name, baseline);
+  line("equal samples", g.samples);
+  line("equal time of the estimator", g.time);
+  line("equal time of all passes", g.time_all);
+  line("equal time, frames paired", g.time_paired);
+  line("equal time, of the median frame", g.typical_time);
+}
+
+void add_windows(std::string& out, const BenchResult& result) {
+  std::size_t width = 13;
+  for (const auto& c : result.configurations) width = std::max(width, c.name.size());
+  for (std::size_t w = 0; w < result.configurations.front().windows.size(); ++w) {
+    const auto& first = result.configurations.front();
+    out +=
+        fmt::format("\n{}, error of single frames ({} frames{}):\n", name_of(first.windows[w].window),
+                    first.frames.measured, first.frames.runs > 1 ? fmt::format(" of {} runs", first.frames.runs) : "");
+    out += fmt::format("  {:{}} {:>22} {:>11} {:>20} {:>11} {:>20} {:>8}\n", "", width, "mean MSE", "median MSE",
+                       "mean relMSE", "med. pixel", "bias", "top 0.1%");
+    for (const auto& c : result.configurations) {
+      const WindowStatistics& s = c.windows[w];
+      out += fmt::format(
+          "  {:{}} {:>11.4g} +- {:<7.2g} {:>11.4g} {:>9.4g} +- {:<7.2g} {:>11.4g} {:>9.2g} +- {:<7.2g} {:>7.1f}%\n",
+          c.name, width, s.mse.value, s.mse_error, s.mse_median, s.rel_mse.value, s.rel_mse_error, s.median_pixel,
+          s.bias, s.bias_error, 100 * s.top_share);
+    }
+    for (const auto& c : result.configurations)
+      if (c.windows[w].gains) add_gains(out, c.name, first.name, *c.windows[w].gains);
+  }
+}
+
+// A view that moves: how each configuration follows.
+void add_frames(std::string& out, const BenchResult& result) {
+  out += "\nMSE of each frame, mean over runs:\n  frame";
+  std::vector<std::vector<FrameOverRuns>> lists;
+  for (const auto& c : result.configurations) {
+    out += fmt::format(" {:>22}", c.name);
+    lists.push_back(frames_over_runs(c.frames));
+  }
+  for (std::size_t i = 0; i < lists.front().size(); ++i) {
+    out += fmt::format("\n  {:5}", result.first_frame + lists.front()[i].index);
+    for (const auto& list : lists) out += fmt::format(" {:>11.4g} +- {:<7.2g}", list[i].mse, list[i].mse_error);
+  }
+  out += '\n';
+}
+
+void add_running(std::string& out, const BenchResult& result) {
+  out += "\nerror of the running average after the last frame, time until then:\n";
+  for (const auto& c : result.configurations) {
+    for (const WindowStatistics& s : c.windows) {
+      const Curve curve = running_curve(c.frames, s.window);
+      out += fmt::format("  {} {:5} MSE {:.4g}, relMSE {:.4g}, {:.1f} ms\n", c.name, name_of(s.window),
+                         curve.mse.back(), curve.rel_mse.back(), curve.gpu_ms.back());
+    }
+    out += fmt::format("  {} variance of a frame {:.4g}, squared bias of their mean {:.2g}\n", c.name, c.variance,
+                       c.bias_squared);
+  }
+}
+
+void write_estimate(JsonWriter& json, std::string_view key, const Estimate& e) {
+  json.open_object(key).number("value", e.value);
+  json.open_array("interval95").number("", e.interval.low).number("", e.interval.high).close().close();
+}
+
+void write_series(JsonWriter& json, std::string_view key, const std::vector<double>& values) {
+  json.open_array(key);
+  for (const double v : values) json.number("", v);
+  json.close();
+}
+
+void write_window(JsonWriter& json, const ConfigurationResult& c, const WindowStatistics& s, bool still) {
+  json.open_object(name_of(s.window)).integer("first_frame", s.window.first).integer("frames", c.frames.measured);
+  json.number("mse_mean", s.mse.value).number("mse_standard_error", s.mse_error);
+  json.open_array("mse_interval95").number("", s.mse.interval.low).number("", s.mse.interval.high).close();
+  json.number("mse_median", s.mse_median);
+  json.number("relmse_mean", s.rel_mse.value).number("relmse_standard_error", s.rel_mse_error);
+  json.number("relmse_median", s.rel_mse_median).number("mse_median_pixel", s.median_pixel);
+  json.number("top_share", s.top_share).number("bias", s.bias).number("bias_standard_error", s.bias_error);
+  json.number("reference_variance", s.reference_variance);
+  json.number("gpu_ms_median", s.gpu_ms).number("estimator_gpu_ms_median", s.estimator_ms);
+  if (s.gains) {
+    json.open_object("gain");
+    write_estimate(json, "equal_samples", s.gains->samples);
+    write_estimate(json, "equal_time", s.gains->time);
+    write_estimate(json, "equal_time_all_passes", s.gains->time_all);
+    write_estimate(json, "equal_time_paired", s.gains->time_paired);
+    write_estimate(json, "equal_time_median_frame", s.gains->typical_time);
+    json.close();
+  }
+  if (still) {
+    const Curve curve = running_curve(c.frames, s.window);
+    json.open_object("running_average");
+    write_series(json, "mse", curve.mse);
+    write_series(json, "relmse", curve.rel_mse);
+    write_series(json, "gpu_ms", curve.gpu_ms);
+    write_series(json, "estimator_gpu_ms", curve.estimator_ms);
+    json.close();
+  }
+  json.close();
+}
+
+void write_frames(JsonWriter& json, const Frames& frames, std::uint64_t first_frame) {
+  std::vector<double> index, mse, mse_error, rel_mse, estimator_ms;
+  for (const FrameOverRuns& f : frames_over_runs(frames)) {
+    index.push_back(static_cast<double>(first_frame + f.index));
+    mse.push_back(f.mse);
+    mse_error.push_back(f.mse_error);
+    rel_mse.push_back(f.rel_mse);
+    estimator_ms.push_back(f.estimator_ms);
+  }
+  json.open_object("single_frames");
+  write_series(json, "frame", index);
+  write_series(json, "mse", mse);
+  write_series(json, "mse_standard_error", mse_error);
+  write_series(json, "relmse", rel_mse);
+  write_series(json, "estimator_gpu_ms", estimator_ms);
+  json.close();
+}
+
+void write_configuration(JsonWriter& json, const ConfigurationResult& c, bool still, std::uint64_t first_frame) {
+  json.open_object().text("name", c.name).text("estimator", c.estimator).integer("spp", c.frames.spp);
+  json.number("gpu_ms_median", c.all.median).number("gpu_ms_p10", c.all.p10).number("gpu_ms_p90", c.all.p90);
+  json.number("estimator_gpu_ms_median", c.estimator_passes.median);
+  json.number("estimator_gpu_ms_p10", c.estimator_passes.p10).number("estimator_gpu_ms_p90", c.estimator_passes.p90);
+  json.open_array("passes");
+  for (const auto& pass : c.passes) {
+    json.open_object().text("name", pass.name).number("gpu_ms_median", pass.median);
+    json.number("gpu_ms_p10", pass.p10).number("gpu_ms_p90", pass.p90).close();
+  }
+  json.close().integer("samples_not_finite", c.not_finite);
+  if (still) json.number("variance", c.variance).number("bias_squared", c.bias_squared);
+  for (const WindowStatistics& s : c.windows) write_window(json, c, s, still);
+  write_frames(json, c.frames, first_frame);
+  json.close();
+}
+
+}  // namespace
+
+std::string bench_table(const BenchResult& result, const BenchTitle& title) {
+  const Frames& shape = result.configurations.front().frames;
+  std::string out = fmt::format("{}, {}x{}, {}; {} frames after {} of warm-up, {} runs\n{}, {}\n", title.view,
+                                result.width, result.height, result.still ? "still" : "moving", shape.measured,
+                                shape.warmup, shape.runs, result.device, result.intersector);
+  out += fmt::format("reference: {}; mean {:.4g}, {}\n", title.reference, result.reference_mean,
+                     result.reference_variance_known
+                         ? fmt::format("variance {:.3g} taken off every MSE", result.reference_variance)
+                         : "variance unknown: its noise is part of every MSE");
+  out += "\nGPU time, ms, median (p10 to p90):\n";
+  for (const auto& c : result.configurations) {
+    const auto text = [](const auto& p) {
+      return fmt::format("{} {:.2f} ({:.2f} to {:.2f})", p.name, p.median, p.p10, p.p90);
+    };
+    out += fmt::format("  {}, {} spp: {}; {}", c.name, c.frames.spp, text(c.all), text(c.estimator_passes));
+    for (const auto& pass : c.passes) out += fmt::format("; {} {:.2f}", pass.name, pass.median);
+    out += '\n';
+    if (c.not_finite > 0)
+      out += fmt::format("  {}: {} samples were not finite and counted as zero\n", c.name, c.not_finite);
+  }
+  add_windows(out, result);
+  if (result.still)
+    add_running(out, result);
+  else
+    add_frames(out, result);
+  for (const auto& c : result.configurations) {
+    const WindowStatistics& s = c.windows.back();
+    if (s.reference_variance > 0.1 * s.mse.value) {
+      out += fmt::format(
+          "\nThe reference's variance is over a tenth of what is measured of {}: take more samples of it.\n", c.name);
+    }
+  }
+  return out;
+}
+
+std::string bench_json(const BenchResult& result, const BenchTitle& title) {
+  const Frames& shape = result.configurations.front().frames;
+  JsonWriter json;
+  json.open_object().text("command", title.command).text("view", title.view).boolean("still", result.still);
+  json.integer("width", result.width).integer("height", result.height);
+  json.text("device", result.device).text("intersector", result.intersector);
+  json.integer("runs", shape.runs).integer("warmup", shape.warmup).integer("frames", shape.measured);
+  json.open_object("reference").text("from", title.reference).number("mean", result.reference_mean);
+  json.boolean("variance_known", result.reference_variance_known).number("variance", result.reference_variance).close();
+  json.open_array("configurations");
+  for (const auto& c : result.configurations) write_configuration(json, c, result.still, result.first_frame);
+  return json.close().close().str();
+}
+
+std::string bench_csv(const BenchResult& result) {
+  std::string out =
+      "configuration,run,frame,warm,gpu_ms,estimator_gpu_ms,mse,mse_corrected,relmse,relmse_corrected,mape,bias,"
+      "mse_median_pixel,top_share,running_mse,running_relmse,warm_running_mse,warm_running_relmse\n";
+  for (const auto& c : result.configurations) {
+    for (std::uint32_t run = 0; run < c.frames.runs; ++run) {
+      for (std::uint32_t i = 0; i < c.frames.warmup + c.frames.measured; ++i) {
+        const FrameRecord& f = c.frames.at(run, i);
+        const bool warm = i >= c.frames.warmup;
+        out += fmt::format("{},{},{},{},{},{}", c.name, run, i, warm ? 1 : 0, f.gpu_ms, f.estimator_ms);
+        const Errors& e = f.errors;
+        out += f.measured ? fmt::format(",{},{},{},{},{},{},{},{}", e.mse, e.mse_corrected(), e.rel_mse,
+                                        e.rel_mse_corrected(), e.mape, e.bias, e.median_mse, e.top_share)
+                          : ",,,,,,,,";
+        out += result.still ? fmt::format(",{},{}", f.running_mse, f.running_rel_mse) : ",,";
+        out += result.still && warm ? fmt::format(",{},{}\n", f.warm_running_mse, f.warm_running_rel_mse) : ",,\n";
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace fb::lab

@@ -1,0 +1,207 @@
+// bench on scenes in code: what it measures agrees with itself and with arithmetic.
+#include "lab/bench/bench_job.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+
+#include "base/test_directory.h"
+#include "lab/bench/bench_report.h"
+#include "render/test_device.h"
+
+namespace fb::lab {
+namespace {
+
+constexpr std::uint32_t kWidth = 32, kHeight = 24;
+
+class BenchTest : public render::DeviceTest {
+ protected:
+  static View view_of(const std::string& scene, const ViewOptions& options) {
+    auto source = code_scene(scene, 60);
+    EXPECT_TRUE(source.ok());
+    auto view = collect_view(**source, options);
+    EXPECT_TRUE(view.ok()) << (view ? "" : view.error().message);
+    return std::move(*view);
+  }
+  static Configuration configuration(const std::string& name, int spp) {
+    Configuration c{name, {}};
+    c.settings.spp = spp;
+    c.settings.jitter = 0;
+    return c;
+  }
+  static std::vector<Reference> references_of(const View& view, std::uint32_t spp, const std::string& folder = "") {
+    render::RenderSettings settings;
+    settings.jitter = 0;
+    auto made = make_references(view, *device_, settings, {spp, kWidth, kHeight, folder, true});
+    EXPECT_TRUE(made.ok());
+    return std::move(*made);
+  }
+  static BenchResult run(const View& view, const std::vector<Reference>& references,
+                         const std::vector<Configuration>& configurations, std::uint32_t runs) {
+    BenchJob job;
+    job.configurations = configurations;
+    job.width = kWidth;
+    job.height = kHeight;
+    job.runs = runs;
+    job.quiet = true;
+    auto result = run_bench(*device_, view, references, job);
+    EXPECT_TRUE(result.ok()) << (result ? "" : result.error().message);
+    return std::move(*result);
+  }
+};
+
+TEST_F(BenchTest, ErrorIsVarianceAndFallsWithSamplesAndFrames) {
+  const View view = view_of("cbox", {0, 47, 16});
+  ASSERT_TRUE(view.still);
+  const auto references = references_of(view, 8192);
+  const BenchResult result = run(view, references, {configuration("one", 1), configuration("four", 4)}, 2);
+  ASSERT_EQ(result.configurations.size(), 2u);
+  const auto &one = result.configurations[0], &four = result.configurations[1];
+  ASSERT_EQ(one.windows.size(), 2u) << "cold and warm";
+  ASSERT_EQ(one.frames.records.size(), 2u * 64);
+  EXPECT_EQ(one.not_finite, 0u);
+
+  // pt is unbiased: all of the error is variance, and the two are measured apart.
+  const WindowStatistics& warm = one.windows[1];
+  EXPECT_NEAR(warm.mse.value, one.variance, 4 * warm.mse_error);
+  // What is left of it in the mean of 96 frames: 2304 values with heavy tails, known to well under 30%.
+  EXPECT_LT(std::abs(one.bias_squared), 0.3 * (one.variance / 96 + warm.reference_variance));
+  EXPECT_LT(std::abs(warm.bias), 5 * warm.bias_error);
+
+  // Equal samples: no gain by definition. Its own interval, twice as wide, holds 1.
+  const Estimate gain = four.windows[1].gains->samples;
+  EXPECT_NEAR(gain.value, 1, gain.interval.high - gain.interval.low);
+  EXPECT_NEAR(one.windows[1].mse.value / four.windows[1].mse.value, 4, 4 * (gain.interval.high - gain.interval.low));
+
+  // The mean of 64 frames has a 64th of a frame's error.
+  const Curve curve = running_curve(one.frames, one.windows[0].window);
+  ASSERT_EQ(curve.mse.size(), 64u);
+  EXPECT_NEAR(curve.mse.back() * 64 / warm.mse.value, 1, 0.3);
+  EXPECT_DOUBLE_EQ(curve.mse.front(),
+                   0.5 * (one.frames.at(0, 0).errors.mse_corrected() + one.frames.at(1, 0).errors.mse_corrected()));
+  EXPECT_NE(one.frames.at(0, 0).errors.mse, one.frames.at(1, 0).errors.mse) << "runs have seeds of their own";
+
+  const BenchTitle title{"command", "scene cbox", "pt"};
+  EXPECT_THAT(bench_table(result, title), testing::HasSubstr("gain of four over one"));
+  EXPECT_THAT(bench_json(result, title), testing::HasSubstr("\"gpu_ms_median\""));
+  const std::string csv = bench_csv(result);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2 * 64);
+}
+
+TEST_F(BenchTest, RepeatsToTheBit) {
+  const View view = view_of("cbox", {0, 3, 0});
+  const auto references = references_of(view, 64);
+  const auto a = run(view, references, {configuration("pt", 1), configuration("again", 1)}, 2);
+  const auto b = run(view, references, {configuration("pt", 1)}, 2);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(a.configurations[0].frames.at(1, i).errors.mse, b.configurations[0].frames.at(1, i).errors.mse);
+    EXPECT_EQ(a.configurations[0].frames.at(1, i).errors.mse, a.configurations[1].frames.at(1, i).errors.mse);
+  }
+  EXPECT_EQ(a.configurations[0].windows.size(), 1u) << "no warm-up: cold alone";
+}
+
+TEST_F(BenchTest, AViewThatMovesHasAReferenceAFrame) {
+  const View view = view_of("moving", {3, 5, 2});
+  EXPECT_FALSE(view.still);
+  ASSERT_EQ(view.snapshots.size(), 5u);
+  const auto references = references_of(view, 64);
+  ASSERT_EQ(references.size(), 3u);
+  const auto result = run(view, references, {configuration("pt", 1)}, 2);
+  const auto& frames = result.configurations[0].frames;
+  EXPECT_FALSE(frames.at(0, 1).measured);
+  EXPECT_TRUE(frames.at(0, 2).measured);
+  ASSERT_EQ(result.configurations[0].windows.size(), 1u);
+  EXPECT_TRUE(result.configurations[0].windows[0].window.warm);
+}
+
+TEST_F(BenchTest, FramesMeetTheirOwnReferences) {
+  // Without reflections there is no noise: no error against the own reference, some against another frame's.
+  const View view = view_of("candles_flicker", {3, 5, 2});
+  render::RenderSettings settings;
+  settings.jitter = 0;
+  settings.bounces = 0;
+  const auto references = *make_references(view, *device_, settings, {32, kWidth, kHeight, "", true});
+  const auto right = run(view, references, {{"pt", settings}}, 1);
+  const auto wrong = run(view, {references[2], references[2], references[2]}, {{"pt", settings}}, 1);
+  for (std::uint32_t i = 2; i < 5; ++i) EXPECT_LT(right.configurations[0].frames.at(0, i).errors.mse, 1e-9);
+  EXPECT_GT(wrong.configurations[0].frames.at(0, 2).errors.mse, 1e-6);
+}
+
+TEST_F(BenchTest, ReferencesAreKeptByTheirContent) {
+  const TestDirectory directory;
+  const auto& folder = directory.path();
+  const View view = view_of("cbox", {0, 0, 0}), other = view_of("one_light", {0, 0, 0});
+  const auto files = [&] {
+    return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator{});
+  };
+  const auto made = references_of(view, 64, folder.string());
+  EXPECT_EQ(files(), 1);
+  const auto kept = references_of(view, 64, folder.string());
+  EXPECT_EQ(files(), 1);
+  ASSERT_EQ(made[0].mean.pixels.size(), kept[0].mean.pixels.size());
+  EXPECT_EQ(made[0].mean.pixels[77], kept[0].mean.pixels[77]);
+  EXPECT_EQ(made[0].variance[77], kept[0].variance[77]);
+  references_of(view, 96, folder.string());
+  references_of(other, 64, folder.string());
+  EXPECT_EQ(files(), 3) << "other samples, another scene: other references";
+}
+
+TEST_F(BenchTest, TheKeyIsOfWhatIsSeen) {
+  const scene::FrameSnapshot plain = view_of("cbox", {0, 0, 0}).snapshots[0];
+  const std::uint64_t key = content_key(plain);
+  const auto changed = [&](const auto& change) {
+    scene::FrameSnapshot snapshot = plain;
+    scene::Assets assets = *plain.assets;
+    change(snapshot, assets);
+    snapshot.assets = std::make_shared<scene::Assets>(std::move(assets));
+    return content_key(snapshot) != key;
+  };
+  using scene::Assets, scene::FrameSnapshot;
+  EXPECT_FALSE(changed([](FrameSnapshot&, Assets&) {})) << "a copy looks the same";
+  EXPECT_FALSE(changed([](FrameSnapshot& s, Assets&) { s.frame += 5; }));
+  EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.instances[0].transform[3].x += 1; }));
+  EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.camera.angles.y += 1; }));
+  EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.ambient.y += 1; }));
+  EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.sky.color.x += 1; }));
+  EXPECT_TRUE(changed([](FrameSnapshot&, Assets& a) { a.materials[0].base_color.y *= 0.5f; }));
+  EXPECT_TRUE(changed([](FrameSnapshot&, Assets& a) { a.meshes[0].positions[0].z += 1; }));
+}
+
+TEST_F(BenchTest, AHeldFrameStandsStill) {
+  const View view = view_of("moving", {4, 9, 3, true});
+  EXPECT_TRUE(view.still);
+  ASSERT_EQ(view.snapshots.size(), 1u);
+  const scene::FrameSnapshot first = view.at(1, 0), later = view.at(1, 5);
+  EXPECT_EQ(content_key(first), content_key(later));
+  EXPECT_EQ(first.frame, 9u) << "frames count up over the runs";
+  EXPECT_EQ(later.frame, 14u);
+  EXPECT_TRUE(first.cut);
+  EXPECT_FALSE(later.cut);
+  EXPECT_GT(later.time, later.prev_time);
+  for (const auto& instance : later.instances) EXPECT_EQ(instance.transform, instance.prev_transform);
+  // One frame on, something has moved.
+  auto source = code_scene("moving", 60);
+  const auto next = collect_view(**source, {5, 5, 0, true});
+  EXPECT_NE(content_key(next->snapshots[0]), content_key(first));
+}
+
+TEST_F(BenchTest, RefusesWhatCannotBe) {
+  auto source = code_scene("moving", 60);
+  const auto early = collect_view(**source, {1, 3, 2});
+  ASSERT_FALSE(early.ok());
+  EXPECT_THAT(early.error().message, testing::HasSubstr("--warmup 2"));
+  const View view = view_of("cbox", {0, 0, 0});
+  BenchJob job;
+  job.configurations = {configuration("pt", 1)};
+  job.width = job.height = 8;
+  job.quiet = true;
+  const auto result = run_bench(*device_, view, references_of(view, 32), job);
+  ASSERT_FALSE(result.ok());
+  EXPECT_THAT(result.error().message, testing::HasSubstr("32x24"));
+}
+
+}  // namespace
+}  // namespace fb::lab

@@ -1,0 +1,231 @@
+#include "lab/compare/compare_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "lab/json.h"
+
+namespace fb::lab {
+namespace {
+
+// A file of either kind; `stored` is what is measured, linear() what FLIP looks at.
+struct Loaded {
+  bool is_linear = true;
+  Reference stored;
+};
+
+bool has_extension(const std::string& path, std::string_view extension) {
+  if (path.size() < extension.size()) return false;
+  return std::equal(extension.begin(), extension.end(), path.end() - static_cast<std::ptrdiff_t>(extension.size()),
+                    [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+Result<Loaded> load(const std::string& path) {
+  if (has_extension(path, ".exr")) {
+    auto picture = read_exr_picture(path);
+    if (!picture) return picture.error();
+    return Loaded{true, std::move(picture->content)};
+  }
+  if (has_extension(path, ".png")) {
+    auto picture = read_png_picture(path);
+    if (!picture) return picture.error();
+    return Loaded{false, Reference{std::move(*picture), {}}};
+  }
+  return Error{fmt::format("{}: an .exr or a .png file is wanted", path)};
+}
+
+void zero_what_is_not_finite(Picture& picture) {
+  for (vec3& p : picture.pixels)
+    if (!std::isfinite(p.x + p.y + p.z)) p = vec3(0.0f);
+}
+
+Picture at_exposure(Picture picture, double stops) {
+  for (vec3& p : picture.pixels) p *= static_cast<float>(std::exp2(stops));
+  return picture;  // LDR-FLIP cuts it
+}
+
+Status check_pair(const CompareJob& job, const Loaded& reference, const Loaded& test, const std::string& file) {
+  if (test.is_linear != reference.is_linear) {
+    return Error{fmt::format("{} and {}: an EXR is compared with EXRs, a PNG with PNGs", job.reference, file)};
+  }
+  const Picture &r = reference.stored.mean, &t = test.stored.mean;
+  if (!r.same_size(t)) {
+    return Error{
+        fmt::format("{}: {}x{} pixels, but {} has {}x{}", file, t.width, t.height, job.reference, r.width, r.height)};
+  }
+  return ok_status();
+}
+
+std::vector<Figure> error_figures(const Errors& e, const Loaded& reference) {
+  std::vector<Figure> figures{{"mse", e.mse}};
+  if (!reference.stored.variance.empty()) figures.push_back({"mse_corrected", e.mse_corrected()});
+  figures.push_back({"rmse", e.rmse()});
+  if (reference.is_linear) {
+    figures.push_back({"relmse", e.rel_mse});
+    if (!reference.stored.variance.empty()) figures.push_back({"relmse_corrected", e.rel_mse_corrected()});
+    figures.push_back({"mape", e.mape});
+  } else {
+    figures.push_back({"psnr", -10 * std::log10(e.mse)});  // decibels; infinite for equal pictures
+  }
+  figures.push_back({"bias", e.bias});
+  figures.push_back({"mse_median_pixel", e.median_mse});
+  figures.push_back({"top_share", e.top_share});
+  return figures;
+}
+
+// FLIP's figures, and its map for a picture.
+std::vector<float> add_flip(std::vector<Figure>& figures, const Comparison& c, const Picture& reference,
+                            const Picture& test) {
+  const double ppd = c.job.pixels_per_degree;
+  if (!c.linear) {
+    auto map = flip::ldr_flip(decoded(reference), decoded(test), ppd);
+    figures.push_back({"flip", flip::mean_of(map)});
+    return map;
+  }
+  const double stops = c.job.exposure;
+  figures.push_back(
+      {"flip_ldr", flip::mean_of(flip::ldr_flip(at_exposure(reference, stops), at_exposure(test, stops), ppd))});
+  auto map = flip::hdr_flip(reference, test, *c.exposures, ppd);
+  figures.push_back({"flip_hdr", flip::mean_of(map)});
+  return map;
+}
+
+void summarise(Comparison& c) {
+  for (std::size_t f = 0; f < c.files.front().figures.size(); ++f) {
+    std::vector<double> values;
+    for (const ComparedFile& file : c.files) values.push_back(file.figures[f].value);
+    const auto mean_at = [&](std::span<const std::size_t> indices) {
+      double sum = 0;
+      for (const std::size_t i : indices) sum += values[i];
+      return sum / static_cast<double>(indices.size());
+    };
+    // Runs are independent: as many series of one.
+    c.spreads.push_back({c.files.front().figures[f].name, mean(values), t_interval(values),
+                         bootstrap_interval({values.size(), 1}, mean_at)});
+  }
+}
+
+}  // namespace
+
+Result<Comparison> compare(const CompareJob& job) {
+  Comparison c;
+  c.job = job;
+  if (!job.flip_map.empty() && job.tests.size() != 1) return Error{"--flip-map shows one picture; give one TEST"};
+  if (!job.flip_map.empty() && !job.flip) return Error{"--flip-map wants FLIP; leave out --no-flip"};
+  auto reference = load(job.reference);
+  if (!reference) return reference.error();
+  const Picture& r = reference->stored.mean;
+  for (const vec3& p : r.pixels) {
+    if (!std::isfinite(p.x + p.y + p.z))
+      return Error{fmt::format("{}: holds values that are not finite", job.reference)};
+    c.reference_mean += (double{p.x} + p.y + p.z) / (3.0 * static_cast<double>(r.pixels.size()));
+  }
+  c.linear = reference->is_linear;
+  c.width = r.width;
+  c.height = r.height;
+  if (c.linear && job.flip) c.exposures = flip::choose_exposures(r);
+  Runs runs;
+  for (const std::string& file : job.tests) {
+    auto test = load(file);
+    if (!test) return test.error();
+    if (auto status = check_pair(job, *reference, *test, file); !status) return status.error();
+    Picture& t = test->stored.mean;
+    const Errors errors = measure(reference->stored, t, job.metrics);
+    if (!reference->stored.variance.empty()) c.reference_variance = errors.reference_variance;
+    zero_what_is_not_finite(t);
+    ComparedFile& row = c.files.emplace_back(ComparedFile{file, error_figures(errors, *reference), errors.not_finite});
+    if (job.flip) {
+      const auto map = add_flip(row.figures, c, r, t);
+      if (!job.flip_map.empty()) {
+        if (auto status = write_heat_map(job.flip_map, c.width, c.height, map); !status) return status.error();
+      }
+    }
+    runs.add(t);
+  }
+  if (c.files.size() > 1) {
+    summarise(c);
+    if (c.linear) {
+      c.variance = runs.variance();
+      c.bias_squared = runs.bias_squared(reference->stored);
+    }
+  }
+  return c;
+}
+
+std::string comparison_table(const Comparison& c) {
+  std::string out = fmt::format("{}: {}x{}, {}, mean {:.6g}", c.job.reference, c.width, c.height,
+                                c.linear ? "linear" : "sRGB values as stored, 0 to 1", c.reference_mean);
+  if (c.reference_variance)
+    out += fmt::format(", variance {:.3g} (taken off where it says corrected)", *c.reference_variance);
+  out += '\n';
+  if (c.exposures) {
+    out += fmt::format("HDR-FLIP: {} exposures from {:+.2f} to {:+.2f} stops\n", c.exposures->count, c.exposures->start,
+                       c.exposures->stop);
+  }
+  for (const ComparedFile& file : c.files) {
+    out += fmt::format("\n{}\n", file.file);
+    for (const Figure& f : file.figures) out += fmt::format("  {:18} {:.6g}\n", f.name, f.value);
+    if (file.not_finite > 0) out += fmt::format("  {} pixels are not finite and counted as zero\n", file.not_finite);
+  }
+  if (c.spreads.empty()) return out;
+  out += fmt::format("\n{} files: mean, 95% intervals of it by Student's t and by bootstrap\n", c.files.size());
+  for (const Spread& s : c.spreads) {
+    out += fmt::format("  {:18} {:<12.6g} [{:.6g}, {:.6g}]  [{:.6g}, {:.6g}]\n", s.name, s.mean, s.t.low, s.t.high,
+                       s.bootstrap.low, s.bootstrap.high);
+  }
+  if (c.variance) {
+    out += fmt::format("  {:18} {:.6g}\n  {:18} {:.6g}\n", "variance", *c.variance, "bias_squared", *c.bias_squared);
+  }
+  return out;
+}
+
+std::string comparison_json(const Comparison& c) {
+  JsonWriter json;
+  json.open_object().text("reference", c.job.reference).boolean("linear", c.linear);
+  json.integer("width", c.width).integer("height", c.height).number("reference_mean", c.reference_mean);
+  if (c.reference_variance) json.number("reference_variance", *c.reference_variance);
+  if (c.linear) json.number("epsilon", c.job.metrics.epsilon);
+  if (c.job.flip) json.number("pixels_per_degree", c.job.pixels_per_degree);
+  if (c.exposures) {
+    json.open_object("hdr_flip_exposures").number("start", c.exposures->start).number("stop", c.exposures->stop);
+    json.integer("count", c.exposures->count).close();
+  }
+  json.open_array("files");
+  for (const ComparedFile& file : c.files) {
+    json.open_object().text("file", file.file);
+    for (const Figure& f : file.figures) json.number(f.name, f.value);
+    json.integer("not_finite", file.not_finite).close();
+  }
+  json.close();
+  const auto interval = [&](std::string_view key, const Interval& i) {
+    json.open_array(key).number("", i.low).number("", i.high).close();
+  };
+  json.open_object("runs");
+  for (const Spread& s : c.spreads) {
+    json.open_object(s.name).number("mean", s.mean);
+    interval("t95", s.t);
+    interval("bootstrap95", s.bootstrap);
+    json.close();
+  }
+  if (c.variance) json.number("variance", *c.variance).number("bias_squared", *c.bias_squared);
+  return json.close().close().str();
+}
+
+std::string comparison_csv(const Comparison& c) {
+  std::string out = "file";
+  for (const Figure& f : c.files.front().figures) out += ',' + f.name;
+  out += ",not_finite\n";
+  for (const ComparedFile& file : c.files) {
+    std::string name = file.file;
+    for (std::size_t at = 0; (at = name.find('"', at)) != std::string::npos; at += 2) name.insert(at, 1, '"');
+    out += '"' + name + '"';
+    for (const Figure& f : file.figures) out += fmt::format(",{}", f.value);
+    out += fmt::format(",{}\n", file.not_finite);
+  }
+  return out;
+}
+
+}  // namespace fb::lab

@@ -1,0 +1,123 @@
+// compare on files made here: what it computes, what it writes, what it refuses.
+#include "lab/compare/compare_job.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <algorithm>
+
+#include "base/rng.h"
+#include "base/test_directory.h"
+#include "lab/image_io.h"
+
+namespace fb::lab {
+namespace {
+
+using ::testing::HasSubstr;
+
+class CompareTest : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return directory_.file(name); }
+
+  // Noise of variance deviation^2 / 3 about `value`; `variance` (if not negative) is written as its variance.
+  std::string exr(const std::string& name, float value, float deviation, std::uint64_t seed, float variance = -1,
+                  std::uint32_t width = 48, std::uint32_t height = 32) const {
+    ExrImage image(width, height);
+    Rng rng(seed);
+    for (const char* channel : {"R", "G", "B"}) {
+      std::vector<float> plane(image.pixels());
+      for (float& v : plane) v = value + rng.uniform(-deviation, deviation);
+      image.add_channel(channel, plane);
+      if (variance >= 0)
+        image.add_channel(std::string("variance.") + channel, std::vector<float>(image.pixels(), variance));
+    }
+    EXPECT_TRUE(write_exr(path(name), image).ok());
+    return path(name);
+  }
+  std::string png(const std::string& name, std::uint32_t grey) const {
+    const std::vector<std::uint32_t> pixels(48 * 32, grey * 0x010101u);
+    EXPECT_TRUE(write_png(path(name), 48, 32, pixels).ok());
+    return path(name);
+  }
+  static double figure(const Comparison& c, std::size_t file, const std::string& name) {
+    for (const Figure& f : c.files[file].figures)
+      if (f.name == name) return f.value;
+    ADD_FAILURE() << "no figure " << name;
+    return 0;
+  }
+  const TestDirectory directory_;
+};
+
+TEST_F(CompareTest, RunsOfOneThing) {
+  CompareJob job;
+  job.reference = exr("reference.exr", 1.0f, 0.3f, 1, 0.03f);
+  for (int i = 0; i < 6; ++i)
+    job.tests.push_back(exr("run" + std::to_string(i) + ".exr", 1.2f, 0.6f, 10 + static_cast<std::uint64_t>(i)));
+  const auto c = compare(job);
+  ASSERT_TRUE(c.ok()) << c.error().message;
+  EXPECT_TRUE(c->linear);
+  EXPECT_NEAR(*c->reference_variance, 0.03, 1e-6);
+  EXPECT_NEAR(figure(*c, 0, "mse"), 0.12 + 0.04 + 0.03, 0.01);
+  EXPECT_NEAR(figure(*c, 0, "mse_corrected"), 0.16, 0.01);
+  EXPECT_NEAR(figure(*c, 0, "bias"), 0.2, 0.03);
+  EXPECT_GT(figure(*c, 0, "flip_hdr"), 0);
+  ASSERT_EQ(c->spreads.size(), c->files[0].figures.size());
+  const Spread& mse = c->spreads[0];
+  EXPECT_EQ(mse.name, "mse");
+  EXPECT_LT(mse.t.low, mse.mean);
+  EXPECT_GT(mse.t.high, mse.mean);
+  EXPECT_LT(mse.bootstrap.low, mse.mean);
+  EXPECT_GT(mse.bootstrap.high, mse.mean);
+  EXPECT_NEAR(*c->variance, 0.12, 0.004);
+  EXPECT_NEAR(*c->bias_squared, 0.04, 0.006);
+  EXPECT_THAT(comparison_table(*c), HasSubstr("bias_squared"));
+  EXPECT_THAT(comparison_json(*c), HasSubstr("\"bootstrap95\""));
+  const std::string csv = comparison_csv(*c);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
+  EXPECT_THAT(csv, HasSubstr("file,mse,mse_corrected,rmse,relmse,relmse_corrected,mape,bias,mse_median_pixel,top_share,"
+                             "flip_ldr,flip_hdr,not_finite\n"));
+}
+
+TEST_F(CompareTest, PngsAreComparedAsStored) {
+  CompareJob job;
+  job.reference = png("a.png", 0);
+  job.tests = {png("b.png", 255)};
+  job.flip_map = path("map.png");
+  const auto c = compare(job);
+  ASSERT_TRUE(c.ok()) << c.error().message;
+  EXPECT_FALSE(c->linear);
+  EXPECT_DOUBLE_EQ(figure(*c, 0, "mse"), 1);
+  EXPECT_DOUBLE_EQ(figure(*c, 0, "psnr"), 0);
+  EXPECT_NEAR(figure(*c, 0, "flip"), 0.967, 1e-3);
+  EXPECT_TRUE(std::filesystem::exists(job.flip_map));
+  job.tests = {job.reference};
+  EXPECT_EQ(figure(*compare(job), 0, "flip"), 0);
+  EXPECT_THAT(comparison_json(*compare(job)), HasSubstr("\"psnr\": null"));
+}
+
+TEST_F(CompareTest, RefusesInOneSentenceThatNamesTheFile) {
+  CompareJob job;
+  job.reference = exr("reference.exr", 1, 0, 1);
+  const auto refusal = [&](const std::string& test) {
+    job.tests = {test};
+    const auto c = compare(job);
+    return c ? std::string("taken") : c.error().message;
+  };
+  EXPECT_THAT(refusal(path("absent.exr")), HasSubstr("absent.exr"));
+  EXPECT_THAT(refusal(path("x.jpg")), HasSubstr("x.jpg: an .exr or a .png"));
+  EXPECT_THAT(refusal(png("p.png", 3)), HasSubstr("p.png"));
+  EXPECT_THAT(refusal(exr("small.exr", 1, 0, 1, -1, 8, 8)), HasSubstr("8x8 pixels, but"));
+  ExrImage depth(48, 32);
+  depth.add_channel("Z", std::vector<float>(depth.pixels()));
+  ASSERT_TRUE(write_exr(path("depth.exr"), depth).ok());
+  EXPECT_THAT(refusal(path("depth.exr")), HasSubstr("no channel R"));
+  job.reference = exr("inf.exr", std::numeric_limits<float>::infinity(), 0, 1);
+  EXPECT_THAT(refusal(job.reference), HasSubstr("not finite"));
+  job.flip_map = "map.png";
+  job.tests = {"a.exr", "b.exr"};
+  EXPECT_THAT(compare(job).error().message, HasSubstr("--flip-map"));
+}
+
+}  // namespace
+}  // namespace fb::lab

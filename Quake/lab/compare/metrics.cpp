@@ -1,0 +1,99 @@
+#include "lab/compare/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "base/check.h"
+
+namespace fb::lab {
+namespace {
+
+bool finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+double top_share(std::vector<double>& pixel_errors) {
+  const double total = std::accumulate(pixel_errors.begin(), pixel_errors.end(), 0.0);
+  if (total <= 0) return 0;
+  const auto top = std::max<std::size_t>(
+      1, static_cast<std::size_t>(std::lround(kTopPixels * static_cast<double>(pixel_errors.size()))));
+  const auto cut = pixel_errors.begin() + static_cast<std::ptrdiff_t>(top);
+  if (cut != pixel_errors.end()) std::nth_element(pixel_errors.begin(), cut, pixel_errors.end(), std::greater<>());
+  return std::accumulate(pixel_errors.begin(), cut, 0.0) / total;
+}
+
+double middle(std::vector<double>& values) {
+  if (values.empty()) return 0;
+  const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), half, values.end());
+  return *half;
+}
+
+}  // namespace
+
+double Errors::rmse() const { return std::sqrt(mse); }
+
+Errors measure(const Reference& reference, const Picture& test, const MetricOptions& options) {
+  FB_CHECK(reference.mean.same_size(test));
+  Errors e;
+  const std::size_t pixels = test.pixels.size();
+  if (pixels == 0) return e;
+  std::vector<double> pixel_errors(pixels);
+  double variance_of_bias = 0;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const bool usable = finite(test.pixels[i]);
+    e.not_finite += usable ? 0 : 1;
+    for (int c = 0; c < 3; ++c) {
+      const double x = usable ? test.pixels[i][c] : 0.0, r = reference.mean.pixels[i][c];
+      const double squared = (x - r) * (x - r), scale = r * r + options.epsilon;
+      e.bias += x - r;
+      e.rel_mse += squared / scale;
+      e.mape += std::abs(x - r) / (std::abs(r) + options.epsilon);
+      pixel_errors[i] += squared / 3;
+      if (reference.variance.empty()) continue;
+      const double v = reference.variance[i][c];
+      variance_of_bias += v;
+      e.reference_rel_variance += v / scale;
+    }
+  }
+  const double n = 3.0 * static_cast<double>(pixels);
+  e.mse = std::accumulate(pixel_errors.begin(), pixel_errors.end(), 0.0) / static_cast<double>(pixels);
+  e.bias /= n;
+  e.rel_mse /= n;
+  e.mape /= n;
+  e.reference_rel_variance /= n;
+  e.reference_variance = variance_of_bias / n;
+  e.reference_bias_error = std::sqrt(variance_of_bias) / n;  // pixels and channels as if independent
+  e.top_share = top_share(pixel_errors);
+  e.median_mse = middle(pixel_errors);
+  return e;
+}
+
+void Runs::add(const Picture& picture) {
+  if (count_ == 0) {
+    mean_ = Picture{picture.width, picture.height, std::vector<vec3>(picture.pixels.size(), vec3(0.0f))};
+    m2_.assign(picture.pixels.size(), vec3(0.0f));
+  }
+  FB_CHECK(mean_.same_size(picture));
+  ++count_;
+  for (std::size_t i = 0; i < m2_.size(); ++i) {
+    const vec3 x = finite(picture.pixels[i]) ? picture.pixels[i] : vec3(0.0f);
+    const vec3 delta = x - mean_.pixels[i];
+    mean_.pixels[i] += delta / static_cast<float>(count_);
+    m2_[i] += delta * (x - mean_.pixels[i]);
+  }
+}
+
+double Runs::variance() const {
+  if (count_ < 2) return 0;
+  double sum = 0;
+  for (const vec3& v : m2_) sum += double{v.x} + v.y + v.z;
+  return sum / (3.0 * static_cast<double>(m2_.size()) * (count_ - 1));
+}
+
+double Runs::bias_squared(const Reference& reference) const {
+  if (count_ < 2) return 0;
+  return measure(reference, mean_).mse_corrected() - variance() / count_;
+}
+
+}  // namespace fb::lab

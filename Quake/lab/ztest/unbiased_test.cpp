@@ -1,0 +1,257 @@
+// Estimators that claim to be unbiased, held to pt's mean on scenes that are hard for them, and the proof that a bias
+// would be seen. A row is a scene, an estimator and what is set; a new feature is a new row. Small pictures and few
+// runs, so that all of it takes seconds; `fullbright-lab ztest` runs a row for as long as one likes.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <cctype>
+#include <ostream>
+
+#include "lab/ztest/ztest_job.h"
+#include "render/technique.h"
+#include "render/test_device.h"
+
+namespace fb::lab {
+namespace {
+
+// Of one row; with the verdict's repetition, a whole table seldom errs: some 1e-8 a row.
+constexpr double kAlpha = 1e-4;
+
+struct Row {
+  std::string scene, estimator;
+  std::vector<std::string> sets;
+  RunPlan plan;
+  int spp = 4;
+  bool biased = false;                 // what must be found
+  std::vector<std::string> both = {};  // set for pt, too
+};
+
+RunPlan plan(std::uint32_t runs, std::uint32_t frames, std::uint32_t skip = 0, bool fresh = false) {
+  const char* times = std::getenv("FULLBRIGHT_UNBIASED_TIMES");
+  if (times != nullptr) runs *= static_cast<std::uint32_t>(std::max(std::atoi(times), 1));
+  RunPlan p;
+  p.width = 48;
+  p.height = 36;
+  p.block = 6;
+  p.runs = runs;
+  p.frames = frames;
+  p.skip = skip;
+  p.fresh = fresh;
+  return p;
+}
+
+std::string describe(const Row& row) {
+  const char* state = !row.plan.fresh && row.plan.skip > 0 ? " warm" : "";
+  return fmt::format("{} {}{} {} {}", row.scene, row.estimator, row.plan.fresh ? " cold" : state,
+                     fmt::join(row.sets, " "), fmt::join(row.both, " "));
+}
+void PrintTo(const Row& row, std::ostream* out) { *out << describe(row); }
+
+render::RenderSettings settings_of(const std::vector<std::string>& sets) {
+  con::Console console;
+  render::register_render_cvars(console);
+  for (const std::string& set : sets) {
+    const std::size_t equals = set.find('=');
+    EXPECT_TRUE(console.find_cvar(set.substr(0, equals)) && console.set(set.substr(0, equals), set.substr(equals + 1)))
+        << set;
+  }
+  return render::read_render_settings(console);
+}
+
+class UnbiasedTest : public render::DeviceTest, public testing::WithParamInterface<Row> {
+ protected:
+  static void TearDownTestSuite() {
+    references_.clear();
+    DeviceTest::TearDownTestSuite();
+  }
+  // pt on a row's scene: rows of the same scene and plan share it.
+  struct Expected {
+    Film film;
+    std::unique_ptr<ReferenceRuns> runs;
+  };
+  static Expected* expected(const Row& row) {
+    const RunPlan& p = row.plan;
+    auto& at = references_[fmt::format("{} {} {} {} {} {}", row.scene, p.runs, p.frames, p.skip, row.spp,
+                                       fmt::join(row.both, " "))];
+    if (at.runs) return &at;
+    auto source = code_scene(row.scene, 60);
+    auto film = source ? collect_film(**source, p.skip + p.frames - 1) : Result<Film>(source.error());
+    if (!film) {
+      ADD_FAILURE() << film.error().message;
+      return nullptr;
+    }
+    at.film = std::move(*film);
+    Sampling sampling{settings_of(row.both), p};
+    sampling.settings.estimator = "pt";   // the cvar's default is what the game uses
+    sampling.settings.spp = 8 * row.spp;  // pt's are noisy, and cheap
+    at.runs = std::make_unique<ReferenceRuns>(*device_, at.film, sampling);
+    return &at;
+  }
+  static void look_at(const Row& row) {
+    Expected* reference = expected(row);
+    ASSERT_NE(reference, nullptr);
+    std::vector<std::string> sets = row.both;
+    sets.insert(sets.end(), row.sets.begin(), row.sets.end());
+    Sampling tested{settings_of(sets), row.plan};
+    tested.settings.estimator = row.estimator;
+    tested.settings.spp = row.spp;
+    const auto verdict = judge(*reference->runs, tested, kAlpha);
+    ASSERT_TRUE(verdict.ok()) << verdict.error().message;
+    EXPECT_EQ(verdict->biased, row.biased) << verdict->text() << ztest_map(verdict->test);
+    EXPECT_EQ(verdict->lost, 0u) << "energy lost to NaN";
+    const ZTest& test = verdict->test;
+    fmt::print("{}: p {:.2g}, bias {:+.2f}% to {:+.2f}%, would find {:.2f}%{}\n", describe(row), test.p,
+               100 * test.energy.low, 100 * test.energy.high, 100 * test.detectable(kAlpha),
+               verdict->repeated ? " (looked twice)" : "");
+  }
+  inline static std::map<std::string, Expected> references_;
+};
+
+TEST_P(UnbiasedTest, HasTheMeanOfPt) { look_at(GetParam()); }
+
+std::string row_name(const testing::TestParamInfo<Row>& info) {
+  std::string name = fmt::format("{}_{}_{}", info.index, info.param.scene, info.param.estimator);
+  for (const std::string& set : info.param.sets) name += "_" + set;
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return name;
+}
+
+// The harness: pt against itself with other seeds is fair, pt with an error put in is not.
+const Row kHarness[] = {
+    {"cbox", "pt", {}, plan(16, 4), 4, false},
+    {"cbox", "pt", {"r_bounces=1"}, plan(16, 4), 4, true},
+    {"cbox", "pt", {"r_bounces=3"}, plan(16, 4), 4, true},
+    {"lava", "pt", {}, plan(16, 4), 4, false},
+    {"rocket", "pt", {}, plan(16, 4, 10), 4, false},
+};
+INSTANTIATE_TEST_SUITE_P(Harness, UnbiasedTest, testing::ValuesIn(kHarness), row_name);
+
+// Path guiding: warm and cold, light that stands and light that moves.
+RunPlan warm() { return plan(12, 4, 12); }
+RunPlan cold() { return plan(16, 3, 0, true); }
+
+// Every technique that says it is unbiased, new ones, too.
+std::vector<Row> every_unbiased() {
+  std::vector<Row> rows;
+  for (const render::TechniqueInfo& technique : render::techniques())
+    if (technique.unbiased() && technique.name != "pt")
+      rows.push_back({"kinds", std::string(technique.name), {}, warm(), 4});
+  return rows;
+}
+INSTANTIATE_TEST_SUITE_P(Every, UnbiasedTest, testing::ValuesIn(every_unbiased()), row_name);
+
+const Row kGuided[] = {
+    {"cbox", "mcpg", {}, warm(), 2},           {"one_light", "mcpg", {}, warm(), 2},
+    {"one_light", "mcpg", {}, cold(), 2},      {"one_light", "mcpg", {"r_deterministic=1"}, warm(), 2},
+    {"many", "mcpg", {}, cold(), 2},           {"candles", "mcpg", {}, warm(), 4},
+    {"strips", "mcpg", {}, warm(), 8},         {"rocket", "mcpg", {}, plan(12, 6, 4), 4},
+    {"moving", "mcpg", {}, plan(12, 4, 8), 2},
+};
+INSTANTIATE_TEST_SUITE_P(Guided, UnbiasedTest, testing::ValuesIn(kGuided), row_name);
+
+// Next-event estimation: what glows by itself, by texture, by pose, through holes and panes; sky and suns; coats.
+const Row kLooksForLights[] = {
+    {"kinds", "nee", {"r_nee_candidates=1"}, warm(), 4},
+    {"cbox_glossy", "nee", {}, plan(16, 4), 4},
+    {"moving", "nee", {}, plan(12, 4, 8), 2},
+    {"one_light", "mcpg_nee", {}, cold(), 2},
+    {"candles", "mcpg_nee", {}, warm(), 4},
+};
+INSTANTIATE_TEST_SUITE_P(LooksForLights, UnbiasedTest, testing::ValuesIn(kLooksForLights), row_name);
+
+// Every feature off, some settings at their ends, more scenes. Looked at where time is given:
+// FULLBRIGHT_UNBIASED_TIMES.
+using MoreUnbiasedTest = UnbiasedTest;
+TEST_P(MoreUnbiasedTest, HasTheMeanOfPt) {
+  if (std::getenv("FULLBRIGHT_UNBIASED_TIMES") == nullptr) GTEST_SKIP() << "FULLBRIGHT_UNBIASED_TIMES=1 runs it";
+  look_at(GetParam());
+}
+
+const Row kFeatures[] = {
+    {"kinds", "mcpg", {}, warm(), 8},
+    {"kinds", "nee", {}, plan(16, 4), 8, false, {"r_bounces=4"}},
+    {"kinds", "mcpg_nee", {"r_deterministic=1"}, cold(), 8},
+    {"cbox_glossy", "mcpg_nee", {}, warm(), 2},
+    {"many", "mcpg_nee", {}, warm(), 2},
+    {"rocket", "mcpg_nee", {}, plan(12, 6, 4), 4},
+    {"kinds", "nee", {}, plan(16, 4), 8, false, {"r_emit_sun=0"}},
+    {"one_light", "nee", {}, plan(16, 4), 2},
+    {"many", "nee", {}, plan(16, 4), 2},
+    {"candles", "nee", {}, plan(16, 4), 4},
+    {"strips", "nee", {}, plan(16, 4), 8},
+    {"rocket", "nee", {}, plan(12, 6, 4), 4},
+    {"lightsout", "nee", {}, plan(12, 8, 96), 4},
+    {"cbox", "mcpg", {}, cold(), 2},
+    {"many", "mcpg", {}, warm(), 2},
+    {"candles", "mcpg", {}, cold(), 4},
+    {"strips", "mcpg", {}, cold(), 8},
+    {"lava", "mcpg", {}, warm(), 2},
+    {"cbox_glossy", "mcpg", {}, warm(), 2},
+    {"candles_flicker", "mcpg", {}, plan(12, 4, 6), 4},
+    {"lightsout", "mcpg", {}, plan(12, 8, 96), 4},
+    {"lightsout", "mcpg", {"r_mc_loss=0"}, plan(12, 8, 96), 4},
+    {"one_light", "mcpg", {}, warm(), 2, false, {"r_bounces=1"}},
+    {"cbox", "mcpg", {}, warm(), 2, false, {"r_bounces=4"}},
+    {"rocket", "mcpg", {"r_deterministic=1"}, plan(12, 6, 4), 4},
+    {"rocket", "mcpg", {"r_mc_predict=0"}, plan(12, 6, 4), 4},
+    {"rocket", "mcpg", {"r_mc_loss=0"}, plan(12, 6, 4), 4},
+    {"moving", "mcpg", {"r_mc_previous=0"}, plan(12, 4, 8), 2},
+    {"one_light", "mcpg", {"r_mc_cache=0"}, warm(), 2},
+    {"one_light", "mcpg", {"r_mc_learn_share=0"}, warm(), 2},
+    {"one_light", "mcpg", {"r_mc_learn_share=0", "r_mc_share=0.98"}, warm(), 2},
+    {"one_light", "mcpg", {"r_mc_score=0"}, warm(), 2},
+    {"one_light", "mcpg", {"r_mc_world=0"}, warm(), 2},
+    {"one_light", "mcpg", {"r_mc_accesses=5", "r_mc_bucket=1"}, warm(), 2},
+    {"candles", "mcpg", {"r_mc_train=1"}, warm(), 4},
+    {"many", "mcpg", {"r_mc_states=1024", "r_mc_cells=1024"}, warm(), 2},
+    {"many", "mcpg", {"r_mc_adaptive=1", "r_mc_coarser=0"}, warm(), 2},
+    {"many", "mcpg", {"r_mc_adaptive=0", "r_mc_static=16"}, warm(), 2},
+};
+INSTANTIATE_TEST_SUITE_P(Features, MoreUnbiasedTest, testing::ValuesIn(kFeatures), row_name);
+
+using PowerTest = render::DeviceTest;
+
+TEST_F(PowerTest, FindsTwoPercentMoreLight) {
+  auto source = code_scene("lava", 60);
+  ASSERT_TRUE(source.ok());
+  auto film = collect_film(**source, 0);
+  ASSERT_TRUE(film.ok());
+  Film brighter = *film;  // no cvar scales what glows in scenes made in code
+  auto assets = std::make_shared<scene::Assets>(*brighter[0].assets);
+  assets->generation = scene::next_generation();
+  for (scene::Material& material : assets->materials) material.emission *= 1.02f;
+  brighter[0].assets = assets;
+  Sampling reference{{}, plan(16, 4)}, tested = reference;
+  reference.settings.spp = tested.settings.spp = 4;
+  tested.settings.seed = 1000;
+  const auto expected = render_runs(*device_, *film, reference), found = render_runs(*device_, brighter, tested);
+  ASSERT_TRUE(expected.ok() && found.ok());
+  const ZTest test = z_test(expected->blocks, found->blocks);
+  EXPECT_LT(test.p, kAlpha) << ztest_text(test);
+  EXPECT_LT(test.detectable(kAlpha), 0.02);
+  EXPECT_LT(test.energy.low, 0.02);
+  EXPECT_GT(test.energy.high, 0.02);
+}
+
+// With the same seeds on both sides every difference would be zero, and no bias would ever be found.
+TEST_F(PowerTest, TheSidesAreIndependent) {
+  auto source = code_scene("lava", 60);
+  ASSERT_TRUE(source.ok());
+  const auto film = collect_film(**source, 0);
+  ASSERT_TRUE(film.ok());
+  const Sampling sampling{{}, plan(8, 2)};
+  ReferenceRuns reference(*device_, *film, sampling);
+  const auto verdict = judge(reference, sampling, kAlpha);
+  ASSERT_TRUE(verdict.ok());
+  EXPECT_FALSE(verdict->biased);
+  EXPECT_GT(verdict->test.chi_squared, 0.5 * static_cast<double>(verdict->test.tested));
+}
+
+}  // namespace
+}  // namespace fb::lab

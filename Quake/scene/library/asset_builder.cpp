@@ -1,0 +1,165 @@
+#include "scene/library/asset_builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/log.h"
+
+namespace fb::scene {
+namespace {
+
+constexpr std::uint8_t kFirstFullbright = 224;  // palette indices from here on glow
+
+formats::Palette read_palette(const FileLoader& loader) {
+  constexpr std::string_view kPath = "gfx/palette.lmp";
+  formats::Palette greys;
+  for (std::size_t i = 0; i < 256; ++i) greys.rgb[i].fill(static_cast<std::uint8_t>(i));
+  const std::optional<FileData> bytes = loader ? loader(kPath) : std::nullopt;
+  if (!bytes) {
+    log_warning("{}: no such file; colours are greys", kPath);
+    return greys;
+  }
+  auto palette = formats::parse_palette(*bytes, kPath);
+  if (palette) return *palette;
+  log_warning("{}", palette.error().message);
+  return greys;
+}
+
+}  // namespace
+
+AssetBuilder::AssetBuilder(FileLoader loader, FileRank rank)
+    : loader_(std::move(loader)), rank_(std::move(rank)), assets_(std::make_shared<Assets>()) {
+  assets_->generation = next_generation();
+  assets_->palette = read_palette(loader_);
+}
+
+std::uint32_t AssetBuilder::add_image(Image image) {
+  assets_->images.push_back(std::move(image));
+  return static_cast<std::uint32_t>(assets_->images.size() - 1);
+}
+std::uint32_t AssetBuilder::add_material(Material material) {
+  assets_->materials.push_back(std::move(material));
+  return static_cast<std::uint32_t>(assets_->materials.size() - 1);
+}
+std::uint32_t AssetBuilder::add_mesh(Mesh mesh) {
+  assets_->meshes.push_back(std::move(mesh));
+  return static_cast<std::uint32_t>(assets_->meshes.size() - 1);
+}
+
+std::uint32_t AssetBuilder::image_file(std::string_view stem, ImageEncoding encoding, int least_rank) {
+  std::string name(stem);
+  std::ranges::replace(name, '*', '#');
+  const std::string key =
+      fmt::format("{}|{}|{}", name, encoding == ImageEncoding::kLinearRgba ? "linear" : "srgb", least_rank);
+  if (const auto known = image_files_.find(key); known != image_files_.end()) return known->second;
+  std::uint32_t index = kNone;
+  for (const char* extension : {".png", ".tga", ".pcx"}) {
+    const std::string path = name + extension;
+    const std::optional<FileData> bytes = load(path);
+    if (!bytes || (rank_ && rank_(path) < least_rank)) continue;  // asked last: most files are absent
+    auto image = formats::parse_image(*bytes, path);
+    if (image) {
+      index = add_image({path, encoding, image->width, image->height, std::move(image->rgba)});
+    } else {
+      log_warning("{}", image.error().message);
+    }
+    break;
+  }
+  image_files_.emplace(key, index);
+  return index;
+}
+
+TextureSet AssetBuilder::replacement(const std::vector<std::string>& stems, std::string_view owner) {
+  const int least = rank_ ? std::min(rank_(owner), 0) : kBaseGame;
+  TextureSet set;
+  const auto read_detail = [&](const std::string& stem) {
+    set.normal = image_file(stem + "_norm", ImageEncoding::kLinearRgba, least);
+    set.gloss = image_file(stem + "_gloss", ImageEncoding::kLinearRgba, least);
+    return set.normal != kNone || set.gloss != kNone;
+  };
+  for (const std::string& stem : stems) {
+    set.base = image_file(stem, ImageEncoding::kSrgba, least);
+    if (set.base == kNone) continue;
+    set.luma = image_file(stem + "_luma", ImageEncoding::kSrgba, least);
+    if (set.luma == kNone) set.luma = image_file(stem + "_glow", ImageEncoding::kSrgba, least);
+    read_detail(stem);
+    return set;
+  }
+  for (const std::string& stem : stems)
+    if (read_detail(stem)) break;
+  return set;
+}
+
+bool has_fullbright(const std::vector<std::uint8_t>& indices, bool holes) {
+  return std::ranges::any_of(indices, [&](std::uint8_t i) { return i >= kFirstFullbright && !(holes && i == 255); });
+}
+
+Image luma_from_indices(const formats::Palette& palette, const std::string& name, int width, int height,
+                        const std::vector<std::uint8_t>& indices, bool holes) {
+  Image image{name + "_luma", ImageEncoding::kSrgba, width, height, {}};
+  image.texels.reserve(indices.size() * 4);
+  for (const std::uint8_t i : indices) {
+    const bool glows = i >= kFirstFullbright && !(holes && i == 255);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      image.texels.push_back(glows ? palette.rgb[i][channel] : std::uint8_t{0});
+    image.texels.push_back(255);
+  }
+  return image;
+}
+
+float linear_from_srgb(float encoded) {
+  return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+}
+float linear_from_srgb(std::uint8_t byte) {
+  static const auto table = [] {
+    std::array<float, 256> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = linear_from_srgb(static_cast<float>(i) / 255.0f);
+    return values;
+  }();
+  return table[byte];
+}
+
+vec3 mean_color(const formats::Palette& palette, const Image& image) {
+  glm::dvec3 sum(0.0);
+  std::size_t count = 0;
+  const auto add = [&](const std::uint8_t* rgb) {
+    sum += glm::dvec3(linear_from_srgb(rgb[0]), linear_from_srgb(rgb[1]), linear_from_srgb(rgb[2]));
+    ++count;
+  };
+  if (image.encoding == ImageEncoding::kPalette) {
+    for (const std::uint8_t i : image.texels) add(palette.rgb[i].data());
+  } else {
+    for (std::size_t i = 0; i + 3 < image.texels.size(); i += 4)
+      if (image.texels[i + 3] >= 128) add(image.texels.data() + i);
+  }
+  return count == 0 ? vec3(0.0f) : vec3(sum / static_cast<double>(count));
+}
+
+vec3 mean_glow(const formats::Palette& palette, const Image& image) {
+  if (image.encoding != ImageEncoding::kPalette || image.texels.empty()) return vec3(0.0f);
+  glm::dvec3 sum(0.0);
+  for (const std::uint8_t i : image.texels) {
+    if (i < kFirstFullbright) continue;
+    const auto& rgb = palette.rgb[i];
+    sum += glm::dvec3(linear_from_srgb(rgb[0]), linear_from_srgb(rgb[1]), linear_from_srgb(rgb[2]));
+  }
+  return vec3(sum / static_cast<double>(image.texels.size()));
+}
+
+std::string_view stem_of(std::string_view path) {
+  path = path.substr(path.find_last_of('/') + 1);
+  return path.substr(0, path.find_last_of('.'));
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
+}  // namespace fb::scene

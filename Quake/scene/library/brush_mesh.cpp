@@ -1,0 +1,128 @@
+#include "scene/library/brush_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "scene/library/liquid_faces.h"
+#include "scene/library/surface_names.h"
+#include "scene/shapes.h"
+
+namespace fb::scene {
+namespace {
+
+constexpr std::size_t kMaxSearchedCorners = 64;  // compilers' faces have fewer; a damaged file's may have 100,000
+constexpr float kMaxRepeats = 1e7f;              // texture axes beyond that come from a damaged file
+constexpr float kMinTriangleArea = 1e-4f;        // units^2; less is a sliver between collinear corners
+
+vec3 triangle_cross(const vec3& a, const vec3& b, const vec3& c) { return glm::cross(b - a, c - a); }
+
+// The corner from which a fan over a convex polygon has the largest smallest triangle. Compilers put corners on
+// straight edges (T junctions), and a fan from the wrong corner is all slivers.
+std::size_t best_fan_start(const std::vector<vec3>& polygon) {
+  const std::size_t n = polygon.size();
+  if (n > kMaxSearchedCorners) return 0;
+  std::size_t best = 0;
+  float best_area = -1.0f;
+  for (std::size_t start = 0; start < n; ++start) {
+    float smallest = std::numeric_limits<float>::max();
+    for (std::size_t k = 1; k + 1 < n && smallest > best_area; ++k) {
+      const vec3 cross = triangle_cross(polygon[start], polygon[(start + k) % n], polygon[(start + k + 1) % n]);
+      smallest = std::min(smallest, glm::length(cross));
+    }
+    if (smallest > best_area * 1.001f) {
+      best = start;
+      best_area = smallest;
+    }
+  }
+  return best;
+}
+
+class BrushMeshBuilder {
+ public:
+  BrushMeshBuilder(const formats::Bsp& bsp, MapMaterials& materials) : bsp_(bsp), materials_(materials) {}
+
+  void add_face(const formats::BspFace& face) {
+    if (face.surfedge_count < 3) return;
+    const formats::BspTexInfo& texinfo = bsp_.texinfos[face.texinfo];
+    const formats::BspTexture* texture =
+        texinfo.texture < bsp_.textures.size() ? &bsp_.textures[texinfo.texture] : nullptr;
+    if (texture != nullptr && is_tool_texture(texture->name)) return;
+
+    std::vector<vec3> polygon;
+    vec3 normal(0.0f);
+    for (std::uint32_t k = 0; k < face.surfedge_count; ++k) polygon.push_back(bsp_.face_vertex(face, k));
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+      normal += triangle_cross(polygon[0], polygon[k], polygon[k + 1]);
+    const vec3 front = bsp_.planes[face.plane].normal * (face.back_side ? -1.0f : 1.0f);
+    // Quake's faces run clockwise as seen from the front; ours the other way.
+    if (glm::dot(normal, front) < 0.0f) std::ranges::reverse(polygon);
+    if (texture != nullptr && liquid_kind(texture->name) != LiquidKind::kNone)
+      liquids_.push_back({face.texinfo, texinfo.texture, face.plane, face.back_side, std::move(polygon)});
+    else
+      add_fan(polygon, texinfo, texture);
+  }
+
+  Mesh take(std::string name) {
+    for (const LiquidFace& face : without_coincident(std::move(liquids_)))
+      add_fan(face.polygon, bsp_.texinfos[face.texinfo], &bsp_.textures[face.texture]);
+    mesh_.name = std::move(name);
+    finish_mesh(mesh_);
+    return std::move(mesh_);
+  }
+
+ private:
+  void add_fan(const std::vector<vec3>& polygon, const formats::BspTexInfo& texinfo,
+               const formats::BspTexture* texture) {
+    const std::size_t n = polygon.size(), start = best_fan_start(polygon);
+    const vec2 size(texture != nullptr && texture->width > 0 ? static_cast<float>(texture->width) : 16.0f,
+                    texture != nullptr && texture->height > 0 ? static_cast<float>(texture->height) : 16.0f);
+    const auto uv_at = [&](const vec3& p) {
+      const vec2 uv = vec2(glm::dot(vec3(texinfo.axes[0]), p) + texinfo.axes[0].w,
+                           glm::dot(vec3(texinfo.axes[1]), p) + texinfo.axes[1].w) /
+                      size;
+      const auto sane = [](float x) { return std::fabs(x) < kMaxRepeats ? x : 0.0f; };
+      return vec2(sane(uv.x), sane(uv.y));
+    };
+    // Large repeats cost precision: move the face's coordinates near zero by whole repeats.
+    const vec2 shift = glm::floor(uv_at(polygon[start]));
+    std::vector<std::uint32_t> corners;
+    for (std::size_t k = 0; k < n; ++k) corners.push_back(vertex(polygon[(start + k) % n]));
+    const std::uint32_t material = materials_.material(texinfo.texture);
+    for (std::size_t k = 1; k + 1 < n; ++k) {
+      const std::array<std::size_t, 3> ids{start, (start + k) % n, (start + k + 1) % n};
+      const vec3 cross = triangle_cross(polygon[ids[0]], polygon[ids[1]], polygon[ids[2]]);
+      if (glm::length(cross) < 2.0f * kMinTriangleArea) continue;
+      MeshTriangle triangle{{corners[0], corners[k], corners[k + 1]}, material, {}};
+      for (std::size_t c = 0; c < 3; ++c) triangle.uv[c] = uv_at(polygon[ids[c]]) - shift;
+      mesh_.triangles.push_back(triangle);
+    }
+  }
+
+  std::uint32_t vertex(const vec3& p) {
+    const auto [at, added] = vertices_.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(mesh_.positions.size()));
+    if (added) mesh_.positions.push_back(p);
+    return at->second;
+  }
+
+  const formats::Bsp& bsp_;
+  MapMaterials& materials_;
+  Mesh mesh_;
+  std::map<std::array<float, 3>, std::uint32_t> vertices_;
+  std::vector<LiquidFace> liquids_;
+};
+
+}  // namespace
+
+Mesh make_brush_mesh(const formats::Bsp& bsp, std::uint32_t model, MapMaterials& materials, std::string name) {
+  BrushMeshBuilder builder(bsp, materials);
+  const formats::BspModel& m = bsp.models[model];
+  for (std::uint32_t i = 0; i < m.face_count; ++i) builder.add_face(bsp.faces[m.first_face + i]);
+  return builder.take(std::move(name));
+}
+
+}  // namespace fb::scene

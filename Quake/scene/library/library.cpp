@@ -1,0 +1,364 @@
+#include "scene/library/library.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <new>
+#include <tuple>
+#include <utility>
+#include <system_error>
+
+#include "base/check.h"
+#include "base/log.h"
+#include "base/out_of_memory.h"
+#include "scene/animation.h"
+#include "scene/library/alias_mesh.h"
+#include "scene/library/asset_builder.h"
+#include "scene/library/brush_mesh.h"
+#include "scene/library/light_sources.h"
+#include "scene/library/lights.h"
+#include "scene/library/map_materials.h"
+#include "scene/library/sky_images.h"
+#include "scene/library/sprite_mesh.h"
+#include "scene/shapes.h"
+#include "world/entity_lump.h"
+
+namespace fb::scene {
+namespace {
+
+std::string with_extension(std::string_view path, std::string_view extension) {
+  return std::string(path.substr(0, path.find_last_of('.'))) + std::string(extension);
+}
+
+bool lies_within(const Bounds& bounds, float limit) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(bounds.min[axis] > -limit && bounds.max[axis] < limit)) return false;
+  return true;
+}
+
+void log_all(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) log_warning("{}", warning);
+}
+
+LiquidAlphas liquid_alphas(const std::vector<world::Entity>& entities) {
+  LiquidAlphas alphas;
+  if (entities.empty()) return alphas;
+  const auto read = [&](std::string_view key, float& value) {
+    const world::Entity& world = entities.front();
+    const float read = world.number(fmt::format("_{}", key), world.number(key, value));
+    value = read > 0.0f ? std::min(read, 1.0f) : 1.0f;  // QuakeSpasm takes 0 for "not said"
+  };
+  read("wateralpha", alphas.water);
+  read("lavaalpha", alphas.lava);
+  read("slimealpha", alphas.slime);
+  read("telealpha", alphas.teleport);
+  return alphas;
+}
+
+Model brush_model(const formats::Bsp& bsp, std::uint32_t index, std::string name, std::uint32_t mesh) {
+  Model model;
+  model.kind = ModelKind::kBrush;
+  model.name = std::move(name);
+  model.mesh = mesh;
+  model.mins = bsp.models[index].mins;
+  model.maxs = bsp.models[index].maxs;
+  model.bounds.min = model.mins;
+  model.bounds.max = model.maxs;
+  return model;
+}
+
+std::uint32_t add_brush_mesh(AssetBuilder& builder, const formats::Bsp& bsp, std::uint32_t index,
+                             MapMaterials& materials, const std::string& name) {
+  Mesh mesh = make_brush_mesh(bsp, index, materials, name);
+  return mesh.triangles.empty() ? kNone : builder.add_mesh(std::move(mesh));
+}
+
+Model alias_model(AssetBuilder& builder, const formats::Mdl& mdl, const std::string& name) {
+  Model model;
+  model.kind = ModelKind::kAlias;
+  model.name = name;
+  Mesh mesh = make_alias_mesh(mdl, name);
+  model.bounds = mesh.bounds;
+  if (!lies_within(mesh.bounds, formats::kMaxBspCoordinate)) {
+    log_warning("{}: its scale and origin put vertices more than {} units away", name, formats::kMaxBspCoordinate);
+    return {};
+  }
+  if (!mesh.triangles.empty()) model.mesh = builder.add_mesh(std::move(mesh));
+  model.flags = mdl.flags;
+  model.random_start = mdl.sync_type == 1;
+  for (const formats::MdlFrame& frame : mdl.frames)
+    model.frames.push_back({frame.name, frame.first_pose, frame.pose_count, frame.end_times});
+  model.skin_materials = make_skin_materials(builder, mdl, name);
+  return model;
+}
+
+Model sprite_model(AssetBuilder& builder, const formats::Spr& spr, const std::string& name) {
+  Model model;
+  model.kind = ModelKind::kSprite;
+  model.name = name;
+  model.orientation = spr.orientation;
+  model.random_start = spr.sync_type == 1;
+  model.sprite_frames = make_sprite_frames(builder, spr, name);
+  const float width = 0.5f * static_cast<float>(spr.max_width), height = 0.5f * static_cast<float>(spr.max_height);
+  model.bounds.min = vec3(-width, -width, -height);
+  model.bounds.max = vec3(width, width, height);
+  return model;
+}
+
+}  // namespace
+
+struct ModelLibrary::Impl {
+  FileLoader loader;
+  FileRank rank;
+  std::unique_ptr<AssetBuilder> builder;
+  std::map<std::string, Model, std::less<>> models;
+  std::map<std::tuple<std::uint32_t, int, int>, std::uint32_t> translated;
+
+  std::string map_path;
+  std::optional<formats::Bsp> map;
+  std::vector<std::uint32_t> map_meshes;  // a submodel; kNone: nothing to draw
+  std::vector<EntityLight> lights;
+  AmbientLight ambient;
+  Sky sky;
+
+  std::uint32_t sphere = kNone, tetrahedron = kNone;
+  std::uint32_t particle = kNone, dynamic_light = kNone, entity_light = kNone;
+
+  Impl(FileLoader file_loader, FileRank file_rank) : loader(std::move(file_loader)), rank(std::move(file_rank)) {
+    builder = std::make_unique<AssetBuilder>(loader, rank);
+  }
+
+  void take_map(const std::string& path, formats::Bsp bsp, const std::vector<world::Entity>& entities);
+  void forget_map();
+  Model load_model(const std::string& name);
+  Model load_submodel(const std::string& name);
+  std::uint32_t instance_colored(std::uint32_t& index, const char* name, EmissionKind kind);
+};
+
+ModelLibrary::ModelLibrary(FileLoader loader, FileRank rank)
+    : impl_(std::make_shared<Impl>(std::move(loader), std::move(rank))) {}
+
+void ModelLibrary::clear() { *impl_ = Impl(impl_->loader, impl_->rank); }
+
+Status ModelLibrary::load_map(std::string_view bsp_path) {
+  return within_memory([&] { return load_map_file(bsp_path); });
+}
+
+Status ModelLibrary::load_map_file(std::string_view bsp_path) {
+  const std::string path(bsp_path), map_name(stem_of(bsp_path));
+  const auto load = [&](const std::string& file) { return impl_->loader ? impl_->loader(file) : std::nullopt; };
+  const auto load_beside = [&](const std::string& file) {
+    return impl_->rank && impl_->rank(file) < impl_->rank(path) ? std::nullopt : load(file);
+  };
+  const std::optional<FileData> bytes = load(path);
+  if (!bytes) return Error{path + ": no such file"};
+  auto bsp = formats::parse_bsp(*bytes, path);
+  if (!bsp) return bsp.error();
+  if (bsp->models.empty()) return Error{path + ": a map without models"};
+  log_all(bsp->warnings);
+
+  const std::string vis_path = with_extension(path, ".vis");
+  if (const std::optional<FileData> vis = load_beside(vis_path)) {
+    auto record = formats::parse_vis(*vis, vis_path, map_name + ".bsp", *bsp);
+    if (!record) {
+      log_warning("{}", record.error().message);
+    } else if (*record) {
+      bsp->visibility = std::move((*record)->visibility);
+      bsp->leafs = std::move((*record)->leafs);
+    }
+  }
+  std::string entities_name = path;
+  for (const std::string& ent_path :
+       {with_extension(path, fmt::format("@{:04x}.ent", bsp->entities_crc)), with_extension(path, ".ent")}) {
+    const std::optional<FileData> ent = load_beside(ent_path);
+    if (!ent) continue;
+    if (const Status fits = formats::check_entity_text(ent->size(), ent_path); !fits) {
+      log_warning("{}", fits.error().message);
+      continue;
+    }
+    bsp->entities.assign(ent->begin(), ent->end());
+    entities_name = ent_path;
+    break;
+  }
+  std::vector<world::Entity> entities;
+  if (auto parsed = world::parse_entity_lump(bsp->entities, entities_name))
+    entities = std::move(*parsed);
+  else
+    log_warning("{}; the map has no lights", parsed.error().message);
+
+  // Nothing can fail from here on but for want of memory. The former map stays whole until this one is.
+  const auto fresh = impl_->map ? std::make_unique<Impl>(impl_->loader, impl_->rank) : nullptr;
+  Impl& impl = fresh ? *fresh : *impl_;
+  std::erase_if(impl.models, [](const auto& entry) { return entry.second.kind == ModelKind::kMissing; });
+  try {
+    impl.take_map(path, std::move(*bsp), entities);
+  } catch (const std::bad_alloc& failure) {
+    if (!fresh) impl.forget_map();
+    return Error{fmt::format("{}: {}", path, sentence_of(failure))};
+  }
+  if (fresh) *impl_ = std::move(*fresh);
+  return ok_status();
+}
+
+void ModelLibrary::Impl::take_map(const std::string& path, formats::Bsp bsp,
+                                  const std::vector<world::Entity>& entities) {
+  map_path = path;
+  map = std::move(bsp);
+  MapMaterials materials(*builder, *map, path, liquid_alphas(entities), surface_lights(entities, *map));
+  for (std::uint32_t i = 0; i < map->models.size(); ++i)
+    map_meshes.push_back(add_brush_mesh(*builder, *map, i, materials, i == 0 ? path : fmt::format("*{}", i)));
+  lights = scene::entity_lights(entities, *map);
+  sky = make_layered_sky(*builder, *map, dome_radiance(entities));
+  sky.suns = suns(entities);
+  ambient.radiance = ambient_radiance(entities);
+  if (ambient.radiance == vec3(0.0f) && !has_light_source(builder->assets(), map_meshes, entities, lights, sky))
+    ambient = {vec3(1.0f), true};
+}
+
+void ModelLibrary::Impl::forget_map() {
+  map.reset();
+  map_path.clear();
+  map_meshes.clear();
+  lights.clear();
+  sky = {};
+  ambient = {};
+}
+
+const formats::Bsp* ModelLibrary::map() const { return impl_->map ? &*impl_->map : nullptr; }
+const std::string& ModelLibrary::map_entities() const {
+  static const std::string kEmpty;
+  return impl_->map ? impl_->map->entities : kEmpty;
+}
+const std::vector<EntityLight>& ModelLibrary::entity_lights() const { return impl_->lights; }
+const AmbientLight& ModelLibrary::map_ambient() const { return impl_->ambient; }
+const Sky& ModelLibrary::map_sky() const { return impl_->sky; }
+Sky ModelLibrary::make_skybox(std::string_view name, const Sky& fallback) {
+  return make_box_sky(*impl_->builder, name, fallback);
+}
+
+const Model& ModelLibrary::model(std::string_view name) {
+  const auto known = impl_->models.find(name);
+  if (known != impl_->models.end()) return known->second;
+  const std::string key(name);
+  Model model = impl_->load_model(key);
+  model.name = key;
+  return impl_->models.emplace(key, std::move(model)).first->second;
+}
+
+Model ModelLibrary::Impl::load_submodel(const std::string& name) {
+  const bool world = name == map_path;
+  std::uint32_t index = 0;
+  if (!world) {
+    const char* const end = name.data() + name.size();
+    const auto [rest, code] = std::from_chars(name.data() + 1, end, index);
+    if (code != std::errc() || rest != end || !map || index >= map->models.size()) {
+      log_warning("{}: the map has no such submodel", name);
+      return {};
+    }
+  }
+  return brush_model(*map, index, name, map_meshes[index]);
+}
+
+Model ModelLibrary::Impl::load_model(const std::string& name) {
+  if (name.empty()) return {};
+  if (name[0] == '*' || (map && name == map_path)) return load_submodel(name);
+  const std::optional<FileData> bytes = loader ? loader(name) : std::nullopt;
+  if (!bytes) {
+    log_warning("{}: no such file", name);
+    return {};
+  }
+  const auto refuse = [](const Error& error) {
+    log_warning("{}", error.message);
+    return Model{};
+  };
+  // Quake goes by what the file says of itself, not by its name.
+  const std::string_view magic = bytes->text().substr(0, 4);
+  if (magic == "IDPO") {
+    auto mdl = formats::parse_mdl(*bytes, name);
+    if (!mdl) return refuse(mdl.error());
+    log_all(mdl->warnings);
+    return alias_model(*builder, *mdl, name);
+  }
+  if (magic == "IDSP") {
+    auto spr = formats::parse_spr(*bytes, name);
+    return spr ? sprite_model(*builder, *spr, name) : refuse(spr.error());
+  }
+  auto bsp = formats::parse_bsp(*bytes, name);
+  if (!bsp) return refuse(bsp.error());
+  if (bsp->models.empty()) return refuse({name + ": a map without models"});
+  log_all(bsp->warnings);
+  MapMaterials materials(*builder, *bsp, name, {}, {});
+  return brush_model(*bsp, 0, name, add_brush_mesh(*builder, *bsp, 0, materials, name));
+}
+
+std::uint32_t ModelLibrary::translated_skin(const Model& model, std::uint32_t skin, int top, int bottom) {
+  if (model.skin_materials.empty()) return kNone;
+  const std::uint32_t source = model.skin_materials[skin < model.skin_materials.size() ? skin : 0];
+  constexpr int kShirt = 1, kTrousers = 6;  // the rows that a player's skin is painted in
+  top = std::clamp(top, 0, 13);
+  bottom = std::clamp(bottom, 0, 13);
+  if (top == kShirt && bottom == kTrousers) return source;
+  const auto [known, added] = impl_->translated.try_emplace({source, top, bottom}, source);
+  if (!added) return known->second;
+
+  std::array<std::uint8_t, 256> table;
+  for (int i = 0; i < 256; ++i) table[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(i);
+  const auto translate = [&](int from, int to) {
+    for (int i = 0; i < 16; ++i)  // rows from 8 on run from bright to dark
+      table[static_cast<std::size_t>(from * 16 + i)] = static_cast<std::uint8_t>(to * 16 + (to < 8 ? i : 15 - i));
+  };
+  translate(kShirt, top);
+  translate(kTrousers, bottom);
+  AssetBuilder& builder = *impl_->builder;
+  Material material = builder.assets().materials[source];
+  material.name += fmt::format(" {} {}", top, bottom);
+  for (TextureSet& set : material.frames) {
+    if (builder.assets().images[set.base].encoding != ImageEncoding::kPalette) continue;  // a file's image stays
+    Image image = builder.assets().images[set.base];
+    image.name = material.name;
+    for (std::uint8_t& i : image.texels) i = table[i];
+    set.base = builder.add_image(std::move(image));
+  }
+  return known->second = builder.add_material(std::move(material));
+}
+
+std::uint32_t ModelLibrary::sphere_mesh() {
+  if (impl_->sphere == kNone) impl_->sphere = impl_->builder->add_mesh(make_sphere());
+  return impl_->sphere;
+}
+std::uint32_t ModelLibrary::tetrahedron_mesh() {
+  if (impl_->tetrahedron == kNone) impl_->tetrahedron = impl_->builder->add_mesh(make_tetrahedron());
+  return impl_->tetrahedron;
+}
+
+std::uint32_t ModelLibrary::Impl::instance_colored(std::uint32_t& index, const char* name, EmissionKind kind) {
+  if (index == kNone) {
+    Material material;
+    material.name = name;
+    material.emission_kind = kind;
+    material.emission = vec3(1.0f);
+    index = builder->add_material(std::move(material));
+  }
+  return index;
+}
+std::uint32_t ModelLibrary::particle_material() {
+  return impl_->instance_colored(impl_->particle, "particle", EmissionKind::kParticle);
+}
+std::uint32_t ModelLibrary::dynamic_light_material() {
+  return impl_->instance_colored(impl_->dynamic_light, "dynamic light", EmissionKind::kDynamicLight);
+}
+std::uint32_t ModelLibrary::entity_light_material() {
+  return impl_->instance_colored(impl_->entity_light, "entity light", EmissionKind::kEntityLight);
+}
+
+std::shared_ptr<const Assets> ModelLibrary::assets() const { return impl_->builder->shared_assets(); }
+
+std::uint32_t pose_at(const Model& model, std::uint32_t frame, double time) {
+  if (model.frames.empty()) return 0;
+  const Model::Frame& f = model.frames[frame < model.frames.size() ? frame : 0];
+  return f.first_pose + static_cast<std::uint32_t>(frame_of_group(f.end_times, f.pose_count, time));
+}
+
+}  // namespace fb::scene

@@ -1,0 +1,162 @@
+#include "scene/library/map_materials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "scene/library/surface_names.h"
+
+namespace fb::scene {
+
+MapMaterials::MapMaterials(AssetBuilder& builder, const formats::Bsp& bsp, std::string map_path, LiquidAlphas alphas,
+                           SurfaceLights surface_lights)
+    : builder_(builder),
+      bsp_(bsp),
+      map_path_(std::move(map_path)),
+      alphas_(alphas),
+      surface_lights_(std::move(surface_lights)),
+      sets_(bsp.textures.size()),
+      materials_(bsp.textures.size(), kNone) {}
+
+std::uint32_t MapMaterials::material(std::uint32_t texture) {
+  if (texture >= materials_.size()) {
+    if (missing_material_ == kNone) {
+      Material material;
+      material.name = "missing";
+      material.emission_kind = EmissionKind::kNone;
+      material.frames = {TextureSet{missing_image()}};
+      missing_material_ = builder_.add_material(std::move(material));
+    }
+    return missing_material_;
+  }
+  if (materials_[texture] != kNone) return materials_[texture];
+  const auto animated = animated_name(bsp_.textures[texture].name);
+  if (!animated) return materials_[texture] = make_material(texture);
+  const std::string key = fmt::format("{}{}", animated->alternate ? 'a' : '0', animated->base);
+  const auto [at, added] = sequences_.try_emplace(key, kNone);
+  if (added) at->second = make_material(texture);
+  return materials_[texture] = at->second;
+}
+
+std::uint32_t MapMaterials::missing_image() {
+  if (missing_image_ == kNone) {
+    constexpr int kSize = 16;
+    Image image{"missing texture", ImageEncoding::kSrgba, kSize, kSize, {}};
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x) {
+        const bool bright = (x / 8 + y / 8) % 2 == 0;
+        const std::array<std::uint8_t, 4> texel =
+            bright ? std::array<std::uint8_t, 4>{200, 60, 200, 255} : std::array<std::uint8_t, 4>{30, 30, 30, 255};
+        image.texels.insert(image.texels.end(), texel.begin(), texel.end());
+      }
+    missing_image_ = builder_.add_image(std::move(image));
+  }
+  return missing_image_;
+}
+
+const TextureSet& MapMaterials::texture_set(std::uint32_t index) {
+  TextureSet& set = sets_[index];
+  if (set.base != kNone) return set;
+  const formats::BspTexture& texture = bsp_.textures[index];
+  if (!texture.name.empty())
+    set = builder_.replacement(
+        {fmt::format("textures/{}/{}", stem_of(map_path_), texture.name), fmt::format("textures/{}", texture.name)},
+        map_path_);
+  if (set.base != kNone) {
+    // QuakeSpasm forgets the original's glowing texels here; a map would lose its lamps.
+    const bool holes = is_alpha_texture(texture.name);
+    if (set.luma == kNone && has_fullbright(texture.indices, holes))
+      set.luma = builder_.add_image(
+          luma_from_indices(builder_.palette(), texture.name, texture.width, texture.height, texture.indices, holes));
+  } else if (texture.missing()) {
+    set.base = missing_image();
+  } else {
+    set.base =
+        builder_.add_image({texture.name, ImageEncoding::kPalette, texture.width, texture.height, texture.indices});
+  }
+  return set;
+}
+
+std::vector<TextureSet> MapMaterials::sequence(std::string_view base, bool alternate) {
+  std::array<std::uint32_t, 10> frames;
+  frames.fill(kNone);
+  for (std::uint32_t i = 0; i < bsp_.textures.size(); ++i) {
+    const auto name = animated_name(bsp_.textures[i].name);
+    if (name && name->base == base && name->alternate == alternate) frames[static_cast<std::size_t>(name->frame)] = i;
+  }
+  std::vector<TextureSet> sets;  // a frame that the map lacks is passed over
+  for (const std::uint32_t frame : frames)
+    if (frame != kNone) sets.push_back(texture_set(frame));
+  return sets;
+}
+
+std::uint32_t MapMaterials::make_material(std::uint32_t index) {
+  const formats::BspTexture& texture = bsp_.textures[index];
+  Material material;
+  material.name = texture.name;
+  if (is_sky_texture(texture.name)) {
+    material.emission_kind = EmissionKind::kSky;
+    material.emission = vec3(1.0f);
+    material.base_color = vec3(0.0f);
+    return builder_.add_material(std::move(material));
+  }
+  if (const auto animated = animated_name(texture.name)) {
+    material.frames = sequence(animated->base, animated->alternate);
+    material.alternate_frames = sequence(animated->base, !animated->alternate);
+  } else {
+    material.frames = {texture_set(index)};
+  }
+  const SurfaceLook look = surface_look(texture.name);
+  material.roughness = look.roughness;
+  material.specular = look.specular;
+  if (is_alpha_texture(texture.name)) material.flags |= kMaterialAlphaTest;
+
+  bool glows = false, glossy = false;
+  for (const auto* sets : {&material.frames, &material.alternate_frames})
+    for (const TextureSet& set : *sets) {
+      const Image& base = builder_.assets().images[set.base];
+      glossy |= set.gloss != kNone;
+      glows |= set.luma != kNone || (base.encoding == ImageEncoding::kPalette &&
+                                     has_fullbright(base.texels, is_alpha_texture(texture.name)));
+    }
+  material.emission_kind = glows ? EmissionKind::kFullbright : EmissionKind::kNone;
+  material.emission = vec3(1.0f);
+  if (glossy && material.specular == 0.0f) material.specular = 0.04f;
+
+  switch (liquid_kind(texture.name)) {
+    case LiquidKind::kNone:
+      break;
+    case LiquidKind::kWater:
+      material.alpha = alphas_.water;
+      break;
+    case LiquidKind::kLava:
+      material.alpha = alphas_.lava;
+      material.emission_kind = EmissionKind::kLava;
+      break;
+    case LiquidKind::kSlime:
+      material.alpha = alphas_.slime;
+      material.emission_kind = EmissionKind::kSlime;
+      break;
+    case LiquidKind::kTeleport:
+      material.alpha = alphas_.teleport;
+      material.emission_kind = EmissionKind::kTeleport;
+      break;
+  }
+  if (liquid_kind(texture.name) != LiquidKind::kNone) material.flags |= kMaterialWarp | kMaterialLiquid;
+
+  const auto lit = surface_lights_.find(lower_case(texture.name));
+  if (lit != surface_lights_.end() &&
+      (material.emission_kind == EmissionKind::kNone || material.emission_kind == EmissionKind::kFullbright)) {
+    // Every texel glows in its colour, times a factor: a dark texture has a larger one, within bounds.
+    const vec3 mean = mean_color(builder_.palette(), builder_.assets().images[material.frames.front().base]);
+    material.emission_kind = EmissionKind::kFullbright;
+    material.emission = lit->second / std::max({mean.x, mean.y, mean.z, 0.05f});
+    for (auto* sets : {&material.frames, &material.alternate_frames})
+      for (TextureSet& set : *sets) set.luma = set.base;
+  }
+  return builder_.add_material(std::move(material));
+}
+
+}  // namespace fb::scene

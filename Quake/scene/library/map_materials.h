@@ -1,0 +1,49 @@
+// Materials of a map's textures, each made once however many submodels use it: animation sequences, liquids, sky,
+// holes, images from files in place of the map's own, and a chequer where there is nothing.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/bsp.h"
+#include "scene/library/asset_builder.h"
+#include "scene/library/lights.h"
+
+namespace fb::scene {
+
+// Worldspawn's wateralpha, lavaalpha, slimealpha, telealpha (also with a leading underscore); 1 without them.
+struct LiquidAlphas {
+  float water = 1.0f, lava = 1.0f, slime = 1.0f, teleport = 1.0f;
+};
+
+class MapMaterials {
+ public:
+  // For maps/start.bsp images are looked for in textures/start/ and then in textures/.
+  // `surface_lights`: radiances that the map's _surface lights give to textures (lights.h).
+  MapMaterials(AssetBuilder& builder, const formats::Bsp& bsp, std::string map_path, LiquidAlphas alphas,
+               SurfaceLights surface_lights);
+
+  // The material of a texture (index into Bsp::textures, or kNoTexture).
+  std::uint32_t material(std::uint32_t texture);
+
+ private:
+  const TextureSet& texture_set(std::uint32_t texture);
+  std::vector<TextureSet> sequence(std::string_view base, bool alternate);
+  std::uint32_t make_material(std::uint32_t texture);
+  std::uint32_t missing_image();
+
+  AssetBuilder& builder_;
+  const formats::Bsp& bsp_;
+  std::string map_path_;
+  LiquidAlphas alphas_;
+  SurfaceLights surface_lights_;
+  std::vector<TextureSet> sets_;                    // a texture; base kNone until made
+  std::vector<std::uint32_t> materials_;            // a texture; kNone until made
+  std::map<std::string, std::uint32_t> sequences_;  // material of an animation, by "0" or "a" + its base name
+  std::uint32_t missing_material_ = kNone, missing_image_ = kNone;
+};
+
+}  // namespace fb::scene
