@@ -66,7 +66,8 @@ void Cvar::notify() {
 
 std::string Cvar::set(std::string_view text) {
   std::string sentence, taken(text);
-  const auto word = std::find_if(spec_.words.begin(), spec_.words.end(), [&](const auto& w) { return w.first == text; });
+  const auto word =
+      std::find_if(spec_.words.begin(), spec_.words.end(), [&](const auto& w) { return w.first == text; });
   if (word != spec_.words.end()) return set(word->second);
   if (has_range()) {
     const auto given = parse_value(text);

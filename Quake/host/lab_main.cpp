@@ -22,7 +22,8 @@ int run(int argc, char** argv) {
                                  add_ztest_command(app),
                                  add_bench_command(app, fmt::format("{}", fmt::join(argv, argv + argc, " "))),
                                  add_track_command(app),
-                                 add_estimators_command(app), add_settings_command(app)};
+                                 add_estimators_command(app),
+                                 add_settings_command(app)};
   CLI11_PARSE(app, argc, argv);
   for (const LabCommand& command : commands)
     if (*command.app) return command.run();

@@ -67,9 +67,7 @@ float LightList::radiance(const scene::Assets& assets, const shared::GpuMaterial
     if (m.luma < assets.images.size()) return sum(means(assets, m.luma).all * factor);
     return (m.flags & scene::kMaterialNoFullbright) != 0 ? 0.0f : sum(means(assets, m.base).glowing * factor);
   }
-  const bool all_glows =
-      kind == Kind::kLava || kind == Kind::kSlime || kind == Kind::kTeleport || kind == Kind::kSprite;
-  return all_glows ? sum(means(assets, m.base).all * factor) : 0.0f;
+  return shared::all_texels_glow(m.emission_kind) ? sum(means(assets, m.base).all * factor) : 0.0f;
 }
 
 void LightList::list_triangles(const scene::Assets& assets, std::span<const Source> sources,

@@ -17,8 +17,7 @@ con::CvarSpec number_spec(const char* name, float value, float low, float high, 
   spec.max = high;
   spec.integer = integer;
   if (spec.name == "r_debug")
-    for (const DebugView& view : debug_views())
-      spec.words.emplace_back(view.name, static_cast<float>(view.number));
+    for (const DebugView& view : debug_views()) spec.words.emplace_back(view.name, static_cast<float>(view.number));
   return spec;
 }
 

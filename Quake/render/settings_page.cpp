@@ -10,9 +10,12 @@
 namespace fb::render {
 namespace {
 
-void add_row(std::string& page, std::string_view cvar, float value, float low, float high, std::string_view help) {
-  page += fmt::format("| `{}` | {} | {} to {} | {} |\n", cvar, con::number_text(value), con::number_text(low),
-                      con::number_text(high), help);
+std::string text_of(int value) { return std::to_string(value); }
+std::string text_of(float value) { return con::number_text(value); }
+
+template <typename T>
+void add_row(std::string& page, std::string_view cvar, T value, T low, T high, std::string_view help) {
+  page += fmt::format("| `{}` | {} | {} to {} | {} |\n", cvar, text_of(value), text_of(low), text_of(high), help);
 }
 
 void begin_table(std::string& page, std::string_view title) {
@@ -24,11 +27,11 @@ void begin_table(std::string& page, std::string_view title) {
 std::string settings_page() {
   std::string page =
       "# Settings of the renderer\n\n"
-      "Written by `make settings-page` from `Shaders/shared/settings.h` and `Shaders/shared/debug_views.h`; a test holds "
+      "Written by `make settings-page` from `Shaders/shared/settings.h` and `Shaders/shared/debug_views.h`; a test "
+      "holds "
       "them equal.\n"
       "A setting is a cvar of the game, and `--set NAME=VALUE` in the laboratory.\n";
-#define FB_ROW(type, field, cvar, value, low, high, help)                                              \
-  add_row(page, cvar, static_cast<float>(value), static_cast<float>(low), static_cast<float>(high), help);
+#define FB_ROW(type, field, cvar, value, low, high, help) add_row<type>(page, cvar, value, low, high, help);
   begin_table(page, "The picture");
   FB_FRAME_SETTINGS(FB_ROW)
   FB_RENDERER_SETTINGS(FB_ROW)
@@ -41,7 +44,9 @@ std::string settings_page() {
   begin_table(page, "Path guiding");
   FB_GUIDE_SETTINGS(FB_ROW)
 #undef FB_ROW
-  page += "\n## Debug views\n\n`r_debug` takes a name or its number.\n\n| name | number | what it shows |\n| --- | --- | --- |\n";
+  page +=
+      "\n## Debug views\n\n`r_debug` takes a name or its number.\n\n| name | number | what it shows |\n| --- | --- | "
+      "--- |\n";
   for (const DebugView& view : debug_views())
     page += fmt::format("| `{}` | {} | {} |\n", view.name, view.number, view.help);
   return page;

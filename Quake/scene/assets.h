@@ -10,15 +10,16 @@
 
 #include "base/maths.h"
 #include "formats/image.h"
+#include "shared/kinds.h"
 
 namespace fb::scene {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 enum class ImageEncoding : std::uint8_t {
-  kPalette,     // one byte a texel: index into Assets::palette
-  kSrgba,       // four bytes: sRGB colour, linear alpha
-  kLinearRgba,  // four bytes, linear: normal maps (xyz in 0..255), gloss
+  kPalette = shared::kEncodingPalette,
+  kSrgba = shared::kEncodingSrgba,
+  kLinearRgba = shared::kEncodingLinear,
 };
 struct Image {
   std::string name;
@@ -28,27 +29,28 @@ struct Image {
 };
 
 // What makes a material's light; each kind is scaled by a cvar of its own in the renderer (r_emit_*).
+// Shaders/shared/kinds.h says what each is.
 enum class EmissionKind : std::uint32_t {
-  kNone,        // does not glow
-  kFullbright,  // palette indices 224..255 of base, or the texels of `luma`
-  kLava,
-  kSlime,
-  kTeleport,  // every texel glows
-  kSky,       // radiance comes from FrameSnapshot::sky by direction
-  kSprite,
-  kParticle,
-  kDynamicLight,
-  kEntityLight,
-  kConstant,  // Material::emission as it is, never scaled: tests and laboratory scenes
-  kCount,
+  kNone = shared::kEmissionNone,
+  kFullbright = shared::kEmissionFullbright,
+  kLava = shared::kEmissionLava,
+  kSlime = shared::kEmissionSlime,
+  kTeleport = shared::kEmissionTeleport,
+  kSky = shared::kEmissionSky,
+  kSprite = shared::kEmissionSprite,
+  kParticle = shared::kEmissionParticle,
+  kDynamicLight = shared::kEmissionDynamicLight,
+  kEntityLight = shared::kEmissionEntityLight,
+  kConstant = shared::kEmissionConstant,
+  kCount = shared::kEmissionKinds,
 };
 
 enum MaterialFlags : std::uint32_t {
-  kMaterialAlphaTest = 1u << 0,     // palette index 255 (or alpha < 0.5) is a hole
-  kMaterialWarp = 1u << 1,          // liquid: texture coordinates swing with time as Quake's warp does
-  kMaterialLiquid = 1u << 2,        // a liquid's surface (r_wateralpha and its kin)
-  kMaterialNoFullbright = 1u << 3,  // indices 224..255 are plain colours
-  kMaterialClampTexture = 1u << 4,  // skins and sprites: texture coordinates do not wrap
+  kMaterialAlphaTest = shared::kMaterialAlphaTest,
+  kMaterialWarp = shared::kMaterialWarp,
+  kMaterialLiquid = shared::kMaterialLiquid,
+  kMaterialNoFullbright = shared::kMaterialNoFullbright,
+  kMaterialClampTexture = shared::kMaterialClampTexture,
 };
 
 // One texture of a material: base image and the images that go with it; kNone where absent.

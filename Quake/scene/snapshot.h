@@ -9,6 +9,7 @@
 
 #include "base/maths.h"
 #include "scene/assets.h"
+#include "shared/kinds.h"
 
 namespace fb::scene {
 
@@ -27,9 +28,9 @@ struct PoseBlend {
 };
 
 enum Visibility : std::uint32_t {
-  kSeenByCamera = 1u << 0,
-  kSeenByIndirect = 1u << 1,  // bounces, shadows
-  kSeenByAll = 3u,
+  kSeenByCamera = shared::kMaskCamera,
+  kSeenByIndirect = shared::kMaskIndirect,  // bounces, shadows
+  kSeenByAll = shared::kMaskCamera | shared::kMaskIndirect,
 };
 
 enum InstanceFlags : std::uint32_t {
@@ -66,7 +67,12 @@ enum InstanceIds : std::uint32_t {
   kIdEntityLight = 0x00210000,   // + index of the light
 };
 
-enum class SkyMode : std::uint32_t { kBlack, kConstant, kLayers, kBox };
+enum class SkyMode : std::uint32_t {
+  kBlack = shared::kSkyBlack,
+  kConstant = shared::kSkyConstant,
+  kLayers = shared::kSkyLayers,
+  kBox = shared::kSkyBox,
+};
 struct Sun {
   vec3 direction{0, 0, 1};      // towards the sun, unit
   vec3 irradiance{0.0f};        // on a surface that faces it, linear

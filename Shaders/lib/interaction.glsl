@@ -6,8 +6,6 @@
 #define FB_LIB_INTERACTION
 #include "lib/surface.glsl"
 
-const uint kMaskCamera = 1u;
-const uint kMaskIndirect = 2u;
 const float kRayEnd = 1e6;  // beyond any map: coordinates end at 32768
 
 struct Vertex {

@@ -4,20 +4,8 @@
 #include "lib/frame_bindings.glsl"
 #include "lib/texture.glsl"
 #include "shared/bsdf.h"
+#include "shared/kinds.h"
 #include "shared/rng.h"
-
-const uint kMaterialAlphaTest = 1u;
-const uint kMaterialWarp = 2u;
-const uint kMaterialNoFullbright = 8u;
-const uint kMaterialClampTexture = 16u;
-
-const uint kEmissionNone = 0u;
-const uint kEmissionFullbright = 1u;
-const uint kEmissionLava = 2u;
-const uint kEmissionTeleport = 4u;
-const uint kEmissionSky = 5u;
-const uint kEmissionSprite = 6u;
-const uint kEmissionConstant = 10u;
 
 // Quake's turbulence: 8 texels of swing, a period of 128 texels and 2 pi seconds.
 vec2 warped_uv(vec2 uv, uint image_index) {
@@ -49,7 +37,7 @@ Shade shade_point(GpuMaterial m, uint instance_index, vec2 uv, bool smooth_texel
   bool clamped = (m.flags & kMaterialClampTexture) != 0u;
   if ((m.flags & kMaterialWarp) != 0u) uv = warped_uv(uv, m.base);
   bool has_luma = m.luma != kNoIndex && m.emission_kind == kEmissionFullbright;
-  bool all_glows = (m.emission_kind >= kEmissionLava && m.emission_kind <= kEmissionTeleport) || m.emission_kind == kEmissionSprite;
+  bool all_glows = all_texels_glow(m.emission_kind);
   bool some_glow = m.emission_kind == kEmissionFullbright && !has_luma && (m.flags & kMaterialNoFullbright) == 0u;
   vec2 size = vec2(image_size(m.base));
   vec2 corner = floor(uv * size - 0.5), f = uv * size - 0.5 - corner;

@@ -5,9 +5,6 @@
 #include "lib/frame_bindings.glsl"
 #include "lib/texture.glsl"
 
-const uint kSkyConstant = 1u;
-const uint kSkyLayers = 2u;
-
 // Quake's projection of its layers: a flattened dome, 128 texels a repeat, scrolling.
 vec2 layer_uv(vec3 d, float texels_per_second) {
   vec3 flat_d = vec3(d.xy, d.z * 3.0);

@@ -3,9 +3,8 @@
 #ifndef FB_LIB_TEXTURE
 #define FB_LIB_TEXTURE
 #include "lib/scene_bindings.glsl"
+#include "shared/kinds.h"
 
-const uint kEncodingPalette = 0u;
-const uint kEncodingSrgba = 1u;
 const uint kFirstFullbright = 224u;
 const uint kTransparentIndex = 255u;
 

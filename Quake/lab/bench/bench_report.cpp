@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "lab/json.h"
 
@@ -202,19 +203,19 @@ std::string bench_json(const BenchResult& result, const BenchTitle& title) {
 }
 
 std::string bench_csv(const BenchResult& result) {
-  std::string out =
-      "configuration,run,frame,warm,gpu_ms,estimator_gpu_ms,mse,mse_corrected,relmse,relmse_corrected,mape,bias,"
-      "mse_median_pixel,top_share,running_mse,running_relmse,warm_running_mse,warm_running_relmse\n";
+  std::vector<Metric> columns;
+  std::copy_if(metrics().begin(), metrics().end(), std::back_inserter(columns),
+               [](const Metric& metric) { return metric.of_frames; });
+  std::string out = "configuration,run,frame,warm,gpu_ms,estimator_gpu_ms";
+  for (const Metric& metric : columns) out += fmt::format(",{}", metric.name);
+  out += ",running_mse,running_relmse,warm_running_mse,warm_running_relmse\n";
   for (const auto& c : result.configurations) {
     for (std::uint32_t run = 0; run < c.frames.runs; ++run) {
       for (std::uint32_t i = 0; i < c.frames.warmup + c.frames.measured; ++i) {
         const FrameRecord& f = c.frames.at(run, i);
         const bool warm = i >= c.frames.warmup;
         out += fmt::format("{},{},{},{},{},{}", c.name, run, i, warm ? 1 : 0, f.gpu_ms, f.estimator_ms);
-        const Errors& e = f.errors;
-        out += f.measured ? fmt::format(",{},{},{},{},{},{},{},{}", e.mse, e.mse_corrected(), e.rel_mse,
-                                        e.rel_mse_corrected(), e.mape, e.bias, e.median_mse, e.top_share)
-                          : ",,,,,,,,";
+        for (const Metric& metric : columns) out += f.measured ? fmt::format(",{}", metric.value(f.errors)) : ",";
         out += result.still ? fmt::format(",{},{}", f.running_mse, f.running_rel_mse) : ",,";
         out += result.still && warm ? fmt::format(",{},{}\n", f.warm_running_mse, f.warm_running_rel_mse) : ",,\n";
       }

@@ -60,19 +60,10 @@ Status check_pair(const CompareJob& job, const Loaded& reference, const Loaded& 
 }
 
 std::vector<Figure> error_figures(const Errors& e, const Loaded& reference) {
-  std::vector<Figure> figures{{"mse", e.mse}};
-  if (!reference.stored.variance.empty()) figures.push_back({"mse_corrected", e.mse_corrected()});
-  figures.push_back({"rmse", e.rmse()});
-  if (reference.is_linear) {
-    figures.push_back({"relmse", e.rel_mse});
-    if (!reference.stored.variance.empty()) figures.push_back({"relmse_corrected", e.rel_mse_corrected()});
-    figures.push_back({"mape", e.mape});
-  } else {
-    figures.push_back({"psnr", -10 * std::log10(e.mse)});  // decibels; infinite for equal pictures
-  }
-  figures.push_back({"bias", e.bias});
-  figures.push_back({"mse_median_pixel", e.median_mse});
-  figures.push_back({"top_share", e.top_share});
+  std::vector<Figure> figures;
+  for (const Metric& metric : metrics())
+    if (metric.holds(reference.is_linear, !reference.stored.variance.empty()))
+      figures.push_back({metric.name, metric.value(e)});
   return figures;
 }
 

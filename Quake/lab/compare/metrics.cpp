@@ -69,6 +69,39 @@ Errors measure(const Reference& reference, const Picture& test, const MetricOpti
   return e;
 }
 
+bool Metric::holds(bool linear, bool variance_known) const {
+  switch (when) {
+    case When::kLinear:
+      return linear;
+    case When::kStored:
+      return !linear;
+    case When::kKnownVariance:
+      return variance_known;
+    case When::kLinearVariance:
+      return linear && variance_known;
+    default:
+      return true;
+  }
+}
+
+const std::vector<Metric>& metrics() {
+  using When = Metric::When;
+  static const std::vector<Metric> rows{
+      {"mse", [](const Errors& e) { return e.mse; }},
+      {"mse_corrected", [](const Errors& e) { return e.mse_corrected(); }, When::kKnownVariance},
+      {"rmse", [](const Errors& e) { return e.rmse(); }, When::kAlways, false},
+      {"relmse", [](const Errors& e) { return e.rel_mse; }, When::kLinear},
+      {"relmse_corrected", [](const Errors& e) { return e.rel_mse_corrected(); }, When::kLinearVariance},
+      {"mape", [](const Errors& e) { return e.mape; }, When::kLinear},
+      // Decibels; infinite for equal pictures.
+      {"psnr", [](const Errors& e) { return -10 * std::log10(e.mse); }, When::kStored, false},
+      {"bias", [](const Errors& e) { return e.bias; }},
+      {"mse_median_pixel", [](const Errors& e) { return e.median_mse; }},
+      {"top_share", [](const Errors& e) { return e.top_share; }},
+  };
+  return rows;
+}
+
 void Runs::add(const Picture& picture) {
   if (count_ == 0) {
     mean_ = Picture{picture.width, picture.height, std::vector<vec3>(picture.pixels.size(), vec3(0.0f))};

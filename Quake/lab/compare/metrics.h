@@ -37,6 +37,24 @@ struct Errors {
 // Both of one size.
 Errors measure(const Reference& reference, const Picture& test, const MetricOptions& options = {});
 
+// A figure of an error as `compare` and the frames of `bench` print it: a row is a metric.
+struct Metric {
+  enum class When {
+    kAlways,
+    kLinear,          // pictures of linear radiance
+    kStored,          // pictures as they are stored: 8 bits, sRGB
+    kKnownVariance,   // the reference knows its own variance
+    kLinearVariance,  // both
+  };
+  const char* name;
+  double (*value)(const Errors& errors);
+  When when = When::kAlways;
+  bool of_frames = true;  // a column of bench's frames
+  // Whether it means something for such pictures.
+  bool holds(bool linear, bool variance_known) const;
+};
+const std::vector<Metric>& metrics();
+
 // Several runs of the same thing: where their error comes from.
 class Runs {
  public:

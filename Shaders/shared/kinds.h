@@ -1,0 +1,50 @@
+// Kinds of things in a scene, which the host writes and shaders read: once, for scene/assets.h, scene/snapshot.h and
+// Shaders/lib.
+#ifndef FB_SHARED_KINDS_H
+#define FB_SHARED_KINDS_H
+#include "shared/common.h"
+FB_NAMESPACE_BEGIN
+
+// Which rays meet an instance: bits (scene::Visibility).
+FB_CONST uint kMaskCamera = 1u;
+FB_CONST uint kMaskIndirect = 2u;  // bounces, shadows
+
+// GpuMaterial::flags (scene::MaterialFlags).
+FB_CONST uint kMaterialAlphaTest = 1u;      // palette index 255 (or alpha < 0.5) is a hole
+FB_CONST uint kMaterialWarp = 2u;           // liquid: texture coordinates swing with time as Quake's warp does
+FB_CONST uint kMaterialLiquid = 4u;         // a liquid's surface (r_wateralpha and its kin)
+FB_CONST uint kMaterialNoFullbright = 8u;   // indices 224..255 are plain colours
+FB_CONST uint kMaterialClampTexture = 16u;  // skins and sprites: texture coordinates do not wrap
+
+// GpuMaterial::emission_kind (scene::EmissionKind).
+FB_CONST uint kEmissionNone = 0u;        // does not glow
+FB_CONST uint kEmissionFullbright = 1u;  // palette indices 224..255 of base, or the texels of `luma`
+FB_CONST uint kEmissionLava = 2u;
+FB_CONST uint kEmissionSlime = 3u;
+FB_CONST uint kEmissionTeleport = 4u;
+FB_CONST uint kEmissionSky = 5u;  // radiance comes from the sky by direction
+FB_CONST uint kEmissionSprite = 6u;
+FB_CONST uint kEmissionParticle = 7u;
+FB_CONST uint kEmissionDynamicLight = 8u;
+FB_CONST uint kEmissionEntityLight = 9u;
+FB_CONST uint kEmissionConstant = 10u;  // the material's emission as it is, never scaled: tests and laboratory scenes
+FB_CONST uint kEmissionKinds = 11u;
+
+// Whether every texel of the base image glows.
+FB_FN bool all_texels_glow(uint emission_kind) {
+  return (emission_kind >= kEmissionLava && emission_kind <= kEmissionTeleport) || emission_kind == kEmissionSprite;
+}
+
+// GpuImage::encoding (scene::ImageEncoding).
+FB_CONST uint kEncodingPalette = 0u;  // one byte a texel: index into the palette
+FB_CONST uint kEncodingSrgba = 1u;    // four bytes: sRGB colour, linear alpha
+FB_CONST uint kEncodingLinear = 2u;   // four bytes, linear: normal maps (xyz in 0..255), gloss
+
+// FrameConstants::sky_mode (scene::SkyMode).
+FB_CONST uint kSkyBlack = 0u;
+FB_CONST uint kSkyConstant = 1u;
+FB_CONST uint kSkyLayers = 2u;
+FB_CONST uint kSkyBox = 3u;
+
+FB_NAMESPACE_END
+#endif
