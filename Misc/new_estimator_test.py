@@ -26,15 +26,15 @@ def run(*command: str, cwd: pathlib.Path) -> str:
 
 
 def command_of(build: pathlib.Path, target: str) -> list[str]:
-    """The last command that makes a target, as words; 'cd DIR &&', ccache and depfile options are left out."""
+    """The command that makes a target, as words, without what stands before and after it in its line, and without ccache."""
     line = run("ninja", "-t", "commands", target, cwd=build).strip().splitlines()[-1]
-    words = shlex.split(line)
-    while "&&" in words[:4]:
-        words = words[words.index("&&") + 1:]
-    while words and words[-1] == ":":
-        words = words[:-2]
-    if words[0] == ":":
-        words = words[2:]
+    parts: list[list[str]] = [[]]
+    for word in shlex.split(line):
+        if word == "&&":
+            parts.append([])
+        else:
+            parts[-1].append(word)
+    words = next(part for part in parts if part and part[0] not in (":", "cd"))
     return words[1:] if words[0].endswith("ccache") else words
 
 
