@@ -12,10 +12,9 @@
 //             void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g)
 //             Proposal propose(Vertex v, inout Guidance g, inout uint rng)
 //             float proposal_pdf(Vertex v, Guidance g, vec3 direction)           density of propose in any direction
-//   direct    const uint kDirectRays                                           rays that look for light, a vertex
-//             Aim aim_for_light(Vertex v, vec3 origin, uint ray, inout uint rng)
-//             bool light_is_met(inout Aim aim, Hit hit, uint ray)                may set the aim's weight
-//             float met_share(Vertex v, Hit hit, vec3 direction, vec3 emission)  of emission that is met, beside these rays
+//   direct    const bool kLooksForLight
+//             Direct look_for_light(Vertex v, vec3 origin, inout uint rng)
+//             float met_share(Vertex v, Hit hit, vec3 direction, vec3 emission)  of emission that is met, beside look_for_light
 //   learning  const bool kLearns
 //             void learn_direct(Guidance g, Direct direct, Path path, inout uint rng)
 //             void learn_waste(Guidance g, Path path)                            the direction was of no use
@@ -38,56 +37,29 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
     prepare(v, here, path, rng, guidance);
     Proposal proposal = propose(v, guidance, rng);
 
-    // The vertex's rays, from one place, since a driver's compiler takes long over every copy of a traversal: those that
-    // look for light, then the path's own.
+    // Light that is looked for.
     vec3 origin = offset_origin(v.position, v.normal);
-    Direct direct = Direct(vec3(0.0), vec3(0.0));
-    Incident incident;
-    Surface s;
-    bool missed = false, dark = false, over = false;
-    for (uint ray = 0u; ray <= kDirectRays; ++ray) {
-      bool onward = ray == kDirectRays;
-      Aim aim;
-      if (!onward) {
-        aim = aim_for_light(v, origin, ray, rng);
-        if (aim.f == vec3(0.0)) continue;
-      } else {
-        if (kDirectRays > 0u) {
-          sum += throughput * direct.radiance;
-          learn_direct(guidance, direct, path, rng);
-        }
-        over = proposal.weight == vec3(0.0);
-        if (over) break;
-        aim.direction = proposal.direction;
-      }
-      Hit hit = trace(origin, aim.direction, 0.0, onward ? kRayEnd : aim.reach * 1.001 + 0.01, kMaskIndirect, rng);
-
-      bool seen;
-      if (onward) {
-        incident.hit = hit;
-        missed = hit.instance == kNoIndex;
-        dark = missed && frame.sky_beyond == 0u;
-        seen = !dark;
-      } else {
-        seen = light_is_met(aim, hit, ray);
-      }
-      s.emission = vec3(0.0);
-      if (seen) s = load_surface(hit, aim.direction, false, !onward || path.last);
-      if (!onward && seen) {
-        vec3 light = s.emission * aim.weight;
-        direct.radiance += aim.f * light;
-        direct.irradiance += light * (max(dot(aim.direction, v.shading_normal), 0.0) / kPiShared);
-      }
+    if (kLooksForLight) {
+      Direct direct = look_for_light(v, origin, rng);
+      sum += throughput * direct.radiance;
+      learn_direct(guidance, direct, path, rng);
     }
-    if (over) {
+    if (proposal.weight == vec3(0.0)) {
       learn_waste(guidance, path);
       break;
     }
 
     // Light that is met: emitted there and, as far as it is known, reflected. A miss teaches, too.
-    if (dark && !kLearns) break;
+    Incident incident;
     incident.origin = origin;
-    if (kDirectRays > 0u) s.emission *= met_share(v, incident.hit, proposal.direction, s.emission);
+    incident.hit = trace(origin, proposal.direction, 0.0, kRayEnd, kMaskIndirect, rng);
+    bool missed = incident.hit.instance == kNoIndex;
+    bool dark = missed && frame.sky_beyond == 0u;
+    if (dark && !kLearns) break;
+    Surface s;
+    s.emission = vec3(0.0);
+    if (!dark || !kLearns) s = load_surface(incident.hit, proposal.direction, false, path.last);
+    if (kLooksForLight) s.emission *= met_share(v, incident.hit, proposal.direction, s.emission);
     incident.emission = s.emission;
     incident.reflection = vec3(0.0);
     incident.field = here;

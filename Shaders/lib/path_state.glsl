@@ -18,17 +18,6 @@ struct Proposal {
 };
 
 // Light from what was looked for, by reflection to the vertex' viewer, and as it falls on the vertex.
-// A ray that looks for light, of the step `direct`.
-struct Aim {
-  vec3 direction;
-  vec3 f;        // f cos; zero: nothing to look for
-  float weight;  // f cos times this is the factor on the emission that is met
-  float reach;
-  uint instance, triangle;  // what must be met
-  float scattered;          // density of scatter_sample in that direction
-};
-
-// What all of them found.
 struct Direct {
   vec3 radiance;
   vec3 irradiance;  // over pi

@@ -4,6 +4,8 @@
 #define FB_LIB_STEPS_DIRECT_LIST
 #include "lib/path_state.glsl"
 
+const bool kLooksForLight = true;
+
 // Light samples that a vertex draws to choose one of (r_nee_candidates). The technique defines it, from its constants.
 uint light_candidates();
 
@@ -89,7 +91,15 @@ float met_share(Vertex v, Hit hit, vec3 direction, vec3 emission) {
   return all > 0.0 ? bsdf / all : 1.0;
 }
 
-const Aim kNoAim = Aim(vec3(0.0), vec3(0.0), 0.0, 0.0, kNoIndex, kNoIndex, 0.0);
+// A direction to look for light in.
+struct Aim {
+  vec3 direction;
+  vec3 f;        // f cos; zero: nothing to look for
+  float weight;  // f cos times this is the factor on the emission that is met
+  float reach;
+  uint instance, triangle;  // what must be met
+};
+const Aim kNoAim = Aim(vec3(0.0), vec3(0.0), 0.0, 0.0, kNoIndex, kNoIndex);
 
 // One of light_candidates() points of lights, chosen by what each would bring if nothing stood between (resampled
 // importance sampling, Talbot 2005).
@@ -116,7 +126,7 @@ Aim aim_at_light(Vertex v, vec3 origin, inout uint rng) {
     sum += value;
     if (pick * sum < value) {
       target = value;
-      aim = Aim(direction, f, weight, reach, instance, triangle, bsdf);
+      aim = Aim(direction, f, weight, reach, instance, triangle);
     }
   }
   aim.weight *= target > 0.0 ? sum / target : 0.0;
@@ -124,28 +134,38 @@ Aim aim_at_light(Vertex v, vec3 origin, inout uint rng) {
 }
 
 // Its weight is left to what is met.
-Aim aim_at_sun(Vertex v, inout uint rng) {
+Aim aim_at_sun(Vertex v, inout uint rng, out float bsdf) {
   Aim aim = kNoAim;
   aim.direction = sample_sun(rng);
   aim.reach = kRayEnd;
-  aim.f = scatter_eval(v, aim.direction, aim.scattered);
+  aim.f = scatter_eval(v, aim.direction, bsdf);
   return aim;
 }
 
-const uint kToLight = 0u, kToSun = 1u;
-const uint kDirectRays = 2u;
+const uint kToLight = 0u, kToSun = 1u, kWays = 2u;
 
-Aim aim_for_light(Vertex v, vec3 origin, uint ray, inout uint rng) {
-  if (ray == kToLight ? !has_lights() : frame.sun_count == 0u) return kNoAim;
-  if (ray == kToLight) return aim_at_light(v, origin, rng);
-  return aim_at_sun(v, rng);
-}
-
-bool light_is_met(inout Aim aim, Hit hit, uint ray) {
-  if (ray == kToLight) return hit.instance == aim.instance && hit.triangle == aim.triangle;
-  float sun = sun_pdf(aim.direction);  // zero on a rim that rounding left out: directions of the BSDF miss it as well
-  if (!is_sky(hit) || sun == 0.0) return false;
-  aim.weight = 1.0 / density_of_all(hit_light_pdf(hit, aim.direction), sun, aim.scattered);
-  return true;
+// From a light of the list and from a sun.
+Direct look_for_light(Vertex v, vec3 origin, inout uint rng) {
+  Direct direct = Direct(vec3(0.0), vec3(0.0));
+  for (uint way = 0u; way < kWays; ++way) {
+    if (way == kToLight ? !has_lights() : frame.sun_count == 0u) continue;
+    Aim aim;
+    float bsdf = 0.0;
+    if (way == kToLight) aim = aim_at_light(v, origin, rng);
+    else aim = aim_at_sun(v, rng, bsdf);
+    if (aim.f == vec3(0.0)) continue;
+    Hit hit = trace(origin, aim.direction, 0.0, aim.reach * 1.001 + 0.01, kMaskIndirect, rng);
+    if (way == kToLight) {
+      if (hit.instance != aim.instance || hit.triangle != aim.triangle) continue;
+    } else {
+      float sun = sun_pdf(aim.direction);  // zero on a rim that rounding left out: directions of the BSDF miss it as well
+      if (!is_sky(hit) || sun == 0.0) continue;
+      aim.weight = 1.0 / density_of_all(hit_light_pdf(hit, aim.direction), sun, bsdf);
+    }
+    vec3 light = load_surface(hit, aim.direction, false, true).emission * aim.weight;
+    direct.radiance += aim.f * light;
+    direct.irradiance += light * (max(dot(aim.direction, v.shading_normal), 0.0) / kPiShared);
+  }
+  return direct;
 }
 #endif

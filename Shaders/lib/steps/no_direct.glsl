@@ -1,10 +1,7 @@
 // Step `direct` of a technique that leaves light to be met by chance.
 #include "lib/path_state.glsl"
 
-const uint kDirectRays = 0u;
+const bool kLooksForLight = false;
 
-Aim aim_for_light(Vertex v, vec3 origin, uint ray, inout uint rng) {
-  return Aim(vec3(0.0), vec3(0.0), 0.0, 0.0, kNoIndex, kNoIndex, 0.0);
-}
-bool light_is_met(inout Aim aim, Hit hit, uint ray) { return false; }
+Direct look_for_light(Vertex v, vec3 origin, inout uint rng) { return Direct(vec3(0.0), vec3(0.0)); }
 float met_share(Vertex v, Hit hit, vec3 direction, vec3 emission) { return 1.0; }
