@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numeric>
+#include <utility>
 
 #include "render/gpu_scene_tables.h"
 #include "render/settings.h"
@@ -32,6 +34,12 @@ struct Listed {
       for (const auto& t : mesh.triangles) record.materials.push_back(t.material);
       records.push_back(std::move(record));
     }
+    build(snapshot);
+  }
+  // Another frame of the same assets.
+  void build(const scene::FrameSnapshot& snapshot) {
+    const scene::Assets& assets = *snapshot.assets;
+    instances.clear();
     const EmissionScales scales = emission_scales(RenderSettings{});
     table.begin(assets, snapshot.time, scales);
     for (const scene::Instance& i : snapshot.instances) {
@@ -154,6 +162,38 @@ TEST(LightList, WhatIsDarkHasNone) {
   const Listed dark(snapshot);
   EXPECT_EQ(dark.list.elements().size(), dark.list.first());
   EXPECT_EQ(dark.list.elements().at(0).x, shared::kNoIndex);
+}
+
+// Instances are numbered anew each frame: from the former frame's number one comes to this frame's, by the ids that
+// stay.
+TEST(LightList, LightsAreFollowedFromFrameToFrame) {
+  scene::FrameSnapshot snapshot = scene::light_of_every_kind();
+  for (std::uint32_t i = 0; i < snapshot.instances.size(); ++i) snapshot.instances[i].id = 100 + i;
+  Listed listed(snapshot);
+  EXPECT_EQ(listed.list.end(), listed.list.elements().size()) << "there was no frame before";
+
+  const std::size_t before = snapshot.instances.size();
+  snapshot.instances.erase(snapshot.instances.begin() + 2);
+  std::swap(snapshot.instances[0], snapshot.instances[1]);
+  listed.build(snapshot);
+  const auto& elements = listed.list.elements();
+  ASSERT_EQ(elements.size() - listed.list.end(), before);
+  for (std::uint32_t i = 0; i < before; ++i) {
+    const uvec2 former = elements[listed.list.end() + i];
+    EXPECT_EQ(former.y, 100 + i);
+    if (i == 2) {
+      EXPECT_EQ(former.x, shared::kNoIndex) << "it is gone";
+      continue;
+    }
+    ASSERT_LT(former.x, snapshot.instances.size());
+    EXPECT_EQ(snapshot.instances[former.x].id, 100 + i);
+  }
+
+  auto assets = std::make_shared<scene::Assets>(*snapshot.assets);
+  assets->generation = scene::next_generation();
+  snapshot.assets = assets;
+  listed.build(snapshot);
+  EXPECT_EQ(listed.list.end(), listed.list.elements().size()) << "other meshes have other triangles";
 }
 
 TEST(LightList, AnInstancesColourReplacesItsMaterials) {
