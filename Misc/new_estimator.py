@@ -39,21 +39,23 @@ void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance
 // Density of propose in any direction.
 float proposal_pdf(Vertex v, Guidance g, vec3 direction) {{
   float scattered;
-  scatter_eval(v, direction, scattered);
-  float uniform_pdf = dot(direction, v.shading_normal) > 0.0 ? 1.0 / (2.0 * kPiShared) : 0.0;
+  scatter_eval(v.scatter, v.view, direction, scattered);
+  float uniform_pdf = dot(direction, v.scatter.shading_normal) > 0.0 ? 1.0 / (2.0 * kPiShared) : 0.0;
   return 0.5 * (scattered + uniform_pdf);
 }}
 
 Proposal propose(Vertex v, inout Guidance g, inout uint rng) {{
   Proposal p;
-  scatter_sample(v, rng, p.direction);
+  vec2 w = vec2(rng_uniform(rng), rng_uniform(rng));
+  p.direction = scatter_sample(v.scatter, v.view, vec3(w, rng_uniform(rng))).direction;
+  p.flags = 0u;
   vec2 u = vec2(rng_uniform(rng), rng_uniform(rng));
   if (rng_uniform(rng) < 0.5) {{
     float r = sqrt(max(1.0 - u.x * u.x, 0.0)), phi = 2.0 * kPiShared * u.y;
-    p.direction = frame_about(v.shading_normal) * vec3(r * cos(phi), r * sin(phi), u.x);
+    p.direction = frame_about(v.scatter.shading_normal) * vec3(r * cos(phi), r * sin(phi), u.x);
   }}
   float scattered, pdf = proposal_pdf(v, g, p.direction);
-  vec3 f = scatter_eval(v, p.direction, scattered);
+  vec3 f = scatter_eval(v.scatter, v.view, p.direction, scattered);
   p.weight = pdf > 0.0 ? f / pdf : vec3(0.0);
   return p;
 }}

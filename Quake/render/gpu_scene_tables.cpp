@@ -99,8 +99,6 @@ shared::GpuInstance make_gpu_instance(const MeshRecord& mesh, const scene::Insta
   out.material_base = material_base;
   out.flags = instance.visibility & shared::kInstanceMaskBits;
   if ((instance.flags & scene::kInstanceColor) != 0) out.flags |= shared::kInstanceHasColor;
-  if ((instance.flags & scene::kInstanceViewModel) != 0) out.flags |= shared::kInstanceIsViewModel;
-  if (is_new) out.flags |= shared::kInstanceIsNew;
   const bool posed_anew =
       mesh.posed && (out.pose_a != out.prev_pose_a || out.pose_b != out.prev_pose_b || out.pose_t != out.prev_pose_t);
   if (posed_anew || (!is_new && instance.transform != instance.prev_transform)) out.flags |= shared::kInstanceMoves;

@@ -5,16 +5,16 @@
 //   begin     Path begin_path(uvec2 pixel, uint number, uint i)                  path i of the pixel
 //   field     struct Field                                                       what is known of the light about a point
 //             const bool kHasField, kEndsInField                                 kEndsInField: biased, paths end in the field
-//             Field field_at(vec3 position, vec3 normal, inout Path path)
-//             vec3 field_reflection(Field there, Field here, Surface s)          light that `s` reflects, as far as it is known
+//             Field field_at(Vertex v, inout Path path)
+//             vec3 field_reflection(Field there, Field here, Vertex v)           light that `v` reflects, as far as it is known
 //             bool field_suffices(Field there, Field here)                       known well enough to end a path
 //   proposal  struct Guidance                                                    what is known at a vertex: lobes, reservoirs ...
 //             void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g)
 //             Proposal propose(Vertex v, inout Guidance g, inout uint rng)
 //             float proposal_pdf(Vertex v, Guidance g, vec3 direction)           density of propose in any direction
 //   direct    const bool kLooksForLight
-//             Direct look_for_light(Vertex v, vec3 origin, inout uint rng)
-//             float met_share(Vertex v, Hit hit, vec3 direction, vec3 emission)  of emission that is met, beside look_for_light
+//             Direct look_for_light(Vertex v, inout uint rng)
+//             float met_share(Vertex v, Hit hit, Proposal p, vec3 emission)      of emission that is met, beside look_for_light
 //   learning  const bool kLearns
 //             void learn_direct(Guidance g, Direct direct, Path path, inout uint rng)
 //             void learn_waste(Guidance g, Path path)                            the direction was of no use
@@ -26,7 +26,7 @@
 // Radiance that reaches the first vertex's viewer by reflection: paths of 1 to frame.bounces further vertices.
 vec3 trace_path(Vertex v, Path path, inout uint rng) {
   vec3 sum = vec3(0.0), throughput = vec3(1.0);
-  Field here = field_at(v.position, v.normal, path);
+  Field here = field_at(v, path);
   for (uint bounce = 0u; bounce < frame.bounces; ++bounce) {
     bool end = bounce + 1u == frame.bounces;
     path.last = end && !kEndsInField;
@@ -38,9 +38,8 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
     Proposal proposal = propose(v, guidance, rng);
 
     // Light that is looked for.
-    vec3 origin = offset_origin(v.position, v.normal);
     if (kLooksForLight) {
-      Direct direct = look_for_light(v, origin, rng);
+      Direct direct = look_for_light(v, rng);
       sum += throughput * direct.radiance;
       learn_direct(guidance, direct, path, rng);
     }
@@ -51,21 +50,22 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
 
     // Light that is met: emitted there and, as far as it is known, reflected. A miss teaches, too.
     Incident incident;
-    incident.origin = origin;
-    incident.hit = trace(origin, proposal.direction, 0.0, kRayEnd, kMaskIndirect, rng);
+    incident.origin = scatter_origin(v.scatter, v.position);
+    incident.hit = trace_from(v, proposal.direction, kRayEnd, rng);
     bool missed = incident.hit.instance == kNoIndex;
     bool dark = missed && frame.sky_beyond == 0u;
     if (dark && !kLearns) break;
     Surface s;
     s.emission = vec3(0.0);
     if (!dark || !kLearns) s = load_surface(incident.hit, proposal.direction, false, path.last);
-    if (kLooksForLight) s.emission *= met_share(v, incident.hit, proposal.direction, s.emission);
+    if (kLooksForLight) s.emission *= met_share(v, incident.hit, proposal, s.emission);
     incident.emission = s.emission;
     incident.reflection = vec3(0.0);
     incident.field = here;
+    Vertex next = surface_vertex(s, -proposal.direction);
     if (kHasField && !missed && !path.last) {
-      incident.field = field_at(s.position, s.normal, path);
-      incident.reflection = field_reflection(incident.field, here, s);
+      incident.field = field_at(next, path);
+      incident.reflection = field_reflection(incident.field, here, next);
     }
     if (kLearns) learn_hit(v, guidance, proposal, incident, path, rng);
     if (dark) break;
@@ -78,7 +78,7 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
       break;
     }
     if (missed || end) break;
-    v = make_vertex(s, -proposal.direction);
+    v = next;
     here = incident.field;
   }
   return sum;

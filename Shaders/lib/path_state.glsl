@@ -15,6 +15,7 @@ struct Path {
 struct Proposal {
   vec3 direction;
   vec3 weight;  // f cos / pdf; zero ends the path
+  uint flags;   // of ScatterSample, where the vertex's own scattering was sampled
 };
 
 // Light from what was looked for, by reflection to the vertex' viewer, and as it falls on the vertex.

@@ -30,11 +30,11 @@ void main() {
   v.position = g.position_t.xyz;
   v.previous = v.position;
   if (kFollowsMotion) v.previous = previous_world(g, vec2(pixel) + 0.5 + vec2(frame.jitter_x, frame.jitter_y));
-  v.normal = unpack_direction(g.normal);
-  v.shading_normal = unpack_direction(g.shading_normal);
   v.view = normalize(frame.camera_position.xyz - v.position);
-  v.bsdf = Bsdf(g.albedo_roughness.rgb, max(g.albedo_roughness.w * g.albedo_roughness.w, kMinAlpha),
-                g.emission_specular.w, float(g.material_metalness >> 24u) / 255.0);
+  v.scatter.normal = unpack_direction(g.normal);
+  v.scatter.shading_normal = unpack_direction(g.shading_normal);
+  v.scatter.bsdf = Bsdf(g.albedo_roughness.rgb, max(g.albedo_roughness.w * g.albedo_roughness.w, kMinAlpha),
+                        g.emission_specular.w, float(g.material_metalness >> 24u) / 255.0);
 
   if (SHOW_VIEW) {
     Path path = begin_path(pixel, at * frame.spp, 0u);

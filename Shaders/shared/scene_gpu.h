@@ -51,8 +51,6 @@ struct GpuInstance {  // 272 bytes
 };
 FB_CONST uint kInstanceMaskBits = 3u;
 FB_CONST uint kInstanceHasColor = 4u;
-FB_CONST uint kInstanceIsViewModel = 8u;
-FB_CONST uint kInstanceIsNew = 16u;
 FB_CONST uint kInstanceMoves = 64u;        // its points were elsewhere in the former frame
 FB_CONST uint kInstanceTranslucent = 32u;  // alpha < 1: candidate hits must ask
 

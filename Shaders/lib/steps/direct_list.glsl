@@ -83,11 +83,11 @@ vec3 light_emission(uint instance, uint triangle, vec2 bary, vec3 direction, out
 float density_of_all(float list, float sun, float bsdf) { return float(light_candidates()) * list + sun + bsdf; }
 
 // The share of emission that was met by a direction of the path's own.
-float met_share(Vertex v, Hit hit, vec3 direction, vec3 emission) {
-  if (emission == vec3(0.0)) return 1.0;
+float met_share(Vertex v, Hit hit, Proposal p, vec3 emission) {
+  if (emission == vec3(0.0) || (p.flags & kScatterDelta) != 0u) return 1.0;
   float bsdf;
-  scatter_eval(v, direction, bsdf);
-  float all = density_of_all(hit_light_pdf(hit, direction), is_sky(hit) ? sun_pdf(direction) : 0.0, bsdf);
+  scatter_eval(v.scatter, v.view, p.direction, bsdf);
+  float all = density_of_all(hit_light_pdf(hit, p.direction), is_sky(hit) ? sun_pdf(p.direction) : 0.0, bsdf);
   return all > 0.0 ? bsdf / all : 1.0;
 }
 
@@ -103,8 +103,9 @@ const Aim kNoAim = Aim(vec3(0.0), vec3(0.0), 0.0, 0.0, kNoIndex, kNoIndex);
 
 // One of light_candidates() points of lights, chosen by what each would bring if nothing stood between (resampled
 // importance sampling, Talbot 2005).
-Aim aim_at_light(Vertex v, vec3 origin, inout uint rng) {
+Aim aim_at_light(Vertex v, inout uint rng) {
   Aim aim = kNoAim;
+  vec3 origin = scatter_origin(v.scatter, v.position);
   float sum = 0.0, target = 0.0;
   for (uint i = 0u; i < light_candidates(); ++i) {
     uint element = light_at(rng_next(rng) & (kLightRange - 1u));
@@ -116,7 +117,7 @@ Aim aim_at_light(Vertex v, vec3 origin, inout uint rng) {
     float reach = length(way);
     vec3 direction = way / max(reach, 1e-20);
     float bsdf, density = light_pdf(element, instance, t, reach, direction);
-    vec3 f = scatter_eval(v, direction, bsdf);
+    vec3 f = scatter_eval(v.scatter, v.view, direction, bsdf);
     if (f == vec3(0.0) || !(density > 0.0)) continue;
     bool sky;
     vec3 emission = light_emission(instance, triangle, bary, direction, sky);
@@ -138,23 +139,23 @@ Aim aim_at_sun(Vertex v, inout uint rng, out float bsdf) {
   Aim aim = kNoAim;
   aim.direction = sample_sun(rng);
   aim.reach = kRayEnd;
-  aim.f = scatter_eval(v, aim.direction, bsdf);
+  aim.f = scatter_eval(v.scatter, v.view, aim.direction, bsdf);
   return aim;
 }
 
 const uint kToLight = 0u, kToSun = 1u, kWays = 2u;
 
 // From a light of the list and from a sun.
-Direct look_for_light(Vertex v, vec3 origin, inout uint rng) {
+Direct look_for_light(Vertex v, inout uint rng) {
   Direct direct = Direct(vec3(0.0), vec3(0.0));
   for (uint way = 0u; way < kWays; ++way) {
     if (way == kToLight ? !has_lights() : frame.sun_count == 0u) continue;
     Aim aim;
     float bsdf = 0.0;
-    if (way == kToLight) aim = aim_at_light(v, origin, rng);
+    if (way == kToLight) aim = aim_at_light(v, rng);
     else aim = aim_at_sun(v, rng, bsdf);
     if (aim.f == vec3(0.0)) continue;
-    Hit hit = trace(origin, aim.direction, 0.0, aim.reach * 1.001 + 0.01, kMaskIndirect, rng);
+    Hit hit = trace_from(v, aim.direction, aim.reach * 1.001 + 0.01, rng);
     if (way == kToLight) {
       if (hit.instance != aim.instance || hit.triangle != aim.triangle) continue;
     } else {
@@ -164,7 +165,7 @@ Direct look_for_light(Vertex v, vec3 origin, inout uint rng) {
     }
     vec3 light = load_surface(hit, aim.direction, false, true).emission * aim.weight;
     direct.radiance += aim.f * light;
-    direct.irradiance += light * (max(dot(aim.direction, v.shading_normal), 0.0) / kPiShared);
+    direct.irradiance += light * (max(scatter_cosine(v.scatter, aim.direction), 0.0) / kPiShared);
   }
   return direct;
 }

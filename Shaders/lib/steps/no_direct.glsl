@@ -3,5 +3,5 @@
 
 const bool kLooksForLight = false;
 
-Direct look_for_light(Vertex v, vec3 origin, inout uint rng) { return Direct(vec3(0.0), vec3(0.0)); }
-float met_share(Vertex v, Hit hit, vec3 direction, vec3 emission) { return 1.0; }
+Direct look_for_light(Vertex v, inout uint rng) { return Direct(vec3(0.0), vec3(0.0)); }
+float met_share(Vertex v, Hit hit, Proposal p, vec3 emission) { return 1.0; }

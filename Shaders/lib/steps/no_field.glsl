@@ -7,6 +7,6 @@ const bool kEndsInField = false;
 struct Field {
   uint none;
 };
-Field field_at(vec3 position, vec3 normal, inout Path path) { return Field(0u); }
-vec3 field_reflection(Field there, Field here, Surface s) { return vec3(0.0); }
+Field field_at(Vertex v, inout Path path) { return Field(0u); }
+vec3 field_reflection(Field there, Field here, Vertex v) { return vec3(0.0); }
 bool field_suffices(Field there, Field here) { return false; }

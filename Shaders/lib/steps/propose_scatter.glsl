@@ -7,13 +7,13 @@ struct Guidance {
 void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g) { g.none = 0u; }
 
 Proposal propose(Vertex v, inout Guidance g, inout uint rng) {
-  Proposal p;
-  p.weight = scatter_sample(v, rng, p.direction);
-  return p;
+  vec3 u = vec3(rng_uniform(rng), rng_uniform(rng), FEATURE_SPECULAR ? rng_uniform(rng) : 1.0);
+  ScatterSample s = scatter_sample(v.scatter, v.view, u);
+  return Proposal(s.direction, s.weight, s.flags);
 }
 
 float proposal_pdf(Vertex v, Guidance g, vec3 direction) {
   float pdf;
-  scatter_eval(v, direction, pdf);
+  scatter_eval(v.scatter, v.view, direction, pdf);
   return pdf;
 }

@@ -11,17 +11,17 @@ struct Field {
   CacheCell cell;
 };
 
-Field field_at(vec3 position, vec3 normal, inout Path path) {
-  return Field(find_cache_cell(position, normal, path.group_rng));
+Field field_at(Vertex v, inout Path path) {
+  return Field(find_cache_cell(v.position, scatter_axis(v.scatter), path.group_rng));
 }
 
 // A path that ends in the field must not lack light (nor must the cache, which learns from such paths): a place of which
 // nothing is known is thought to be lit like the one that sees it.
-vec3 field_reflection(Field there, Field here, Surface s) {
+vec3 field_reflection(Field there, Field here, Vertex v) {
   uint entry = there.cell.entry;
   if (kEndsInField && (entry == kNoIndex || cache_frames(entry) < kTailFrames)) entry = here.cell.entry;
   bool known = entry != kNoIndex && guide.mc_cache != 0;
-  return known ? s.bsdf.albedo * cached_reflection(entry) : vec3(0.0);
+  return known ? scatter_albedo(v.scatter) * cached_reflection(entry) : vec3(0.0);
 }
 
 bool field_suffices(Field there, Field here) {

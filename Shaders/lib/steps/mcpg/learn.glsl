@@ -45,7 +45,7 @@ void update_state(Vertex v, Transition t, vec3 hit_position, vec3 velocity, floa
   vec3 expected = predicted_target(s);
   vec3 to_target = (s.count > 0u ? expected : hit_position) - v.position;
   if (!(dot(to_target, to_target) > 1e-6)) return;
-  float scale = view_state(s, to_target, v.normal).scale;
+  float scale = view_state(s, to_target, v.scatter).scale;
   bool seen = score > 0.0 && t.value >= 0.1 * s.weight * scale;
   // The light is gone: nothing where it should be, and nobody saw it in the former frame (Alber 2025, Section 5).
   bool lost = guide.mc_loss != 0 && t.matched && t.near && t.value < 0.02 * s.weight * scale &&

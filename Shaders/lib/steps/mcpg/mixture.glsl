@@ -44,12 +44,13 @@ struct Guidance {
 void load_mixture(Vertex v, inout Guidance g, inout uint group_rng, inout uint rng) {
   g.total = 0.0;
   g.all = 0.0;
-  g.choice = GuideChoice(VmfLobe(v.normal, 0.0, 0.0), 0.0, kNoIndex);
+  vec3 axis = scatter_axis(v.scatter);
+  g.choice = GuideChoice(VmfLobe(axis, 0.0, 0.0), 0.0, kNoIndex);
   float stratum = rng_uniform(group_rng);
   [[unroll]] for (uint a = 0u; a < GUIDE_ACCESSES; ++a) {
     bool adaptive = float(a) + stratum < guide.mc_adaptive * float(GUIDE_ACCESSES);
     bool from_past = g.moved && a + 1u == GUIDE_ACCESSES;
-    GuideCell cell = guide_cell(from_past ? v.previous : v.position, v.normal, adaptive, group_rng);
+    GuideCell cell = guide_cell(from_past ? v.previous : v.position, axis, adaptive, group_rng);
     g.cells[a] = cell;
     [[unroll]] for (uint j = 0u; j < GUIDE_BUCKET; ++j) {
       uint i = a * GUIDE_BUCKET + j;
@@ -59,9 +60,9 @@ void load_mixture(Vertex v, inout Guidance g, inout uint group_rng, inout uint r
       vec3 to_light = predicted_target(s) - v.position;
       float d2 = dot(to_light, to_light);
       bool valid = s.check == cell.check && s.weight > 0.0 && d2 > 1e-6;
-      GuideView view = view_state(s, valid ? to_light : v.normal, v.normal);
+      GuideView view = view_state(s, valid ? to_light : axis, v.scatter);
       float score = valid ? s.weight * view.scale : 0.0;
-      float part = dot(view.direction, v.normal) > 0.0 ? (g.last ? score * s.emissive : score) : 0.0;
+      float part = scatters_to(v.scatter, view.direction) ? (g.last ? score * s.emissive : score) : 0.0;
       if (guide.mc_power != 1.0) part = part > 0.0 ? pow(part, guide.mc_power) : 0.0;
       g.lobes[i] = vmf_lobe(view.direction, vmf_kappa(view.spread));
       g.weights[i] = vec2(part, score);

@@ -42,42 +42,30 @@ float share_pdf(Guidance g, float guided_pdf, float bsdf_pdf) {
 }
 
 Proposal propose(Vertex v, inout Guidance g, inout uint rng) {
-  mat3 to_world = frame_about(v.shading_normal);
-  vec3 view = v.view * to_world;
   bool guided = rng_uniform(rng) < g.share;
   vec3 u = vec3(rng_uniform(rng), rng_uniform(rng), rng_uniform(rng));
   Proposal p;
-  vec3 local;
+  p.flags = 0u;
   if (guided) {
     p.direction = vmf_sample(g.choice.lobe.mu, g.choice.lobe.kappa, u.xy);
-    local = p.direction * to_world;
   } else {
     g.choice.state = kNoIndex;
-    if (FEATURE_SPECULAR) bsdf_sample(v.bsdf, view, u, local);
-    else local = sample_cosine_hemisphere(u.xy);
-    p.direction = to_world * local;
+    ScatterSample s = scatter_sample(v.scatter, v.view, u);
+    p.direction = s.direction;
+    p.flags = s.flags;
   }
   g.home = g.moved ? 0u : min(uint(rng_uniform(rng) * float(GUIDE_ACCESSES)), GUIDE_ACCESSES - 1u);
   g.guided_pdf = mixture_pdf(g, p.direction, g.slot);
-
-  vec3 f;
-  if (FEATURE_SPECULAR) {
-    g.bsdf_pdf = bsdf_pdf(v.bsdf, view, local);
-    f = bsdf_eval(v.bsdf, view, local);
-  } else {
-    g.bsdf_pdf = pdf_cosine_hemisphere(local);
-    f = v.bsdf.albedo * g.bsdf_pdf;
-  }
+  vec3 f = scatter_eval(v.scatter, v.view, p.direction, g.bsdf_pdf);
   g.pdf = share_pdf(g, g.guided_pdf, g.bsdf_pdf);
-  g.below = !(dot(p.direction, v.normal) > 0.0);
-  bool counts = g.pdf > 0.0 && !g.below && local.z > 0.0;
-  p.weight = counts ? f / g.pdf : vec3(0.0);
+  g.below = !scatters_to(v.scatter, p.direction);
+  p.weight = g.pdf > 0.0 ? f / g.pdf : vec3(0.0);
   return p;
 }
 
 float proposal_pdf(Vertex v, Guidance g, vec3 direction) {
   float bsdf;
-  scatter_eval(v, direction, bsdf);
+  scatter_eval(v.scatter, v.view, direction, bsdf);
   GuideSlot slot;
   return share_pdf(g, mixture_pdf(g, direction, slot), bsdf);
 }

@@ -65,8 +65,9 @@ vec3 predicted_target(GuideState s) {
   return moves ? s.target + s.velocity * (float(age) * max(frame.time - frame.prev_time, 0.0)) : s.target;
 }
 
-GuideView view_state(GuideState s, vec3 to_target, vec3 n) {
-  return view_guide_state(s, to_target, dot(to_target, n) * inversesqrt(dot(to_target, to_target)), guide.prior_extent,
+GuideView view_state(GuideState s, vec3 to_target, Scatter at) {
+  float cosine = scatter_cosine(at, to_target) * inversesqrt(dot(to_target, to_target));
+  return view_guide_state(s, to_target, cosine, guide.prior_extent,
                           guide.mc_in_world != 0);
 }
 #endif

@@ -29,8 +29,8 @@ void train_cell(Vertex v, Guidance g, vec3 direction, Incident incident, float e
   float u = rng_uniform(rng);
   list_touched(entry, atomicAdd(guide_cache.at[entry + kCacheTouched], 1u));
   vec3 incoming = incident.emission + incident.reflection;
-  add_to_cache(entry, incoming * (max(dot(direction, v.normal), 0.0) / (kPiShared * g.pdf)), u);
-  float scale = luminance(v.bsdf.albedo) * luminance(cached_reflection(entry));
+  add_to_cache(entry, incoming * (max(scatter_cosine(v.scatter, direction), 0.0) / (kPiShared * g.pdf)), u);
+  float scale = luminance(scatter_albedo(v.scatter)) * luminance(cached_reflection(entry));
   if (!(g.total > 0.0) || !(scale > 0.0)) return;
   float e = emitted / scale, r = reflected / scale;
   float second = e * (e + 2.0 * r) + (r > 0.0 ? r * r * reflected_moment(incident.field.cell) : 0.0);

@@ -26,10 +26,10 @@ bool bucket_transition(Vertex v, Guidance g, vec3 hit_position, float score, flo
     // Nothing is known of it but one point that is seen: as much light as if it filled the prior's lobe.
     t.state = empty_guide_state();
     t.state.target = hit_position;
-    float peak = vmf_normalization(vmf_kappa(view_state(t.state, hit_position - v.position, v.normal).spread));
+    float peak = vmf_normalization(vmf_kappa(view_state(t.state, hit_position - v.position, v.scatter).spread));
     t.value = score * (share_score ? g.pdf / (peak + g.bsdf_pdf) : 1.0);
   }
-  float narrow = vmf_normalization(vmf_kappa(view_state(t.state, t.state.target - v.position, v.normal).spread));
+  float narrow = vmf_normalization(vmf_kappa(view_state(t.state, t.state.target - v.position, v.scatter).spread));
   return !(rng_uniform(rng) * slot.worth >= t.value * t.value * narrow);
 }
 #endif

@@ -23,14 +23,15 @@ GuideState strongest_state(Vertex v, GuideCell cell, out bool collides) {
 
 vec3 view_color(Vertex v, Path path, uint rng) {
   uint level = grid_level(distance(v.position, frame.camera_position.xyz), guide.adaptive_angle, 0.0);
-  GridKey key = grid_vertex(v.position, exp2(float(level)), adaptive_tag(level, v.normal), vec3(0.5));
+  vec3 axis = scatter_axis(v.scatter);
+  GridKey key = grid_vertex(v.position, exp2(float(level)), adaptive_tag(level, axis), vec3(0.5));
   GuideCell cell = GuideCell((key.hash & (guide.mc_states / GUIDE_BUCKET - 1u)) * GUIDE_BUCKET, key.check);
   bool collides;
   GuideState s = strongest_state(v, cell, collides);
   vec3 to_target = s.target - v.position;
   bool known = s.weight > 0.0 && dot(to_target, to_target) > 1e-6;
-  GuideView view = view_state(s, known ? to_target : v.normal, v.normal);
-  CacheCell cached = find_cache_cell(v.position, v.normal, path.group_rng);
+  GuideView view = view_state(s, known ? to_target : axis, v.scatter);
+  CacheCell cached = find_cache_cell(v.position, axis, path.group_rng);
   bool has_cache = cached.entry != kNoIndex;
   switch (frame.debug_view) {
     case kViewGuideDirection: return known ? view.direction * 0.5 + 0.5 : vec3(0.0);
@@ -47,7 +48,7 @@ vec3 view_color(Vertex v, Path path, uint rng) {
     case kViewGuideSampler: {
       path.last = frame.bounces <= 1u;
       Guidance g;
-      prepare(v, field_at(v.position, v.normal, path), path, rng, g);
+      prepare(v, field_at(v, path), path, rng, g);
       propose(v, g, rng);
       return g.choice.state != kNoIndex ? vec3(0.1, 0.8, 0.2) : g.total > 0.0 ? vec3(0.2, 0.3, 0.9) : vec3(0.8, 0.2, 0.1);
     }
