@@ -80,7 +80,7 @@ struct Renderer::Impl {
   void forget_frame();
   void choose_technique(const std::string& name);
   void choose_features(const scene::FrameSnapshot& snapshot, bool all);
-  void swap_gbuffers();
+  void swap_gbuffers(std::uint32_t debug_view);
   void fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings);
   // The technique draws the debug view that is asked for.
   bool shows_view() const {
@@ -208,9 +208,9 @@ void Renderer::Impl::choose_features(const scene::FrameSnapshot& snapshot, bool 
   features.specular |= scene.features().specular || all;
 }
 
-// The G-buffer that the former frame wrote becomes the previous one, for techniques that want it.
-void Renderer::Impl::swap_gbuffers() {
-  if (!info->wants_previous_gbuffer) {
+// The G-buffer that the former frame wrote becomes the previous one, for who wants it.
+void Renderer::Impl::swap_gbuffers(std::uint32_t debug_view) {
+  if (!info->wants_previous_gbuffer && view_owner(debug_view) != shared::kViewOfFormer) {
     previous_valid = false;
     if (previous_gbuffer) previous_gbuffer = Buffer();
   } else {
@@ -312,7 +312,7 @@ void Renderer::Impl::render(const scene::FrameSnapshot& snapshot, const scene::D
   choose_technique(asked.estimator);
   const RenderSettings settings = technique->adapt(asked);
   fit(settings);
-  swap_gbuffers();
+  swap_gbuffers(static_cast<std::uint32_t>(settings.debug_view));
   scene.prepare(snapshot, emission_scales(settings), info->wants_lights);
   if (snapshot.assets->generation != generation) technique->forget();
   choose_features(snapshot, settings.force_features != 0);

@@ -281,6 +281,45 @@ TEST_F(RendererTest, EmptySnapshotsAreBlackAndEveryDebugViewDraws) {
   EXPECT_EQ(std::unique(pictures.begin(), pictures.end()), pictures.end()) << "no two views are the same";
 }
 
+// The former frame's G-buffer holds what that frame saw: where it stands still, the same; nothing after a cut.
+TEST_F(RendererTest, TheFormerGBufferIsTheFormerFrames) {
+  constexpr int kFormer = shared::kViewFormer, kAlbedo = shared::kViewAlbedo;
+  RenderSettings s;
+  s.jitter = 0;
+  s.fxaa = 0;
+  const auto assets = scene::moving_assets();
+  const auto frame = [&](Renderer& renderer, double step, int number, int view, bool cut) {
+    scene::FrameSnapshot snapshot = scene::moving(assets, number * step, (number - 1) * step);
+    snapshot.frame = static_cast<std::uint64_t>(number);
+    snapshot.cut = cut;
+    s.debug_view = view;
+    renderer.render(snapshot, nullptr, s);
+    return renderer.read().output();
+  };
+  const auto is_red = [](std::uint32_t pixel) { return (pixel & 0xffffffu) == 0xffu; };
+  for (const double step : {0.0, 0.05}) {
+    auto renderer = make_renderer(s, 96, 54);
+    for (const std::uint32_t pixel : frame(*renderer, step, 1, kFormer, false))
+      ASSERT_EQ(pixel & 0xffffffu, 0u) << "there was no frame before";
+    const auto former = frame(*renderer, step, 2, kFormer, false);
+    const auto albedo = frame(*renderer, step, 2, kAlbedo, false);
+    std::size_t same = 0, unknown = 0;
+    for (std::size_t i = 0; i < former.size(); ++i) {
+      same += former[i] == albedo[i];
+      unknown += is_red(former[i]);
+    }
+    if (step == 0.0) {
+      EXPECT_EQ(same, former.size());
+    } else {
+      EXPECT_GT(same, former.size() * 8 / 10);
+      EXPECT_GT(unknown, 0u) << "the box uncovers something";
+      EXPECT_LT(unknown, former.size() / 10);
+    }
+    frame(*renderer, step, 2, kFormer, false);  // remembered again from here
+    for (const std::uint32_t pixel : frame(*renderer, step, 3, kFormer, true)) ASSERT_EQ(pixel & 0xffffffu, 0u);
+  }
+}
+
 TEST_F(RendererTest, DrawsQuadsInOrderOverThePicture) {
   RenderSettings s;
   auto renderer = make_renderer(s, 100, 50);

@@ -7,9 +7,11 @@
 #include "shared/common.h"
 FB_NAMESPACE_BEGIN
 
-// Who draws a view: passes/debug_view.comp, or a technique that knows path guiding's views.
+// Who draws a view: passes/debug_view.comp, a technique that knows path guiding's views, or passes/debug_view.comp with
+// the former frame's G-buffer beside this one's.
 FB_CONST uint kViewOfFrame = 0u;
 FB_CONST uint kViewOfGuide = 1u;
+FB_CONST uint kViewOfFormer = 2u;
 
 // clang-format off
 #define FB_DEBUG_VIEWS(X) \
@@ -30,6 +32,7 @@ FB_CONST uint kViewOfGuide = 1u;
   X(kViewDisocclusion, 14u, kViewOfFrame, "disocclusion", "denoiser: history that starts in this frame (red), or lately") \
   X(kViewDenoised, 15u, kViewOfFrame, "denoised", "denoiser: filtered irradiance") \
   X(kViewNoisy, 16u, kViewOfFrame, "noisy", "denoiser: irradiance before the filter") \
+  X(kViewFormer, 17u, kViewOfFormer, "former", "albedo where the former frame saw each point; red: it did not") \
   X(kViewGuideDirection, 20u, kViewOfGuide, "guide_direction", "path guiding: direction of the strongest lobe") \
   X(kViewGuideCosine, 21u, kViewOfGuide, "guide_cosine", "path guiding: its mean cosine") \
   X(kViewGuideWeight, 22u, kViewOfGuide, "guide_weight", "path guiding: its score") \
