@@ -120,6 +120,45 @@ TEST_F(RendererTest, HolesLetTheWallShine) {
   }
 }
 
+// Panes in one place: each stops its share of the rays, an opaque one among them the rest, in whatever order they are found.
+TEST_F(RendererTest, PanesInOnePlaceAllHaveTheirTurn) {
+  scene::FrameSnapshot snapshot = scene::alpha_panel();
+  auto assets = std::make_shared<scene::Assets>(*snapshot.assets);
+  assets->generation = scene::next_generation();
+  const std::uint32_t wall = 0, black = 1;
+  assets->materials[black].frames.clear();
+  assets->materials[black].flags = 0;
+  const auto add_square = [&](float x, float half, std::uint32_t material) {
+    scene::Mesh mesh;
+    scene::add_quad(mesh, {x, -half, -half}, {0, 0, 2 * half}, {0, 2 * half, 0}, material);
+    scene::finish_mesh(mesh);
+    assets->meshes.push_back(std::move(mesh));
+    return static_cast<std::uint32_t>(assets->meshes.size() - 1);
+  };
+  scene::Instance instance = snapshot.instances.at(0);
+  instance.mesh = add_square(200, 400, wall);
+  snapshot.instances = {instance};
+  instance.mesh = add_square(100, 400, black);
+  snapshot.assets = assets;
+  for (const std::vector<float>& alphas : {std::vector<float>{0.5f}, {0.5f, 0.5f, 0.5f}, {0.3f, 1.0f, 0.3f}}) {
+    snapshot.instances.resize(1);
+    double passed = 1;
+    for (const float alpha : alphas) {
+      instance.alpha = alpha;
+      instance.id = static_cast<std::uint32_t>(100 + snapshot.instances.size());
+      snapshot.instances.push_back(instance);
+      passed *= 1.0 - static_cast<double>(alpha);
+    }
+    for (const Intersector intersector : intersectors()) {
+      const RenderSettings s = settings_for(intersector, 1, 0);
+      auto renderer = make_renderer(s, 128, 128);
+      renderer->render(snapshot, nullptr, s);
+      const Estimate e = image_estimate(renderer->read().linear());
+      EXPECT_NEAR(e.mean, passed, 4.5 * e.error) << renderer->intersector_name() << ' ' << alphas.size();
+    }
+  }
+}
+
 TEST_F(RendererTest, TexelsHaveTheirPaletteColours) {
   const RenderSettings s = settings_for(Intersector::kBvh, 1, 1);
   auto renderer = make_renderer(s, 160, 160);

@@ -40,58 +40,83 @@ vec3 safe_reciprocal(vec3 d) {
   return 1.0 / mix(d, tiny, lessThan(abs(d), vec3(1e-20)));
 }
 
+// Loops test at their end: lavapipe runs the body of a loop that tests at its head once more, with all lanes off.
+//
+// Whether a candidate counts is asked of the nearest hit alone, since lavapipe runs that code for every triangle if it stands
+// among them. Where it does not count, the ray is traced again for what lies behind: hits are ordered by distance, then by
+// triangle, so that surfaces in one place all have their turn.
 Hit trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, inout uint rng) {
-  Hit hit = Hit(t_max, vec2(0.0), kNoIndex, 0u);
+  Hit hit;
   vec3 inv = safe_reciprocal(direction);
-  uint current = 0u, top = 1u;
-  set_stack(0u, kRefDone);
-  while (current != kRefDone) {
-    // Down to a leaf.
-    while (current < kRefLeaf) {
-      uvec4 q0 = node_quad(current * 4u), q1 = node_quad(current * 4u + 1u);
-      uvec4 q2 = node_quad(current * 4u + 2u), q3 = node_quad(current * 4u + 3u);
-      vec3 a0 = (uintBitsToFloat(q0.xyz) - origin) * inv, b0 = (uintBitsToFloat(q1.xyz) - origin) * inv;
-      vec3 a1 = (uintBitsToFloat(q2.xyz) - origin) * inv, b1 = (uintBitsToFloat(q3.xyz) - origin) * inv;
-      vec3 near0 = min(a0, b0), far0 = max(a0, b0), near1 = min(a1, b1), far1 = max(a1, b1);
-      float in0 = max(max(near0.x, near0.y), max(near0.z, t_min));
-      float in1 = max(max(near1.x, near1.y), max(near1.z, t_min));
-      float out0 = min(min(far0.x, far0.y), far0.z) * kSlabTolerance;
-      float out1 = min(min(far1.x, far1.y), far1.z) * kSlabTolerance;
-      bool hit0 = in0 <= min(out0, hit.t), hit1 = in1 <= min(out1, hit.t);
-      bool both = hit0 && hit1, any = hit0 || hit1;
-      bool first = hit0 && (!hit1 || in0 <= in1);
-      uint popped = get_stack(top - 1u);
-      set_stack(top, first ? q1.w : q0.w);
-      current = any ? (first ? q0.w : q1.w) : popped;
-      top = both ? top + 1u : any ? top : top - 1u;
-    }
-    if (current != kRefDone) {
-      uint at = current & kRefFirstMask;
-      uint end = at + ((current >> kRefCountShift) & kRefCountMask) + 1u;
-      for (; at < end; ++at) {
-        uvec4 q0 = triangle_quad(at * 3u);
-        vec3 e1 = uintBitsToFloat(triangle_quad(at * 3u + 1u).xyz), e2 = uintBitsToFloat(triangle_quad(at * 3u + 2u).xyz);
-        // Moeller and Trumbore 1997, both sides.
-        vec3 s = origin - uintBitsToFloat(q0.xyz);
-        vec3 p = cross(direction, e2), q = cross(s, e1);
-        float det = dot(e1, p);
-        float scale = 1.0 / det;
-        float u = dot(s, p) * scale, v = dot(direction, q) * scale, t = dot(e2, q) * scale;
-        bool counts = det != 0.0 && min(u, v) >= -kEdgeTolerance && u + v <= 1.0 + kEdgeTolerance && t > t_min && t < hit.t &&
-                      ((q0.w >> kTriangleVisibilityShift) & mask & kInstanceMaskBits) != 0u;
-        if (FEATURE_CANDIDATES && counts && (q0.w & kTriangleAsks) != 0u) {
-          uint instance = q0.w >> kTriangleInstanceShift;
-          counts = accept_candidate(Hit(t, vec2(u, v), instance, at - instances.at[instance].world_triangle), rng);
-        }
-        hit.t = counts ? t : hit.t;
-        hit.bary = counts ? vec2(u, v) : hit.bary;
-        hit.instance = counts ? q0.w >> kTriangleInstanceShift : hit.instance;
-        hit.triangle = counts ? at : hit.triangle;
+  float from = t_min;
+  uint refused = kNoIndex, owner;  // triangle of the hit that did not count, at `from`; v0.w of the hit's
+  bool again = false;
+  do {
+    hit = Hit(t_max, vec2(0.0), kNoIndex, kNoIndex);
+    owner = 0u;
+    uint current = 0u, top = 1u;
+    set_stack(0u, kRefDone);
+    do {
+      // Down to a leaf.
+      if (current < kRefLeaf) {
+        do {
+          uvec4 q0 = node_quad(current * 4u), q1 = node_quad(current * 4u + 1u);
+          uvec4 q2 = node_quad(current * 4u + 2u), q3 = node_quad(current * 4u + 3u);
+          vec3 a0 = (uintBitsToFloat(q0.xyz) - origin) * inv, b0 = (uintBitsToFloat(q1.xyz) - origin) * inv;
+          vec3 a1 = (uintBitsToFloat(q2.xyz) - origin) * inv, b1 = (uintBitsToFloat(q3.xyz) - origin) * inv;
+          vec3 near0 = min(a0, b0), far0 = max(a0, b0), near1 = min(a1, b1), far1 = max(a1, b1);
+          float in0 = max(max(near0.x, near0.y), max(near0.z, from));
+          float in1 = max(max(near1.x, near1.y), max(near1.z, from));
+          float out0 = min(min(far0.x, far0.y), far0.z) * kSlabTolerance;
+          float out1 = min(min(far1.x, far1.y), far1.z) * kSlabTolerance;
+          bool hit0 = in0 <= min(out0, hit.t), hit1 = in1 <= min(out1, hit.t);
+          bool both = hit0 && hit1, any = hit0 || hit1;
+          bool first = hit0 && (!hit1 || in0 <= in1);
+          uint popped = get_stack(top - 1u);
+          set_stack(top, first ? q1.w : q0.w);
+          current = any ? (first ? q0.w : q1.w) : popped;
+          top = both ? top + 1u : any ? top : top - 1u;
+        } while (current < kRefLeaf);
       }
-      current = get_stack(--top);
+      if (current != kRefDone) {
+        uint at = current & kRefFirstMask;
+        uint end = at + ((current >> kRefCountShift) & kRefCountMask) + 1u;
+        do {
+          uvec4 q0 = triangle_quad(at * 3u);
+          vec3 e1 = uintBitsToFloat(triangle_quad(at * 3u + 1u).xyz), e2 = uintBitsToFloat(triangle_quad(at * 3u + 2u).xyz);
+          // Moeller and Trumbore 1997, both sides.
+          vec3 s = origin - uintBitsToFloat(q0.xyz);
+          vec3 p = cross(direction, e2), q = cross(s, e1);
+          float det = dot(e1, p);
+          float scale = 1.0 / det;
+          float u = dot(s, p) * scale, v = dot(direction, q) * scale, t = dot(e2, q) * scale;
+          bool counts = det != 0.0 && min(u, v) >= -kEdgeTolerance && u + v <= 1.0 + kEdgeTolerance &&
+                        ((q0.w >> kTriangleVisibilityShift) & mask & kInstanceMaskBits) != 0u;
+          if (FEATURE_CANDIDATES) {
+            counts = counts && (t > from || (t == from && refused != kNoIndex && at > refused)) &&
+                     (t < hit.t || (t == hit.t && at < hit.triangle && hit.instance != kNoIndex));
+          } else {
+            counts = counts && t > from && t < hit.t;
+          }
+          hit.t = counts ? t : hit.t;
+          hit.bary = counts ? vec2(u, v) : hit.bary;
+          hit.instance = counts ? q0.w >> kTriangleInstanceShift : hit.instance;
+          hit.triangle = counts ? at : hit.triangle;
+          owner = counts ? q0.w : owner;
+        } while (++at < end);
+        current = get_stack(--top);
+      }
+    } while (current != kRefDone);
+    if (FEATURE_CANDIDATES) {
+      again = false;
+      uint triangle = hit.triangle;
+      if (hit.instance != kNoIndex) hit.triangle -= instances.at[hit.instance].world_triangle;
+      if ((owner & kTriangleAsks) != 0u) again = !accept_candidate(hit, rng);
+      from = again ? hit.t : from;
+      refused = triangle;
     }
-  }
-  if (hit.instance != kNoIndex) hit.triangle -= instances.at[hit.instance].world_triangle;
+  } while (FEATURE_CANDIDATES && again);
+  if (!FEATURE_CANDIDATES && hit.instance != kNoIndex) hit.triangle -= instances.at[hit.instance].world_triangle;
   return hit;
 }
 #endif
