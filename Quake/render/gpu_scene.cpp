@@ -104,6 +104,7 @@ struct GpuScene::Impl {
   VkDeviceSize staged = 0;
   bool recorded = true;  // the last prepared frame was recorded
   bool said_unknown_material = false;
+  std::uint32_t asset_features = 0;  // features_of(assets)
   SceneFeatures features;
   SceneStatistics statistics;
 };
@@ -111,6 +112,7 @@ struct GpuScene::Impl {
 // Which instances are drawn, in the snapshot's order, which changes little from frame to frame, and what they need.
 void GpuScene::Impl::collect(const scene::FrameSnapshot& snapshot) {
   features = SceneFeatures{};
+  features.surfaces = asset_features | features_of(snapshot.sky);
   drawn.clear();
   Bounds space;
   for (const scene::Instance& instance : snapshot.instances) {
@@ -314,7 +316,10 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
   FB_CHECK(snapshot.assets != nullptr);
   const std::uint64_t generation = s.assets.generation();
   s.assets.update(*snapshot.assets);
-  if (s.assets.generation() != generation) s.copies.forget();
+  if (s.assets.generation() != generation) {
+    s.copies.forget();
+    s.asset_features = features_of(*snapshot.assets);
+  }
   s.material_table.begin(*snapshot.assets, snapshot.time, emission);
   s.collect(snapshot);
   s.fill(snapshot, emission);

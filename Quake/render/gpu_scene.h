@@ -31,9 +31,10 @@ using EmissionScales = std::array<float, static_cast<std::size_t>(scene::Emissio
 
 // What the snapshot holds, so that shaders can leave out what it does not.
 struct SceneFeatures {
-  bool alpha_test = false;   // some triangle needs its texel asked
-  bool translucent = false;  // some instance or material has alpha < 1
-  bool specular = false;     // some material is not plain Lambert
+  bool alpha_test = false;     // some triangle needs its texel asked
+  bool translucent = false;    // some instance or material has alpha < 1
+  bool specular = false;       // some material is not plain Lambert
+  std::uint32_t surfaces = 0;  // shared::kFeature*, of all assets, drawn or not, and of the sky
 };
 
 struct SceneStatistics {

@@ -58,6 +58,27 @@ std::uint32_t MaterialTable::base_for(const scene::Assets& assets, const MeshRec
   return instance.material_base + (alternate ? static_cast<std::uint32_t>(assets.materials.size()) : 0u);
 }
 
+std::uint32_t features_of(const scene::Assets& assets) {
+  std::uint32_t features = 0;
+  for (const scene::Mesh& mesh : assets.meshes)
+    if (mesh.posed() || !mesh.normals.empty()) features |= shared::kFeatureSmooth;
+  for (const scene::Material& m : assets.materials) {
+    if ((m.flags & scene::kMaterialWarp) != 0) features |= shared::kFeatureWarp;
+    for (const auto* frames : {&m.frames, &m.alternate_frames}) {
+      for (const scene::TextureSet& set : *frames) {
+        if (set.luma != scene::kNone) features |= shared::kFeatureLuma;
+        if (set.normal != scene::kNone || set.gloss != scene::kNone) features |= shared::kFeatureDetail;
+      }
+    }
+  }
+  return features;
+}
+
+std::uint32_t features_of(const scene::Sky& sky) {
+  const bool textured = sky.mode == scene::SkyMode::kLayers || sky.mode == scene::SkyMode::kBox;
+  return (textured ? shared::kFeatureSkyTexture : 0u) | (sky.suns.empty() ? 0u : shared::kFeatureSuns);
+}
+
 MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std::uint32_t material_base) {
   MaterialNeeds needs;
   for (std::uint32_t relative : mesh.materials) {

@@ -7,6 +7,7 @@
 #include "render/gpu_scene.h"
 #include "render/gpu_scene_assets.h"
 #include "scene/snapshot.h"
+#include "shared/kinds.h"
 #include "shared/scene_gpu.h"
 
 namespace fb::render {
@@ -31,6 +32,10 @@ struct MaterialNeeds {
   bool known = true, alpha_test = false, translucent = false, specular = false;
 };
 MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std::uint32_t material_base);
+
+// What surfaces of any instance could need, and the sky of this frame does: shared::kFeature*.
+std::uint32_t features_of(const scene::Assets& assets);
+std::uint32_t features_of(const scene::Sky& sky);
 
 float emission_scale(const EmissionScales& scales, scene::EmissionKind kind);
 

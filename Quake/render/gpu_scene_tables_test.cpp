@@ -98,6 +98,27 @@ TEST_F(Tables, SayWhatMaterialsNeed) {
   EXPECT_FALSE(needs_of(assets, mesh, 0xffffffffu).known);
 }
 
+TEST(GpuSceneTables, FeaturesAreOfAllAssetsAndOfTheSky) {
+  scene::Assets assets;
+  assets.materials.resize(3);
+  assets.meshes.resize(1);
+  EXPECT_EQ(features_of(assets), 0u);
+  assets.materials[1].frames = {{.base = 0}, {.base = 1, .gloss = 2}};
+  EXPECT_EQ(features_of(assets), shared::kFeatureDetail);
+  assets.materials[2].alternate_frames = {{.base = 0, .luma = 3}};
+  assets.materials[2].flags = scene::kMaterialWarp;
+  assets.meshes[0].normals.resize(3);
+  EXPECT_EQ(features_of(assets),
+            shared::kFeatureDetail | shared::kFeatureLuma | shared::kFeatureWarp | shared::kFeatureSmooth);
+
+  scene::Sky sky;
+  sky.mode = scene::SkyMode::kConstant;
+  EXPECT_EQ(features_of(sky), 0u);
+  sky.mode = scene::SkyMode::kBox;
+  sky.suns.resize(1);
+  EXPECT_EQ(features_of(sky), shared::kFeatureSkyTexture | shared::kFeatureSuns);
+}
+
 TEST(InstanceTree, RefersToItsLeavesAsTheDeviceDoes) {
   std::vector<TreeLeaf> leaves;
   for (std::uint32_t i = 0; i < 37; ++i) {

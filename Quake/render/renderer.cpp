@@ -15,6 +15,7 @@
 #include "render/overlay.h"
 #include "render/picture_size.h"
 #include "render/shader_set.h"
+#include "shared/kinds.h"
 #include "shared/rng.h"
 
 namespace fb::render {
@@ -206,6 +207,7 @@ void Renderer::Impl::choose_features(const scene::FrameSnapshot& snapshot, bool 
   features.alpha_test |= scene.features().alpha_test || all;
   features.translucent |= scene.features().translucent || all;
   features.specular |= scene.features().specular || all;
+  features.surfaces |= all ? shared::kFeaturesAll : scene.features().surfaces;
 }
 
 // The G-buffer that the former frame wrote becomes the previous one, for who wants it.
@@ -263,7 +265,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
 
 // The way of a frame.
 PassList Renderer::Impl::list_passes() {
-  const Variant variant{ray_query, features.alpha_test || features.translucent, features.specular};
+  const Variant variant{ray_query, features.alpha_test || features.translucent, features.specular, features.surfaces};
   const uvec2 tiles = groups_over(render_size, 8);
   PassList list;
   const auto frame = [&](const char* name, const gpu::ComputePipeline& pipeline, uvec2 groups) {

@@ -120,7 +120,8 @@ TEST_F(RendererTest, HolesLetTheWallShine) {
   }
 }
 
-// Panes in one place: each stops its share of the rays, an opaque one among them the rest, in whatever order they are found.
+// Panes in one place: each stops its share of the rays, an opaque one among them the rest, in whatever order they are
+// found.
 TEST_F(RendererTest, PanesInOnePlaceAllHaveTheirTurn) {
   scene::FrameSnapshot snapshot = scene::alpha_panel();
   auto assets = std::make_shared<scene::Assets>(*snapshot.assets);

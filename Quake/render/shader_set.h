@@ -10,6 +10,7 @@
 
 #include "gpu/pipeline.h"
 #include "render/shader_code.h"
+#include "shared/kinds.h"
 
 namespace fb::render {
 
@@ -18,6 +19,7 @@ struct Variant {
   bool ray_query = false;
   bool candidates = false;  // alpha tests or translucency
   bool specular = false;
+  std::uint32_t surfaces = shared::kFeaturesAll;
   bool show_view = false;                                          // the technique draws its debug view
   std::array<std::uint32_t, shared::kTechniqueSpecs> technique{};  // the technique's own
   auto operator<=>(const Variant&) const = default;

@@ -35,8 +35,8 @@ Shade shade_point(GpuMaterial m, uint instance_index, vec2 uv, bool smooth_texel
   if (m.base == kNoIndex) return Shade(m.base_color.rgb, constant ? m.emission.rgb : vec3(0.0));
 
   bool clamped = (m.flags & kMaterialClampTexture) != 0u;
-  if ((m.flags & kMaterialWarp) != 0u) uv = warped_uv(uv, m.base);
-  bool has_luma = m.luma != kNoIndex && m.emission_kind == kEmissionFullbright;
+  if (has_feature(kFeatureWarp) && (m.flags & kMaterialWarp) != 0u) uv = warped_uv(uv, m.base);
+  bool has_luma = has_feature(kFeatureLuma) && m.luma != kNoIndex && m.emission_kind == kEmissionFullbright;
   bool all_glows = all_texels_glow(m.emission_kind);
   bool some_glow = m.emission_kind == kEmissionFullbright && !has_luma && (m.flags & kMaterialNoFullbright) == 0u;
   vec2 size = vec2(image_size(m.base));

@@ -53,8 +53,9 @@ vec3 sky_texture(vec3 direction) {
 vec3 sky_radiance(vec3 direction) {
   vec3 color = vec3(0.0);
   if (frame.sky_mode == kSkyConstant) color = frame.sky_color.rgb;
-  else if (frame.sky_mode >= kSkyLayers) color = sky_texture(direction) * frame.sky_color.rgb;
-  for (uint i = 0u; i < frame.sun_count; ++i) {
+  else if (has_feature(kFeatureSkyTexture) && frame.sky_mode >= kSkyLayers) color = sky_texture(direction) * frame.sky_color.rgb;
+  uint suns = has_feature(kFeatureSuns) ? frame.sun_count : 0u;
+  for (uint i = 0u; i < suns; ++i) {
     if (dot(direction, frame.sun_direction[i].xyz) >= frame.sun_direction[i].w) color += frame.sun_radiance[i].rgb;
   }
   return color;

@@ -34,6 +34,19 @@ vec3 to_world_normal(uint i, vec3 n) {
   return normalize(instances.at[i].to_object[0].xyz * n.x + instances.at[i].to_object[1].xyz * n.y + instances.at[i].to_object[2].xyz * n.z);
 }
 
+// A triangle as it stands in the world. Our own trees hold it; ray queries have it in the mesh's space.
+GpuTriangle world_triangle(uint instance, uint triangle) {
+#if INTERSECTOR_QUERY
+  GpuTriangle t = triangles.at[instances.at[instance].first_triangle + triangle];
+  return GpuTriangle(vec4(to_world_point(instance, t.v0.xyz), 0.0), vec4(to_world_vector(instance, t.e1.xyz), 0.0),
+                     vec4(to_world_vector(instance, t.e2.xyz), 0.0));
+#else
+  uint at = (instances.at[instance].world_triangle + triangle) * 3u;
+  return GpuTriangle(uintBitsToFloat(triangle_quad(at)), uintBitsToFloat(triangle_quad(at + 1u)),
+                     uintBitsToFloat(triangle_quad(at + 2u)));
+#endif
+}
+
 // Start of a ray that leaves a surface: off it by a little more than positions are rounded by.
 vec3 offset_origin(vec3 position, vec3 normal) {
   vec3 a = abs(position);
@@ -91,12 +104,12 @@ vec3 smooth_normal(uint instance_index, GpuAttribute a, vec2 bary) {
 }
 
 // Turns a normal map's texel, 0..1 each, about the surface; texture coordinates give the tangent.
-vec3 mapped_normal(vec3 texel, GpuAttribute a, GpuTriangle t, uint instance_index, vec3 n) {
+vec3 mapped_normal(vec3 texel, GpuAttribute a, GpuTriangle t, vec3 n) {
   vec2 d1 = a.uv1 - a.uv0, d2 = a.uv2 - a.uv0;
   float determinant = d1.x * d2.y - d1.y * d2.x;
   if (abs(determinant) < 1e-12) return n;
-  vec3 tangent = to_world_vector(instance_index, (t.e1.xyz * d2.y - t.e2.xyz * d1.y) / determinant);
-  vec3 down = to_world_vector(instance_index, (t.e2.xyz * d1.x - t.e1.xyz * d2.x) / determinant);
+  vec3 tangent = (t.e1.xyz * d2.y - t.e2.xyz * d1.y) / determinant;
+  vec3 down = (t.e2.xyz * d1.x - t.e1.xyz * d2.x) / determinant;
   tangent = normalize(tangent - n * dot(n, tangent));
   vec3 bitangent = cross(n, tangent);
   if (dot(bitangent, down) > 0.0) bitangent = -bitangent;  // green points up the image, v runs down it
@@ -105,11 +118,11 @@ vec3 mapped_normal(vec3 texel, GpuAttribute a, GpuTriangle t, uint instance_inde
 }
 
 // Normal map and gloss image, where there are any.
-void apply_detail(inout Surface s, inout float roughness, GpuMaterial m, GpuAttribute a, GpuTriangle t, uint instance_index, vec2 uv) {
+void apply_detail(inout Surface s, inout float roughness, GpuMaterial m, GpuAttribute a, GpuTriangle t, vec2 uv) {
   uint first = m.normal != kNoIndex ? 0u : 1u, last = FEATURE_SPECULAR && m.gloss != kNoIndex ? 2u : 1u;
   for (uint i = first; i < last; ++i) {
     Texel texel = nearest_texel(i == 0u ? m.normal : m.gloss, uv, (m.flags & kMaterialClampTexture) != 0u);
-    if (i == 0u) s.shading_normal = mapped_normal(texel.color, a, t, instance_index, s.shading_normal);
+    if (i == 0u) s.shading_normal = mapped_normal(texel.color, a, t, s.shading_normal);
     else roughness = 1.0 - texel.color.x;
   }
 }
@@ -132,12 +145,12 @@ Surface load_surface(Hit hit, vec3 direction, bool smooth_texels, bool end_of_pa
     sky = m.emission_kind == kEmissionSky && (instances.at[hit.instance].flags & kInstanceHasColor) == 0u;
     sky_factor = m.emission.rgb;
     if (!end_of_path) {
-      GpuTriangle t = triangles.at[instances.at[hit.instance].first_triangle + hit.triangle];
-      s.position = to_world_point(hit.instance, t.v0.xyz + t.e1.xyz * hit.bary.x + t.e2.xyz * hit.bary.y);
-      s.normal = to_world_normal(hit.instance, cross(t.e1.xyz, t.e2.xyz));
+      GpuTriangle t = world_triangle(hit.instance, hit.triangle);
+      s.position = t.v0.xyz + t.e1.xyz * hit.bary.x + t.e2.xyz * hit.bary.y;
+      s.normal = normalize(cross(t.e1.xyz, t.e2.xyz));
       if (dot(s.normal, direction) > 0.0) s.normal = -s.normal;
       s.shading_normal = s.normal;
-      if ((a.flags & kTriangleSmooth) != 0u) {
+      if (has_feature(kFeatureSmooth) && (a.flags & kTriangleSmooth) != 0u) {
         vec3 n = smooth_normal(hit.instance, a, hit.bary);
         if (dot(n, n) > 0.0) {
           n = to_world_normal(hit.instance, n);
@@ -145,7 +158,7 @@ Surface load_surface(Hit hit, vec3 direction, bool smooth_texels, bool end_of_pa
         }
       }
       float roughness = m.roughness;
-      apply_detail(s, roughness, m, a, t, hit.instance, uv);
+      if (has_feature(kFeatureDetail)) apply_detail(s, roughness, m, a, t, uv);
       // A shading normal that faces away from the ray is bent back until it does not.
       float facing = dot(s.shading_normal, direction);
       if (facing > -0.02) s.shading_normal = normalize(s.shading_normal - direction * (facing + 0.02));

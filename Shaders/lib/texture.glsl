@@ -5,6 +5,9 @@
 #include "lib/scene_bindings.glsl"
 #include "shared/kinds.h"
 
+layout(constant_id = kSpecFeatures) const uint FEATURES = kFeaturesAll;
+bool has_feature(uint feature) { return (FEATURES & feature) != 0u; }
+
 const uint kFirstFullbright = 224u;
 const uint kTransparentIndex = 255u;
 

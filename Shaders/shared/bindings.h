@@ -76,6 +76,7 @@ FB_CONST uint kAddresses = kSceneArrays + kFrameArrays + kTechniqueArrays;
 // Specialisation constants. What the scene needs:
 FB_CONST uint kSpecCandidates = 0u;  // alpha tests or translucency
 FB_CONST uint kSpecSpecular = 1u;    // some material is not plain Lambert
+FB_CONST uint kSpecFeatures = 3u;    // what surfaces and sky have: kFeature* (shared/kinds.h)
 // What a technique is set to (kSpecTechnique and up are its own to number), and whether it draws its debug view:
 FB_CONST uint kSpecShowView = 2u;
 FB_CONST uint kSpecTechnique = 4u;

@@ -46,5 +46,15 @@ FB_CONST uint kSkyConstant = 1u;
 FB_CONST uint kSkyLayers = 2u;
 FB_CONST uint kSkyBox = 3u;
 
+// What a scene's surfaces and its sky have (kSpecFeatures): shaders leave out the rest. On lavapipe a branch that no
+// lane takes costs as much as one that is taken.
+FB_CONST uint kFeatureSmooth = 1u;       // vertex normals
+FB_CONST uint kFeatureDetail = 2u;       // normal maps or gloss images
+FB_CONST uint kFeatureLuma = 4u;         // images of what glows
+FB_CONST uint kFeatureWarp = 8u;         // liquids that swing
+FB_CONST uint kFeatureSkyTexture = 16u;  // layers or a box
+FB_CONST uint kFeatureSuns = 32u;
+FB_CONST uint kFeaturesAll = 63u;
+
 FB_NAMESPACE_END
 #endif

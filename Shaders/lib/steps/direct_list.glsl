@@ -27,17 +27,16 @@ float light_probability(uint element) {
   return float(lights.at[element].x - begin) / float(kLightRange);
 }
 
-// Density with which the list finds a point of a triangle at `distance`; 0: it is not in the list. `t`: in the mesh's space.
-float light_pdf(uint element, uint instance, GpuTriangle t, float distance, vec3 direction) {
-  vec3 area = 0.5 * cross(to_world_vector(instance, t.e1.xyz), to_world_vector(instance, t.e2.xyz));
+// Density with which the list finds a point of a triangle of the world at `distance`; 0: it is not in the list.
+float light_pdf(uint element, GpuTriangle t, float distance, vec3 direction) {
+  vec3 area = 0.5 * cross(t.e1.xyz, t.e2.xyz);
   float facing = abs(dot(area, direction));  // area times cosine
   return facing > 0.0 ? light_probability(element) * distance * distance / facing : 0.0;
 }
 
 float hit_light_pdf(Hit hit, vec3 direction) {
   if (!has_lights() || hit.instance == kNoIndex || lights.at[hit.instance].x == kNoIndex) return 0.0;
-  GpuTriangle t = triangles.at[instances.at[hit.instance].first_triangle + hit.triangle];
-  return light_pdf(lights.at[hit.instance].x + hit.triangle, hit.instance, t, hit.t, direction);
+  return light_pdf(lights.at[hit.instance].x + hit.triangle, world_triangle(hit.instance, hit.triangle), hit.t, direction);
 }
 
 bool shows_sky(GpuMaterial m, uint instance) {
@@ -112,11 +111,11 @@ Aim aim_at_light(Vertex v, inout uint rng) {
     float root = sqrt(rng_uniform(rng)), along = rng_uniform(rng), pick = rng_uniform(rng);
     vec2 bary = vec2(root * (1.0 - along), root * along);
     uint instance = lights.at[element].y, triangle = element - lights.at[instance].x;
-    GpuTriangle t = triangles.at[instances.at[instance].first_triangle + triangle];
-    vec3 way = to_world_point(instance, t.v0.xyz + t.e1.xyz * bary.x + t.e2.xyz * bary.y) - origin;
+    GpuTriangle t = world_triangle(instance, triangle);
+    vec3 way = t.v0.xyz + t.e1.xyz * bary.x + t.e2.xyz * bary.y - origin;
     float reach = length(way);
     vec3 direction = way / max(reach, 1e-20);
-    float bsdf, density = light_pdf(element, instance, t, reach, direction);
+    float bsdf, density = light_pdf(element, t, reach, direction);
     vec3 f = scatter_eval(v.scatter, v.view, direction, bsdf);
     if (f == vec3(0.0) || !(density > 0.0)) continue;
     bool sky;
