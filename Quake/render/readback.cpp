@@ -33,4 +33,8 @@ FrameCounters Readback::counters() const {
   return {words[shared::kCounterNan], words[shared::kCounterGuideNan], words[shared::kCounterHistory]};
 }
 
+float Readback::exposure() const {
+  return gpu::read_now<shared::ExposureState>(from_.device, from_.exposure, 1).front().exposure;
+}
+
 }  // namespace fb::render

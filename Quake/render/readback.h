@@ -24,7 +24,7 @@ class Readback {
  public:
   struct Source {
     gpu::Device& device;
-    const gpu::Buffer &output, &mean, &m2, &gbuffer, &counters;
+    const gpu::Buffer &output, &mean, &m2, &gbuffer, &counters, &exposure;
     const Denoiser& denoiser;
     uvec2 output_size, render_size;
     std::uint32_t accumulated;
@@ -39,6 +39,7 @@ class Readback {
   // The denoiser's history as it is packed (shared/denoise.h), kSectionHistory of the last frame.
   std::vector<glm::uvec4> history() const;
   FrameCounters counters() const;
+  float exposure() const;  // factor on radiance before the tone curve
 
  private:
   Source from_;

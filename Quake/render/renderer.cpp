@@ -350,8 +350,8 @@ const std::string& Renderer::intersector_name() const {
 const gpu::Buffer& Renderer::output_pixels() const { return impl_->output; }
 Readback Renderer::read() const {
   const Impl& r = *impl_;
-  return Readback({r.device, r.output, r.mean, r.m2, r.gbuffer, r.counters, r.denoiser, r.output_size, r.render_size,
-                   r.accumulated});
+  return Readback({r.device, r.output, r.mean, r.m2, r.gbuffer, r.counters, r.exposure, r.denoiser, r.output_size,
+                   r.render_size, r.accumulated});
 }
 std::uint64_t Renderer::learnt_bytes() const { return impl_->technique ? impl_->technique->bytes() : 0; }
 const Denoiser& Renderer::denoiser() const { return impl_->denoiser; }

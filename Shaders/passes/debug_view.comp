@@ -4,9 +4,9 @@
 #include "lib/exposure.glsl"
 #include "lib/pixel.glsl"
 #include "lib/shown.glsl"
-#include "lib/tone.glsl"
 #include "shared/packing.h"
 #include "shared/rng.h"
+#include "shared/tone.h"
 
 vec3 id_color(uint id) {
   uint h = hash_u32(id + 1u);

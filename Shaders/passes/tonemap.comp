@@ -3,8 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pixel.glsl"
 #include "lib/shown.glsl"
-#include "lib/tone.glsl"
 #include "shared/rng.h"
+#include "shared/tone.h"
 
 void main() {
   uvec2 pixel = invocation_pixel();
