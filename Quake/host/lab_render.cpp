@@ -32,7 +32,9 @@ int run_render(const RenderOptions& options) {
   job.height = stage.size.y;
   job.spp = o.spp;
   job.out = o.out;
-  job.format = options.format == "exr" ? lab::ImageFormat::kExr : lab::ImageFormat::kPng;
+  job.format = options.format == "exr"    ? lab::ImageFormat::kExr
+               : options.format == "both" ? lab::ImageFormat::kBoth
+                                          : lab::ImageFormat::kPng;
   job.hash = options.hash;
   job.quiet = o.quiet;
   const auto summary = lab::render_frames(*stage.source, *stage.renderer, stage.settings, job);
@@ -76,8 +78,8 @@ LabCommand add_render_command(CLI::App& app) {
   add_stage_options(*render, options->stage);
   render->add_option("--frames", options->frames, "FIRST:LAST, numbers of the frames, from 0")->capture_default_str();
   render->add_option("--out", options->stage.out, "folder for the frames; default: write none");
-  render->add_option("--format", options->format, "png or exr (linear)")
-      ->check(CLI::IsMember({"png", "exr"}))
+  render->add_option("--format", options->format, "png, exr (linear, before tone mapping) or both")
+      ->check(CLI::IsMember({"png", "exr", "both"}))
       ->capture_default_str();
   render->add_flag("--denoised", options->denoised, "write the denoised picture, as the game shows it (r_denoise 1)");
   render->add_flag("--hash", options->hash, "print a hash of each frame's linear image");

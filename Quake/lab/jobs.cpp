@@ -53,15 +53,15 @@ void add_rgb(ExrImage& exr, const std::vector<vec4>& image, const std::string& p
 }
 
 Status write_frame(const render::Renderer& renderer, const RenderJob& job, std::uint64_t frame) {
-  const std::string extension = job.format == ImageFormat::kPng ? "png" : "exr";
-  const std::string path = fmt::format("{}/frame_{:06}.{}", job.out, frame, extension);
-  if (job.format == ImageFormat::kPng) {
+  const std::string path = fmt::format("{}/frame_{:06}", job.out, frame);
+  if (job.format != ImageFormat::kExr) {
     const uvec2 size = renderer.output_size();
-    return write_png(path, size.x, size.y, renderer.read().output());
+    auto status = write_png(path + ".png", size.x, size.y, renderer.read().output());
+    if (!status || job.format == ImageFormat::kPng) return status;
   }
   ExrImage exr(renderer.render_size().x, renderer.render_size().y);
   add_rgb(exr, renderer.read().denoised(), "");
-  return write_exr(path, exr);
+  return write_exr(path + ".exr", exr);
 }
 
 // All passes have equal weight, so they must have equal samples: the largest divisor of spp that is small enough.

@@ -12,7 +12,7 @@
 
 namespace fb::lab {
 
-enum class ImageFormat { kNone, kPng, kExr };
+enum class ImageFormat { kNone, kPng, kExr, kBoth };
 
 struct RenderJob {
   std::uint64_t first = 0, last = 0;  // frames, inclusive; earlier ones are played and not written
