@@ -33,57 +33,38 @@ bool is_renderers(const std::string& cvar) {
   return names.contains(cvar);
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
-// Parses "NAME:cvar=value,cvar=value": the console's settings changed by these; the console itself is not changed.
-Result<lab::Configuration> parse_configuration(con::Console& console, const std::string& text) {
-  const std::size_t colon = text.find(':');
-  if (colon == 0 || colon == std::string::npos)
-    return Error{fmt::format("--config {}: NAME:cvar=value,... is wanted", text)};
-  lab::Configuration configuration{text.substr(0, colon), {}};
+// The console's settings changed by the configuration's; the console itself is not changed.
+Result<lab::Configuration> configuration_of(con::Console& console, const ConfigurationText& text) {
+  const std::string option = "--config " + text.name;
+  lab::Configuration configuration{text.name, {}};
   std::vector<std::pair<std::string, std::string>> before;
   Status status = ok_status();
-  for (const std::string& assignment : split(text.substr(colon + 1), ',')) {
+  for (const std::string& assignment : text.assignments) {
     const std::string name = assignment.substr(0, assignment.find('='));
     if (!console.find_cvar(name)) {
-      status = Error{fmt::format("--config {}: there is no cvar {}", text, name)};
+      status = Error{fmt::format("{}: there is no cvar {}", option, name)};
     } else if (!is_renderers(name)) {
-      status = Error{fmt::format("--config {}: {} is not the renderer's; give it by --set, for all alike", text, name)};
+      status = Error{fmt::format("{}: {} is not the renderer's; give it by --set, for all alike", option, name)};
     } else {
       before.emplace_back(name, console.cvar(name).string());
-      status = set_cvar(console, assignment, "--config " + text);
+      status = set_cvar(console, assignment, option);
     }
     if (!status) break;
   }
   configuration.settings = render::read_render_settings(console);
   for (auto it = before.rbegin(); it != before.rend(); ++it) console.set(it->first, it->second);
   if (!status) return status.error();
-  if (auto known = known_estimator(configuration.settings.estimator, "--config " + configuration.name + ":"); !known)
-    return known.error();
+  if (auto known = known_estimator(configuration.settings.estimator, option + ":"); !known) return known.error();
   return configuration;
 }
 
 Result<std::vector<lab::Configuration>> configurations_of(con::Console& console, const BenchOptions& o) {
+  const auto texts = parse_configurations(o.estimators, o.configurations, o.stage.estimator);
+  if (!texts) return texts.error();
   std::vector<lab::Configuration> list;
-  std::vector<std::string> texts;
-  for (const std::string& names : o.estimators)
-    for (const std::string& name : split(names, ',')) texts.push_back(name + ":r_estimator=" + name);
-  texts.insert(texts.end(), o.configurations.begin(), o.configurations.end());
-  if (texts.empty()) texts.push_back(o.stage.estimator + ":r_estimator=" + o.stage.estimator);
-  for (const std::string& text : texts) {
-    auto configuration = parse_configuration(console, text);
+  for (const ConfigurationText& text : *texts) {
+    auto configuration = configuration_of(console, text);
     if (!configuration) return configuration.error();
-    for (const auto& other : list)
-      if (other.name == configuration->name)
-        return Error{fmt::format("{}: two configurations of that name", other.name)};
     list.push_back(std::move(*configuration));
   }
   return list;

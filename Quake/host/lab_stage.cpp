@@ -139,6 +139,46 @@ Status set_cvar(con::Console& console, const std::string& assignment, const std:
   return ok_status();
 }
 
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+Result<ConfigurationText> parse_configuration(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == 0 || colon == std::string::npos)
+    return Error{fmt::format("--config {}: NAME:cvar=value,... is wanted", text)};
+  ConfigurationText configuration{text.substr(0, colon), split(text.substr(colon + 1), ',')};
+  for (const std::string& assignment : configuration.assignments)
+    if (assignment.find('=') == std::string::npos)
+      return Error{fmt::format("--config {}: {}: cvar=value is wanted", text, assignment)};
+  return configuration;
+}
+
+Result<std::vector<ConfigurationText>> parse_configurations(const std::vector<std::string>& estimators,
+                                                            const std::vector<std::string>& configurations,
+                                                            const std::string& otherwise) {
+  std::vector<ConfigurationText> list;
+  const auto add_estimator = [&](const std::string& name) { list.push_back({name, {"r_estimator=" + name}}); };
+  for (const std::string& names : estimators)
+    for (const std::string& name : split(names, ',')) add_estimator(name);
+  for (const std::string& text : configurations) {
+    auto configuration = parse_configuration(text);
+    if (!configuration) return configuration.error();
+    list.push_back(std::move(*configuration));
+  }
+  if (list.empty()) add_estimator(otherwise);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (list[i].name == list[k].name) return Error{fmt::format("{}: two configurations of that name", list[i].name)};
+  return list;
+}
+
 Result<std::pair<std::uint64_t, std::uint64_t>> parse_frames(const std::string& text) {
   const std::size_t colon = text.find(':');
   const auto first = parse_whole_number_unsigned(std::string_view(text).substr(0, colon));

@@ -29,6 +29,7 @@ LabCommand add_compare_command(CLI::App& app);
 LabCommand add_ztest_command(CLI::App& app);
 // command_line: as it was typed, for the report.
 LabCommand add_bench_command(CLI::App& app, std::string command_line);
+LabCommand add_picture_command(CLI::App& app, std::string command_line);
 LabCommand add_track_command(CLI::App& app);
 LabCommand add_estimators_command(CLI::App& app);
 LabCommand add_settings_command(CLI::App& app);
@@ -59,6 +60,17 @@ Status open_stage(Stage& stage, const StageOptions& options);
 Status known_estimator(const std::string& name, const std::string& option);
 // Sets a cvar from "cvar=value"; `option` is named in the error.
 Status set_cvar(con::Console& console, const std::string& assignment, const std::string& option);
+// What `--config NAME:cvar=value,...` and `--estimators a,b` ask for: a name, and settings as "cvar=value".
+struct ConfigurationText {
+  std::string name;
+  std::vector<std::string> assignments;
+};
+Result<ConfigurationText> parse_configuration(const std::string& text);
+// All of a command's, estimators first, `otherwise` (an estimator) if there is none. No two have one name.
+Result<std::vector<ConfigurationText>> parse_configurations(const std::vector<std::string>& estimators,
+                                                            const std::vector<std::string>& configurations,
+                                                            const std::string& otherwise);
+std::vector<std::string> split(const std::string& text, char separator);
 // Parses "A:B" or "A".
 Result<std::pair<std::uint64_t, std::uint64_t>> parse_frames(const std::string& text);
 // Writes to standard output for "-".

@@ -62,8 +62,7 @@ Picture decoded(const Picture& srgb) {
   return linear;
 }
 
-Status write_heat_map(const std::string& path, std::uint32_t width, std::uint32_t height,
-                      const std::vector<float>& values) {
+std::vector<std::uint32_t> heat_colors(const std::vector<float>& values) {
   static const std::array<vec3, 6> stops{vec3(0, 0, 0),      vec3(60, 15, 110),  vec3(150, 40, 105),
                                          vec3(235, 100, 45), vec3(250, 195, 60), vec3(255, 255, 240)};
   std::vector<std::uint32_t> pixels;
@@ -76,7 +75,12 @@ Status write_heat_map(const std::string& path, std::uint32_t width, std::uint32_
     for (int c = 0; c < 3; ++c) packed |= static_cast<std::uint32_t>(std::lround(color[c])) << (8 * c);
     pixels.push_back(packed);
   }
-  return write_png(path, width, height, pixels);
+  return pixels;
+}
+
+Status write_heat_map(const std::string& path, std::uint32_t width, std::uint32_t height,
+                      const std::vector<float>& values) {
+  return write_png(path, width, height, heat_colors(values));
 }
 
 }  // namespace fb::lab

@@ -34,7 +34,8 @@ Result<Picture> read_png_picture(const std::string& path);
 // From sRGB as stored to linear.
 Picture decoded(const Picture& srgb);
 
-// Values of 0 to 1 as colours from black over violet and orange to white.
+// Values of 0 to 1 as colours from black over violet and orange to white, red in the lowest byte.
+std::vector<std::uint32_t> heat_colors(const std::vector<float>& values);
 Status write_heat_map(const std::string& path, std::uint32_t width, std::uint32_t height,
                       const std::vector<float>& values);
 

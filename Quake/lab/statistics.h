@@ -24,6 +24,10 @@ double student_t_quantile(double confidence, int degrees_of_freedom);
 struct Interval {
   double low = 0, high = 0;
 };
+struct Estimate {
+  double value = 0;
+  Interval interval;  // 95%
+};
 // Of the mean, by Student's t. Both ends are the mean for fewer than two values.
 Interval t_interval(std::span<const double> values, double confidence = 0.95);
 

@@ -36,12 +36,9 @@ struct Window {
   std::uint32_t first = 0;
 };
 
-struct Estimate {
-  double value = 0;
-  Interval interval;  // 95%, bootstrap of blocks of frames
-};
 // (MSE of the baseline / own MSE) times a cost of the baseline over the own: samples a pixel, or median GPU time of the
-// estimator's passes or of all. Not a number where the reference's noise is all that was measured.
+// estimator's passes or of all. Not a number where the reference's noise is all that was measured. Intervals here are
+// by bootstrap of blocks of frames.
 struct Gains {
   Estimate samples, time, time_all;
   // As `time`, but with the median of the frames' own ratios of time, which a busy machine hardly touches: both frames
