@@ -44,7 +44,7 @@ SUBFOLDERS = {
     "server": ["simulation", "clients", "builtins", ""],
     "scene": ["", "library", "in_code"],
     "client": ["effects", "session", "input", "sources", ""],
-    "lab": ["", "compare", "ztest", "bench"],
+    "lab": ["", "compare", "ztest", "bench", "judge"],
 }
 # Modules whose C++ code shares structs and pure functions with the shaders.
 USES_SHARED = {"scene", "gpu", "render", "lab", "host"}

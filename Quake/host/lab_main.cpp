@@ -1,7 +1,9 @@
-// fullbright-lab: render | reference | compare | ztest | bench | track | estimators.
+// fullbright-lab: render | reference | compare | ztest | bench | picture | track | estimators.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <string>
 
 #include "base/stop.h"
 #include "host/guarded_main.h"
@@ -16,14 +18,11 @@ int run(int argc, char** argv) {
   CLI::App app("Renders and measures without a window: frames, references, errors, speed and bias.", "fullbright-lab");
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
-  const LabCommand commands[] = {add_render_command(app),
-                                 add_reference_command(app),
-                                 add_compare_command(app),
-                                 add_ztest_command(app),
-                                 add_bench_command(app, fmt::format("{}", fmt::join(argv, argv + argc, " "))),
-                                 add_track_command(app),
-                                 add_estimators_command(app),
-                                 add_settings_command(app)};
+  const std::string command_line = fmt::format("{}", fmt::join(argv, argv + argc, " "));
+  const LabCommand commands[] = {
+      add_render_command(app), add_reference_command(app),           add_compare_command(app),
+      add_ztest_command(app),  add_bench_command(app, command_line), add_picture_command(app, command_line),
+      add_track_command(app),  add_estimators_command(app),          add_settings_command(app)};
   CLI11_PARSE(app, argc, argv);
   for (const LabCommand& command : commands)
     if (*command.app) return command.run();

@@ -16,8 +16,8 @@ struct JsonValue {
   int line = 1;  // where it begins, from 1
   bool boolean = false;
   double number = 0;
-  std::string text;              // of kText, UTF-8; of kNumber, as it was written
-  std::vector<JsonValue> items;  // of kArray
+  std::string text;                                        // of kText, UTF-8; of kNumber, as it was written
+  std::vector<JsonValue> items;                            // of kArray
   std::vector<std::pair<std::string, JsonValue>> members;  // of kObject, in the file's order
 
   const JsonValue* find(std::string_view key) const;  // null if there is no such member

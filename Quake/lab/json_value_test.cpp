@@ -58,7 +58,8 @@ TEST(JsonValue, RefusesInOneSentenceWithTheLine) {
 TEST(JsonValue, ACutTextIsAnErrorWhereverItIsCut) {
   const std::string text = "{\"a\": [1, {\"b\": \"\\u00e9\\\\\"}, true], \"c\": null}";
   ASSERT_TRUE(parse_json(text, "x").ok());
-  for (std::size_t size = 0; size < text.size(); ++size) EXPECT_FALSE(parse_json(text.substr(0, size), "x").ok()) << size;
+  for (std::size_t size = 0; size < text.size(); ++size)
+    EXPECT_FALSE(parse_json(text.substr(0, size), "x").ok()) << size;
 }
 
 }  // namespace

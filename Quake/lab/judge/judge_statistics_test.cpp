@@ -1,0 +1,87 @@
+// Figures over seeds and views, held to arithmetic.
+#include "lab/judge/judge_statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fb::lab {
+namespace {
+
+Figures with(JudgeFigure figure, double value) {
+  Figures figures = unknown_figures();
+  figures[figure] = value;
+  return figures;
+}
+LaneFigures lane(JudgeFigure figure, const std::vector<double>& seeds) {
+  LaneFigures l;
+  for (const double v : seeds) l.seeds.push_back(with(figure, v));
+  return l;
+}
+
+TEST(JudgeStatistics, FramesAreAveragedWhereTheyAreKnown) {
+  Figures a = with(kFlip, 0.2), b = with(kFlip, 0.4);
+  b[kFlicker] = 0.1;  // a first frame has none
+  const Figures mean = mean_of({a, b});
+  EXPECT_NEAR(mean[kFlip], 0.3, 1e-12);
+  EXPECT_NEAR(mean[kFlicker], 0.1, 1e-12);
+  EXPECT_TRUE(std::isnan(mean[kBias]));
+}
+
+TEST(JudgeStatistics, ErrorsOverSeedsAreGeometric) {
+  const Estimate e = over_seeds(lane(kRelMse, {1, 10, 100}), kRelMse);
+  EXPECT_NEAR(e.value, 10, 1e-9);
+  // t of two degrees is 4.303; the logarithms' standard error is ln(10) / sqrt(3).
+  EXPECT_NEAR(std::log(e.interval.high / e.value), 4.303 * std::log(10.0) / std::sqrt(3.0), 0.01);
+  EXPECT_NEAR(e.interval.low * e.interval.high, 100, 1e-6);
+  const Estimate alone = over_seeds(lane(kFlip, {0.3}), kFlip);
+  EXPECT_EQ(alone.interval.low, alone.interval.high);
+  EXPECT_TRUE(std::isnan(over_seeds(lane(kFlip, {0.3, NAN}), kFlip).value));
+}
+
+TEST(JudgeStatistics, BiasIsAPlainMeanAndKnowsTheReference) {
+  const Estimate e = over_seeds(lane(kBias, {-0.1, 0.1}), kBias);
+  EXPECT_NEAR(e.value, 0, 1e-12);
+  EXPECT_NEAR(e.interval.high, 12.706 * 0.1, 1e-3) << "t of one degree";
+  const Estimate exact = over_seeds(lane(kBias, {0.02, 0.02}), kBias, 0.01);
+  EXPECT_NEAR(exact.interval.high, 0.02 + 0.0196, 1e-9) << "only the reference is uncertain";
+}
+
+TEST(JudgeStatistics, ASuiteWeighsViewsAlike) {
+  // The second lane's error is half of the first's in every view and seed, at twice the time.
+  std::vector<ViewFigures> views;
+  for (const double scale : {0.01, 1.0, 100.0}) {
+    ViewFigures view;
+    view.lanes = {lane(kRelMse, {scale, 1.2 * scale}), lane(kRelMse, {0.5 * scale, 0.6 * scale})};
+    for (Figures& f : view.lanes[0].seeds) f[kAllMs] = 10;
+    for (Figures& f : view.lanes[1].seeds) f[kAllMs] = 20;
+    views.push_back(view);
+  }
+  EXPECT_NEAR(over_views(views, 0, kRelMse).value, std::sqrt(1.2), 1e-9);
+  const JudgeGain gain = gain_over_first(views, 1, {1, 1});
+  EXPECT_NEAR(gain.equal_samples.value, 2, 1e-9);
+  EXPECT_NEAR(gain.equal_samples.interval.low, 2, 1e-9) << "seeds are paired: what they share is no uncertainty";
+  EXPECT_NEAR(gain.equal_time.value, 1, 1e-9);
+  EXPECT_NEAR(gain_over_first(views, 1, {1, 4}).equal_samples.value, 0.5, 1e-9);
+  EXPECT_NEAR(gain_over_first(views, 0, {1, 1}).equal_time.value, 1, 1e-12);
+}
+
+TEST(JudgeStatistics, AViewThatALaneDoesNotKnowIsLeftOut) {
+  std::vector<ViewFigures> views(2);
+  views[0].lanes = {lane(kFlip, {0.2}), lane(kFlip, {0.4})};
+  views[1].lanes = {lane(kFlip, {0.8}), LaneFigures{}};
+  EXPECT_NEAR(over_views(views, 0, kFlip).value, 0.2, 1e-12) << "both lanes over the same views";
+  EXPECT_TRUE(std::isnan(over_views(views, 0, kBias).value));
+  EXPECT_TRUE(std::isnan(gain_over_first(views, 1, {1, 1}).equal_time.value));
+}
+
+TEST(JudgeStatistics, NothingButTheReferencesNoiseIsNoLessThanThat) {
+  std::vector<ViewFigures> views(1);
+  views[0].lanes = {lane(kRelMse, {-0.001}), lane(kRelMse, {0.04})};
+  views[0].reference.rel_variance = 0.01;
+  EXPECT_NEAR(over_views(views, 0, kRelMse).value, 0.01, 1e-12);
+  EXPECT_NEAR(gain_over_first(views, 1, {1, 1}).equal_samples.value, 0.25, 1e-9);
+}
+
+}  // namespace
+}  // namespace fb::lab
