@@ -234,6 +234,29 @@ check "bench's CSV has a line a frame" test "$(grep -c . "$scratch/bench.csv")" 
 check "bench to standard output is JSON alone" grep -q '^{$' <<<"$("$lab" bench --quiet --scene cbox --size 8x8 --frames 0:1 \
   --reference-spp 32 --json - | head -1)"
 check "bench refuses a cvar that is not the renderer's" fails_with "no cvar" "$lab" bench --scene cbox --config a:b=1
+# The judge with programs of its own, one of them in the role of an older one that writes one format at a time.
+cat >"$scratch/suite.json" <<'END'
+{"views": [{"name": "box", "scene": "cbox", "frames": [2, 3], "warmup": 2},
+  {"name": "absent", "map": "start", "data": "librequake", "frames": [0, 1]}]}
+END
+printf '#!/bin/sh\n[ "$2" = --help ] && "%s" "$@" | sed s/,both// || exec "%s" "$@"\n' "$lab" "$lab" >"$scratch/older"
+chmod +x "$scratch/older"
+judge() {
+  "$lab" picture "$scratch/suite.json" --quiet --librequake "$scratch/nowhere" --references "$scratch/references" --size 32x18 \
+    --reference-spp 64 --seeds 2 "$@"
+}
+judge --binary "older=$scratch/older" --estimators pt --pictures "$scratch/pictures" --json "$scratch/picture.json" \
+  >"$scratch/picture" 2>>"$scratch/log"
+check "picture's exit status" test $? -eq 0
+check "picture skips what is not there and says so" grep -q '^absent: skipped, there is no LibreQuake' "$scratch/picture"
+check "picture judges programs beside each other" test "$(grep -c '^  pt  *0\|^  pt@older  *0' "$scratch/picture")" -eq 2
+check "and both have the same tone curve" test "$(grep -c 'tone curve' "$scratch/picture")" -eq 0
+check "pt's pictures are the same by both" python3 -c "import json, sys; a, b = json.load(open(sys.argv[1]))['views'][0]['configurations']; \
+  assert a['relmse'] == b['relmse'] and a['flip'] == b['flip'] and a['relmse']['value'] > 0" "$scratch/picture.json"
+check "picture's pictures" test -s "$scratch/pictures/box.png"
+check "picture keeps its references" test "$(find "$scratch/references" -name '*.exr' | wc -l)" -eq 1
+check "picture names a program that is none" fails_with "$scratch/none: cannot be started" judge --binary "none=$scratch/none"
+check "picture says why a program failed" fails_with "no such estimator" judge --estimators nowhere
 check "compare names the file that it cannot read" fails_with absent.exr "$lab" compare "$scratch/r.exr" "$scratch/absent.exr"
 
 # An item box as a map: nothing of it gives light.

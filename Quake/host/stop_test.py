@@ -110,6 +110,7 @@ def laboratory(build, folder):
         "render": [*scene, "--spp", "64", "--frames", "0:100000", "--out", folder / "rendered"],
         "reference": [*scene, "--spp", "16777216", "--out", folder / "reference.exr"],
         "bench": [*scene, "--frames", "0:1000000", "--reference-spp", "32", "--json", folder / "bench.json"],
+        "picture": ["Misc/suites/picture_free.json", "--views", "cbox", "--reference-spp", "16777216", "--references", folder / "kept"],
         "ztest": [*scene, "--estimator", "pt", "--runs", "100000"],
     }
     for name, arguments in commands.items():
@@ -117,6 +118,7 @@ def laboratory(build, folder):
         time.sleep(3)
         assert case.is_running(), "\n".join(case.running.lines)
         case.is_stopped_by(signal.SIGTERM if name != "bench" else signal.SIGINT, program="fullbright-lab")
+    assert not list((folder / "kept").glob("*"))
     assert not (folder / "reference.exr").exists() and not (folder / "bench.json").exists()
     assert all(path.stat().st_size > 0 for path in (folder / "rendered").glob("*.png"))
 
