@@ -371,7 +371,7 @@ const SceneFeatures& GpuScene::features() const { return impl_->features; }
 const SceneStatistics& GpuScene::statistics() const { return impl_->statistics; }
 uvec2 GpuScene::lights() const { return {impl_->light_list.first(), impl_->light_list.end()}; }
 uvec2 GpuScene::former_instances() const {
-  return {impl_->light_list.end(), static_cast<std::uint32_t>(impl_->light_list.elements().size())};
+  return {impl_->light_list.former(), static_cast<std::uint32_t>(impl_->light_list.elements().size())};
 }
 SceneBuffers GpuScene::buffers() const {
   return {&impl_->assets.nodes().buffer(), &impl_->assets.triangles().buffer(), &impl_->instances.buffer()};

@@ -74,7 +74,7 @@ void LightList::list_triangles(const scene::Assets& assets, std::span<const Sour
                                std::span<const float> glow) {
   first_ = static_cast<std::uint32_t>(sources.size());
   elements_.assign(first_, uvec2(shared::kNoIndex, 0));
-  std::vector<double> ends;  // sums of powers
+  std::vector<double> powers;
   double total = 0;
   for (std::uint32_t i = 0; i < first_; ++i) {
     const Source& s = sources[i];
@@ -88,22 +88,66 @@ void LightList::list_triangles(const scene::Assets& assets, std::span<const Sour
     bool any = false;
     for (std::uint32_t t = 0; t < s.mesh->triangle_count && !any; ++t) any = of(t) > 0.0f;
     if (!any) continue;
-    elements_[i].x = static_cast<std::uint32_t>(first_ + ends.size());
-    const std::vector<vec3> at = world_vertices(mesh, *s.mesh, *s.instance);
+    elements_[i].x = static_cast<std::uint32_t>(first_ + powers.size());
+    const std::vector<float>& area = areas(assets, s);
     for (std::uint32_t t = 0; t < s.mesh->triangle_count; ++t) {
-      const auto& v = mesh.triangles[s.mesh->order[t]].vertices;
-      const float power = of(t) * glm::length(glm::cross(at[v[1]] - at[v[0]], at[v[2]] - at[v[0]]));
-      if (power > 0.0f && std::isfinite(power)) total += static_cast<double>(power);
-      ends.push_back(total);
+      const float power = of(t) * area[t];
+      powers.push_back(power > 0.0f && std::isfinite(power) ? static_cast<double>(power) : 0.0);
+      total += powers.back();
       elements_.emplace_back(0, i);
     }
   }
-  if (total <= 0)
-    elements_.assign(first_, uvec2(shared::kNoIndex, 0));
-  else
-    for (std::size_t i = 0; i < ends.size(); ++i)
-      elements_[first_ + i].x = static_cast<std::uint32_t>(ends[i] / total * shared::kLightRange);
+  if (total <= 0) elements_.assign(first_, uvec2(shared::kNoIndex, 0));
   end_ = static_cast<std::uint32_t>(elements_.size());
+  // Integers that add up: differences of the rounded sums.
+  double sum_of_powers = 0;
+  std::uint32_t begin = 0;
+  for (std::uint32_t i = first_; i < end_; ++i) {
+    sum_of_powers += powers[i - first_];
+    const auto end = static_cast<std::uint32_t>(sum_of_powers / total * shared::kLightRange);
+    elements_[i].x = end - begin;
+    begin = end;
+  }
+  add_alias_table();
+}
+
+// Vose 1991, in integers: n places of kLightRange each hold probabilities times n, so that every triangle has exactly
+// its share. A place that is not full is filled up from one triangle that has more than it can hold.
+void LightList::add_alias_table() {
+  const std::uint32_t n = end_ - first_;
+  std::vector<std::uint64_t> left(n);
+  std::vector<std::uint32_t> less, more;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    left[i] = static_cast<std::uint64_t>(elements_[first_ + i].x) * n;
+    (left[i] < shared::kLightRange ? less : more).push_back(i);
+    elements_.emplace_back(shared::kLightRange, i);
+  }
+  while (!less.empty() && !more.empty()) {
+    const std::uint32_t place = less.back(), rich = more.back();
+    less.pop_back();
+    elements_[end_ + place] = uvec2(static_cast<std::uint32_t>(left[place]), rich);
+    left[rich] -= shared::kLightRange - left[place];
+    if (left[rich] < shared::kLightRange) {
+      more.pop_back();
+      less.push_back(rich);
+    }
+  }
+}
+
+const std::vector<float>& LightList::areas(const scene::Assets& assets, const Source& s) {
+  Areas& known = areas_[s.instance->id];
+  const scene::PoseBlend& pose = s.instance->pose;
+  const bool same = known.mesh == s.instance->mesh && known.transform == s.instance->transform &&
+                    known.pose.a == pose.a && known.pose.b == pose.b && known.pose.t == pose.t;
+  if (same && known.of.size() == s.mesh->triangle_count) return known.of;
+  const scene::Mesh& mesh = assets.meshes[s.instance->mesh];
+  const std::vector<vec3> at = world_vertices(mesh, *s.mesh, *s.instance);
+  known = {s.instance->mesh, s.instance->transform, pose, {}};
+  for (std::uint32_t t = 0; t < s.mesh->triangle_count; ++t) {
+    const auto& v = mesh.triangles[s.mesh->order[t]].vertices;
+    known.of.push_back(glm::length(glm::cross(at[v[1]] - at[v[0]], at[v[2]] - at[v[0]])));
+  }
+  return known.of;
 }
 
 // Where the former list's instances are in this one, by their ids.
@@ -125,8 +169,10 @@ void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::s
   if (assets.generation != generation_ || sources.empty()) {  // other meshes: a triangle's index means another
     means_.clear();
     ids_.clear();
+    areas_.clear();
   }
   generation_ = assets.generation;
+  if (areas_.size() > 2 * sources.size() + 64) areas_.clear();  // of what is gone
   if (sources.empty()) return;
   const float sky_mean = sky_radiance(assets, sky);
   std::vector<float> glow(materials.size());

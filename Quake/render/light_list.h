@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "render/gpu_scene_assets.h"
@@ -27,10 +28,11 @@ class LightList {
   void build(const scene::Assets& assets, const scene::Sky& sky, std::span<const Source> sources,
              std::span<const shared::GpuMaterial> materials);
   // As Shaders/shared/scene_gpu.h has it: elements first() to end() are triangles (equal: nothing glows); from end() on
-  // there is one for each instance of the former list.
+  // there is the alias table, as long; from former() on there is one for each instance of the former list.
   const std::vector<uvec2>& elements() const { return elements_; }
   std::uint32_t first() const { return first_; }
   std::uint32_t end() const { return end_; }
+  std::uint32_t former() const { return end_ + (end_ - first_); }
 
  private:
   // Mean linear colour of an image's texels: of all, and of those alone that glow by their palette index.
@@ -39,6 +41,8 @@ class LightList {
   };
   const Means& means(const scene::Assets& assets, std::uint32_t image);
   void list_triangles(const scene::Assets& assets, std::span<const Source> sources, std::span<const float> glow);
+  void add_alias_table();
+  const std::vector<float>& areas(const scene::Assets& assets, const Source& source);
   void list_former(std::span<const Source> sources);
   float radiance(const scene::Assets& assets, const shared::GpuMaterial& material, float sky);
   float sky_radiance(const scene::Assets& assets, const scene::Sky& sky);
@@ -48,6 +52,14 @@ class LightList {
   std::vector<uvec2> elements_;
   std::uint32_t first_ = 0, end_ = 0;
   std::vector<std::uint32_t> ids_;  // of the instances, in order
+  // Twice the area of each triangle of an instance in the world, in the order of leaves, while it stays where it is.
+  struct Areas {
+    std::uint32_t mesh = 0;
+    mat4x3 transform{0.0f};
+    scene::PoseBlend pose;
+    std::vector<float> of;
+  };
+  std::unordered_map<std::uint32_t, Areas> areas_;  // by the instance's id
 };
 
 }  // namespace fb::render

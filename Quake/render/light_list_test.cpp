@@ -54,8 +54,7 @@ struct Listed {
     list.build(assets, snapshot.sky, sources, table.entries());
   }
   double probability(std::uint32_t element) const {
-    const std::uint32_t begin = element == list.first() ? 0 : list.elements()[element - 1].x;
-    return (static_cast<double>(list.elements()[element].x) - begin) / shared::kLightRange;
+    return static_cast<double>(list.elements()[element].x) / shared::kLightRange;
   }
   // Of an instance, by its material.
   std::map<std::string, double> by_material(const scene::FrameSnapshot& snapshot, std::size_t instance) const {
@@ -81,20 +80,31 @@ struct Listed {
   LightList list;
 };
 
-TEST(LightList, IntervalsAreWholeAndInOrder) {
+TEST(LightList, ProbabilitiesAreWholeAndTheAliasTableHasThemExactly) {
   const scene::FrameSnapshot snapshot = scene::light_of_every_kind();
   const Listed listed(snapshot);
   const auto& elements = listed.list.elements();
   ASSERT_EQ(listed.list.first(), snapshot.instances.size());
   ASSERT_GT(elements.size(), listed.list.first());
-  EXPECT_TRUE(std::is_sorted(elements.begin() + listed.list.first(), elements.end(),
-                             [](const uvec2& a, const uvec2& b) { return a.x < b.x; }));
-  EXPECT_EQ(elements.back().x, shared::kLightRange);
+  const std::uint32_t first = listed.list.first(), n = listed.list.end() - first;
+  ASSERT_GE(elements.size(), listed.list.end() + n);
+  std::vector<std::uint64_t> chosen(n);  // times kLightRange, times n
+  std::uint64_t sum = 0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const uvec2 alias = elements[listed.list.end() + i];
+    ASSERT_LE(alias.x, shared::kLightRange);
+    ASSERT_LT(alias.y, n);
+    chosen[i] += alias.x;
+    chosen[alias.y] += shared::kLightRange - alias.x;
+    sum += elements[first + i].x;
+  }
+  EXPECT_EQ(sum, shared::kLightRange);
+  for (std::uint32_t i = 0; i < n; ++i) EXPECT_EQ(chosen[i], std::uint64_t{elements[first + i].x} * n) << i;
   for (std::uint32_t i = 0; i < listed.list.first(); ++i) {
     const std::uint32_t at = elements[i].x;
     if (at == shared::kNoIndex) continue;
     const auto count = snapshot.assets->meshes[snapshot.instances[i].mesh].triangles.size();
-    ASSERT_LE(at + count, elements.size());
+    ASSERT_LE(at + count, listed.list.end());
     for (std::size_t t = 0; t < count; ++t) EXPECT_EQ(elements[at + t].y, i);
   }
 }
@@ -170,16 +180,16 @@ TEST(LightList, LightsAreFollowedFromFrameToFrame) {
   scene::FrameSnapshot snapshot = scene::light_of_every_kind();
   for (std::uint32_t i = 0; i < snapshot.instances.size(); ++i) snapshot.instances[i].id = 100 + i;
   Listed listed(snapshot);
-  EXPECT_EQ(listed.list.end(), listed.list.elements().size()) << "there was no frame before";
+  EXPECT_EQ(listed.list.former(), listed.list.elements().size()) << "there was no frame before";
 
   const std::size_t before = snapshot.instances.size();
   snapshot.instances.erase(snapshot.instances.begin() + 2);
   std::swap(snapshot.instances[0], snapshot.instances[1]);
   listed.build(snapshot);
   const auto& elements = listed.list.elements();
-  ASSERT_EQ(elements.size() - listed.list.end(), before);
+  ASSERT_EQ(elements.size() - listed.list.former(), before);
   for (std::uint32_t i = 0; i < before; ++i) {
-    const uvec2 former = elements[listed.list.end() + i];
+    const uvec2 former = elements[listed.list.former() + i];
     EXPECT_EQ(former.y, 100 + i);
     if (i == 2) {
       EXPECT_EQ(former.x, shared::kNoIndex) << "it is gone";
@@ -193,7 +203,7 @@ TEST(LightList, LightsAreFollowedFromFrameToFrame) {
   assets->generation = scene::next_generation();
   snapshot.assets = assets;
   listed.build(snapshot);
-  EXPECT_EQ(listed.list.end(), listed.list.elements().size()) << "other meshes have other triangles";
+  EXPECT_EQ(listed.list.former(), listed.list.elements().size()) << "other meshes have other triangles";
 }
 
 TEST(LightList, AnInstancesColourReplacesItsMaterials) {

@@ -11,6 +11,7 @@ struct History {
   float mean, mean_square;  // of luminance
 };
 
+// `normal`: geometric, since nearest texels of a normal map differ from frame to frame under the camera's jitter.
 // Bilinear over the four texels about `point` (index space) that belong to the same surface; where there is none, the eight
 // around them: at an edge the moving rays meet now one side and now the other.
 History find_history(vec2 point, float inverse_depth, vec2 slope, vec3 normal, uint id) {
@@ -46,12 +47,14 @@ History find_history(vec2 point, float inverse_depth, vec2 slope, vec3 normal, u
 
 // A store costs as much as a fetch, word by word: what the wavelet's first level writes anyway is left to it, and what its
 // levels hand on unchanged is written to both of their sections now.
-void write_texels(uint at, uvec4 filter_texel, uint moments) {
+void write_texels(uint at, uvec4 filter_texel, uint moments, uint surface) {
   history.at[section(kSectionFilter) + at] = filter_texel;
-  history_words.at[(section(kSectionFilter + 1u) + at) * 4u + 2u] = filter_texel.z;
+  uint other = (section(kSectionFilter + 1u) + at) * 4u;
+  history_words.at[other + 2u] = filter_texel.z;
+  history_words.at[other + 3u] = filter_texel.w;
   uint own = (section(kSectionHistory + frame.history_parity) + at) * 4u;
   history_words.at[own + 2u] = moments;
-  history_words.at[own + 3u] = filter_texel.z;
+  history_words.at[own + 3u] = surface;
 }
 
 // Frames that count after the last level of the frame before has said how much of the history there it trusts.
@@ -83,9 +86,10 @@ void main() {
 
   uint id = hash_u32(words.z) >> 24u;
   float inverse_depth = 1.0 / max(motion.z, 1e-3), depth_before = frame.still != 0u ? motion.z : motion.w;
-  vec2 slope = plane_slope(unpack_direction(words.x), ray);
+  vec3 geometric = unpack_direction(words.x);
+  vec2 slope = plane_slope(geometric, ray);
   vec2 point = vec2(pixel) + (frame.still != 0u ? vec2(0.0) : motion.xy);
-  History h = find_history(point, 1.0 / max(depth_before, 1e-3), slope, normal, id);
+  History h = find_history(point, 1.0 / max(depth_before, 1e-3), slope, geometric, id);
   h.frames = kept_frames(h.frames, point);
   // A black texel says nothing of the light on it; it keeps what its surroundings found.
   bool reflects = max(r.factor.x, max(r.factor.y, r.factor.z)) > 0.0;
@@ -106,11 +110,14 @@ void main() {
   vec3 irradiance = mix(h.irradiance, x, weight);
   float mean = mix(h.mean, y, moments_weight), mean_square = mix(h.mean_square, y * y, moments_weight);
   // Too few frames to tell their spread: whatever the neighbours have on this surface is as good.
-  float deviation = frames < 4.0 ? kMaxIrradiance : min(sqrt(max(mean_square - mean * mean, 0.0) * spread), kMaxIrradiance);
+  float deviation = min(sqrt(max(mean_square - mean * mean, 0.0) * spread), kMaxDeviation);
+  if (frames < 4.0) deviation = kUnknownDeviation;
 
   float ahead = h.frames == 0.0 ? 0.0 : mean - luminance_of(irradiance);
   float random = float(rng_seed(at, frame.frame, 0u, 0u) >> 8u) * (1.0 / 16777216.0);
   uvec4 filter_texel = uvec4(pack_rgb9e5(irradiance, random), packHalf2x16(vec2(deviation, ahead)), pack_surface(inverse_depth, normal),
-                             uint(frames + 0.5) | (id << 8u));
-  write_texels(at, known ? filter_texel : uvec4(0u), known ? packHalf2x16(vec2(mean, sqrt(mean_square))) : 0u);
+                             uint(frames + 0.5) | (id << 8u) | (pack_coarse_normal(geometric) << 16u));
+  uint moments = packHalf2x16(vec2(mean, sqrt(mean_square)));
+  if (known) write_texels(at, filter_texel, moments, pack_surface(inverse_depth, geometric));
+  else write_texels(at, uvec4(0u), 0u, 0u);
 }

@@ -14,7 +14,8 @@ layout(push_constant) uniform Level {
 struct Tap {
   vec3 irradiance;
   float luminance, deviation, ahead, inverse_depth;
-  vec3 normal;
+  bool known;  // its deviation
+  vec3 normal, geometric;
 };
 Tap unpack_tap(uvec4 texel) {
   vec2 deviation_ahead = unpackHalf2x16(texel.y);
@@ -24,8 +25,19 @@ Tap unpack_tap(uvec4 texel) {
   tap.deviation = deviation_ahead.x;
   tap.ahead = deviation_ahead.y;
   tap.inverse_depth = texel.z != 0u ? unpack_surface_inverse_depth(texel.z) : 0.0;
+  tap.known = tap.deviation <= kMaxDeviation;
   tap.normal = unpack_surface_normal(texel.z);
+  tap.geometric = unpack_coarse_normal(texel.w >> 16u);
   return tap;
+}
+
+// How much two normals of each kind part two pixels. Surfaces that meet at an edge differ in both. A normal map alone parts
+// at most so far that a pixel is never left to itself; facets of a smooth mesh do not part.
+const float kMapParts = 1.5;
+float parted(Tap a, Tap b) {
+  vec3 turned = a.normal - b.normal, bent = a.geometric - b.geometric;
+  float scale = 0.5 * frame.sigma_normal, shading = dot(turned, turned) * scale, edge = dot(bent, bent) * scale;
+  return min(shading, edge) + min(max(shading - edge, 0.0), kMapParts);
 }
 
 #if LEVEL == 2
@@ -68,31 +80,32 @@ void main() {
 
   Tap taps[kTaps];
   float shape[kTaps];
-  float variance = c.deviation * c.deviation, pooled = 1.0;
+  float variance = c.deviation * c.deviation, pooled = c.known ? 1.0 : 1e-12;
   for (int i = 0; i < kTaps; ++i) {
     ivec2 offset = (i & 1) == 0 ? level.lattice : ivec2(-level.lattice.y, level.lattice.x);
     ivec2 p = clamp(ivec2(pixel) + (i < 2 ? offset : -offset), ivec2(0), size - 1);
     taps[i] = unpack_tap(history_quad(source + uint(p.y * size.x + p.x)));
     float expected = c.inverse_depth * (1.0 + dot(slope, vec2(p - ivec2(pixel))));
-    vec3 turned = taps[i].normal - c.normal;
-    shape[i] = abs(taps[i].inverse_depth - expected) * depth_scale + dot(turned, turned) * (0.5 * frame.sigma_normal);
+    shape[i] = abs(taps[i].inverse_depth - expected) * depth_scale + parted(taps[i], c);
     if (taps[i].inverse_depth == 0.0) shape[i] = 1e3;
-    float weight = falloff(shape[i]);
+    float weight = taps[i].known ? falloff(shape[i]) : 0.0;
     variance += weight * taps[i].deviation * taps[i].deviation;
     pooled += weight;
   }
-  // A pixel's own variance is a poor estimate; what its neighbours on the surface have joins it.
-  float luminance_scale = 1.0 / (frame.sigma_luminance * sqrt(variance / pooled) + 1e-4);
+  // A pixel's own variance is a poor estimate; what its neighbours on the surface have joins it, where it is known. A pixel
+  // whose own is not takes whatever they have.
+  float luminance_scale = c.known ? 1.0 / (frame.sigma_luminance * sqrt(variance / pooled) + 1e-4) : 0.0;
   vec3 sum = c.irradiance;
   float weights = 1.0, squares = c.deviation * c.deviation, ahead = c.ahead;
   for (int i = 0; i < kTaps; ++i) {
     float weight = falloff(shape[i] + abs(taps[i].luminance - c.luminance) * luminance_scale);
     sum += weight * taps[i].irradiance;
-    squares += weight * weight * taps[i].deviation * taps[i].deviation;
+    float deviation = taps[i].known ? taps[i].deviation : c.deviation;
+    squares += weight * weight * deviation * deviation;
     ahead += weight * taps[i].ahead;
     weights += weight;
   }
-  float deviation = sqrt(squares) / weights;
+  float deviation = c.known ? min(sqrt(squares) / weights, kMaxDeviation) : kUnknownDeviation;
   ahead /= weights;
   vec3 irradiance = c.inverse_depth == 0.0 ? vec3(0.0) : sum / weights;
 #if LEVEL == 2
@@ -110,7 +123,7 @@ void main() {
   uint own = (section(kSectionHistory + frame.history_parity) + at) * 4u;
   vec3 kept = frame.still != 0u ? c.irradiance : irradiance;
   history_words.at[own] = packHalf2x16(kept.rg);
-  history_words.at[own + 1u] = packHalf2x16(vec2(kept.b, 0.0)) | (texel.w << 16u);
+  history_words.at[own + 1u] = packHalf2x16(vec2(kept.b, 0.0)) | (texel.w << 16u);  // frames and id
 #endif
 #endif
 }

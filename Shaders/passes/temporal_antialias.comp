@@ -50,9 +50,9 @@ void main() {
     vec2 point = vec2(pixel) + motion;
     bool inside = all(greaterThan(point, vec2(-0.5))) && point.x < float(frame.width) - 0.5 && point.y < float(frame.height) - 0.5;
     vec3 before = clamp(resample(point), mean - spread, mean + spread);
-    // What has just come into sight has no picture before.
+    // What has just come into sight has no picture before: what there was, held to the colours about, keeps its edges smooth.
     float frames = float((history_words.at[(section(kSectionHistory + frame.history_parity) + at) * 4u + 1u] >> 16u) & 0xffu);
-    if (inside) color = mix(before, color, frames > 0.0 ? max(0.1, 1.0 / frames) : 0.2);
+    if (inside) color = mix(before, color, frames > 0.0 ? clamp(1.0 / frames, 0.1, 0.5) : 0.2);
   }
   history_words.at[shown_word(frame.history_parity, at)] = pack_rgb10(color, hash_combine(at, frame.frame));
   smoothed.at[at] = packUnorm4x8(vec4(color, 1.0));

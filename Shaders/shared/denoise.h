@@ -14,14 +14,17 @@ FB_CONST uint kSectionPicture = 4u;  // PictureTexel[pixels], then two of uint[p
 FB_CONST uint kHistorySections = 5u;
 
 // HistoryTexel: x: half2 irradiance r, g; y: half irradiance b, frames (8 bits), id (8 bits); z: half2 mean of
-// luminance and root of its mean square; w: pack_surface. FilterTexel: x: irradiance, pack_rgb9e5; y: half2 standard
-// deviation of its luminance, what recent frames' mean luminance is above its; z: pack_surface, 0: nothing to filter;
-// w: frames (8 bits), id (8 bits), only of the first level's source. PictureTexel: x: half2 denoised radiance r, g; y:
-// half b, above it how much of the history is to be kept, of 255.
+// luminance and root of its mean square; w: pack_surface of the geometric normal. FilterTexel: x: irradiance,
+// pack_rgb9e5; y: half2 standard deviation of its luminance, what recent frames' mean luminance is above its; z:
+// pack_surface of the shading normal, 0: nothing to filter; w: frames (8 bits), id (8 bits), pack_coarse_normal of the
+// geometric normal. PictureTexel: x: half2 denoised radiance r, g; y: half b, above it how much of the history is to be
+// kept, of 255.
 
 FB_CONST float kMaxIrradiance = 60000.0f;  // of a half, with room
 FB_CONST float kMaxHalf = 65504.0f;
-FB_CONST uint kMaxHistory = 255u;  // frames
+FB_CONST float kMaxDeviation = 30000.0f;
+FB_CONST float kUnknownDeviation = 60000.0f;  // too few frames to tell
+FB_CONST uint kMaxHistory = 255u;             // frames
 
 // --- demodulation ---
 // Radiance = emission + irradiance * factor. The factor is the albedo of the Lambert part plus the directional albedo
@@ -66,19 +69,25 @@ FB_FN vec3 unpack_rgb9e5(uint u) {
   return vec3(float(u & 511u), float((u >> 9u) & 511u), float((u >> 18u) & 511u)) * scale;
 }
 
-// Where a surface is and how it stands: 15 bits of normal, not renormalised after unpacking (equal normals unpack
-// equal), and 16 of 1 / depth: five of exponent, from 2^-25 to 2^7, eleven of mantissa. Never 0.
+// 15 bits, not renormalised after unpacking: equal normals unpack equal.
+FB_FN uint pack_coarse_normal(vec3 n) {
+  uint x = uint(clamp(n.x, -1.0f, 1.0f) * 15.0f + 15.5f), y = uint(clamp(n.y, -1.0f, 1.0f) * 15.0f + 15.5f);
+  uint z = uint(clamp(n.z, -1.0f, 1.0f) * 15.0f + 15.5f);
+  return x | (y << 5u) | (z << 10u);
+}
+FB_FN vec3 unpack_coarse_normal(uint u) {
+  return vec3(float(u & 31u), float((u >> 5u) & 31u), float((u >> 10u) & 31u)) * (1.0f / 15.0f) - vec3(1.0f);
+}
+
+// Where a surface is and how it stands: 15 bits of normal, and 16 of 1 / depth: five of exponent, from 2^-25 to 2^7,
+// eleven of mantissa. Never 0.
 FB_FN uint pack_surface(float inverse_depth, vec3 n) {
   uint bits = floatBitsToUint(clamp(inverse_depth, 3.0e-8f, 100.0f));
   uint depth = ((bits + 0x800u) - 0x33000000u) >> 12u;
-  uint x = uint(clamp(n.x, -1.0f, 1.0f) * 15.0f + 15.5f), y = uint(clamp(n.y, -1.0f, 1.0f) * 15.0f + 15.5f);
-  uint z = uint(clamp(n.z, -1.0f, 1.0f) * 15.0f + 15.5f);
-  return (depth & 0xffffu) | (x << 16u) | (y << 21u) | (z << 26u);
+  return (depth & 0xffffu) | (pack_coarse_normal(n) << 16u);
 }
 FB_FN float unpack_surface_inverse_depth(uint u) { return uintBitsToFloat(((u & 0xffffu) << 12u) + 0x33000000u); }
-FB_FN vec3 unpack_surface_normal(uint u) {
-  return vec3(float((u >> 16u) & 31u), float((u >> 21u) & 31u), float((u >> 26u) & 31u)) * (1.0f / 15.0f) - vec3(1.0f);
-}
+FB_FN vec3 unpack_surface_normal(uint u) { return unpack_coarse_normal(u >> 16u); }
 
 FB_NAMESPACE_END
 #endif

@@ -39,10 +39,10 @@ struct FrameConstants {
   float time, prev_time, jitter_x, jitter_y;  // jitter in pixels, 0: pixel centre
   float adaptation;                           // of the exposure: weight of the new value, 1 at a cut
   uint swap_red_blue, quad_tiles_x, draw_quads, atlas_width;
-  uint technique_view;                        // the technique draws the debug view
-  uint previous_gbuffer;                      // kBindPreviousGBuffer holds the former frame's
-  uint light_first, light_end;                // elements of the list of lights; equal: there are none
-  uint former_first, former_end;              // its elements that say where the former frame's instances are now
+  uint technique_view;            // the technique draws the debug view
+  uint previous_gbuffer;          // kBindPreviousGBuffer holds the former frame's
+  uint light_first, light_end;    // triangles of the list of lights, then its alias table; equal: there are none
+  uint former_first, former_end;  // its elements that say where the former frame's instances are now
   uint history_parity, history_valid, still;  // still: the same snapshot again, so nothing has moved
   float mean_weight;                          // of the accumulated mean in the denoised picture
   FB_FRAME_SETTINGS(FB_UNIFORM_FIELD)

@@ -87,8 +87,9 @@ struct GpuMaterial {               // 80 bytes
 };
 
 // The list of lights. Element i below the number of instances: x is the element of instance i's triangle 0, kNoIndex if
-// nothing of it glows; its other triangles follow. Such an element: x ends its interval of [0, kLightRange), which
-// begins where the former one's ends; y is the instance. A random integer in that range chooses the triangle.
+// nothing of it glows; its other triangles follow. Such an element: x is its probability times kLightRange, an integer;
+// y is the instance. Behind these stands an alias table, an element for each of them (Walker 1977; Vose 1991): a random
+// integer in [0, kLightRange) below its x chooses the triangle in its own place, else the one in place y.
 //
 // A light's name is its instance and triangle. Instances are numbered anew each frame: for instance i of the former
 // frame, element frame.former_first + i has in x its number now, or kNoIndex where it is gone, and in y its id, which

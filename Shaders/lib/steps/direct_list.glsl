@@ -11,21 +11,15 @@ uint light_candidates();
 
 bool has_lights() { return frame.light_first < frame.light_end; }
 
-// The first element whose interval ends above u.
-uint light_at(uint u) {
-  uint low = frame.light_first, high = frame.light_end - 1u;
-  while (low < high) {
-    uint middle = (low + high) >> 1u;
-    if (lights.at[middle].x > u) high = middle;
-    else low = middle + 1u;
-  }
-  return low;
+// An element of the list, by the alias table.
+uint sample_light(inout uint rng) {
+  uint place, unused;
+  umulExtended(rng_next(rng), frame.light_end - frame.light_first, place, unused);
+  uvec2 alias = lights.at[frame.light_end + place];
+  return frame.light_first + ((rng_next(rng) & (kLightRange - 1u)) < alias.x ? place : alias.y);
 }
 
-float light_probability(uint element) {
-  uint begin = element == frame.light_first ? 0u : lights.at[element - 1u].x;
-  return float(lights.at[element].x - begin) / float(kLightRange);
-}
+float light_probability(uint element) { return float(lights.at[element].x) / float(kLightRange); }
 
 // Density with which the list finds a point of a triangle of the world at `distance`; 0: it is not in the list.
 float light_pdf(uint element, GpuTriangle t, float distance, vec3 direction) {
@@ -107,7 +101,7 @@ Aim aim_at_light(Vertex v, inout uint rng) {
   vec3 origin = scatter_origin(v.scatter, v.position);
   float sum = 0.0, target = 0.0;
   for (uint i = 0u; i < light_candidates(); ++i) {
-    uint element = light_at(rng_next(rng) & (kLightRange - 1u));
+    uint element = sample_light(rng);
     float root = sqrt(rng_uniform(rng)), along = rng_uniform(rng), pick = rng_uniform(rng);
     vec2 bary = vec2(root * (1.0 - along), root * along);
     uint instance = lights.at[element].y, triangle = element - lights.at[instance].x;
