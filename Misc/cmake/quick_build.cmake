@@ -33,7 +33,11 @@ function(fb_quick_test target)
     file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/fb_test_pch.cpp CONTENT "")
     add_library(fb_test_pch OBJECT ${CMAKE_BINARY_DIR}/fb_test_pch.cpp)
     target_link_libraries(fb_test_pch PRIVATE fb_options fb_base GTest::gmock)
-    target_compile_options(fb_test_pch PRIVATE $<IF:$<BOOL:${FULLBRIGHT_SANITIZE}>,-O0,-O1>)
+    if(FULLBRIGHT_SANITIZE)
+      target_compile_options(fb_test_pch PRIVATE -O0)
+    else()
+      target_compile_options(fb_test_pch PRIVATE -O1)
+    endif()
     target_precompile_headers(fb_test_pch PRIVATE <algorithm> <array> <functional> <memory> <optional> <span> <string>
                               <string_view> <vector> <fmt/format.h> <gmock/gmock.h> <gtest/gtest.h>
                               ${CMAKE_SOURCE_DIR}/Quake/base/maths.h)
