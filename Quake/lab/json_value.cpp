@@ -70,7 +70,7 @@ class Parser {
       if (value.find(key) != nullptr) return fail(fmt::format("{} is there twice", key));
       if (!take(':')) return fail("a colon is wanted");
       JsonValue member = read_value(depth + 1);
-      value.members.emplace_back(std::move(key), std::move(member));
+      value.members.push_back({std::move(key), std::move(member)});
     } while (error_.empty() && take(','));
     if (!take('}')) fail("a comma or } is wanted");
   }
@@ -165,8 +165,8 @@ class Parser {
 }  // namespace
 
 const JsonValue* JsonValue::find(std::string_view key) const {
-  const auto found = std::find_if(members.begin(), members.end(), [&](const auto& m) { return m.first == key; });
-  return found == members.end() ? nullptr : &found->second;
+  const auto found = std::find_if(members.begin(), members.end(), [&](const auto& m) { return m.key == key; });
+  return found == members.end() ? nullptr : &found->value;
 }
 
 Result<JsonValue> parse_json(std::string_view text, std::string_view name) { return Parser(text, name).parse(); }

@@ -3,12 +3,13 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "base/result.h"
 
 namespace fb::lab {
+
+struct JsonMember;
 
 struct JsonValue {
   enum class Kind { kNull, kBoolean, kNumber, kText, kArray, kObject };
@@ -16,11 +17,16 @@ struct JsonValue {
   int line = 1;  // where it begins, from 1
   bool boolean = false;
   double number = 0;
-  std::string text;                                        // of kText, UTF-8; of kNumber, as it was written
-  std::vector<JsonValue> items;                            // of kArray
-  std::vector<std::pair<std::string, JsonValue>> members;  // of kObject, in the file's order
+  std::string text;                 // of kText, UTF-8; of kNumber, as it was written
+  std::vector<JsonValue> items;     // of kArray
+  std::vector<JsonMember> members;  // of kObject, in the file's order
 
   const JsonValue* find(std::string_view key) const;  // null if there is no such member
+};
+
+struct JsonMember {
+  std::string key;
+  JsonValue value;
 };
 
 constexpr int kMaxJsonDepth = 32;
