@@ -4,7 +4,8 @@
 #
 # The test program runs as test NAME. Filters of GoogleTest move tests of it out, to tests of their own with a label:
 #   STATISTICAL "A*:B*"  NAME_statistical: hypothesis tests over many frames, whose host code other tests run, too
-#   INTERSECTOR "C*"     NAME_intersector: what another driver may do otherwise; "*" labels the whole program
+#   INTERSECTOR "C*"     NAME_intersector: what another driver may do otherwise; "*" labels the whole program,
+#                        else label repeats, too: the host code is run by NAME already
 #   SHARDS n             each of these in n parts, which may run side by side
 function(fb_add_gtest name program filter label shards)
   foreach(shard RANGE 1 ${shards})
@@ -47,7 +48,7 @@ function(fb_module name)
         fb_add_gtest(${name}_statistical ${name}_test "${M_STATISTICAL}" statistical ${M_SHARDS})
       endif()
       if(M_INTERSECTOR)
-        fb_add_gtest(${name}_intersector ${name}_test "${M_INTERSECTOR}" intersector ${M_SHARDS})
+        fb_add_gtest(${name}_intersector ${name}_test "${M_INTERSECTOR}" "intersector;repeats" ${M_SHARDS})
       endif()
     else()
       fb_add_gtest(${name} ${name}_test "*" "" 1)
