@@ -8,7 +8,7 @@ option(FULLBRIGHT_QUICK_BUILD "Compile sources in groups, with precompiled heade
 
 if(FULLBRIGHT_QUICK_BUILD)
   set(CMAKE_UNITY_BUILD ON)
-  set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
   # A class that is private to its file may hold what is private to it, too.
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
@@ -16,6 +16,14 @@ endif()
 # Files whose private names are those of another file of their target: they are compiled alone.
 function(fb_compile_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# Tests that calculate for long by their own text: optimised under the sanitizers too, where other tests are not.
+function(fb_optimised_tests)
+  if(FULLBRIGHT_SANITIZE)
+    fb_compile_alone(${ARGN})
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O1 SKIP_PRECOMPILE_HEADERS ON)
+  endif()
 endfunction()
 
 function(fb_quick_test target)

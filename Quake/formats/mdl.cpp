@@ -10,7 +10,7 @@
 namespace fb::formats {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x4f504449u;  // "IDPO"
+constexpr std::uint32_t kMdlMagic = 0x4f504449u;  // "IDPO"
 constexpr std::size_t kTexCoordSize = 12, kTriangleSize = 16, kVertexSize = 4;
 constexpr std::size_t kPoseHeaderSize = 24;  // two corners and a name
 
@@ -74,7 +74,7 @@ bool MdlParser::read_vec3(vec3& v, const char* what) {
 
 bool MdlParser::read_header() {
   const std::uint32_t magic = reader_.u32();
-  if (reader_.failed() || magic != kMagic) return refuse(0, "no alias model: it does not begin with IDPO");
+  if (reader_.failed() || magic != kMdlMagic) return refuse(0, "no alias model: it does not begin with IDPO");
   const std::int32_t version = reader_.i32();
   if (reader_.failed() || version != 6)
     return refuse(4, "alias model has version " + std::to_string(version) + ", not 6");

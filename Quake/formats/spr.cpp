@@ -9,7 +9,7 @@
 namespace fb::formats {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x50534449u;  // "IDSP"
+constexpr std::uint32_t kSprMagic = 0x50534449u;  // "IDSP"
 constexpr std::size_t kImageHeaderSize = 16;
 
 std::optional<Error> read_image(ByteReader& reader, SprFrame& frame) {
@@ -60,7 +60,7 @@ std::optional<Error> read_frame(ByteReader& reader, SprFrame& frame) {
 Result<Spr> parse_spr(ByteView data, std::string_view name) {
   ByteReader reader(data, name);
   const std::uint32_t magic = reader.u32();
-  if (reader.failed() || magic != kMagic) return reader.error_at(0, "no sprite: it does not begin with IDSP");
+  if (reader.failed() || magic != kSprMagic) return reader.error_at(0, "no sprite: it does not begin with IDSP");
   const std::int32_t version = reader.i32();
   const std::int32_t orientation = reader.i32();
   Spr spr;

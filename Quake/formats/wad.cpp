@@ -4,7 +4,7 @@
 namespace fb::formats {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x32444157u;  // "WAD2"
+constexpr std::uint32_t kWadMagic = 0x32444157u;  // "WAD2"
 constexpr std::size_t kEntrySize = 32;
 constexpr int kConcharsSize = 128;
 
@@ -22,7 +22,7 @@ Result<Wad> Wad::parse(FileData data, std::string_view name) {
   Wad wad;
   ByteReader reader(data, name);
   const std::uint32_t magic = reader.u32();
-  if (reader.failed() || magic != kMagic) return reader.error_at(0, "no archive: it does not begin with WAD2");
+  if (reader.failed() || magic != kWadMagic) return reader.error_at(0, "no archive: it does not begin with WAD2");
   const std::uint32_t count = reader.u32();
   const std::uint32_t directory = reader.u32();
   if (reader.failed()) return reader.error("file ends inside the archive's header");

@@ -19,7 +19,7 @@ struct Theirs {
   const char* value;
 };
 // 0.96.3; but for cmdline, which is as QuakeSpasm was started.
-constexpr Theirs kTheirs[] = {
+constexpr Theirs kTheirCvars[] = {
     {"_cl_color", "0"},
     {"_cl_name", "player"},
     {"_snd_mixahead", "0.1"},
@@ -271,7 +271,7 @@ class QuakeSpasmCvarsTest : public testing::Test {
 };
 
 TEST_F(QuakeSpasmCvarsTest, AreThereWithTheirDefaults) {
-  for (const Theirs& theirs : kTheirs) {
+  for (const Theirs& theirs : kTheirCvars) {
     const con::Cvar* cvar = engine->console().find_cvar(theirs.name);
     ASSERT_NE(cvar, nullptr) << theirs.name;
     const auto ours = kOurs.find(theirs.name);
@@ -286,7 +286,7 @@ TEST_F(QuakeSpasmCvarsTest, AreThereWithTheirDefaults) {
 
 TEST_F(QuakeSpasmCvarsTest, AConfigurationOfTheirsSetsThemWithoutAWord) {
   std::string config;
-  for (const Theirs& theirs : kTheirs) {
+  for (const Theirs& theirs : kTheirCvars) {
     if (std::string_view(theirs.name) != "registered")
       config += std::string(theirs.name) + " \"" + theirs.value + "\"\n";
   }

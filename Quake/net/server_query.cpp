@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kAskAgain = 0.75, kSearchFor = 1.5;  // seconds
 constexpr double kInquireAgain = 0.5, kInquireFor = 3.0;
-constexpr int kMostPacketsACall = 256, kMostPlayers = 255;
+constexpr int kMostAnswersACall = 256, kMostPlayers = 255;
 constexpr std::size_t kMostRules = 256;
 
 }  // namespace
@@ -35,7 +35,7 @@ void ServerSearch::ask() {
 }
 
 void ServerSearch::take_replies(Socket& socket) {
-  for (int i = 0; i < kMostPacketsACall; ++i) {
+  for (int i = 0; i < kMostAnswersACall; ++i) {
     const auto datagram = socket.receive_from();
     if (!datagram) return;
     const auto reply = parse_control_reply(datagram->data);
@@ -54,7 +54,7 @@ ServerInquiry::ServerInquiry(Network& network, const Address& server) : server_(
 bool ServerInquiry::poll(double now) {
   if (!socket_) return false;
   if (started_ < 0.0) started_ = next_ask_ = now;
-  for (int i = 0; i < kMostPacketsACall; ++i) {
+  for (int i = 0; i < kMostAnswersACall; ++i) {
     const auto datagram = socket_->receive_from();
     if (!datagram) break;
     if (datagram->from != server_) continue;

@@ -10,6 +10,7 @@
 
 #include "base/hash.h"
 #include "render/test_device.h"
+#include "render/test_image.h"
 #include "scene/in_code/scenes_in_code.h"
 
 namespace fb::render {
@@ -26,27 +27,6 @@ RenderSettings guided(int spp, int bounces, const std::function<void(RenderSetti
   return s;
 }
 
-// Mean of the red channel and its standard error. Given what was learnt before, samples are independent and unbiased,
-// so pixels and frames are uncorrelated and their spread tells the error.
-struct Estimate {
-  double mean = 0, error = 0;
-};
-Estimate estimate(const Renderer& renderer) {
-  double sum = 0, sum2 = 0;
-  const auto image = renderer.read().linear();
-  for (const vec4& p : image) {
-    sum += p.x;
-    sum2 += static_cast<double>(p.x) * p.x;
-  }
-  const double n = static_cast<double>(image.size()), mean = sum / n;
-  return {mean, std::sqrt(std::max(0.0, sum2 / n - mean * mean) / n)};
-}
-
-std::uint64_t image_hash(const Renderer& renderer) {
-  const auto image = renderer.read().linear();
-  return hash_span(std::span<const vec4>(image));
-}
-
 void render_frames(Renderer& renderer, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
                    int frames) {
   for (int i = 0; i < frames; ++i) renderer.render(snapshot, nullptr, settings);
@@ -60,7 +40,7 @@ void expect_furnace(const Renderer& renderer, int bounces, double albedo, const 
   double expected = 0;
   for (int k = 0; k <= bounces; ++k) expected += std::pow(albedo, k);
   expected *= static_cast<double>(kEmission);
-  const Estimate e = estimate(renderer);
+  const ImageEstimate e = image_estimate(renderer.read().linear());
   EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 4e-6 * expected) << what;
   EXPECT_LT(e.error, 0.01 * expected) << what << ": the test can see little";
   EXPECT_EQ(renderer.read().counters().not_finite, 0u) << what;
@@ -114,7 +94,7 @@ TEST_F(GuideTest, FurnaceHasItsClosedFormThirtyThousandUnitsAway) {
       const RenderSettings s = guided(4, 2, change);
       render_frames(*renderer, scene, s, 6);
       // Positions are rounded to 2^-9 there, so more rays start or end behind a surface.
-      const Estimate e = estimate(*renderer);
+      const ImageEstimate e = image_estimate(renderer->read().linear());
       const double a = static_cast<double>(kAlbedo), expected = static_cast<double>(kEmission) * (1 + a + a * a);
       EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 1e-3 * expected) << name;
       EXPECT_EQ(renderer->read().counters().not_finite + renderer->read().counters().states_not_finite, 0u) << name;
@@ -168,7 +148,7 @@ TEST_F(GuideTest, EveryShapeOfTheMixture) {
 TEST_F(GuideTest, FullTablesKeepTheMean) {
   const auto full = [](RenderSettings& s) { s.mc_states = s.mc_cells = 1024; };
   for (const auto& scene : {scene::cornell_box(), scene::many_lights(200)}) {
-    Estimate found[2];
+    ImageEstimate found[2];
     for (const bool guide : {false, true}) {
       RenderSettings s = guided(4, 2, full);
       if (!guide) s.estimator = "pt";
@@ -180,7 +160,8 @@ TEST_F(GuideTest, FullTablesKeepTheMean) {
       double variance = 0;
       const auto variances = renderer->read().variance_of_mean();
       for (const vec4& v : variances) variance += v.x;
-      found[guide] = {estimate(*renderer).mean, std::sqrt(variance) / static_cast<double>(variances.size())};
+      found[guide] = {image_estimate(renderer->read().linear()).mean,
+                      std::sqrt(variance) / static_cast<double>(variances.size())};
     }
     const double error = std::hypot(found[0].error, found[1].error);
     EXPECT_NEAR(found[1].mean, found[0].mean, 4.5 * error);

@@ -12,6 +12,7 @@
 #include "base/hash.h"
 #include "render/frame_constants.h"
 #include "render/test_device.h"
+#include "render/test_image.h"
 #include "render/test_motion.h"
 #include "scene/in_code/scenes_in_code.h"
 #include "scene/shapes.h"
@@ -29,20 +30,6 @@ RenderSettings settings_for(Intersector intersector, int spp, int bounces) {
   return s;
 }
 
-// Mean over the image's red channel, and the standard error of that mean from the pixels' own spread.
-struct Estimate {
-  double mean = 0, error = 0;
-};
-Estimate image_estimate(const std::vector<vec4>& image) {
-  double sum = 0, sum2 = 0;
-  for (const vec4& p : image) {
-    sum += p.x;
-    sum2 += static_cast<double>(p.x) * p.x;
-  }
-  const double n = static_cast<double>(image.size()), mean = sum / n;
-  return {mean, std::sqrt(std::max(0.0, sum2 / n - mean * mean) / n)};
-}
-
 TEST_F(RendererTest, FurnaceGivesItsClosedForm) {
   for (const Intersector intersector : intersectors()) {
     for (const bool objects : {false, true}) {
@@ -50,7 +37,7 @@ TEST_F(RendererTest, FurnaceGivesItsClosedForm) {
         const float emission = 0.7f;
         auto renderer = make_renderer(settings_for(intersector, 4, 2), 96, 64);
         renderer->render(scene::furnace(albedo, emission, objects), nullptr, settings_for(intersector, 4, 2));
-        const Estimate e = image_estimate(renderer->read().linear());
+        const ImageEstimate e = image_estimate(renderer->read().linear());
         const double expected = emission * (1.0 + albedo + albedo * albedo);
         // Every path has the same value, so the spread comes from lost rays alone: 4.5 sigma and rounding.
         EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 4e-6 * expected)
@@ -101,7 +88,7 @@ TEST_F(RendererTest, OneLightLightsTheFloorAsTheFormulaSays) {
   const RenderSettings s = settings_for(Intersector::kBvh, 256, 1);
   auto renderer = make_renderer(s, 48, 48);
   renderer->render(snapshot, nullptr, s);
-  const Estimate e = image_estimate(renderer->read().linear());
+  const ImageEstimate e = image_estimate(renderer->read().linear());
   const double distance = 128, expected = albedo * radiance * radius * radius / (distance * distance);
   // 2%: the mesh of 80 triangles stands for the sphere only on average over its orientations.
   EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 0.02 * expected);
@@ -154,7 +141,7 @@ TEST_F(RendererTest, PanesInOnePlaceAllHaveTheirTurn) {
       const RenderSettings s = settings_for(intersector, 1, 0);
       auto renderer = make_renderer(s, 128, 128);
       renderer->render(snapshot, nullptr, s);
-      const Estimate e = image_estimate(renderer->read().linear());
+      const ImageEstimate e = image_estimate(renderer->read().linear());
       EXPECT_NEAR(e.mean, passed, 4.5 * e.error) << renderer->intersector_name() << ' ' << alphas.size();
     }
   }
@@ -209,11 +196,6 @@ TEST_F(RendererTest, MotionCarriesPointsToWhereTheyWere) {
 }
 
 // --- repetition and agreement ---
-
-std::uint64_t image_hash(const Renderer& renderer) {
-  const auto image = renderer.read().linear();
-  return hash_span(std::span<const vec4>(image));
-}
 
 TEST_F(RendererTest, TheSameSeedGivesTheSameBitsAndAnotherSeedDoesNot) {
   RenderSettings s = settings_for(Intersector::kBvh, 2, 2);

@@ -16,7 +16,7 @@
 namespace fb::sv {
 namespace {
 
-constexpr const char* kSource = R"(
+constexpr const char* kSoundsSource = R"(
 string(string s) precache_sound = #19;
 string(string s) precache_model = #20;
 void(entity e, string m) setmodel = #3;
@@ -51,7 +51,7 @@ class QuakeSpasmNet : public ::testing::Test {
   void SetUp() override {
     if (const std::string lacks = testing::quakespasm_lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
     // A list of sounds that makes the first message longer than any piece of ours.
-    std::string source = kSource, sounds;
+    std::string source = kSoundsSource, sounds;
     for (int i = 0; i < 100; ++i) sounds += fmt::format("precache_sound(\"a/rather/long/name/of/a/sound/{}.wav\");", i);
     source.replace(source.find("SOUNDS"), 6, sounds);
     const progs::testing::Compiled compiled = progs::testing::compile(source);

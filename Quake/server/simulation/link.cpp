@@ -11,13 +11,6 @@ namespace {
 int list_id(EdictId id) { return static_cast<int>(index(id)); }
 EdictId edict_id(int list_id) { return EdictId{static_cast<std::uint32_t>(list_id)}; }
 
-Bounds linked_box(const Edict& edict) {
-  Bounds box;
-  box.min = edict.get(fields::absmin);
-  box.max = edict.get(fields::absmax);
-  return box;
-}
-
 bool is_touched_by(const Edict& trigger, const Bounds& box) {
   return trigger.get(fields::touch) != FunctionId::kNull && trigger.get(fields::solid) == kSolidTrigger &&
          world::boxes_meet(box, linked_box(trigger));
@@ -124,6 +117,13 @@ class MoveClip {
 };
 
 }  // namespace
+
+Bounds linked_box(const Edict& edict) {
+  Bounds box;
+  box.min = edict.get(fields::absmin);
+  box.max = edict.get(fields::absmax);
+  return box;
+}
 
 std::string describe(Level& level, EdictId id) {
   const Edict edict = level.edict(id);

@@ -14,6 +14,8 @@ namespace fb::sv {
 // units to the sides, since they are easier to pick up), the leafs that it is in, and puts it into its area.
 // `touch_triggers`: calls the touch functions of the triggers that it is in.
 void link_edict(Level& level, EdictId id, bool touch_triggers = false);
+// Where an edict was linked: absmin and absmax.
+Bounds linked_box(const Edict& edict);
 // SV_UnlinkEdict.
 void unlink_edict(Level& level, EdictId id);
 // SV_TouchLinks, for what is linked.

@@ -6,13 +6,6 @@
 namespace fb::sv {
 namespace {
 
-Bounds linked_box(const Edict& edict) {
-  Bounds box;
-  box.min = edict.get(fields::absmin);
-  box.max = edict.get(fields::absmax);
-  return box;
-}
-
 // Whether a box is inside of an edict that has contents by its skin: of its model, where that is made of brushes.
 bool holds(Level& level, const Edict& volume, const Bounds& box) {
   if (!world::boxes_meet(box, linked_box(volume))) return false;
