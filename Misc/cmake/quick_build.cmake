@@ -3,7 +3,7 @@
 # file compiles a group anew, and a compiler cache finds less.
 #
 # Precompiled headers are not for the libraries: with them GCC 12 does not recognise system headers, and warns about their
-# code.
+# code; clang under the sanitizers gains nothing.
 option(FULLBRIGHT_QUICK_BUILD "Compile sources in groups, with precompiled headers for the tests" OFF)
 
 if(FULLBRIGHT_QUICK_BUILD)
@@ -26,29 +26,34 @@ function(fb_optimised_tests)
   endif()
 endfunction()
 
+# Programs that calculate little by their own text.
+function(fb_quick_program target)
+  if(FULLBRIGHT_SANITIZE)
+    target_compile_options(${target} PRIVATE -O0)
+  endif()
+endfunction()
+
 function(fb_quick_test target)
   if(FULLBRIGHT_SANITIZE)
-    target_compile_options(${target} PRIVATE -O0)  # half of a sanitized build is the tests' own text
-  elseif(FULLBRIGHT_QUICK_BUILD)
+    set(options -O0)  # half of a sanitized build is the tests' own text
+  else()
+    set(options -O1)
+  endif()
+  if(FULLBRIGHT_SANITIZE OR FULLBRIGHT_QUICK_BUILD)
     # With little optimisation GCC 12 sees std::string copy beyond its own buffer.
-    target_compile_options(${target} PRIVATE -O1 $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
+    target_compile_options(${target} PRIVATE ${options} $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
                            $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>)
   endif()
-  if(NOT FULLBRIGHT_QUICK_BUILD)
-    return()
-  endif()
-  if(NOT TARGET fb_test_pch)
-    file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/fb_test_pch.cpp CONTENT "")
-    add_library(fb_test_pch OBJECT ${CMAKE_BINARY_DIR}/fb_test_pch.cpp)
-    target_link_libraries(fb_test_pch PRIVATE fb_options fb_base GTest::gmock)
-    if(FULLBRIGHT_SANITIZE)
-      target_compile_options(fb_test_pch PRIVATE -O0)
-    else()
-      target_compile_options(fb_test_pch PRIVATE -O1)
+  if(FULLBRIGHT_QUICK_BUILD)
+    if(NOT TARGET fb_test_pch)
+      file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/fb_test_pch.cpp CONTENT "")
+      add_library(fb_test_pch OBJECT ${CMAKE_BINARY_DIR}/fb_test_pch.cpp)
+      target_link_libraries(fb_test_pch PRIVATE fb_options fb_base GTest::gmock)
+      target_compile_options(fb_test_pch PRIVATE ${options})
+      target_precompile_headers(fb_test_pch PRIVATE <algorithm> <array> <functional> <memory> <optional> <span> <string>
+                                <string_view> <vector> <fmt/format.h> <gmock/gmock.h> <gtest/gtest.h>
+                                ${CMAKE_SOURCE_DIR}/Quake/base/maths.h)
     endif()
-    target_precompile_headers(fb_test_pch PRIVATE <algorithm> <array> <functional> <memory> <optional> <span> <string>
-                              <string_view> <vector> <fmt/format.h> <gmock/gmock.h> <gtest/gtest.h>
-                              ${CMAKE_SOURCE_DIR}/Quake/base/maths.h)
+    target_precompile_headers(${target} REUSE_FROM fb_test_pch)
   endif()
-  target_precompile_headers(${target} REUSE_FROM fb_test_pch)
 endfunction()

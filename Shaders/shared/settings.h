@@ -22,7 +22,7 @@
   X(float, exposure, "r_exposure", 1, 0.0001f, 10000, "exposure: a factor on the automatic one; the whole exposure where r_autoexposure is 0") \
   X(float, exposure_target, "r_exposure_target", 0.16f, 0.001f, 10, "mean luminance that automatic exposure aims at") \
   X(float, exposure_time, "r_exposure_time", 0.7f, 0, 60, "time constant of automatic exposure, seconds") \
-  X(int, tone_map, "r_tonemap", 1, 0, 1, "tone mapping: 0 clamps at white, 1 is a filmic curve") \
+  X(int, tone_map, "r_tonemap", 1, 0, 1, "tone mapping: 0 clamps at white, 1 is a filmic curve that keeps colours") \
   X(int, fxaa, "r_fxaa", 1, 0, 1, "anti-alias the finished picture by FXAA (unless r_taa does)") \
   X(int, debug_view, "r_debug", 0, 0, 30, "show a buffer in the place of the picture, by name or number; Misc/docs/settings.md lists them")
 

@@ -50,9 +50,10 @@ TEST_F(SuiteTest, ReadsViews) {
   EXPECT_FALSE(b.quick);
 }
 
-TEST_F(SuiteTest, RefusesInOneSentenceWithTheLine) {
+TEST_F(SuiteTest, RefusesInOneSentenceWithThePlace) {
   const auto view = [&](const std::string& members) { return message("{\"views\": [\n{" + members + "}]}"); };
-  EXPECT_THAT(view(R"("name": "a", "scene": "cbox")"), HasSubstr("suite.json:2: \"frames\": [FIRST, LAST] is wanted"));
+  EXPECT_THAT(view(R"("name": "a", "scene": "cbox")"),
+              HasSubstr("suite.json: views[0]: \"frames\": [FIRST, LAST] is wanted"));
   EXPECT_THAT(view(R"("name": "a", "scene": "cbox", "frames": [2, 1])"), HasSubstr("the last comes before the first"));
   EXPECT_THAT(view(R"("name": "a", "scene": "cbox", "frames": [2, 3], "warmup": 3)"), HasSubstr("only 2 frames"));
   EXPECT_THAT(view(R"("name": "a", "scene": "cbox", "frames": [0, 1.5])"), HasSubstr("a whole number"));
@@ -65,7 +66,17 @@ TEST_F(SuiteTest, RefusesInOneSentenceWithTheLine) {
   EXPECT_THAT(message("{}"), HasSubstr("\"views\""));
   EXPECT_THAT(message(R"({"include": "suite.json", "views": []})"), HasSubstr("include each other"));
   const std::string twice = R"({"name": "a", "scene": "cbox", "frames": [0, 1]})";
-  EXPECT_THAT(message("{\"views\": [" + twice + ",\n" + twice + "]}"), HasSubstr("suite.json:2: a is there twice"));
+  EXPECT_THAT(message("{\"views\": [" + twice + ",\n" + twice + "]}"),
+              HasSubstr("suite.json: views[1]: a is there twice"));
+  EXPECT_THAT(view(R"("name": "a", "name": "b", "scene": "x", "frames": [0, 1])"),
+              HasSubstr("\"name\" is there twice"));
+  EXPECT_THAT(message("[1]"), HasSubstr("suite.json: an object in { } is wanted"));
+  EXPECT_THAT(message("{\"views\": [\n5]}"), HasSubstr("views[0]: an object in { } is wanted"));
+  EXPECT_THAT(message(std::string(100000, '[')), HasSubstr("suite.json: "));
+  const std::string whole = "{\"views\": [\n" + twice + "]}";
+  ASSERT_EQ(message(whole), "");
+  EXPECT_THAT(message("{\"views\": [\n{name: 1}]}"), HasSubstr("parse error at line 2"));
+  for (std::size_t cut = 0; cut < whole.size(); ++cut) EXPECT_NE(message(whole.substr(0, cut)), "") << cut;
   EXPECT_THAT(read_suite(directory_.file("none.json")).error().message, HasSubstr("none.json"));
 }
 
