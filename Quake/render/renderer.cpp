@@ -255,6 +255,9 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.technique_view = shows_view();
   constants.previous_gbuffer = previous_valid && !snapshot.cut;
   denoiser.fill(constants, snapshot, settings, scene == last_scene);
+  if (settings.texture_filter < 0)
+    constants.texture_filter =
+        static_cast<std::int32_t>(constants.denoise != 0 ? shared::kFilterFootprint : shared::kFilterNearest);
   std::memcpy(uniform.mapped(), &constants, sizeof(constants));
 
   key = now;

@@ -24,9 +24,23 @@ struct Shade {
   vec3 emission;
 };
 
-// Colour and own radiance of a point; a sky's radiance is added by who knows the direction. `smooth_texels`: bilinear, else
-// nearest. All texels come through one fetch in a loop, since a driver's compiler takes long over every copy of it.
-Shade shade_point(GpuMaterial m, uint instance_index, vec2 uv, bool smooth_texels) {
+// How a texture is looked up: one of kFilter*; `footprint`: what a step of a pixel to the right and one down are in texture
+// coordinates, for kFilterFootprint.
+struct TextureFilter {
+  uint kind;
+  mat2 footprint;
+};
+const TextureFilter kNearest = TextureFilter(kFilterNearest, mat2(0.0));
+
+// Four points of a pixel, one in each quarter of it, relative to where the camera's ray meets the texture. Rays are jittered
+// about the pixel's middle; over the frames the points cover the pixel, and no more.
+vec2 footprint_tap(TextureFilter filtered, vec2 quarter) {
+  return filtered.footprint * (0.5 * quarter - 0.25 - 0.5 * vec2(frame.jitter_x, frame.jitter_y));
+}
+
+// Colour and own radiance of a point; a sky's radiance is added by who knows the direction. All texels come through one fetch
+// in a loop, since a driver's compiler takes long over every copy of it.
+Shade shade_point(GpuMaterial m, uint instance_index, vec2 uv, TextureFilter filtered) {
   if ((instances.at[instance_index].flags & kInstanceHasColor) != 0u) {
     return Shade(instances.at[instance_index].color.rgb, instances.at[instance_index].emission.rgb);
   }
@@ -41,15 +55,16 @@ Shade shade_point(GpuMaterial m, uint instance_index, vec2 uv, bool smooth_texel
   bool some_glow = m.emission_kind == kEmissionFullbright && !has_luma && (m.flags & kMaterialNoFullbright) == 0u;
   vec2 size = vec2(image_size(m.base));
   vec2 corner = floor(uv * size - 0.5), f = uv * size - 0.5 - corner;
-  uint taps = smooth_texels ? 4u : 1u;
+  bool smooth_texels = filtered.kind == kFilterBilinear, wide = filtered.kind == kFilterFootprint;
+  uint taps = smooth_texels || wide ? 4u : 1u;
   uint fetches = has_luma ? 2u * taps : taps;
   Shade s = Shade(vec3(0.0), vec3(0.0));
   for (uint i = 0u; i < fetches; ++i) {
     uint tap = i & (taps - 1u);
     vec2 offset = vec2(tap & 1u, tap >> 1u);
     vec2 weights = mix(1.0 - f, f, offset);
-    float weight = smooth_texels ? weights.x * weights.y : 1.0;
-    vec2 at = smooth_texels ? (corner + offset + 0.5) / size : uv;
+    float weight = smooth_texels ? weights.x * weights.y : wide ? 0.25 : 1.0;
+    vec2 at = smooth_texels ? (corner + offset + 0.5) / size : wide ? uv + footprint_tap(filtered, offset) : uv;
     Texel texel = nearest_texel(i < taps ? m.base : m.luma, at, clamped);
     if (i >= taps) {
       s.emission += weight * texel.color;

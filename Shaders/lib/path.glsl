@@ -57,7 +57,7 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
     if (dark && !kLearns) break;
     Surface s;
     s.emission = vec3(0.0);
-    if (!dark || !kLearns) s = load_surface(incident.hit, proposal.direction, false, path.last);
+    if (!dark || !kLearns) s = load_surface(incident.hit, proposal.direction, kFilterNearest, path.last);
     if (kLooksForLight) s.emission *= met_share(v, incident.hit, proposal, s.emission);
     incident.emission = s.emission;
     incident.reflection = vec3(0.0);

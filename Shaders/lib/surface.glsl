@@ -118,18 +118,43 @@ vec3 mapped_normal(vec3 texel, GpuAttribute a, GpuTriangle t, vec3 n) {
 }
 
 // Normal map and gloss image, where there are any.
-void apply_detail(inout Surface s, inout float roughness, GpuMaterial m, GpuAttribute a, GpuTriangle t, vec2 uv) {
+void apply_detail(inout Surface s, inout float roughness, GpuMaterial m, GpuAttribute a, GpuTriangle t, vec2 uv, TextureFilter filtered) {
   uint first = m.normal != kNoIndex ? 0u : 1u, last = FEATURE_SPECULAR && m.gloss != kNoIndex ? 2u : 1u;
+  bool clamped = (m.flags & kMaterialClampTexture) != 0u;
   for (uint i = first; i < last; ++i) {
-    Texel texel = nearest_texel(i == 0u ? m.normal : m.gloss, uv, (m.flags & kMaterialClampTexture) != 0u);
-    if (i == 0u) s.shading_normal = mapped_normal(texel.color, a, t, s.shading_normal);
-    else roughness = 1.0 - texel.color.x;
+    uint image = i == 0u ? m.normal : m.gloss;
+    vec3 color = vec3(0.0);
+    if (filtered.kind == kFilterFootprint) {
+      for (uint tap = 0u; tap < 4u; ++tap)
+        color += 0.25 * nearest_texel(image, uv + footprint_tap(filtered, vec2(tap & 1u, tap >> 1u)), clamped).color;
+    } else {
+      color = nearest_texel(image, uv, clamped).color;
+    }
+    if (i == 0u) s.shading_normal = mapped_normal(color, a, t, s.shading_normal);
+    else roughness = 1.0 - color.x;
   }
 }
 
+// The pixel's footprint on a triangle that the camera's ray meets at this depth along the view, in texture coordinates (ray
+// differentials, Igehy 1999).
+mat2 uv_footprint(GpuTriangle t, GpuAttribute a, vec3 ray, float depth) {
+  vec3 n = cross(t.e1.xyz, t.e2.xyz);
+  float square = dot(n, n), facing = dot(n, ray);
+  float least = 1e-3 * sqrt(square * dot(ray, ray));
+  facing = abs(facing) > least ? facing : facing < 0.0 ? -least : least;
+  vec3 steps[2] = vec3[](frame.camera_right.xyz * (2.0 / float(frame.width)), frame.camera_up.xyz * (-2.0 / float(frame.height)));
+  mat2 footprint;
+  for (int i = 0; i < 2; ++i) {
+    vec3 moved = depth * (steps[i] - ray * (dot(n, steps[i]) / facing));
+    vec2 bary = vec2(dot(cross(moved, t.e2.xyz), n), dot(cross(t.e1.xyz, moved), n)) / max(square, 1e-20);
+    footprint[i] = (a.uv1 - a.uv0) * bary.x + (a.uv2 - a.uv0) * bary.y;
+  }
+  return footprint;
+}
+
 // The surface that a ray meets; where it meets none (hit.instance is kNoIndex), emission is the sky's and nothing else
-// counts. `end_of_path`: emission is all that is wanted.
-Surface load_surface(Hit hit, vec3 direction, bool smooth_texels, bool end_of_path) {
+// counts. `end_of_path`: emission is all that is wanted. `filter_kind`: of textures, kFilterFootprint for camera rays alone.
+Surface load_surface(Hit hit, vec3 direction, uint filter_kind, bool end_of_path) {
   Surface s;
   s.emission = vec3(0.0);
   vec3 sky_factor = vec3(1.0);
@@ -140,7 +165,11 @@ Surface load_surface(Hit hit, vec3 direction, bool smooth_texels, bool end_of_pa
     s.material = instances.at[hit.instance].material_base + a.material;
     GpuMaterial m = materials.at[s.material];
     vec2 uv = hit_uv(record, hit.bary);
-    Shade shade = shade_point(m, hit.instance, uv, smooth_texels);
+    TextureFilter filtered = TextureFilter(filter_kind, mat2(0.0));
+    if (filter_kind == kFilterFootprint)
+      filtered.footprint = uv_footprint(world_triangle(hit.instance, hit.triangle), a, direction,
+                                        hit.t * dot(direction, frame.camera_forward.xyz));
+    Shade shade = shade_point(m, hit.instance, uv, filtered);
     s.emission = shade.emission;
     sky = m.emission_kind == kEmissionSky && (instances.at[hit.instance].flags & kInstanceHasColor) == 0u;
     sky_factor = m.emission.rgb;
@@ -158,7 +187,7 @@ Surface load_surface(Hit hit, vec3 direction, bool smooth_texels, bool end_of_pa
         }
       }
       float roughness = m.roughness;
-      if (has_feature(kFeatureDetail)) apply_detail(s, roughness, m, a, t, uv);
+      if (has_feature(kFeatureDetail)) apply_detail(s, roughness, m, a, t, uv, filtered);
       // A shading normal that faces away from the ray is bent back until it does not.
       float facing = dot(s.shading_normal, direction);
       if (facing > -0.02) s.shading_normal = normalize(s.shading_normal - direction * (facing + 0.02));

@@ -34,7 +34,7 @@ void main() {
   bool missed = hit.instance == kNoIndex;
   GBufferTexel texel = GBufferTexel(vec4(0.0), vec4(0.0, 0.0, 0.0, 1.0), vec4(0.0), 0u, 0u, 0u, 0u, vec4(0.0));
   if (!missed || frame.sky_beyond != 0u) {
-    Surface s = load_surface(hit, direction, frame.texture_filter != 0u, missed);
+    Surface s = load_surface(hit, direction, uint(frame.texture_filter), missed);
     texel.emission_specular = vec4(s.emission, 0.0);
     if (!missed) fill_texel(texel, s, hit, point, hit.t / length(ray));
   }

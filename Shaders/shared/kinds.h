@@ -16,6 +16,11 @@ FB_CONST uint kMaterialLiquid = 4u;         // a liquid's surface (r_wateralpha 
 FB_CONST uint kMaterialNoFullbright = 8u;   // indices 224..255 are plain colours
 FB_CONST uint kMaterialClampTexture = 16u;  // skins and sprites: texture coordinates do not wrap
 
+// How textures are looked up (r_texture_filter).
+FB_CONST uint kFilterNearest = 0u;
+FB_CONST uint kFilterBilinear = 1u;   // of the four texels about the point
+FB_CONST uint kFilterFootprint = 2u;  // the mean over the pixel, by a point in each of its quarters
+
 // GpuMaterial::emission_kind (scene::EmissionKind).
 FB_CONST uint kEmissionNone = 0u;        // does not glow
 FB_CONST uint kEmissionFullbright = 1u;  // palette indices 224..255 of base, or the texels of `luma`

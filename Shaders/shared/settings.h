@@ -17,7 +17,7 @@
   X(int, spp, "r_spp", 1, 1, 4096, "samples (paths) per pixel and frame") \
   X(int, bounces, "r_bounces", 2, 0, 64, "most reflections of a path; 0 shows emission alone") \
   X(int, seed, "r_seed", 0, 0, 2147483647, "seed of the random numbers; the same seed gives the same picture") \
-  X(int, texture_filter, "r_texture_filter", 0, 0, 1, "filter of textures that camera rays hit: 0 nearest texel, 1 bilinear") \
+  X(int, texture_filter, "r_texture_filter", -1, -1, 2, "filter of textures that camera rays hit: 0 nearest texel, 1 bilinear, 2 mean over the pixel; -1: 2 with the denoiser, else 0") \
   X(int, auto_exposure, "r_autoexposure", 1, 0, 1, "automatic exposure: adapt to the picture's mean luminance") \
   X(float, exposure, "r_exposure", 1, 0.0001f, 10000, "exposure: a factor on the automatic one; the whole exposure where r_autoexposure is 0") \
   X(float, exposure_target, "r_exposure_target", 0.16f, 0.001f, 10, "mean luminance that automatic exposure aims at") \

@@ -26,9 +26,9 @@ const float kWhitening = 0.02f;
 // orange and every lamp white. In the other half the curve is the brightest channel's, and the others keep their ratio
 // to it.
 FB_FN vec3 filmic(vec3 c) {
-  float peak = max(max(c.x, c.y), max(c.z, 1e-12f)), shown = filmic_curve(peak);
+  float peak = max(max(c.x, c.y), c.z), shown = filmic_curve(peak), scale = peak > 0.0f ? shown / peak : 0.0f;
   float white = kWhitening * peak / (1.0f + kWhitening * peak);
-  vec3 kept = mix(c * (shown / peak), vec3(shown), white);
+  vec3 kept = mix(c * scale, vec3(shown), white);
   return 0.5f * (kept + vec3(filmic_curve(c.x), filmic_curve(c.y), filmic_curve(c.z)));
 }
 

@@ -99,7 +99,7 @@ std::uint64_t reference_key(const scene::FrameSnapshot& snapshot, const render::
                             const JudgedReferenceOptions& options) {
   std::string text = fmt::format("{} {} {} {}x{} r_bounces={} r_texture_filter={} r_autoexposure={} r_exposure={}",
                                  kFormat, options.estimator, options.spp, options.width, options.height,
-                                 settings.bounces, settings.texture_filter, settings.auto_exposure, settings.exposure);
+                                 settings.bounces, std::max(settings.texture_filter, 0), settings.auto_exposure, settings.exposure);
 #define FB_TEXT(type, field, cvar, value, low, high, help) text += fmt::format(" " cvar "={}", settings.field);
   FB_EMISSION_SETTINGS(FB_TEXT)
 #undef FB_TEXT

@@ -67,7 +67,7 @@ vec3 light_emission(uint instance, uint triangle, vec2 bary, vec3 direction, out
   GpuMaterial m = material_of(instance, triangle);
   sky = shows_sky(m, instance);
   if (sky) return sky_radiance(direction) * m.emission.rgb;
-  return shade_point(m, instance, hit_uv(instances.at[instance].first_attribute + triangle, bary), false).emission;
+  return shade_point(m, instance, hit_uv(instances.at[instance].first_attribute + triangle, bary), kNearest).emission;
 }
 
 // The emission that a direction meets is shared by the balance heuristic (Veach and Guibas 1995): light_candidates()
@@ -156,7 +156,7 @@ Direct look_for_light(Vertex v, inout uint rng) {
       if (!is_sky(hit) || sun == 0.0) continue;
       aim.weight = 1.0 / density_of_all(hit_light_pdf(hit, aim.direction), sun, bsdf);
     }
-    vec3 light = load_surface(hit, aim.direction, false, true).emission * aim.weight;
+    vec3 light = load_surface(hit, aim.direction, kFilterNearest, true).emission * aim.weight;
     direct.radiance += aim.f * light;
     direct.irradiance += light * (max(scatter_cosine(v.scatter, aim.direction), 0.0) / kPiShared);
   }
