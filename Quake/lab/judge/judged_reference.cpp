@@ -97,9 +97,10 @@ render::RenderSettings reference_settings(render::RenderSettings settings, const
 
 std::uint64_t reference_key(const scene::FrameSnapshot& snapshot, const render::RenderSettings& settings,
                             const JudgedReferenceOptions& options) {
-  std::string text = fmt::format("{} {} {} {}x{} r_bounces={} r_texture_filter={} r_autoexposure={} r_exposure={}",
-                                 kFormat, options.estimator, options.spp, options.width, options.height,
-                                 settings.bounces, std::max(settings.texture_filter, 0), settings.auto_exposure, settings.exposure);
+  std::string text =
+      fmt::format("{} {} {} {}x{} r_bounces={} r_texture_filter={} r_autoexposure={} r_exposure={}", kFormat,
+                  options.estimator, options.spp, options.width, options.height, settings.bounces,
+                  std::max(settings.texture_filter, 0), settings.auto_exposure, settings.exposure);
 #define FB_TEXT(type, field, cvar, value, low, high, help) text += fmt::format(" " cvar "={}", settings.field);
   FB_EMISSION_SETTINGS(FB_TEXT)
 #undef FB_TEXT
