@@ -44,7 +44,7 @@ TEST_F(MotionTest, MonstersAndWeaponCarryTheirPoints) {
   for (int frame = 0; frame <= 96; ++frame) {
     auto more = (*source)->next(snapshot);
     ASSERT_TRUE(more.ok() && *more);
-    if (frame < 60 || frame % 24 != 0) continue;  // the weapon kicks, the monsters run
+    if (frame < 60 || frame % 12 != 0) continue;  // the weapon kicks, the monsters run
     renderer->render(snapshot, nullptr, settings);
     const auto checked = render::test::check_motion(snapshot, *renderer, [](std::uint32_t id) {
       return id == scene::kIdViewModel || (id >= scene::kIdEntity + 10 && id <= scene::kIdEntity + 15);
