@@ -193,6 +193,7 @@ void BindingTable::set_array(std::uint32_t set, std::uint32_t binding, const Buf
                                   memory_text(device.limits().max_storage_buffer_range)));
   impl_->dirty |=
       impl_->arrays[set][binding].set(buffer ? buffer.handle() : impl_->unset_storage.handle(), buffer.serial());
+  if (set == kSetTechnique && binding < kTechniqueTexels) set_texels(kTexelsTechnique + binding, buffer);
 }
 
 void BindingTable::set_uniform(std::uint32_t set, const Buffer& buffer) {

@@ -277,6 +277,12 @@ void GpuScene::Impl::bind() {
   table.set_array(shared::kSetScene, shared::kBindTriangles, assets.triangles().buffer());
   table.set_texels(shared::kTexelsNodes, assets.nodes().buffer());
   table.set_texels(shared::kTexelsTriangles, assets.triangles().buffer());
+  table.set_texels(shared::kTexelsInstances, instances.buffer());
+  table.set_texels(shared::kTexelsAttributes, assets.attributes());
+  table.set_texels(shared::kTexelsMaterials, materials.buffer());
+  table.set_texels(shared::kTexelsImages, assets.images());
+  table.set_texels(shared::kTexelsPalette, assets.palette());
+  table.set_texels(shared::kTexelsLights, lights.buffer());
   table.set_array(shared::kSetScene, shared::kBindAttributes, assets.attributes());
   table.set_array(shared::kSetScene, shared::kBindPoses, assets.poses());
   table.set_array(shared::kSetScene, shared::kBindNormals, assets.normals());

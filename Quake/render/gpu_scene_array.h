@@ -26,11 +26,12 @@ class DeviceArray {
 
   // Makes room for `items` in all; the kept ones survive. Between submissions.
   void reserve(std::uint64_t items) {
-    std::uint64_t needed = std::max<std::uint64_t>(items * sizeof(T), 256);
+    // Whole texels of four words: a texel buffer sees no others.
+    const std::uint64_t needed = std::max<std::uint64_t>((items * sizeof(T) + 15) / 16 * 16, 256);
     if (buffer_ && buffer_.size() >= needed) return;
     // The first size is taken at its word (a map's assets come at once), later ones get some slack, where there is
     // room.
-    const std::uint64_t roomy = std::min(buffer_ ? needed + needed / 4 : needed, gpu::largest_buffer(device_, use_));
+    const std::uint64_t roomy = std::min(buffer_ ? needed + needed / 4 : needed, gpu::largest_buffer(device_, use_)) / 16 * 16;
     gpu::Buffer larger(device_, use_, std::max(needed, roomy), name_);
     if (kept_ > 0) {
       device_.run([&](gpu::Commands& commands) { commands.copy(buffer_, larger, std::uint64_t{kept_} * sizeof(T)); });

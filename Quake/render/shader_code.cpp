@@ -32,7 +32,7 @@ MemoryAccess memory_access(const gpu::Device& device, std::optional<bool> by_add
   // Before Mesa 24, lavapipe loads lane by lane, and soonest through texel buffers; since, a load by address is one
   // gather instruction, and one through a descriptor a bounds check and a branch a lane.
   const bool old = lavapipe_version(device) < 24;
-  return {device.has_addresses() && by_address.value_or(!old), old, device.is_software()};
+  return {device.has_addresses() && by_address.value_or(!old), old};
 }
 
 std::span<const std::uint32_t> shader_code(std::string_view name, bool ray_query, bool by_address) {
@@ -46,7 +46,6 @@ gpu::ComputePipeline make_pipeline(gpu::Device& device, const gpu::BindingTable&
                                    std::span<const gpu::SpecializationConstant> constants) {
   std::vector<gpu::SpecializationConstant> all(constants.begin(), constants.end());
   all.push_back({shared::kSpecReadTexels, access.texels});
-  all.push_back({shared::kSpecSharedStack, access.shared_stack});
   return {device, table, shader_code(name, ray_query, access.by_address), std::string(name), all};
 }
 

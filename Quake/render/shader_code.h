@@ -14,7 +14,6 @@ namespace fb::render {
 struct MemoryAccess {
   bool by_address = false;    // arrays by device address, not through descriptors (Shaders/lib/arrays.glsl)
   bool texels = false;        // arrays that have a texel buffer are read through it
-  bool shared_stack = false;  // the traversal's stack is in shared memory: costs occupancy on GPUs
 };
 // `by_address`: what is asked for; a device without addresses has none all the same.
 MemoryAccess memory_access(const gpu::Device& device, std::optional<bool> by_address = {});

@@ -6,14 +6,14 @@
 #include "lib/material.glsl"
 
 bool accept_candidate(Hit candidate, inout uint rng) {
-  uint record = instances.at[candidate.instance].first_attribute + candidate.triangle;
-  uint material_index = instances.at[candidate.instance].material_base + attributes.at[record].material;
-  GpuMaterial m = materials.at[material_index];
+  uint record = instance_at(candidate.instance).first_attribute + candidate.triangle;
+  uint material_index = instance_at(candidate.instance).material_base + attribute_at(record).material;
+  GpuMaterial m = material_at(material_index);
   if ((m.flags & kMaterialAlphaTest) != 0u && m.base != kNoIndex) {
     vec2 uv = hit_uv(record, candidate.bary);
     if (nearest_texel(m.base, uv, (m.flags & kMaterialClampTexture) != 0u).alpha < 0.5) return false;
   }
-  float alpha = m.base_color.w * instances.at[candidate.instance].alpha;
+  float alpha = m.base_color.w * instance_at(candidate.instance).alpha;
   return alpha >= 1.0 || rng_uniform(rng) < alpha;
 }
 #endif

@@ -1,25 +1,19 @@
-// The history buffer and the G-buffer as the denoiser's passes read them: four words at once, through texel buffers where
+// The history buffer as the denoiser's passes read them: four words at once, through texel buffers where
 // those are faster (lavapipe before Mesa 24).
 #ifndef FB_LIB_DENOISE
 #define FB_LIB_DENOISE
+#include "lib/gbuffer_texel.glsl"
 #include "lib/pixel.glsl"
 #include "shared/denoise.h"
 #include "shared/packing.h"
 #include "shared/rng.h"
 
-layout(constant_id = kSpecReadTexels) const bool READ_TEXELS = false;
-
 FB_FRAME_ARRAY(kBindHistory, 16, , HistoryArray, uvec4, history)
 FB_FRAME_ARRAY(kBindHistory, 4, , HistoryWordArray, uint, history_words)
-FB_FRAME_ARRAY(kBindGBuffer, 16, readonly, GBufferQuadArray, uvec4, gbuffer_quads)
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsHistory) uniform usamplerBuffer history_texels;
-layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsGBuffer) uniform usamplerBuffer gbuffer_texels;
 
 uint section(uint index) { return index * frame.width * frame.height; }
 uvec4 history_quad(uint at) { return READ_TEXELS ? texelFetch(history_texels, int(at)) : history.at[at]; }
-uvec4 gbuffer_quad(uint at, uint quad) {
-  return READ_TEXELS ? texelFetch(gbuffer_texels, int(at * 5u + quad)) : gbuffer_quads.at[at * 5u + quad];
-}
 // A pixel's PictureTexel.
 uvec2 picture_texel(uint at) {
   uvec4 two = history_quad(section(kSectionPicture) + (at >> 1u));

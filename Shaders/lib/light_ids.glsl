@@ -8,12 +8,12 @@
 // list of lights.
 uvec2 light_now(uvec2 former) {
   uint at = frame.former_first + former.x;
-  return uvec2(at < frame.former_end ? lights.at[at].x : kNoIndex, former.y);
+  return uvec2(at < frame.former_end ? light_at(at).x : kNoIndex, former.y);
 }
 
 // Element of the list of lights that stands for a light; kNoIndex: it does not glow.
 uint light_element(uvec2 light) {
-  if (light.x == kNoIndex || lights.at[light.x].x == kNoIndex) return kNoIndex;
-  return lights.at[light.x].x + light.y;
+  if (light.x == kNoIndex || light_at(light.x).x == kNoIndex) return kNoIndex;
+  return light_at(light.x).x + light.y;
 }
 #endif

@@ -15,7 +15,7 @@ vec2 warped_uv(vec2 uv, uint image_index) {
 }
 
 vec2 hit_uv(uint record, vec2 bary) {
-  GpuAttribute a = attributes.at[record];
+  GpuAttribute a = attribute_at(record);
   return a.uv0 + (a.uv1 - a.uv0) * bary.x + (a.uv2 - a.uv0) * bary.y;
 }
 
@@ -41,8 +41,8 @@ vec2 footprint_tap(TextureFilter filtered, vec2 quarter) {
 // Colour and own radiance of a point; a sky's radiance is added by who knows the direction. All texels come through one fetch
 // in a loop, since a driver's compiler takes long over every copy of it.
 Shade shade_point(GpuMaterial m, uint instance_index, vec2 uv, TextureFilter filtered) {
-  if ((instances.at[instance_index].flags & kInstanceHasColor) != 0u) {
-    return Shade(instances.at[instance_index].color.rgb, instances.at[instance_index].emission.rgb);
+  if ((instance_at(instance_index).flags & kInstanceHasColor) != 0u) {
+    return Shade(instance_at(instance_index).color.rgb, instance_at(instance_index).emission.rgb);
   }
   bool constant = m.emission_kind == kEmissionConstant;
   if (m.emission_kind == kEmissionSky) return Shade(vec3(0.0), vec3(0.0));

@@ -1,5 +1,6 @@
 // The main function of every technique: each pixel's radiance is its emission, and the mean of frame.spp paths from its
 // surface. The includer chooses the technique's steps (lib/path.glsl) before.
+#include "lib/gbuffer_texel.glsl"
 #include "lib/pixel.glsl"
 #include "lib/path.glsl"
 
@@ -19,7 +20,7 @@ void main() {
   uvec2 pixel = invocation_pixel();
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
   uint at = pixel.y * frame.width + pixel.x;
-  GBufferTexel g = gbuffer.at[at];
+  GBufferTexel g = gbuffer_at(at);
   vec3 emission = g.emission_specular.rgb;
   if (SHOW_VIEW) ldr.at[at] = packUnorm4x8(vec4(0.0, 0.0, 0.0, 1.0));
   if (g.position_t.w == 0.0 || g.albedo_roughness.rgb == vec3(0.0) && g.emission_specular.w == 0.0) {

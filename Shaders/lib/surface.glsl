@@ -21,29 +21,27 @@ vec3 rows_times_point(vec4 x, vec4 y, vec4 z, vec3 p) {
   return vec3(dot(x.xyz, p) + x.w, dot(y.xyz, p) + y.w, dot(z.xyz, p) + z.w);
 }
 vec3 to_world_point(uint i, vec3 p) {
-  return rows_times_point(instances.at[i].to_world[0], instances.at[i].to_world[1], instances.at[i].to_world[2], p);
+  return rows_times_point(instance_at(i).to_world[0], instance_at(i).to_world[1], instance_at(i).to_world[2], p);
 }
 vec3 to_previous_world_point(uint i, vec3 p) {
-  return rows_times_point(instances.at[i].prev_to_world[0], instances.at[i].prev_to_world[1], instances.at[i].prev_to_world[2], p);
+  return rows_times_point(instance_at(i).prev_to_world[0], instance_at(i).prev_to_world[1], instance_at(i).prev_to_world[2], p);
 }
 vec3 to_world_vector(uint i, vec3 v) {
-  return vec3(dot(instances.at[i].to_world[0].xyz, v), dot(instances.at[i].to_world[1].xyz, v), dot(instances.at[i].to_world[2].xyz, v));
+  return vec3(dot(instance_at(i).to_world[0].xyz, v), dot(instance_at(i).to_world[1].xyz, v), dot(instance_at(i).to_world[2].xyz, v));
 }
 // Normals go by the inverse transposed.
 vec3 to_world_normal(uint i, vec3 n) {
-  return normalize(instances.at[i].to_object[0].xyz * n.x + instances.at[i].to_object[1].xyz * n.y + instances.at[i].to_object[2].xyz * n.z);
+  return normalize(instance_at(i).to_object[0].xyz * n.x + instance_at(i).to_object[1].xyz * n.y + instance_at(i).to_object[2].xyz * n.z);
 }
 
 // A triangle as it stands in the world. Our own trees hold it; ray queries have it in the mesh's space.
 GpuTriangle world_triangle(uint instance, uint triangle) {
 #if INTERSECTOR_QUERY
-  GpuTriangle t = triangles.at[instances.at[instance].first_triangle + triangle];
+  GpuTriangle t = triangle_at(instance_at(instance).first_triangle + triangle);
   return GpuTriangle(vec4(to_world_point(instance, t.v0.xyz), 0.0), vec4(to_world_vector(instance, t.e1.xyz), 0.0),
                      vec4(to_world_vector(instance, t.e2.xyz), 0.0));
 #else
-  uint at = (instances.at[instance].world_triangle + triangle) * 3u;
-  return GpuTriangle(uintBitsToFloat(triangle_quad(at)), uintBitsToFloat(triangle_quad(at + 1u)),
-                     uintBitsToFloat(triangle_quad(at + 2u)));
+  return triangle_at(instance_at(instance).world_triangle + triangle);
 #endif
 }
 
@@ -59,23 +57,23 @@ vec3 pose_vertex(uint at, vec3 scale, vec3 origin) {
 }
 
 vec3 previous_vertex(uint i, uint vertex) {
-  vec3 scale = instances.at[i].pose_scale.xyz, origin = instances.at[i].pose_origin.xyz;
-  vec3 from = pose_vertex(instances.at[i].prev_pose_a + vertex, scale, origin);
-  vec3 to = pose_vertex(instances.at[i].prev_pose_b + vertex, scale, origin);
-  return mix(from, to, instances.at[i].prev_pose_t);
+  vec3 scale = instance_at(i).pose_scale.xyz, origin = instance_at(i).pose_origin.xyz;
+  vec3 from = pose_vertex(instance_at(i).prev_pose_a + vertex, scale, origin);
+  vec3 to = pose_vertex(instance_at(i).prev_pose_b + vertex, scale, origin);
+  return mix(from, to, instance_at(i).prev_pose_t);
 }
 
 // Where a point of the surface was in the previous frame, in the world.
 vec3 previous_position(Hit hit) {
   uint i = hit.instance;
   vec3 v0, e1, e2;
-  if (instances.at[i].pose_a == kNoIndex) {
-    uint at = instances.at[i].first_triangle + hit.triangle;
-    v0 = triangles.at[at].v0.xyz;
-    e1 = triangles.at[at].e1.xyz;
-    e2 = triangles.at[at].e2.xyz;
+  if (instance_at(i).pose_a == kNoIndex) {
+    GpuTriangle t = triangle_at(instance_at(i).first_triangle + hit.triangle);
+    v0 = t.v0.xyz;
+    e1 = t.e1.xyz;
+    e2 = t.e2.xyz;
   } else {
-    GpuAttribute a = attributes.at[instances.at[i].first_attribute + hit.triangle];
+    GpuAttribute a = attribute_at(instance_at(i).first_attribute + hit.triangle);
     v0 = previous_vertex(i, a.vertex0);
     e1 = previous_vertex(i, a.vertex1) - v0;
     e2 = previous_vertex(i, a.vertex2) - v0;
@@ -90,14 +88,14 @@ vec3 pose_normal(uint vertex, uint pose_a, uint pose_b, float t) {
 // Interpolated vertex normal in the mesh's space; zero where the mesh is flat.
 vec3 smooth_normal(uint instance_index, GpuAttribute a, vec2 bary) {
   vec3 weights = vec3(1.0 - bary.x - bary.y, bary);
-  uint pose_a = instances.at[instance_index].pose_a;
+  uint pose_a = instance_at(instance_index).pose_a;
   if (pose_a != kNoIndex) {
-    uint pose_b = instances.at[instance_index].pose_b;
-    float t = instances.at[instance_index].pose_t;
+    uint pose_b = instance_at(instance_index).pose_b;
+    float t = instance_at(instance_index).pose_t;
     return weights.x * pose_normal(a.vertex0, pose_a, pose_b, t) + weights.y * pose_normal(a.vertex1, pose_a, pose_b, t) +
            weights.z * pose_normal(a.vertex2, pose_a, pose_b, t);
   }
-  uint first = instances.at[instance_index].first_normal;
+  uint first = instance_at(instance_index).first_normal;
   if (first == kNoIndex) return vec3(0.0);
   return weights.x * unpack_direction(normals.at[first + a.vertex0]) + weights.y * unpack_direction(normals.at[first + a.vertex1]) +
          weights.z * unpack_direction(normals.at[first + a.vertex2]);
@@ -160,10 +158,10 @@ Surface load_surface(Hit hit, vec3 direction, uint filter_kind, bool end_of_path
   vec3 sky_factor = vec3(1.0);
   bool sky = hit.instance == kNoIndex;
   if (!sky) {
-    uint record = instances.at[hit.instance].first_attribute + hit.triangle;
-    GpuAttribute a = attributes.at[record];
-    s.material = instances.at[hit.instance].material_base + a.material;
-    GpuMaterial m = materials.at[s.material];
+    uint record = instance_at(hit.instance).first_attribute + hit.triangle;
+    GpuAttribute a = attribute_at(record);
+    s.material = instance_at(hit.instance).material_base + a.material;
+    GpuMaterial m = material_at(s.material);
     vec2 uv = hit_uv(record, hit.bary);
     TextureFilter filtered = TextureFilter(filter_kind, mat2(0.0));
     if (filter_kind == kFilterFootprint)
@@ -171,7 +169,7 @@ Surface load_surface(Hit hit, vec3 direction, uint filter_kind, bool end_of_path
                                         hit.t * dot(direction, frame.camera_forward.xyz));
     Shade shade = shade_point(m, hit.instance, uv, filtered);
     s.emission = shade.emission;
-    sky = m.emission_kind == kEmissionSky && (instances.at[hit.instance].flags & kInstanceHasColor) == 0u;
+    sky = m.emission_kind == kEmissionSky && (instance_at(hit.instance).flags & kInstanceHasColor) == 0u;
     sky_factor = m.emission.rgb;
     if (!end_of_path) {
       GpuTriangle t = world_triangle(hit.instance, hit.triangle);

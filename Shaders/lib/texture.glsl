@@ -2,7 +2,7 @@
 // same on every device.
 #ifndef FB_LIB_TEXTURE
 #define FB_LIB_TEXTURE
-#include "lib/scene_bindings.glsl"
+#include "lib/scene_records.glsl"
 #include "shared/kinds.h"
 
 layout(constant_id = kSpecFeatures) const uint FEATURES = kFeaturesAll;
@@ -22,12 +22,12 @@ vec3 linear_from_srgb(vec3 c) {
 }
 
 Texel fetch_texel(uint image_index, ivec2 p) {
-  GpuImage image = images.at[image_index];
+  GpuImage image = image_at(image_index);
   uint at = image.first + uint(p.y) * (image.size & 0xffffu) + uint(p.x);
   Texel texel;
   if (image.encoding == kEncodingPalette) {
     uint index = (texels.at[at >> 2u] >> ((at & 3u) * 8u)) & 0xffu;
-    texel.color = palette.at[index].rgb;
+    texel.color = palette_at(index);
     texel.alpha = index == kTransparentIndex ? 0.0 : 1.0;
     texel.glows = index >= kFirstFullbright;
   } else {
@@ -40,7 +40,7 @@ Texel fetch_texel(uint image_index, ivec2 p) {
 }
 
 ivec2 image_size(uint image_index) {
-  uint size = images.at[image_index].size;
+  uint size = image_at(image_index).size;
   return ivec2(size & 0xffffu, size >> 16u);
 }
 

@@ -2,7 +2,7 @@
 // trees, traversed in the shader. Inline one call of trace() in a loop: each call is a copy of the whole traversal.
 #ifndef FB_LIB_TRACE
 #define FB_LIB_TRACE
-#include "lib/scene_bindings.glsl"
+#include "lib/scene_records.glsl"
 
 // False: every surface stops every ray, nothing is asked.
 layout(constant_id = kSpecCandidates) const bool FEATURE_CANDIDATES = true;

@@ -6,38 +6,56 @@
 #ifndef FB_LIB_TRACE_BVH
 #define FB_LIB_TRACE_BVH
 
-// Fetch through texel buffers: nearly twice as fast as storage buffers on lavapipe before Mesa 24, slower after.
-layout(constant_id = kSpecReadTexels) const bool READ_TEXELS = false;
-// Keep the stack in shared memory (for workgroups of at most 64): faster on lavapipe, costs occupancy on GPUs.
-layout(constant_id = kSpecSharedStack) const bool SHARED_STACK = true;
 
 FB_SCENE_ARRAY(kBindNodes, 16, readonly, NodeQuadArray, uvec4, node_quads)
-FB_SCENE_ARRAY(kBindTriangles, 16, readonly, TriangleQuadArray, uvec4, triangle_quads)
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsNodes) uniform usamplerBuffer node_texels;
-layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTriangles) uniform usamplerBuffer triangle_texels;
 
 const uint kRefDone = 0xffffffffu;       // bottom of the stack
 const float kEdgeTolerance = 1e-5;       // of barycentric weights: closes cracks along shared edges
 const float kSlabTolerance = 1.0000004;  // 2 gamma(3), Ize 2013
 
-const uint kSharedStackSize = SHARED_STACK ? kTraversalStack * 64u : 1u;
-const uint kLocalStackSize = SHARED_STACK ? 1u : kTraversalStack;
-shared uint shared_stack[kSharedStackSize];
-uint local_stack[kLocalStackSize];
-
-void set_stack(uint at, uint value) {
-  if (SHARED_STACK) shared_stack[at * 64u + gl_LocalInvocationIndex] = value;
-  else local_stack[at] = value;
-}
-uint get_stack(uint at) { return SHARED_STACK ? shared_stack[at * 64u + gl_LocalInvocationIndex] : local_stack[at]; }
-
 uvec4 node_quad(uint at) { return READ_TEXELS ? texelFetch(node_texels, int(at)) : node_quads.at[at]; }
-uvec4 triangle_quad(uint at) { return READ_TEXELS ? texelFetch(triangle_texels, int(at)) : triangle_quads.at[at]; }
 
 // 1 / d, finite where d is zero.
 vec3 safe_reciprocal(vec3 d) {
   vec3 tiny = mix(vec3(1e-20), vec3(-1e-20), lessThan(d, vec3(0.0)));
   return 1.0 / mix(d, tiny, lessThan(abs(d), vec3(1e-20)));
+}
+
+// Where a traversal stands. References that wait are in a short stack of registers, the newest first: memory that lanes index
+// apart costs lavapipe more than all the rest of a step. What falls out at its end is found again from the root by the trail
+// (Laine 2010): a bit for each depth above `depth`, set where nothing waits at that node any more.
+struct Walk {
+  uint current;   // reference
+  uint depth;     // of `current`
+  uint resumed;   // depth at which the last pop resumed
+  uvec2 trail;    // depths 0 to 31 from the highest bit of x on, 32 to 63 in y
+  uvec4 newest, oldest;
+};
+
+uvec2 depth_bit(uint depth) {
+  uint bit = 0x80000000u >> (depth & 31u);
+  return depth < 32u ? uvec2(bit, 0u) : uvec2(0u, bit);
+}
+
+// The subtree at `depth` is done: on to the nearest node above where a child waits.
+void pop(inout Walk w) {
+  bool root = w.depth == 0u;
+  uvec2 bit = depth_bit(w.depth - 1u);
+  // Above that bit all is kept, below it nothing; adding the bit carries past nodes where nothing waits.
+  uint low = (w.trail.y & (bit.x != 0u ? 0u : ~(bit.y - 1u))) + bit.y;
+  uint carry = bit.y != 0u && low == 0u ? 1u : 0u;
+  uint kept = bit.x != 0u ? w.trail.x & ~(bit.x - 1u) : w.trail.x;
+  uint high = kept + bit.x + carry;
+  bool done = root || (high == 0u && low == 0u);
+  w.trail = uvec2(high, low);
+  w.resumed = low != 0u ? 63u - uint(findLSB(low)) : 31u - uint(findLSB(high));
+  uint top = w.newest.x;
+  bool again = top == kRefDone;  // it fell out
+  w.current = done ? kRefDone : again ? 0u : top;
+  w.depth = again ? 0u : w.resumed + 1u;
+  w.newest = uvec4(w.newest.yzw, w.oldest.x);
+  w.oldest = uvec4(w.oldest.yzw, kRefDone);
 }
 
 // Loops test at their end: lavapipe runs the body of a loop that tests at its head once more, with all lanes off.
@@ -54,14 +72,13 @@ Hit trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, inou
   do {
     hit = Hit(t_max, vec2(0.0), kNoIndex, kNoIndex);
     owner = 0u;
-    uint current = 0u, top = 1u;
-    set_stack(0u, kRefDone);
+    Walk w = Walk(0u, 0u, kNoIndex, uvec2(0u), uvec4(kRefDone), uvec4(kRefDone));
     do {
       // Down to a leaf.
-      if (current < kRefLeaf) {
+      if (w.current < kRefLeaf) {
         do {
-          uvec4 q0 = node_quad(current * 4u), q1 = node_quad(current * 4u + 1u);
-          uvec4 q2 = node_quad(current * 4u + 2u), q3 = node_quad(current * 4u + 3u);
+          uvec4 q0 = node_quad(w.current * 4u), q1 = node_quad(w.current * 4u + 1u);
+          uvec4 q2 = node_quad(w.current * 4u + 2u), q3 = node_quad(w.current * 4u + 3u);
           vec3 a0 = (uintBitsToFloat(q0.xyz) - origin) * inv, b0 = (uintBitsToFloat(q1.xyz) - origin) * inv;
           vec3 a1 = (uintBitsToFloat(q2.xyz) - origin) * inv, b1 = (uintBitsToFloat(q3.xyz) - origin) * inv;
           vec3 near0 = min(a0, b0), far0 = max(a0, b0), near1 = min(a1, b1), far1 = max(a1, b1);
@@ -72,15 +89,27 @@ Hit trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, inou
           bool hit0 = in0 <= min(out0, hit.t), hit1 = in1 <= min(out1, hit.t);
           bool both = hit0 && hit1, any = hit0 || hit1;
           bool first = hit0 && (!hit1 || in0 <= in1);
-          uint popped = get_stack(top - 1u);
-          set_stack(top, first ? q1.w : q0.w);
-          current = any ? (first ? q0.w : q1.w) : popped;
-          top = both ? top + 1u : any ? top : top - 1u;
-        } while (current < kRefLeaf);
+          uvec2 bit = depth_bit(w.depth);
+          bool passed = (w.trail & bit) != uvec2(0u);
+          bool one = any && !both && w.depth != w.resumed;
+          bool push = both && !passed;
+          bool other = both && passed;
+          Walk up = w;
+          pop(up);
+          if (both || one) {
+            w.current = first != other ? q0.w : q1.w;
+            w.trail |= one ? bit : uvec2(0u);
+            w.depth += 1u;
+            w.oldest = push ? uvec4(w.newest.w, w.oldest.xyz) : w.oldest;
+            w.newest = push ? uvec4(first ? q1.w : q0.w, w.newest.xyz) : w.newest;
+          } else {
+            w = up;
+          }
+        } while (w.current < kRefLeaf);
       }
-      if (current != kRefDone) {
-        uint at = current & kRefFirstMask;
-        uint end = at + ((current >> kRefCountShift) & kRefCountMask) + 1u;
+      if (w.current != kRefDone) {
+        uint at = w.current & kRefFirstMask;
+        uint end = at + ((w.current >> kRefCountShift) & kRefCountMask) + 1u;
         do {
           uvec4 q0 = triangle_quad(at * 3u);
           vec3 e1 = uintBitsToFloat(triangle_quad(at * 3u + 1u).xyz), e2 = uintBitsToFloat(triangle_quad(at * 3u + 2u).xyz);
@@ -104,19 +133,19 @@ Hit trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, inou
           hit.triangle = counts ? at : hit.triangle;
           owner = counts ? q0.w : owner;
         } while (++at < end);
-        current = get_stack(--top);
+        pop(w);
       }
-    } while (current != kRefDone);
+    } while (w.current != kRefDone);
     if (FEATURE_CANDIDATES) {
       again = false;
       uint triangle = hit.triangle;
-      if (hit.instance != kNoIndex) hit.triangle -= instances.at[hit.instance].world_triangle;
+      if (hit.instance != kNoIndex) hit.triangle -= instance_at(hit.instance).world_triangle;
       if ((owner & kTriangleAsks) != 0u) again = !accept_candidate(hit, rng);
       from = again ? hit.t : from;
       refused = triangle;
     }
   } while (FEATURE_CANDIDATES && again);
-  if (!FEATURE_CANDIDATES && hit.instance != kNoIndex) hit.triangle -= instances.at[hit.instance].world_triangle;
+  if (!FEATURE_CANDIDATES && hit.instance != kNoIndex) hit.triangle -= instance_at(hit.instance).world_triangle;
   return hit;
 }
 #endif

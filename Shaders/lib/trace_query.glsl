@@ -13,8 +13,8 @@ Hit trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, inou
     candidate.bary = rayQueryGetIntersectionBarycentricsEXT(query, false);
     candidate.instance = rayQueryGetIntersectionInstanceCustomIndexEXT(query, false);
     candidate.triangle = rayQueryGetIntersectionPrimitiveIndexEXT(query, false);
-    bool ask = (instances.at[candidate.instance].flags & kInstanceTranslucent) != 0u ||
-               (attributes.at[instances.at[candidate.instance].first_attribute + candidate.triangle].flags & kTriangleAlphaTest) != 0u;
+    bool ask = (instance_at(candidate.instance).flags & kInstanceTranslucent) != 0u ||
+               (attribute_at(instance_at(candidate.instance).first_attribute + candidate.triangle).flags & kTriangleAlphaTest) != 0u;
     if (!ask || accept_candidate(candidate, rng)) rayQueryConfirmIntersectionEXT(query);
   }
   Hit hit = Hit(t_max, vec2(0.0), kNoIndex, 0u);

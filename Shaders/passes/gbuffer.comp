@@ -15,7 +15,7 @@ void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float 
   texel.emission_specular = vec4(s.emission + s.bsdf.albedo * frame.ambient.rgb, s.bsdf.specular);
   texel.normal = pack_direction(s.normal);
   texel.shading_normal = pack_direction(s.shading_normal);
-  texel.id = instances.at[hit.instance].id;
+  texel.id = instance_at(hit.instance).id;
   texel.material_metalness = s.material | (uint(s.bsdf.metalness * 255.0 + 0.5) << 24u);
   texel.motion = vec4(before.xy - point, depth, before.z);
 }

@@ -14,7 +14,7 @@ FB_FRAME_ARRAY(kBindHits, 16, writeonly, HitArray, ListHit, hits)
 layout(push_constant) uniform Constants { uint ray_count; };
 
 bool accept_candidate(Hit candidate, inout uint rng) {
-  return (attributes.at[instances.at[candidate.instance].first_attribute + candidate.triangle].vertex0 & 1u) == 0u;
+  return (attribute_at(instance_at(candidate.instance).first_attribute + candidate.triangle).vertex0 & 1u) == 0u;
 }
 
 void main() {
@@ -25,8 +25,8 @@ void main() {
   Hit hit = trace(ray.origin, ray.direction, ray.t_min, ray.t_max, ray.mask, rng);
   ListHit result = ListHit(hit.t, hit.bary.x, hit.bary.y, hit.instance, 0u, 0u, 0u, 0u);
   if (hit.instance != kNoIndex) {
-    result.id = instances.at[hit.instance].id;
-    result.vertex0 = attributes.at[instances.at[hit.instance].first_attribute + hit.triangle].vertex0;
+    result.id = instance_at(hit.instance).id;
+    result.vertex0 = attribute_at(instance_at(hit.instance).first_attribute + hit.triangle).vertex0;
     result.triangle = hit.triangle;
   }
   hits.at[i] = result;

@@ -32,7 +32,7 @@ FB_CONST uint kSceneArrays = 14u;
 
 FB_CONST uint kBindFrameConstants = 16u;  // FrameConstants, a uniform buffer
 FB_CONST uint kBindTlas = 17u;            // the top-level acceleration structure, where the device has ray query
-FB_CONST uint kBindAddresses = 22u;       // uvec4[kAddresses], a uniform buffer: xy is an array's device address
+FB_CONST uint kBindAddresses = 32u;       // uvec4[kAddresses], a uniform buffer: xy is an array's device address
 
 // Uniform texel buffers of four words a texel (usamplerBuffer): a second way to read arrays, faster on some drivers.
 FB_CONST uint kBindTexelBuffers = 18u;
@@ -40,7 +40,15 @@ FB_CONST uint kTexelsNodes = 0u;
 FB_CONST uint kTexelsTriangles = 1u;
 FB_CONST uint kTexelsHistory = 2u;
 FB_CONST uint kTexelsGBuffer = 3u;
-FB_CONST uint kTexelBuffers = 4u;
+FB_CONST uint kTexelsInstances = 4u;
+FB_CONST uint kTexelsAttributes = 5u;
+FB_CONST uint kTexelsMaterials = 6u;
+FB_CONST uint kTexelsImages = 7u;
+FB_CONST uint kTexelsPalette = 8u;
+FB_CONST uint kTexelsLights = 9u;
+FB_CONST uint kTexelsTechnique = 10u;  // a technique's arrays 0 and 1
+FB_CONST uint kTechniqueTexels = 2u;
+FB_CONST uint kTexelBuffers = 12u;
 
 // Set kSetFrame: the picture and what passes keep from frame to frame.
 FB_CONST uint kBindGBuffer = 0u;    // GBufferTexel[pixels]
@@ -83,7 +91,6 @@ FB_CONST uint kSpecTechnique = 4u;
 FB_CONST uint kTechniqueSpecs = 4u;
 // How memory is read fastest on the device (render/memory_access.h):
 FB_CONST uint kSpecReadTexels = 10u;   // arrays that have a texel buffer are read through it
-FB_CONST uint kSpecSharedStack = 11u;  // the traversal's stack is in shared memory
 // Of passes/pose.comp:
 FB_CONST uint kSpecForQuery = 0u;
 

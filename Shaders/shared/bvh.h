@@ -27,10 +27,10 @@ FB_CONST uint kRefFirstMask = 0x07ffffffu;
 FB_CONST uint kMaxLeafTriangles = 8u;
 
 // Depth: inner nodes on the longest way from a root to a leaf, in a mesh's tree and in what stands above the meshes.
-// The traversal's stack holds kTraversalStack references.
+// The traversal keeps a bit for each: both together are at most kTraversalDepth.
 FB_CONST uint kMaxMeshDepth = 40u;
 FB_CONST uint kMaxInstanceDepth = 20u;
-FB_CONST uint kTraversalStack = 64u;
+FB_CONST uint kTraversalDepth = 64u;
 
 FB_NAMESPACE_END
 #endif

@@ -15,11 +15,11 @@ bool has_lights() { return frame.light_first < frame.light_end; }
 uint sample_light(inout uint rng) {
   uint place, unused;
   umulExtended(rng_next(rng), frame.light_end - frame.light_first, place, unused);
-  uvec2 alias = lights.at[frame.light_end + place];
+  uvec2 alias = light_at(frame.light_end + place);
   return frame.light_first + ((rng_next(rng) & (kLightRange - 1u)) < alias.x ? place : alias.y);
 }
 
-float light_probability(uint element) { return float(lights.at[element].x) / float(kLightRange); }
+float light_probability(uint element) { return float(light_at(element).x) / float(kLightRange); }
 
 // Density with which the list finds a point of a triangle of the world at `distance`; 0: it is not in the list.
 float light_pdf(uint element, GpuTriangle t, float distance, vec3 direction) {
@@ -29,16 +29,16 @@ float light_pdf(uint element, GpuTriangle t, float distance, vec3 direction) {
 }
 
 float hit_light_pdf(Hit hit, vec3 direction) {
-  if (!has_lights() || hit.instance == kNoIndex || lights.at[hit.instance].x == kNoIndex) return 0.0;
-  return light_pdf(lights.at[hit.instance].x + hit.triangle, world_triangle(hit.instance, hit.triangle), hit.t, direction);
+  if (!has_lights() || hit.instance == kNoIndex || light_at(hit.instance).x == kNoIndex) return 0.0;
+  return light_pdf(light_at(hit.instance).x + hit.triangle, world_triangle(hit.instance, hit.triangle), hit.t, direction);
 }
 
 bool shows_sky(GpuMaterial m, uint instance) {
-  return m.emission_kind == kEmissionSky && (instances.at[instance].flags & kInstanceHasColor) == 0u;
+  return m.emission_kind == kEmissionSky && (instance_at(instance).flags & kInstanceHasColor) == 0u;
 }
 GpuMaterial material_of(uint instance, uint triangle) {
-  uint record = instances.at[instance].first_attribute + triangle;
-  return materials.at[instances.at[instance].material_base + attributes.at[record].material];
+  uint record = instance_at(instance).first_attribute + triangle;
+  return material_at(instance_at(instance).material_base + attribute_at(record).material);
 }
 bool is_sky(Hit hit) {
   if (hit.instance == kNoIndex) return frame.sky_beyond != 0u;
@@ -67,7 +67,7 @@ vec3 light_emission(uint instance, uint triangle, vec2 bary, vec3 direction, out
   GpuMaterial m = material_of(instance, triangle);
   sky = shows_sky(m, instance);
   if (sky) return sky_radiance(direction) * m.emission.rgb;
-  return shade_point(m, instance, hit_uv(instances.at[instance].first_attribute + triangle, bary), kNearest).emission;
+  return shade_point(m, instance, hit_uv(instance_at(instance).first_attribute + triangle, bary), kNearest).emission;
 }
 
 // The emission that a direction meets is shared by the balance heuristic (Veach and Guibas 1995): light_candidates()
@@ -104,7 +104,7 @@ Aim aim_at_light(Vertex v, inout uint rng) {
     uint element = sample_light(rng);
     float root = sqrt(rng_uniform(rng)), along = rng_uniform(rng), pick = rng_uniform(rng);
     vec2 bary = vec2(root * (1.0 - along), root * along);
-    uint instance = lights.at[element].y, triangle = element - lights.at[instance].x;
+    uint instance = light_at(element).y, triangle = element - light_at(instance).x;
     GpuTriangle t = world_triangle(instance, triangle);
     vec3 way = t.v0.xyz + t.e1.xyz * bary.x + t.e2.xyz * bary.y - origin;
     float reach = length(way);

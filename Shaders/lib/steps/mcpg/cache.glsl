@@ -7,6 +7,7 @@
 #ifndef FB_MCPG_CACHE
 #define FB_MCPG_CACHE
 #include "lib/frame_bindings.glsl"
+#include "lib/read_texels.glsl"
 #include "shared/color.h"
 #include "shared/guide.h"
 #include "shared/scene_gpu.h"
@@ -42,8 +43,16 @@ struct CacheCell {
   uint check;  // for the claim
 };
 
-uint cache_frames(uint entry) { return guide_cache.at[entry + kCacheCount] & 0xffffu; }
-uint cache_age(uint entry) { return (guide.frame_number - (guide_cache.at[entry + kCacheCount] >> 16u)) & 0xffffu; }
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTechnique + kBindGuideCache) uniform usamplerBuffer cache_texels;
+
+// Four words of an entry, from a multiple of four on.
+uvec4 cache_quad(uint word) {
+  if (READ_TEXELS) return texelFetch(cache_texels, int(word >> 2u));
+  return uvec4(guide_cache.at[word], guide_cache.at[word + 1u], guide_cache.at[word + 2u], guide_cache.at[word + 3u]);
+}
+
+uint cache_frames(uint entry) { return cache_quad(entry + kCacheCount).x & 0xffffu; }
+uint cache_age(uint entry) { return (guide.frame_number - (cache_quad(entry + kCacheCount).x >> 16u)) & 0xffffu; }
 
 // The cell about a point; where its entry holds another cell, a coarser one. Lanes that run together choose alike, so that
 // they share memory.
@@ -55,7 +64,7 @@ CacheCell find_cache_cell(vec3 p, vec3 n, inout uint group_rng) {
     uint at = min(level + (i >> 1u), kGridLevels - 1u);
     GridKey key = grid_vertex(p, exp2(float(at)), kCacheTag + adaptive_tag(at, n), u);
     uint entry = ((key.hash & (guide.mc_cells - 1u)) ^ (i & 1u)) * kCacheWords;
-    uint check = guide_cache.at[entry + kCacheCheck];
+    uint check = cache_quad(entry + kCacheCheck).x;
     if (check == key.check) cell.entry = entry;
     else if (cell.claim == kNoIndex && (check == 0u || cache_age(entry) > kCacheStale)) {
       cell.claim = entry;
@@ -66,13 +75,13 @@ CacheCell find_cache_cell(vec3 p, vec3 n, inout uint group_rng) {
 }
 
 vec3 cached_reflection(uint entry) {
-  return vec3(uintBitsToFloat(guide_cache.at[entry + kCacheMean]), uintBitsToFloat(guide_cache.at[entry + kCacheMean + 1u]),
-              uintBitsToFloat(guide_cache.at[entry + kCacheMean + 2u]));
+  return uintBitsToFloat(cache_quad(entry + kCacheCheck).yzw);
 }
 
 // Second moments of estimates there for each of guide_shares(), over the square of the mean; zero: unknown.
 vec4 cached_moments(uint entry) {
-  return vec4(unpackHalf2x16(guide_cache.at[entry + kCacheMoment]), unpackHalf2x16(guide_cache.at[entry + kCacheMoment + 1u]));
+  uvec4 words = cache_quad(entry + kCacheCount);
+  return vec4(unpackHalf2x16(words.y), unpackHalf2x16(words.z));
 }
 
 // Lists an entry at its first touch; `before`: its word kCacheTouched.

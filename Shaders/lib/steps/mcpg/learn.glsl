@@ -35,7 +35,7 @@ void learn_waste(Guidance g, Path path) {
 }
 
 vec3 hit_velocity(Hit hit, vec3 position) {
-  if (hit.instance == kNoIndex || (instances.at[hit.instance].flags & kInstanceMoves) == 0u) return vec3(0.0);
+  if (hit.instance == kNoIndex || (instance_at(hit.instance).flags & kInstanceMoves) == 0u) return vec3(0.0);
   return (position - previous_position(hit)) / max(frame.time - frame.prev_time, 1e-4);
 }
 

@@ -54,7 +54,7 @@ void load_mixture(Vertex v, inout Guidance g, inout uint group_rng, inout uint r
     g.cells[a] = cell;
     [[unroll]] for (uint j = 0u; j < GUIDE_BUCKET; ++j) {
       uint i = a * GUIDE_BUCKET + j;
-      uvec4 words = guide_states.at[cell.first + j];
+      uvec4 words = guide_quad(cell.first + j);
       GuideState s = unpack_guide_state(words);
       if (guide_state_moves(words) && s.check == cell.check) s = add_guide_motion(s, load_guide_motion(cell.first + j));
       vec3 to_light = predicted_target(s) - v.position;

@@ -31,13 +31,14 @@ GuideCell guide_cell(vec3 p, vec3 n, bool adaptive, inout uint group_rng) {
   return GuideCell((key.hash & (buckets - 1u)) * GUIDE_BUCKET, key.check);
 }
 
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTechnique + kBindGuideStates) uniform usamplerBuffer state_texels;
+
+uvec4 guide_quad(uint at) { return READ_TEXELS ? texelFetch(state_texels, int(at)) : guide_states.at[at]; }
 uvec2 load_guide_motion(uint at) {
-  uint word = guide.mc_states + (at >> 1u);
-  return (at & 1u) == 0u ? guide_states.at[word].xy : guide_states.at[word].zw;
+  uvec4 two = guide_quad(guide.mc_states + (at >> 1u));
+  return (at & 1u) == 0u ? two.xy : two.zw;
 }
-GuideState load_guide_state(uint at) {
-  return add_guide_motion(unpack_guide_state(guide_states.at[at]), load_guide_motion(at));
-}
+GuideState load_guide_state(uint at) { return add_guide_motion(unpack_guide_state(guide_quad(at)), load_guide_motion(at)); }
 
 void store_guide_state(GuideState s, uint at, uint proposal) {
   if (isnan(s.weight) || isinf(s.weight) || any(isnan(s.target)) || any(isinf(s.target))) {

@@ -1,0 +1,76 @@
+// Records of the scene's tables, through texel buffers where those are faster: lavapipe before Mesa 24 loads a word of a
+// storage buffer lane by lane, four words of a texel buffer at once. Words that nobody reads are not fetched.
+#ifndef FB_LIB_SCENE_RECORDS
+#define FB_LIB_SCENE_RECORDS
+#include "lib/read_texels.glsl"
+#include "lib/scene_bindings.glsl"
+
+FB_SCENE_ARRAY(kBindTriangles, 16, readonly, TriangleQuadArray, uvec4, triangle_quads)
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTriangles) uniform usamplerBuffer triangle_texels;
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsInstances) uniform usamplerBuffer instance_texels;
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsAttributes) uniform usamplerBuffer attribute_texels;
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsMaterials) uniform usamplerBuffer material_texels;
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsImages) uniform usamplerBuffer image_texels;
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsPalette) uniform usamplerBuffer palette_texels;
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsLights) uniform usamplerBuffer light_texels;
+
+uvec4 triangle_quad(uint at) { return READ_TEXELS ? texelFetch(triangle_texels, int(at)) : triangle_quads.at[at]; }
+
+GpuTriangle triangle_at(uint index) {
+  return GpuTriangle(uintBitsToFloat(triangle_quad(index * 3u)), uintBitsToFloat(triangle_quad(index * 3u + 1u)),
+                     uintBitsToFloat(triangle_quad(index * 3u + 2u)));
+}
+
+vec4 instance_row(int at) { return uintBitsToFloat(texelFetch(instance_texels, at)); }
+
+GpuInstance instance_at(uint index) {
+  if (!READ_TEXELS) return instances.at[index];
+  int at = int(index) * 17;
+  uvec4 places = texelFetch(instance_texels, at + 9), poses_of = texelFetch(instance_texels, at + 10);
+  uvec4 more = texelFetch(instance_texels, at + 11), last = texelFetch(instance_texels, at + 12);
+  return GpuInstance(vec4[](instance_row(at), instance_row(at + 1), instance_row(at + 2)),
+                     vec4[](instance_row(at + 3), instance_row(at + 4), instance_row(at + 5)),
+                     vec4[](instance_row(at + 6), instance_row(at + 7), instance_row(at + 8)),
+                     places.x, places.y, places.z, places.w, poses_of.x, poses_of.y, poses_of.z, poses_of.w,
+                     uintBitsToFloat(more.x), uintBitsToFloat(more.y), more.z, more.w,
+                     last.x, uintBitsToFloat(last.y), uintBitsToFloat(last.z), last.w,
+                     instance_row(at + 13), instance_row(at + 14), instance_row(at + 15), instance_row(at + 16));
+}
+
+GpuAttribute attribute_at(uint index) {
+  if (!READ_TEXELS) return attributes.at[index];
+  int at = int(index) * 3;
+  uvec4 first = texelFetch(attribute_texels, at);
+  vec4 uv = uintBitsToFloat(texelFetch(attribute_texels, at + 1));
+  uvec4 last = texelFetch(attribute_texels, at + 2);
+  return GpuAttribute(first.x, first.y, first.z, first.w, uv.xy, uv.zw, uintBitsToFloat(last.xy), last.z, last.w);
+}
+
+GpuMaterial material_at(uint index) {
+  if (!READ_TEXELS) return materials.at[index];
+  int at = int(index) * 5;
+  uvec4 images_of = texelFetch(material_texels, at), shape = texelFetch(material_texels, at + 3);
+  uvec4 last = texelFetch(material_texels, at + 4);
+  return GpuMaterial(images_of.x, images_of.y, images_of.z, images_of.w,
+                     uintBitsToFloat(texelFetch(material_texels, at + 1)), uintBitsToFloat(texelFetch(material_texels, at + 2)),
+                     uintBitsToFloat(shape.x), uintBitsToFloat(shape.y), uintBitsToFloat(shape.z), shape.w,
+                     last.x, last.y, last.z, last.w);
+}
+
+GpuImage image_at(uint index) {
+  if (!READ_TEXELS) return images.at[index];
+  uvec4 image = texelFetch(image_texels, int(index));
+  return GpuImage(image.x, image.y, image.z, image.w);
+}
+
+vec3 palette_at(uint index) {
+  return READ_TEXELS ? uintBitsToFloat(texelFetch(palette_texels, int(index)).rgb) : palette.at[index].rgb;
+}
+
+// An element of the list of lights; two stand in a texel. (Texels of images, one word each, are no sooner read so.)
+uvec2 light_at(uint index) {
+  if (!READ_TEXELS) return lights.at[index];
+  uvec4 two = texelFetch(light_texels, int(index >> 1u));
+  return (index & 1u) != 0u ? two.zw : two.xy;
+}
+#endif
