@@ -1,6 +1,7 @@
 #include "render/denoiser.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/packing.hpp>
 
@@ -25,6 +26,12 @@ int levels_for(uvec2 size) {
 
 }  // namespace
 
+std::uint32_t Denoiser::light_block(const RenderSettings& settings) const {
+  if (!wanted(settings) || settings.debug_view != 0) return 1;
+  const float chosen = settings.light_scale > 0 ? settings.light_scale : device_.is_software() ? 0.5f : 1.0f;
+  return static_cast<std::uint32_t>(std::lround(1.0f / std::clamp(chosen, 0.25f, 1.0f)));
+}
+
 void Denoiser::resize(uvec2 render, const RenderSettings& settings) {
   on_ = wanted(settings);
   const uvec2 size = on_ ? render : uvec2(0);
@@ -48,6 +55,14 @@ void Denoiser::resize(uvec2 render, const RenderSettings& settings) {
 
 void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
                     bool still) {
+  light_block_ = light_block(settings);
+  c.light_block = light_block_;
+  c.light_width = light_size(uvec2(c.width, c.height), light_block_).x;
+  // A block's pixels in turns, neighbours seldom one after the other: the step shares no factor with their number.
+  const std::uint32_t pixels = light_block_ * light_block_;
+  const auto turn = static_cast<std::uint32_t>((snapshot.frame + c.accumulated_frames) * (pixels / 2 + 1) % pixels);
+  c.light_x = turn % light_block_;
+  c.light_y = turn / light_block_;
   c.denoise = on_;
   c.taa = on_ && antialiases(settings);
   if (!on_) return;
@@ -57,9 +72,7 @@ void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snaps
   c.history_parity = parity_;
   c.history_valid = valid_ && (again || !snapshot.cut);
   c.still = still;
-  const float n = static_cast<float>(c.accumulated_frames);
-  c.mean_weight = c.accumulated_frames > 0 ? n / (n + settings.svgf_mean_frames) : 0.0f;
-  blends_mean_ = c.mean_weight > 0;
+  blends_mean_ = c.accumulated_frames > 0;
   valid_ = true;
   last_frame_ = snapshot.frame;
 }
@@ -67,7 +80,12 @@ void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snaps
 void Denoiser::add_passes(PassList& list, ShaderSet& shaders) {
   if (!on_) return;
   const uvec2 groups = groups_over(size_, 8);
-  list.dispatch("denoise_temporal", PassKind::kFrame, shaders.get("denoise_temporal"), groups);
+  if (light_block_ > 1) {
+    list.dispatch("denoise_light", PassKind::kFrame, shaders.get("denoise_light"),
+                  groups_over(light_size(size_, light_block_), 8));
+  }
+  list.dispatch("denoise_temporal", PassKind::kFrame,
+                shaders.get(light_block_ > 1 ? "denoise_temporal_sparse" : "denoise_temporal"), groups);
   list.add("denoise_wavelets", PassKind::kFrame,
            [this, &shaders, groups](gpu::Commands& commands) { record_wavelets(commands, shaders, groups); });
 }

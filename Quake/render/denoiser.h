@@ -26,6 +26,12 @@ class Denoiser {
   static bool wanted(const RenderSettings& settings) { return settings.denoise > 0; }
   static bool antialiases(const RenderSettings& settings) { return wanted(settings) && settings.taa != 0; }
 
+  // Light is sampled at one pixel of each block of so many a side (r_light_scale); 1 without the denoiser, and where a
+  // debug view shows what is sampled.
+  std::uint32_t light_block(const RenderSettings& settings) const;
+  // Blocks of a picture.
+  static uvec2 light_size(uvec2 render, std::uint32_t block) { return groups_over(render, block); }
+
   // Makes room for the history, or frees it; what was there is lost when the size changes.
   void resize(uvec2 render, const RenderSettings& settings);
   // The next frame's history is none: what was to be written to it may not have been.
@@ -51,6 +57,7 @@ class Denoiser {
   uvec2 size_{0, 0};
   bool on_ = false, valid_ = false, blends_mean_ = false;
   int levels_ = 0;
+  std::uint32_t light_block_ = 1;
   std::uint32_t parity_ = 0;
   std::uint64_t last_frame_ = 0;
 };

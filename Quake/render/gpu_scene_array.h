@@ -31,7 +31,8 @@ class DeviceArray {
     if (buffer_ && buffer_.size() >= needed) return;
     // The first size is taken at its word (a map's assets come at once), later ones get some slack, where there is
     // room.
-    const std::uint64_t roomy = std::min(buffer_ ? needed + needed / 4 : needed, gpu::largest_buffer(device_, use_)) / 16 * 16;
+    const std::uint64_t roomy =
+        std::min(buffer_ ? needed + needed / 4 : needed, gpu::largest_buffer(device_, use_)) / 16 * 16;
     gpu::Buffer larger(device_, use_, std::max(needed, roomy), name_);
     if (kept_ > 0) {
       device_.run([&](gpu::Commands& commands) { commands.copy(buffer_, larger, std::uint64_t{kept_} * sizeof(T)); });

@@ -12,8 +12,8 @@ namespace fb::render {
 
 // How shaders read memory. Every choice gives the same picture; the fastest depends on the driver.
 struct MemoryAccess {
-  bool by_address = false;    // arrays by device address, not through descriptors (Shaders/lib/arrays.glsl)
-  bool texels = false;        // arrays that have a texel buffer are read through it
+  bool by_address = false;  // arrays by device address, not through descriptors (Shaders/lib/arrays.glsl)
+  bool texels = false;      // arrays that have a texel buffer are read through it
 };
 // `by_address`: what is asked for; a device without addresses has none all the same.
 MemoryAccess memory_access(const gpu::Device& device, std::optional<bool> by_address = {});

@@ -25,7 +25,7 @@ namespace fb::render {
 // What a technique is told of a frame, between submissions.
 struct TechniqueFrame {
   const RenderSettings& settings;  // as Technique::adapt left them
-  uvec2 size;                      // rendered pixels
+  uvec2 size;                      // pixels at which light is sampled
   float pixel_tangent;             // tangent of the angle that a pixel subtends
 };
 

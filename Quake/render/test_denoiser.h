@@ -17,6 +17,7 @@ inline RenderSettings denoising() {
   RenderSettings s;
   s.intersector = Intersector::kBvh;
   s.denoise = 1;
+  s.light_scale = 1;
   s.svgf_levels = 5;
   s.accumulate = 0;
   return s;

@@ -23,6 +23,18 @@ vec3 picture_color(uvec2 texel) { return vec3(unpackHalf2x16(texel.x), unpackHal
 // Word of an anti-aliased picture.
 uint shown_word(uint parity, uint at) { return section(kSectionPicture) * 4u + (2u + parity) * frame.width * frame.height + at; }
 
+// Eight bits that tell instances apart.
+uint surface_name(uint id) { return hash_u32(id) >> 24u; }
+
+// Not finite: counted, and as good as black.
+vec3 checked_irradiance(vec3 x) {
+  if (any(isnan(x)) || any(isinf(x))) {
+    atomicAdd(counters.at[kCounterHistory], 1u);
+    return vec3(0.0);
+  }
+  return clamp(x, vec3(0.0), vec3(kMaxIrradiance));
+}
+
 float luminance_of(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
 // What is shown of the surface at a pixel: its emission, and the factor on irradiance; zero: it reflects nothing.

@@ -2,7 +2,7 @@
 // technique does of its own are its steps; it includes or defines each of them before this file (lib/steps/ has those of a
 // technique that lacks one, which cost nothing):
 //
-//   begin     Path begin_path(uvec2 pixel, uint number, uint i)                  path i of the pixel
+//   begin     Path begin_path(uvec2 block, uint number, uint i)                  path i of the pixel that is lit in the block
 //   field     struct Field                                                       what is known of the light about a point
 //             const bool kHasField, kEndsInField                                 kEndsInField: biased, paths end in the field
 //             Field field_at(Vertex v, inout Path path)

@@ -1,4 +1,4 @@
-// The main function of every technique: each pixel's radiance is its emission, and the mean of frame.spp paths from its
+// The main function of every technique: a pixel's radiance is its emission, and the mean of frame.spp paths from its
 // surface. The includer chooses the technique's steps (lib/path.glsl) before.
 #include "lib/gbuffer_texel.glsl"
 #include "lib/pixel.glsl"
@@ -17,9 +17,9 @@ vec3 previous_world(GBufferTexel g, vec2 point) {
 }
 
 void main() {
-  uvec2 pixel = invocation_pixel();
+  uvec2 block = invocation_pixel(), pixel = light_pixel(block);
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
-  uint at = pixel.y * frame.width + pixel.x;
+  uint at = pixel.y * frame.width + pixel.x, number = (block.y * frame.light_width + block.x) * frame.spp;
   GBufferTexel g = gbuffer_at(at);
   vec3 emission = g.emission_specular.rgb;
   if (SHOW_VIEW) ldr.at[at] = packUnorm4x8(vec4(0.0, 0.0, 0.0, 1.0));
@@ -38,7 +38,7 @@ void main() {
                         g.emission_specular.w, float(g.material_metalness >> 24u) / 255.0);
 
   if (SHOW_VIEW) {
-    Path path = begin_path(pixel, at * frame.spp, 0u);
+    Path path = begin_path(block, number, 0u);
     path.group_rng = rng_seed(at, frame.frame, 1u, frame.seed);  // each pixel looks for itself
     ldr.at[at] = packUnorm4x8(vec4(view_color(v, path, rng_seed(at, frame.frame, 0u, frame.seed)), 1.0));
   }
@@ -46,7 +46,7 @@ void main() {
   float lost = 0.0;
   for (uint i = 0u; i < frame.spp; ++i) {
     uint rng = rng_seed(at, frame.frame, i, frame.seed);
-    vec3 estimate = trace_path(v, begin_path(pixel, at * frame.spp + i, i), rng);
+    vec3 estimate = trace_path(v, begin_path(block, number + i, i), rng);
     if (any(isnan(estimate)) || any(isinf(estimate))) {
       atomicAdd(counters.at[kCounterNan], 1u);
       lost += 1.0;

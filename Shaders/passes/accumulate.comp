@@ -1,4 +1,5 @@
-// Mean and squared deviations over the frames of a static view (Welford 1962); without accumulation, this frame alone.
+// Mean and squared deviations over the frames of a static view (Welford 1962); without accumulation, this frame alone. Frames
+// that do not sample a pixel do not count there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pixel.glsl"
@@ -8,12 +9,14 @@ void main() {
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
   uint at = pixel.y * frame.width + pixel.x;
   vec3 x = radiance.at[at].rgb;
+  bool sampled = pixel == light_pixel(pixel / frame.light_block);
   if (frame.accumulated_frames == 0u) {
-    mean_radiance.at[at] = vec4(x, 1.0);
+    mean_radiance.at[at] = sampled ? vec4(x, 1.0) : vec4(0.0);
     m2_radiance.at[at] = vec4(0.0);
     return;
   }
-  float n = float(frame.accumulated_frames) + 1.0;
+  if (!sampled) return;
+  float n = mean_radiance.at[at].w + 1.0;
   vec3 mean = mean_radiance.at[at].rgb;
   vec3 delta = x - mean;
   mean += delta / n;

@@ -64,14 +64,38 @@ float kept_frames(float frames, vec2 point) {
   return frames < 4.0 || frame.still != 0u ? frames : max(frames * kept, 4.0);
 }
 
-// Not finite: counted, and as good as black.
-vec3 checked(vec3 x) {
-  if (any(isnan(x)) || any(isinf(x))) {
-    atomicAdd(counters.at[kCounterHistory], 1u);
-    return vec3(0.0);
+#if SPARSE
+// Light at a pixel from the samples of the four blocks about it, each by its distance and if it is of this surface (joint
+// bilateral upsampling, Kopf 2007); its own sample alone where it has one.
+struct Light {
+  vec3 irradiance;
+  bool known;
+};
+const float kOtherSurface = 1e-3;  // what a sample of another surface counts, where there is none of this
+
+Light light_about(uvec2 pixel, float inverse_depth, vec2 slope, vec3 normal, uint id) {
+  float side = float(frame.light_block);
+  vec2 place = (vec2(pixel) - vec2(frame.light_x, frame.light_y)) / side, corner = floor(place), f = place - corner;
+  float tolerance = 0.02 + 0.25 * (abs(slope.x) + abs(slope.y)), weights = 0.0;
+  ivec2 blocks = ivec2(frame.light_width, (frame.height + frame.light_block - 1u) / frame.light_block);
+  vec3 sum = vec3(0.0);
+  for (uint i = 0u; i < 4u; ++i) {
+    vec2 offset = vec2(i & 1u, i >> 1u);
+    ivec2 block = ivec2(corner + offset);
+    bool inside = all(greaterThanEqual(block, ivec2(0))) && all(lessThan(block, blocks));
+    uvec4 texel = history_quad(section(kSectionLight) + (inside ? uint(block.y) * frame.light_width + uint(block.x) : 0u));
+    float expected = inverse_depth * max(1.0 + dot(slope, (offset - f) * side), 0.01);
+    vec3 turned = unpack_surface_normal(texel.z) - normal;
+    bool same = (texel.y >> 16u) == id && dot(turned, turned) < 0.3 &&
+                abs(unpack_surface_inverse_depth(texel.z) - expected) < tolerance * expected;
+    vec2 near = mix(1.0 - f, f, offset);
+    float weight = inside && texel.z != 0u ? max(near.x * near.y, 1e-7) * (same ? 1.0 : kOtherSurface) : 0.0;
+    sum += weight * vec3(unpackHalf2x16(texel.x), unpackHalf2x16(texel.y & 0xffffu).x);
+    weights += weight;
   }
-  return clamp(x, vec3(0.0), vec3(kMaxIrradiance));
+  return Light(sum / max(weights, 1e-20), weights > 0.0);
 }
+#endif
 
 void main() {
   uvec2 pixel = invocation_pixel();
@@ -81,18 +105,23 @@ void main() {
   vec4 motion = uintBitsToFloat(gbuffer_quad(at, 4u));
   vec3 normal = unpack_direction(words.y), ray = camera_direction(vec2(pixel) + 0.5);
   Reflector r = reflector(gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), words.w, cosine_to(ray, normal));
-  vec3 x = checked(demodulate(radiance.at[at].rgb - r.emission, r.factor));
-  float y = luminance_of(x);
-
-  uint id = hash_u32(words.z) >> 24u;
+  uint id = surface_name(words.z);
   float inverse_depth = 1.0 / max(motion.z, 1e-3), depth_before = frame.still != 0u ? motion.z : motion.w;
   vec3 geometric = unpack_direction(words.x);
   vec2 slope = plane_slope(geometric, ray);
   vec2 point = vec2(pixel) + (frame.still != 0u ? vec2(0.0) : motion.xy);
   History h = find_history(point, 1.0 / max(depth_before, 1e-3), slope, geometric, id);
   h.frames = kept_frames(h.frames, point);
+#if SPARSE
+  Light light = light_about(pixel, inverse_depth, slope, geometric, id);
+  vec3 x = light.irradiance;
+  bool reflects = light.known;
+#else
   // A black texel says nothing of the light on it; it keeps what its surroundings found.
+  vec3 x = checked_irradiance(demodulate(radiance.at[at].rgb - r.emission, r.factor));
   bool reflects = max(r.factor.x, max(r.factor.y, r.factor.z)) > 0.0;
+#endif
+  float y = luminance_of(x);
   bool known = motion.z > 0.0 && (reflects || h.frames > 0.0);
 
   float frames = min(h.frames + (reflects ? 1.0 : 0.0), float(kMaxHistory));

@@ -11,14 +11,16 @@ FB_CONST uint kSectionHistory =
     0u;  // and 1: HistoryTexel, this frame's and the last one's by FrameConstants::history_parity
 FB_CONST uint kSectionFilter = 2u;   // and 3: FilterTexel, a wavelet's source and target in turns
 FB_CONST uint kSectionPicture = 4u;  // PictureTexel[pixels], then two of uint[pixels]: anti-aliased pictures by parity
-FB_CONST uint kHistorySections = 5u;
+FB_CONST uint kSectionLight = 5u;    // LightTexel[blocks], where light is not sampled at every pixel
+FB_CONST uint kHistorySections = 6u;
 
 // HistoryTexel: x: half2 irradiance r, g; y: half irradiance b, frames (8 bits), id (8 bits); z: half2 mean of
 // luminance and root of its mean square; w: pack_surface of the geometric normal. FilterTexel: x: irradiance,
 // pack_rgb9e5; y: half2 standard deviation of its luminance, what recent frames' mean luminance is above its; z:
 // pack_surface of the shading normal, 0: nothing to filter; w: frames (8 bits), id (8 bits), pack_coarse_normal of the
 // geometric normal. PictureTexel: x: half2 denoised radiance r, g; y: half b, above it how much of the history is to be
-// kept, of 255.
+// kept, of 255. LightTexel: x, y as of HistoryTexel, without frames; z: pack_surface of the geometric normal, 0: no
+// sample.
 
 FB_CONST float kMaxIrradiance = 60000.0f;  // of a half, with room
 FB_CONST float kMaxHalf = 65504.0f;

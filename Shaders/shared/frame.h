@@ -43,8 +43,10 @@ struct FrameConstants {
   uint previous_gbuffer;          // kBindPreviousGBuffer holds the former frame's
   uint light_first, light_end;    // triangles of the list of lights, then its alias table; equal: there are none
   uint former_first, former_end;  // its elements that say where the former frame's instances are now
-  uint history_parity, history_valid, still;  // still: the same snapshot again, so nothing has moved
-  float mean_weight;                          // of the accumulated mean in the denoised picture
+  // Light is sampled at one pixel of each block of light_block x light_block, at light_x, light_y in it; 1: at every
+  // pixel.
+  uint light_block, light_x, light_y, light_width;  // light_width: blocks in a row
+  uint history_parity, history_valid, still;        // still: the same snapshot again, so nothing has moved
   FB_FRAME_SETTINGS(FB_UNIFORM_FIELD)
   FB_DENOISER_SETTINGS(FB_UNIFORM_FIELD)
 };

@@ -10,7 +10,7 @@ FB_NAMESPACE_BEGIN
 
 // The guide's arrays in the technique's set, and its specialisation constants.
 FB_CONST uint kBindGuideStates = 0u;  // uvec4[]: a state is one and a half of them; its motion lies behind all states
-FB_CONST uint kBindGuideCache = 1u;      // uint[]: the irradiance cache and its list of touched cells
+FB_CONST uint kBindGuideCache = 1u;   // uint[]: the irradiance cache and its list of touched cells
 FB_CONST uint kBindGuideProposals = 2u;  // uvec4[]: what a frame's paths want to store, where it is resolved after it
 FB_CONST uint kSpecResolve = kSpecTechnique;        // store proposals, which a pass resolves in a fixed order
 FB_CONST uint kSpecAccesses = kSpecTechnique + 1u;  // cells that a vertex takes states from

@@ -1,12 +1,12 @@
-// Step `begin`. Lanes that run together (4x2 pixels) look into the same cells, train together, and go on together.
+// Step `begin`. Lanes that run together (4x2 blocks) look into the same cells, train together, and go on together.
 #ifndef FB_MCPG_BEGIN
 #define FB_MCPG_BEGIN
 #include "lib/path_state.glsl"
 #include "lib/steps/mcpg/cache.glsl"
 
-Path begin_path(uvec2 pixel, uint number, uint i) {
+Path begin_path(uvec2 block, uint number, uint i) {
   Path path = Path(number, 0u, false, false, false, 0u);
-  path.group_rng = rng_seed((pixel.y >> 1u) * frame.width + (pixel.x >> 2u), frame.frame, i, frame.seed ^ 0x5bd1e995u);
+  path.group_rng = rng_seed((block.y >> 1u) * frame.width + (block.x >> 2u), frame.frame, i, frame.seed ^ 0x5bd1e995u);
   path.goes_on = kEndsInField && rng_next(path.group_rng) % guide.mc_tail_train == 0u;
   path.trains = rng_next(path.group_rng) % guide.mc_train == 0u || path.goes_on;
   return path;

@@ -1,0 +1,20 @@
+// Where light is sampled at one pixel of a block (r_light_scale): the sample without its surface's reflectance, with what tells
+// whose it is, for the pixels about it (passes/denoise_temporal.comp).
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/denoise.glsl"
+
+void main() {
+  uvec2 block = invocation_pixel(), pixel = light_pixel(block);
+  if (block.x >= frame.light_width || pixel.y / frame.light_block * frame.light_block >= frame.height) return;
+  uint to = section(kSectionLight) + block.y * frame.light_width + block.x;
+  bool inside = pixel.x < frame.width && pixel.y < frame.height;
+  uint at = inside ? pixel.y * frame.width + pixel.x : 0u;
+  uvec4 words = gbuffer_quad(at, 3u);
+  float depth = uintBitsToFloat(gbuffer_quad(at, 4u).z);
+  Reflector r = reflector(gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), words.w, cosine_to(camera_direction(vec2(pixel) + 0.5), unpack_direction(words.y)));
+  bool lit = inside && depth > 0.0 && max(r.factor.x, max(r.factor.y, r.factor.z)) > 0.0;
+  vec3 x = checked_irradiance(demodulate(radiance.at[at].rgb - r.emission, r.factor));
+  uint surface = pack_surface(1.0 / max(depth, 1e-3), unpack_direction(words.x));
+  history.at[to] = lit ? uvec4(packHalf2x16(x.rg), packHalf2x16(vec2(x.b, 0.0)) | (surface_name(words.z) << 16u), surface, 0u) : uvec4(0u);
+}
