@@ -12,8 +12,8 @@ struct IntersectorSpeeds {
   double query = 0, bvh = 0;
 };
 
-// Traces the same incoherent rays through a small scene by each; the best of three. The device has ray query. Takes tens of
-// milliseconds beside the compilation of two small shaders. Throws OutOfMemory.
+// Traces the same incoherent rays through a small scene by each; the best of three. The device has ray query. Takes
+// tens of milliseconds beside the compilation of two small shaders. Throws OutOfMemory.
 IntersectorSpeeds measure_intersectors(gpu::Device& device, std::optional<bool> by_address);
 
 // Whether ray query is faster; measured once in a process for each device and driver, and said in the log.
