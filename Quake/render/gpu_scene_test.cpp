@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "render/test_gpu_scene.h"
 
 namespace fb::render {
@@ -44,6 +46,23 @@ TEST_F(GpuSceneTest, FindsTwoThousandInstances) {
   std::uint32_t mesh = c.add_mesh(soup(4, 6, 12, 12));
   for (int i = 0; i < 2000; ++i) c.add(mesh, random_transform(rng, 400));
   expect_all_agree(c, random_rays(1000, 400, 13));
+}
+
+// Long triangles across the whole scene, whose boxes overlap at every level of the tree: more subtrees wait than the
+// traversal's stack holds, and those that fell out are found again.
+TEST_F(GpuSceneTest, FindsWhatFellOutOfTheStack) {
+  Case c;
+  Rng rng(17);
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < 400; ++i) {
+    const vec3 at = vec3(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)) * 300.0f;
+    const vec3 along = random_direction(rng) * 600.0f;
+    for (const vec3& p : {at - along, at + along, at + random_direction(rng) * 120.0f}) mesh.positions.push_back(p);
+    mesh.triangles.push_back({{3 * i, 3 * i + 1, 3 * i + 2}, 0, {}});
+  }
+  scene::finish_mesh(mesh);
+  c.add(c.add_mesh(std::move(mesh)));
+  expect_all_agree(c, random_rays(1500, 300, 18));
 }
 
 TEST_F(GpuSceneTest, SeesByMaskAlone) {

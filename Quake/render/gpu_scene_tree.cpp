@@ -7,6 +7,8 @@
 namespace fb::render {
 namespace {
 
+static_assert(shared::kMaxMeshDepth + shared::kMaxInstanceDepth <= shared::kTraversalDepth);
+
 std::uint32_t spread_bits(std::uint32_t v) {
   std::uint32_t spread = 0;
   for (std::uint32_t bit = 0; bit < 10; ++bit) spread |= (v >> bit & 1u) << (3 * bit);

@@ -6,7 +6,6 @@
 #ifndef FB_LIB_TRACE_BVH
 #define FB_LIB_TRACE_BVH
 
-
 FB_SCENE_ARRAY(kBindNodes, 16, readonly, NodeQuadArray, uvec4, node_quads)
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsNodes) uniform usamplerBuffer node_texels;
 
@@ -22,9 +21,9 @@ vec3 safe_reciprocal(vec3 d) {
   return 1.0 / mix(d, tiny, lessThan(abs(d), vec3(1e-20)));
 }
 
-// Where a traversal stands. References that wait are in a short stack of registers, the newest first: memory that lanes index
-// apart costs lavapipe more than all the rest of a step. What falls out at its end is found again from the root by the trail
-// (Laine 2010): a bit for each depth above `depth`, set where nothing waits at that node any more.
+// Where a traversal stands. References that wait are in a short stack of registers, the newest first: a stack in memory, which
+// lanes index apart, was a quarter of the paths' time on lavapipe. What falls out at its end is found again from the root by the
+// trail (Laine 2010): a bit for each depth above `depth`, set where nothing waits at that node any more.
 struct Walk {
   uint current;   // reference
   uint depth;     // of `current`
