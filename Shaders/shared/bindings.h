@@ -89,7 +89,7 @@ FB_CONST uint kSpecFeatures = 3u;    // what surfaces and sky have: kFeature* (s
 FB_CONST uint kSpecShowView = 2u;
 FB_CONST uint kSpecTechnique = 4u;
 FB_CONST uint kTechniqueSpecs = 4u;
-// How memory is read fastest on the device (render/memory_access.h):
+// How memory is read fastest on the device (render/shader_code.h):
 FB_CONST uint kSpecReadTexels = 10u;  // arrays that have a texel buffer are read through it
 // Of passes/pose.comp:
 FB_CONST uint kSpecForQuery = 0u;
