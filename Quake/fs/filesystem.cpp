@@ -176,11 +176,10 @@ Status FileSystem::Impl::add_game(const std::string& name, int game_index) {
   const auto in_base = take_directory(options.base_dir / folder);
   if (!in_base) return in_base.error();
   const Result<bool> in_user = user_dir.empty() ? Result<bool>(false) : take_directory(user_dir / name);
-  if (!*in_base && (!in_user || !*in_user)) {
-    return Error{
-        fmt::format("{}: there is no directory {} in it; -basedir DIR says where the game's data is: DIR holds id1",
-                    options.base_dir.generic_string(), name)};
-  }
+  const Error none{
+      fmt::format("{}: there is no directory {} in it; -basedir DIR says where the game's data is: DIR holds id1",
+                  options.base_dir.generic_string(), name)};
+  if (!*in_base && (!in_user || !*in_user)) return none;
   if (auto status = add_directory(options.base_dir / folder, folder, game_index); !status) return status;
   // Errors in the player's own folder are no reason to fail: a game can be played without it. If it does not exist, it
   // may be created later.
@@ -188,6 +187,8 @@ Status FileSystem::Impl::add_game(const std::string& name, int game_index) {
   if (in_user && !user_dir.empty()) {
     if (auto status = add_directory(user_dir / name, "user/" + name, game_index); !status) return status;
   }
+  // The player's own id1 may be the whole game; with settings and saves alone it is none.
+  if (!*in_base && game_index == 0 && !locate("progs.dat")) return none;
   game = name;
   return ok_status();
 }

@@ -171,6 +171,18 @@ TEST(FileSystem, WritesBelowTheUserDirectoryAndFindsThemAgain) {
   EXPECT_FALSE(files.write_path("../x"));
 }
 
+TEST(FileSystem, ThePlayersOwnFolderIsAGameOnlyWithTheGamesCode) {
+  const TestDirectory base, user;
+  user.put("id1/config.cfg", "bind x y");
+  FsOptions options = options_for(base);
+  options.user_dir = user.path();
+  const auto none = FileSystem::open(options);
+  ASSERT_FALSE(none);
+  EXPECT_THAT(none.error().message, HasSubstr("-basedir"));
+  user.put("id1/pak0.pak", make_pak({{"progs.dat", "code"}}));
+  EXPECT_EQ(text(open(options), "progs.dat"), "code");
+}
+
 TEST(FileSystem, OwnFilesAreLooseOnesOfTheLastGame) {
   const TestDirectory base, user;
   base.put("id1/old.sav", "id1");

@@ -6,6 +6,10 @@ build=$1
 data=${FULLBRIGHT_TEST_DATA:-../shared/librequake}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
+export XDG_CACHE_HOME=${XDG_CACHE_HOME:-${HOME-/tmp}/.cache}  # shaders stay compiled
+export HOME=$scratch/home  # the player's own folder has no say
+mkdir -p "$HOME"
+unset XDG_DATA_HOME
 failures=0
 
 check() {  # check NAME CONDITION...
@@ -28,6 +32,9 @@ check "a launcher's options are taken" grep -q '^fullbright ' <<<"$("$build/full
   -condebug -nolan -protocol 999 -fsaa 4 -version)"
 check "headless without a command says what to give" fails_with "+timedemo" "$build/fullbright" -headless
 check "missing data says what to give" fails_with "-basedir" "$build/fullbright" -headless -basedir "$scratch" +timedemo demo1
+mkdir -p "$HOME/.fullbright/id1" && echo >"$HOME/.fullbright/id1/config.cfg"
+check "and where settings are kept already" fails_with "-basedir" "$build/fullbright" -headless -basedir "$scratch" +timedemo demo1
+rm -r "$HOME/.fullbright"
 check "help" grep -q -- -capture_every <<<"$("$build/fullbright" --help)"
 check "the laboratory's help" grep -q reference <<<"$("$build/fullbright-lab" --help)"
 for wrong in abc nan inf 0 -1 1e9 0x10; do
