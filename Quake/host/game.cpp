@@ -1,8 +1,8 @@
 #include "host/game.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -12,6 +12,7 @@
 #include "base/stop.h"
 #include "lab/image_io.h"
 #include "platform/clock.h"
+#include "render/picture_size.h"
 
 namespace fb::host {
 namespace {
@@ -21,6 +22,9 @@ constexpr uvec2 kWindowSize{1280, 720}, kHeadlessSize{640, 360};
 void register_host_cvars(con::Console& console) {
   console.add_cvar(
       {"vid_vsync", "0", "vertical sync; takes effect at the next start", con::kCvarArchive, 0.0f, 1.0f, true});
+  console.add_cvar({"r_cpu_pixels", "129600",
+                    "in a window on a CPU no more pixels than these are rendered, and scaled up; 0: all",
+                    con::kCvarArchive, 0.0f, 1e8f, true});
 }
 
 }  // namespace
@@ -219,6 +223,11 @@ void Game::capture() {
 render::RenderSettings Game::settings() const {
   render::RenderSettings settings = render::read_render_settings(engine_->console());
   if (settings.denoise < 0) settings.denoise = 1;
+  const float most = engine_->console().cvar("r_cpu_pixels").value();
+  if (window_ && device_->is_software() && most > 0) {
+    settings.scale =
+        std::min(render::rendered_fraction(settings), render::scale_for_pixels(drawer_->size(settings), most));
+  }
   return settings;
 }
 

@@ -32,10 +32,15 @@ std::uint32_t Denoiser::light_block(const RenderSettings& settings) const {
   return static_cast<std::uint32_t>(std::lround(1.0f / std::clamp(chosen, 0.25f, 1.0f)));
 }
 
-void Denoiser::resize(uvec2 render, const RenderSettings& settings) {
+std::uint64_t Denoiser::history_bytes(uvec2 render, uvec2 smooth) {
+  const std::uint64_t pixels = std::uint64_t{render.x} * render.y, shown = std::uint64_t{smooth.x} * smooth.y;
+  return sizeof(glm::uvec4) * (shared::kSectionPicture * pixels + (pixels + 1) / 2) + 2 * sizeof(std::uint32_t) * shown;
+}
+
+void Denoiser::resize(uvec2 render, uvec2 output, const RenderSettings& settings) {
   on_ = wanted(settings);
-  const uvec2 size = on_ ? render : uvec2(0);
-  if (size == size_) return;
+  const uvec2 size = on_ ? render : uvec2(0), smooth = on_ ? smooth_size(render, output, settings) : uvec2(0);
+  if (size == size_ && smooth == smooth_) return;
   const auto bind = [&] {
     table_.set_texels(shared::kTexelsHistory, buffer_);
     table_.set_array(shared::kSetFrame, shared::kBindHistory, buffer_);
@@ -45,11 +50,12 @@ void Denoiser::resize(uvec2 render, const RenderSettings& settings) {
   buffer_ = gpu::Buffer();  // the old one's memory goes first
   bind();
   if (on_) {
-    const VkDeviceSize pixels = static_cast<VkDeviceSize>(size.x) * size.y;
-    buffer_ = gpu::Buffer(device_, gpu::BufferUse::kStorage, pixels * shared::kHistorySections * sizeof(glm::uvec4),
-                          "history");
+    // Whole texels of the texel buffer.
+    const VkDeviceSize bytes = (history_bytes(size, smooth) + sizeof(glm::uvec4) - 1) & ~(sizeof(glm::uvec4) - 1);
+    buffer_ = gpu::Buffer(device_, gpu::BufferUse::kStorage, bytes, "history");
   }
   size_ = size;
+  smooth_ = smooth;
   bind();
 }
 

@@ -32,8 +32,15 @@ class Denoiser {
   // Blocks of a picture.
   static uvec2 light_size(uvec2 render, std::uint32_t block) { return groups_over(render, block); }
 
-  // Makes room for the history, or frees it; what was there is lost when the size changes.
-  void resize(uvec2 render, const RenderSettings& settings);
+  // The anti-aliased picture's size: the output's where temporal anti-aliasing scales up.
+  static uvec2 smooth_size(uvec2 render, uvec2 output, const RenderSettings& settings) {
+    return antialiases(settings) ? output : render;
+  }
+  // Bytes of the history for these sizes.
+  static std::uint64_t history_bytes(uvec2 render, uvec2 smooth);
+
+  // Makes room for the history, or frees it; what was there is lost when a size changes.
+  void resize(uvec2 render, uvec2 output, const RenderSettings& settings);
   // The next frame's history is none: what was to be written to it may not have been.
   void forget() { valid_ = false; }
   // This frame's rows of the uniform block. `still`: the same snapshot was rendered just before.
@@ -54,7 +61,7 @@ class Denoiser {
   gpu::Device& device_;
   gpu::BindingTable& table_;
   gpu::Buffer buffer_;
-  uvec2 size_{0, 0};
+  uvec2 size_{0, 0}, smooth_{0, 0};
   bool on_ = false, valid_ = false, blends_mean_ = false;
   int levels_ = 0;
   std::uint32_t light_block_ = 1;

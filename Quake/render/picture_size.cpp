@@ -16,15 +16,12 @@ namespace {
 
 std::uint64_t pixels_of(uvec2 size) { return std::uint64_t{size.x} * size.y; }
 
-// Of the buffer that has most of them.
-std::uint64_t bytes_per_pixel(const RenderSettings& settings) {
-  const std::uint64_t history = Denoiser::wanted(settings) ? shared::kHistorySections * sizeof(glm::uvec4) : 0;
-  return std::max<std::uint64_t>(sizeof(shared::GBufferTexel), history);
-}
-
 std::uint64_t largest_buffer(uvec2 output, const RenderSettings& settings) {
-  return std::max(pixels_of(scaled_size(output, settings)) * bytes_per_pixel(settings),
-                  pixels_of(output) * sizeof(std::uint32_t));
+  const uvec2 render = scaled_size(output, settings);
+  const std::uint64_t history =
+      Denoiser::wanted(settings) ? Denoiser::history_bytes(render, Denoiser::smooth_size(render, output, settings)) : 0;
+  return std::max(
+      {pixels_of(render) * sizeof(shared::GBufferTexel), history, pixels_of(output) * sizeof(std::uint32_t)});
 }
 
 std::uint64_t buffer_limit(const gpu::DeviceLimits& limits) {
@@ -33,9 +30,18 @@ std::uint64_t buffer_limit(const gpu::DeviceLimits& limits) {
 
 }  // namespace
 
+float rendered_fraction(const RenderSettings& settings) {
+  return settings.scale > 1 ? 1 / settings.scale : settings.scale;
+}
+
+float scale_for_pixels(uvec2 output, float pixels) {
+  return std::clamp(std::sqrt(pixels / static_cast<float>(pixels_of(output))), 0.1f, 1.0f);
+}
+
 uvec2 scaled_size(uvec2 output, const RenderSettings& settings) {
+  const float scale = rendered_fraction(settings);
   const auto scaled = [&](std::uint32_t size) {
-    return std::max(1u, static_cast<std::uint32_t>(std::lround(static_cast<float>(size) * settings.scale)));
+    return std::max(1u, static_cast<std::uint32_t>(std::lround(static_cast<float>(size) * scale)));
   };
   return {scaled(output.x), scaled(output.y)};
 }
@@ -57,7 +63,8 @@ uvec2 largest_output(const gpu::DeviceLimits& limits, uvec2 output, const Render
 void check_picture_size(const gpu::Device& device, uvec2 output, const RenderSettings& settings) {
   const uvec2 most = largest_output(device.limits(), output, settings);
   if (most == output) return;
-  const std::string scale = settings.scale < 1 ? fmt::format(" (r_scale {:g})", settings.scale) : "";
+  const std::string scale =
+      scaled_size(output, settings) != output ? fmt::format(" (r_scale {:g})", settings.scale) : "";
   throw OutOfMemory(fmt::format("a picture of {}x{}{} needs a buffer of {}; {} allows {} (try at most {}x{})", output.x,
                                 output.y, scale, memory_text(largest_buffer(output, settings)), device.report().name,
                                 memory_text(buffer_limit(device.limits())), most.x, most.y));

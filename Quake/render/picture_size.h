@@ -7,8 +7,14 @@
 
 namespace fb::render {
 
+// Rendered width relative to the shown one's: r_scale, or one over it where it is QuakeSpasm's whole number.
+float rendered_fraction(const RenderSettings& settings);
+
 // What is rendered for an output of this size (r_scale).
 uvec2 scaled_size(uvec2 output, const RenderSettings& settings);
+
+// The scale at which no more than so many pixels of an output are rendered, at most 1.
+float scale_for_pixels(uvec2 output, float pixels);
 
 // The largest output of about this shape, at most this size, of which no buffer is larger than the device's limits.
 uvec2 largest_output(const gpu::DeviceLimits& limits, uvec2 output, const RenderSettings& settings);

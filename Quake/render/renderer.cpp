@@ -161,7 +161,7 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
   make(mean, shared::kBindMean, pixels * 16, "mean radiance");
   make(m2, shared::kBindM2, pixels * 16, "squared deviations");
   make(ldr, shared::kBindLdr, pixels * 4, "tone-mapped picture");
-  make(smoothed, shared::kBindSmooth, pixels * 4, "anti-aliased picture");
+  make(smoothed, shared::kBindSmooth, shown * 4, "anti-aliased picture");
   make(output, shared::kBindOutput, shown * 4, "output");
   render_size = render;
   allocated_output = wanted_output;
@@ -172,7 +172,7 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
 void Renderer::Impl::fit(const RenderSettings& settings) {
   check_picture_size(device, output_size, settings);
   resize_buffers(scaled_size(output_size, settings), output_size);
-  denoiser.resize(render_size, settings);
+  denoiser.resize(render_size, output_size, settings);
 }
 
 // The frame ended early: what it was to write, and what says that it was written, is as good as lost.
@@ -256,6 +256,12 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.technique_view = shows_view();
   constants.previous_gbuffer = previous_valid && !snapshot.cut;
   denoiser.fill(constants, snapshot, settings, scene == last_scene);
+  const uvec2 smooth = Denoiser::smooth_size(render_size, output_size, settings);
+  constants.smooth_width = smooth.x;
+  constants.smooth_height = smooth.y;
+  const bool scales_up = smooth != render_size;
+  constants.tap_size = scales_up ? static_cast<float>(render_size.x) / static_cast<float>(smooth.x) : 1.0f;
+  constants.tap_shift = 0.5f * (scales_up ? constants.tap_size : -1.0f);
   if (settings.texture_filter < 0)
     constants.texture_filter =
         static_cast<std::int32_t>(constants.denoise != 0 ? shared::kFilterFootprint : shared::kFilterNearest);
@@ -285,7 +291,9 @@ PassList Renderer::Impl::list_passes() {
   frame("histogram", shaders.get("exposure_histogram"), groups_over(render_size, 16));
   frame("exposure", shaders.get("exposure"), {1, 1});
   frame("tonemap", shaders.get(constants.debug_view != 0 ? "debug_view" : "tonemap"), tiles);
-  frame("antialias", shaders.get(constants.taa != 0 ? "temporal_antialias" : "antialias"), tiles);
+  const uvec2 smooth(constants.smooth_width, constants.smooth_height);
+  const char* over_time = smooth == render_size ? "temporal_antialias" : "temporal_upscale";
+  frame("antialias", shaders.get(constants.taa != 0 ? over_time : "antialias"), groups_over(smooth, 8));
   frame("present", shaders.get("present"), groups_over(output_size, 8));
   return list;
 }

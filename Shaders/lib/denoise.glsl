@@ -21,7 +21,9 @@ uvec2 picture_texel(uint at) {
 }
 vec3 picture_color(uvec2 texel) { return vec3(unpackHalf2x16(texel.x), unpackHalf2x16(texel.y).x); }
 // Word of an anti-aliased picture.
-uint shown_word(uint parity, uint at) { return section(kSectionPicture) * 4u + (2u + parity) * frame.width * frame.height + at; }
+uint shown_word(uint parity, uint at) {
+  return history_shown(frame.width * frame.height, frame.smooth_width * frame.smooth_height, parity) + at;
+}
 
 // Eight bits that tell instances apart.
 uint surface_name(uint id) { return hash_u32(id) >> 24u; }
@@ -44,6 +46,11 @@ struct Reflector {
 Reflector reflector(uvec4 albedo_roughness, uvec4 emission_specular, uint metalness, float cos_view) {
   vec4 a = uintBitsToFloat(albedo_roughness), e = uintBitsToFloat(emission_specular);
   return Reflector(e.rgb, demodulation_factor(a.rgb, a.w, e.w, float(metalness >> 24u) / 255.0, cos_view));
+}
+
+// 1 / depth of a plane at its pixel's middle, from that where the jittered ray met it.
+float at_middle(float inverse_depth, vec2 slope) {
+  return inverse_depth / max(1.0 + dot(slope, vec2(frame.jitter_x, frame.jitter_y)), 0.1);
 }
 
 float cosine_to(vec3 ray, vec3 normal) { return abs(dot(normal, ray)) * inversesqrt(dot(ray, ray)); }

@@ -33,9 +33,11 @@ struct TextureFilter {
 const TextureFilter kNearest = TextureFilter(kFilterNearest, mat2(0.0));
 
 // Four points of a pixel, one in each quarter of it, relative to where the camera's ray meets the texture. Rays are jittered
-// about the pixel's middle; over the frames the points cover the pixel, and no more.
+// about the pixel's middle; over the frames the points cover the pixel, and no more. Where the picture is scaled up over time
+// the pixel is one of the output's, about where the ray meets the texture.
 vec2 footprint_tap(TextureFilter filtered, vec2 quarter) {
-  return filtered.footprint * (0.5 * quarter - 0.25 - 0.5 * vec2(frame.jitter_x, frame.jitter_y));
+  vec2 jitter = vec2(frame.jitter_x, frame.jitter_y);
+  return filtered.footprint * (frame.tap_size * (0.5 * quarter - 0.25) + frame.tap_shift * jitter);
 }
 
 // Colour and own radiance of a point; a sky's radiance is added by who knows the direction. All texels come through one fetch

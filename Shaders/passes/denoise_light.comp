@@ -11,10 +11,11 @@ void main() {
   bool inside = pixel.x < frame.width && pixel.y < frame.height;
   uint at = inside ? pixel.y * frame.width + pixel.x : 0u;
   uvec4 words = gbuffer_quad(at, 3u);
+  vec3 ray = camera_direction(vec2(pixel) + 0.5), geometric = unpack_direction(words.x);
   float depth = uintBitsToFloat(gbuffer_quad(at, 4u).z);
-  Reflector r = reflector(gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), words.w, cosine_to(camera_direction(vec2(pixel) + 0.5), unpack_direction(words.y)));
+  Reflector r = reflector(gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), words.w, cosine_to(ray, unpack_direction(words.y)));
   bool lit = inside && depth > 0.0 && max(r.factor.x, max(r.factor.y, r.factor.z)) > 0.0;
   vec3 x = checked_irradiance(demodulate(radiance.at[at].rgb - r.emission, r.factor));
-  uint surface = pack_surface(1.0 / max(depth, 1e-3), unpack_direction(words.x));
+  uint surface = pack_surface(at_middle(1.0 / max(depth, 1e-3), plane_slope(geometric, ray)), geometric);
   history.at[to] = lit ? uvec4(packHalf2x16(x.rg), packHalf2x16(vec2(x.b, 0.0)) | (surface_name(words.z) << 16u), surface, 0u) : uvec4(0u);
 }

@@ -106,11 +106,11 @@ void main() {
   vec3 normal = unpack_direction(words.y), ray = camera_direction(vec2(pixel) + 0.5);
   Reflector r = reflector(gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), words.w, cosine_to(ray, normal));
   uint id = surface_name(words.z);
-  float inverse_depth = 1.0 / max(motion.z, 1e-3), depth_before = frame.still != 0u ? motion.z : motion.w;
   vec3 geometric = unpack_direction(words.x);
   vec2 slope = plane_slope(geometric, ray);
+  float inverse_depth = at_middle(1.0 / max(motion.z, 1e-3), slope), depth_before = frame.still != 0u ? motion.z : motion.w;
   vec2 point = vec2(pixel) + (frame.still != 0u ? vec2(0.0) : motion.xy);
-  History h = find_history(point, 1.0 / max(depth_before, 1e-3), slope, geometric, id);
+  History h = find_history(point, at_middle(1.0 / max(depth_before, 1e-3), slope), slope, geometric, id);
   h.frames = kept_frames(h.frames, point);
 #if SPARSE
   Light light = light_about(pixel, inverse_depth, slope, geometric, id);

@@ -5,13 +5,14 @@
 #include "lib/pixel.glsl"
 
 vec3 smoothed_at(ivec2 p) {
-  p = clamp(p, ivec2(0), ivec2(frame.width, frame.height) - 1);
-  return unpackUnorm4x8(smoothed.at[uint(p.y) * frame.width + uint(p.x)]).rgb;
+  p = clamp(p, ivec2(0), ivec2(frame.smooth_width, frame.smooth_height) - 1);
+  return unpackUnorm4x8(smoothed.at[uint(p.y) * frame.smooth_width + uint(p.x)]).rgb;
 }
 
 vec3 picture_at(uvec2 pixel) {
-  if (frame.width == frame.output_width && frame.height == frame.output_height) return smoothed_at(ivec2(pixel));
-  vec2 p = (vec2(pixel) + 0.5) * vec2(frame.width, frame.height) / vec2(frame.output_width, frame.output_height) - 0.5;
+  vec2 size = vec2(frame.smooth_width, frame.smooth_height), output_size = vec2(frame.output_width, frame.output_height);
+  if (size == output_size) return smoothed_at(ivec2(pixel));
+  vec2 p = (vec2(pixel) + 0.5) * size / output_size - 0.5;
   vec2 base = floor(p), f = p - base;
   ivec2 i = ivec2(base);
   return mix(mix(smoothed_at(i), smoothed_at(i + ivec2(1, 0)), f.x),

@@ -6,13 +6,16 @@
 #include "shared/common.h"
 FB_NAMESPACE_BEGIN
 
-// The history buffer holds kHistorySections sections of four words a pixel.
+// The history buffer holds sections of four words a rendered pixel.
 FB_CONST uint kSectionHistory =
     0u;  // and 1: HistoryTexel, this frame's and the last one's by FrameConstants::history_parity
 FB_CONST uint kSectionFilter = 2u;   // and 3: FilterTexel, a wavelet's source and target in turns
-FB_CONST uint kSectionPicture = 4u;  // PictureTexel[pixels], then two of uint[pixels]: anti-aliased pictures by parity
-FB_CONST uint kSectionLight = 5u;    // LightTexel[blocks], where light is not sampled at every pixel
-FB_CONST uint kHistorySections = 6u;
+FB_CONST uint kSectionLight = 4u;    // LightTexel[blocks], where light is not sampled at every pixel
+FB_CONST uint kSectionPicture = 5u;  // half a section: PictureTexel[pixels]
+// Behind it: two of uint[shown pixels], anti-aliased pictures by parity. First word of one of them.
+FB_FN uint history_shown(uint pixels, uint shown, uint parity) {
+  return 4u * (kSectionPicture * pixels + (pixels + 1u) / 2u) + parity * shown;
+}
 
 // HistoryTexel: x: half2 irradiance r, g; y: half irradiance b, frames (8 bits), id (8 bits); z: half2 mean of
 // luminance and root of its mean square; w: pack_surface of the geometric normal. FilterTexel: x: irradiance,

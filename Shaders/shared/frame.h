@@ -32,11 +32,13 @@ struct FrameConstants {
   vec4 screen_tint;
   uint width, height;  // rendered pixels
   uint output_width, output_height;
-  uint frame;  // seed of this frame's random numbers; differs from frame to frame
+  uint smooth_width, smooth_height;  // of the anti-aliased picture: the output's if it is scaled up over time
+  uint frame;                        // seed of this frame's random numbers; differs from frame to frame
   uint sky_mode, sky_solid, sky_alpha, sun_count;
   uint sky_box0, sky_box1, sky_box2, sky_box3;
   uint sky_box4, sky_box5, sky_beyond, accumulated_frames;
   float time, prev_time, jitter_x, jitter_y;  // jitter in pixels, 0: pixel centre
+  float tap_size, tap_shift;                  // kFilterFootprint: a pixel's points, in pixels; their part of the jitter
   float adaptation;                           // of the exposure: weight of the new value, 1 at a cut
   uint swap_red_blue, quad_tiles_x, draw_quads, atlas_width;
   uint technique_view;            // the technique draws the debug view
