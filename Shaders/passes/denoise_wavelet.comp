@@ -33,11 +33,11 @@ Tap unpack_tap(uvec4 texel) {
 
 // How much two normals of each kind part two pixels. Surfaces that meet at an edge differ in both. A normal map alone parts
 // at most so far that a pixel is never left to itself; facets of a smooth mesh do not part.
-const float kMapParts = 1.5;
+const float kMapParts = 1.5, kMapPartsFresh = 0.3;
 float parted(Tap a, Tap b) {
   vec3 turned = a.normal - b.normal, bent = a.geometric - b.geometric;
   float scale = 0.5 * frame.sigma_normal, shading = dot(turned, turned) * scale, edge = dot(bent, bent) * scale;
-  return min(shading, edge) + min(max(shading - edge, 0.0), kMapParts);
+  return min(shading, edge) + min(max(shading - edge, 0.0), a.known && b.known ? kMapParts : kMapPartsFresh);
 }
 
 #if LEVEL == 2
