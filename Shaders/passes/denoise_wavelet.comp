@@ -32,7 +32,7 @@ Tap unpack_tap(uvec4 texel) {
 }
 
 // How much two normals of each kind part two pixels. Surfaces that meet at an edge differ in both. A normal map alone parts
-// at most so far that a pixel is never left to itself; facets of a smooth mesh do not part.
+// at most so far that a pixel is never left to itself, least where one has no history; facets of a smooth mesh do not part.
 const float kMapParts = 1.5, kMapPartsFresh = 0.3;
 float parted(Tap a, Tap b) {
   vec3 turned = a.normal - b.normal, bent = a.geometric - b.geometric;
