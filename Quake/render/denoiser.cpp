@@ -70,6 +70,7 @@ void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snaps
   c.light_x = turn % light_block_;
   c.light_y = turn / light_block_;
   c.denoise = on_;
+  c.history_gain = 1;
   c.taa = on_ && antialiases(settings);
   if (!on_) return;
   const bool again = still && snapshot.frame == last_frame_;
@@ -77,6 +78,9 @@ void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snaps
   levels_ = settings.svgf_levels > 0 ? std::max(settings.svgf_levels, 2) : levels_for(size_);
   c.history_parity = parity_;
   c.history_valid = valid_ && (again || !snapshot.cut);
+  age_ = c.history_valid != 0 ? age_ + 1 : 0;
+  c.history_age = age_;
+  c.history_gain = c.history_valid != 0 ? 1u : static_cast<std::uint32_t>(settings.first_spp);
   c.still = still;
   blends_mean_ = c.accumulated_frames > 0;
   valid_ = true;

@@ -65,7 +65,7 @@ class Denoiser {
   bool on_ = false, valid_ = false, blends_mean_ = false;
   int levels_ = 0;
   std::uint32_t light_block_ = 1;
-  std::uint32_t parity_ = 0;
+  std::uint32_t parity_ = 0, age_ = 0;
   std::uint64_t last_frame_ = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -85,6 +86,41 @@ TEST_F(DenoiserTest, ErrorFallsAtOneSample) {
 }
 
 // A normal map turns what is shaded, not the plane on which neighbours are looked for.
+TEST_F(DenoiserTest, AFrameWithoutAPastHasMoreSamples) {
+  const scene::FrameSnapshot snapshot = scene::cornell_box();
+  const auto make = [&](const RenderSettings& settings) { return make_renderer(settings, 48, 48); };
+  const auto reference = reference_of(make, snapshot, 24);
+  double error[2] = {};
+  for (const int first : {1, 16}) {
+    RenderSettings s = denoising();
+    s.jitter = 0;
+    s.first_spp = first;
+    auto renderer = make(s);
+    const auto count = static_cast<std::uint32_t>(first);
+    for (int frame = 0; frame < 5; ++frame) {
+      scene::FrameSnapshot now = at_time(snapshot, frame);
+      now.cut = frame == 3;
+      renderer->render(now, nullptr, s);
+      if (frame == 3) error[first == 1 ? 0 : 1] = mean_square_difference(renderer->read().linear(), reference);
+      // They count as frames, and those after them as one each.
+      const std::uint32_t expected =
+          frame < 3 ? count + static_cast<std::uint32_t>(frame) : count + static_cast<std::uint32_t>(frame - 3);
+      const std::vector<std::uint32_t> frames = history_lengths(*renderer);
+      EXPECT_EQ(*std::max_element(frames.begin(), frames.end()), expected) << frame;
+    }
+  }
+  EXPECT_LT(error[1], 0.25 * error[0]) << "sixteen samples have a sixteenth of the variance";
+  for (const char* name : {"pt", "mcpg"}) {
+    RenderSettings s = denoising();
+    s.estimator = name;
+    s.first_spp = 8;
+    auto renderer = make(s);
+    renderer->render(snapshot, nullptr, s);
+    const std::vector<std::uint32_t> frames = history_lengths(*renderer);
+    EXPECT_EQ(*std::max_element(frames.begin(), frames.end()), name == std::string("pt") ? 8u : 1u) << name;
+  }
+}
+
 TEST_F(DenoiserTest, ANormalMapTiltsNoPlane) {
   RenderSettings s = denoising();
   s.jitter = 0;

@@ -18,6 +18,7 @@ inline RenderSettings denoising() {
   s.intersector = Intersector::kBvh;
   s.denoise = 1;
   s.light_scale = 1;
+  s.first_spp = 1;
   s.svgf_levels = 5;
   s.accumulate = 0;
   return s;

@@ -124,13 +124,14 @@ void main() {
   float y = luminance_of(x);
   bool known = motion.z > 0.0 && (reflects || h.frames > 0.0);
 
-  float frames = min(h.frames + (reflects ? 1.0 : 0.0), float(kMaxHistory));
-  float least = 1.0 / max(frames, 1.0);
+  bool young = frame.history_age < 3u;  // the first frame counts more frames than there were
+  float gain = float(frame.history_gain), frames = min(h.frames + (reflects ? gain : 0.0), float(kMaxHistory));
+  float least = gain / max(frames, gain);
   float weight = frame.still != 0u ? least : max(least, frame.svgf_alpha);
   float moments_weight = max(least, frame.svgf_moments_alpha);
   float spread = weight;  // of the mean over that of a sample
   if (!reflects) weight = moments_weight = 0.0;
-  if (frame.firefly > 0.0 && h.frames >= 4.0) {
+  if (frame.firefly > 0.0 && h.frames >= 4.0 && !young) {
     float limit = h.mean + frame.firefly * sqrt(max(h.mean_square - h.mean * h.mean, 0.0)) + 0.1 * h.mean;
     float cut = min(1.0, limit / max(y, 1e-12));
     x *= cut;
@@ -140,7 +141,7 @@ void main() {
   float mean = mix(h.mean, y, moments_weight), mean_square = mix(h.mean_square, y * y, moments_weight);
   // Too few frames to tell their spread: whatever the neighbours have on this surface is as good.
   float deviation = min(sqrt(max(mean_square - mean * mean, 0.0) * spread), kMaxDeviation);
-  if (frames < 4.0) deviation = kUnknownDeviation;
+  if (frames < 4.0 || young) deviation = kUnknownDeviation;
 
   float ahead = h.frames == 0.0 ? 0.0 : mean - luminance_of(irradiance);
   float random = float(rng_seed(at, frame.frame, 0u, 0u) >> 8u) * (1.0 / 16777216.0);

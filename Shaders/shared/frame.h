@@ -48,7 +48,9 @@ struct FrameConstants {
   // Light is sampled at one pixel of each block of light_block x light_block, at light_x, light_y in it; 1: at every
   // pixel.
   uint light_block, light_x, light_y, light_width;  // light_width: blocks in a row
-  uint history_parity, history_valid, still;        // still: the same snapshot again, so nothing has moved
+  uint history_parity, history_valid;
+  uint history_age, history_gain;  // frames since there was no history; frames that this one counts
+  uint still;                      // still: the same snapshot again, so nothing has moved
   FB_FRAME_SETTINGS(FB_UNIFORM_FIELD)
   FB_DENOISER_SETTINGS(FB_UNIFORM_FIELD)
 };
