@@ -34,6 +34,7 @@ View small_view(Intersector intersector) {
   View view;
   view.settings.intersector = intersector;
   view.settings.accumulate = 0;
+  view.settings.first_spp = 1;  // with a history or without: the same samples
   view.snapshot = scene::cornell_box();
   return view;
 }
