@@ -10,16 +10,7 @@ export XDG_CACHE_HOME=${XDG_CACHE_HOME:-${HOME-/tmp}/.cache}  # shaders stay com
 export HOME=$scratch/home  # the player's own folder has no say
 mkdir -p "$HOME"
 unset XDG_DATA_HOME
-failures=0
-
-check() {  # check NAME CONDITION...
-  local name=$1
-  shift
-  if "$@"; then echo "ok: $name"; else
-    echo "FAILED: $name"
-    failures=$((failures + 1))
-  fi
-}
+source "$(dirname "$0")/test_checks.sh"
 fails_with() {  # fails_with TEXT COMMAND...: exits non-zero with one line on stderr that holds TEXT
   local text=$1 out
   shift
@@ -196,34 +187,6 @@ check "and of the laboratory" ends_with_one_sentence "a picture of 16384x16384 n
   "$build/fullbright-lab" render --quiet --scene cbox --size 16384x16384
 check "a device would be chosen" grep -q '^\* 0\|^\* [0-9]' "$scratch/devices"
 
-hashes() {  # hashes THREADS ARGUMENTS...
-  LP_NUM_THREADS=$1 "$build/fullbright-lab" render --quiet --hash "${@:2}" | grep '^frame'
-}
-same_with_any_threads() {
-  hashes 1 "$@" >"$scratch/one" && hashes 2 "$@" >"$scratch/two" && hashes 2 "$@" >"$scratch/again" &&
-    [[ -s $scratch/one ]] && cmp "$scratch/one" "$scratch/two" && cmp "$scratch/two" "$scratch/again"
-}
-check "pictures repeat with one thread and two" same_with_any_threads --scene moving --frames 0:5 --size 96x54
-# Two runs of 60 frames with one worker thread and with two (of lavapipe; 0 would be the calling thread alone).
-repeats() {  # repeats ARGUMENTS...
-  local estimator threads
-  for estimator in mcpg pt; do
-    for threads in 1 2; do
-      hashes $threads --estimator $estimator --set r_deterministic=1 --frames 0:59 --size 64x36 "$@" >"$scratch/$estimator$threads"
-    done
-    [[ $(grep -c . "$scratch/${estimator}1") -eq 60 ]] && cmp "$scratch/${estimator}1" "$scratch/${estimator}2" || return 1
-  done
-  ! cmp -s "$scratch/mcpg1" "$scratch/pt1"
-}
-check "60 frames of what learns repeat with one thread and two" repeats --scene moving
-differs_when_racing() {  # what r_deterministic is for: without it the order of two threads shows, or this test sees nothing
-  hashes 2 --estimator mcpg --frames 0:59 --size 64x36 --scene moving >"$scratch/racing" &&
-    ! cmp -s "$scratch/racing" <(hashes 2 --estimator mcpg --frames 0:59 --size 64x36 --scene moving)
-}
-if (($(nproc) > 1)); then check "without r_deterministic they do not" differs_when_racing; fi
-check "another cvar, another picture" bash -c "! cmp -s '$scratch/one' <(LP_NUM_THREADS=1 '$build/fullbright-lab' render --quiet \
-  --hash --scene moving --frames 0:5 --size 96x54 --set r_bounces=1 | grep '^frame')"
-
 lab=$build/fullbright-lab
 "$lab" reference --quiet --scene cbox --size 48x27 --spp 32 --out "$scratch/r.exr" >"$scratch/log" 2>&1
 for run in 1 2; do
@@ -295,9 +258,6 @@ check "timedemo reports the passes' times" grep -q '^gpu ms a frame: .*gbuffer' 
 check "frames are written" test "$(find "$scratch/frames" -name 'frame_*.png' | wc -l)" -ge 4
 check "a cvar without effect is none of the laboratory's" fails_with "no effect here" "$build/fullbright-lab" render --quiet \
   --basedir "$data" --map start --set gl_clear=1 --frames 0:0 --size 8x8
-check "a demo repeats with one thread and two" same_with_any_threads --basedir "$data" --demo testdemos/fight.dem --frames 60:63 --size 96x54
-check "60 frames of a fight repeat with one thread and two" repeats --basedir "$data" --demo testdemos/fight.dem
-check "60 frames of demo1 repeat with one thread and two" repeats --basedir "$data" --demo demo1
 check "a frame beyond the demo's end is an error" fails_with "there is no frame" "$build/fullbright-lab" render --quiet --basedir "$data" \
   --demo testdemos/fight.dem --frames 9000:9000 --size 8x8 --set r_bounces=0
 if ((failures)); then cat "$scratch/timedemo"; fi
