@@ -104,7 +104,8 @@ struct GpuScene::Impl {
   VkDeviceSize staged = 0;
   bool recorded = true;  // the last prepared frame was recorded
   bool said_unknown_material = false;
-  std::uint32_t asset_features = 0;  // features_of(assets)
+  std::uint32_t asset_features = 0;  // features_of(assets), when there were so many
+  std::size_t known_meshes = 0, known_materials = 0;
   SceneFeatures features;
   SceneStatistics statistics;
 };
@@ -322,9 +323,14 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
   FB_CHECK(snapshot.assets != nullptr);
   const std::uint64_t generation = s.assets.generation();
   s.assets.update(*snapshot.assets);
-  if (s.assets.generation() != generation) {
-    s.copies.forget();
+  const bool renumbered = s.assets.generation() != generation;
+  if (renumbered) s.copies.forget();
+  const std::size_t meshes = snapshot.assets->meshes.size(), materials = snapshot.assets->materials.size();
+  if (renumbered || meshes != s.known_meshes ||
+      materials != s.known_materials) {  // a model may come in the middle of a level
     s.asset_features = features_of(*snapshot.assets);
+    s.known_meshes = meshes;
+    s.known_materials = materials;
   }
   s.material_table.begin(*snapshot.assets, snapshot.time, emission);
   s.collect(snapshot);

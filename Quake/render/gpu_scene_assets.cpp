@@ -146,11 +146,12 @@ void SceneAssets::update(const scene::Assets& assets) {
   // None until all is there: what ends this early is done anew.
   if (assets.generation != std::exchange(generation_, 0)) clear();
   if (palette_.kept() == 0) {
-    std::array<vec4, 256> colors;
+    std::array<vec4, shared::kPaletteSrgb + 256> colors;
+    const auto linear = [&](std::size_t byte) -> vec4& { return colors[shared::kPaletteSrgb + byte]; };
+    for (std::size_t i = 0; i < 256; ++i) linear(i) = vec4(vec3(linear_from_srgb(static_cast<float>(i) / 255.0f)), 1);
     for (std::size_t i = 0; i < 256; ++i) {
       const auto& c = assets.palette.rgb[i];
-      colors[i] =
-          vec4(linear_from_srgb(c[0] / 255.0f), linear_from_srgb(c[1] / 255.0f), linear_from_srgb(c[2] / 255.0f), 1);
+      colors[i] = vec4(linear(c[0]).x, linear(c[1]).x, linear(c[2]).x, 1);
     }
     palette_.append(std::span<const vec4>(colors));
   }

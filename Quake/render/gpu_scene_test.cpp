@@ -105,6 +105,21 @@ TEST_F(GpuSceneTest, AsksOnlyAlphaTestedAndTranslucent) {
   EXPECT_FALSE(scene.features().translucent);
 }
 
+TEST_F(GpuSceneTest, KnowsTheFeaturesOfModelsThatComeLater) {
+  Case c;
+  c.add(c.add_mesh(soup(10, 10, 5, 1)));
+  gpu::BindingTable table(*device_);
+  GpuScene scene(*device_, table, {});
+  scene.prepare(c.snapshot, {});
+  EXPECT_EQ(scene.features().surfaces, 0u);
+  c.assets->materials.emplace_back().flags = scene::kMaterialWarp;
+  scene.prepare(c.snapshot, {});
+  EXPECT_EQ(scene.features().surfaces, shared::kFeatureWarp);
+  c.add(c.add_mesh(posed_soup(10, 2, 2)));
+  scene.prepare(c.snapshot, {});
+  EXPECT_EQ(scene.features().surfaces, shared::kFeatureWarp | shared::kFeatureSmooth);
+}
+
 TEST_F(GpuSceneTest, PosesAndRefits) {
   Rng rng(22);
   Case c;

@@ -176,6 +176,35 @@ TEST_F(RendererTest, TexelsHaveTheirPaletteColours) {
   EXPECT_GE(std::count(seen.begin(), seen.end(), true), 250);
 }
 
+TEST_F(RendererTest, ColoursOfFourBytesAreThoseOfThePalette) {
+  const RenderSettings s = settings_for(Intersector::kBvh, 1, 1);
+  auto renderer = make_renderer(s, 160, 160);
+  scene::FrameSnapshot snapshot = scene::textured_quad();
+  renderer->render(snapshot, nullptr, s);
+  const auto indexed = renderer->read().gbuffer();
+  auto assets = std::make_shared<scene::Assets>(*snapshot.assets);
+  assets->generation = scene::next_generation();
+  int changed = 0;
+  for (scene::Image& image : assets->images) {
+    if (image.encoding != scene::ImageEncoding::kPalette) continue;
+    std::vector<std::uint8_t> texels;
+    for (const std::uint8_t index : image.texels) {
+      const auto& c = assets->palette.rgb[index];
+      texels.insert(texels.end(), {c[0], c[1], c[2], 255});
+    }
+    image.texels = std::move(texels);
+    image.encoding = scene::ImageEncoding::kSrgba;
+    ++changed;
+  }
+  ASSERT_GT(changed, 0);
+  snapshot.assets = assets;
+  renderer->render(snapshot, nullptr, s);
+  const auto colored = renderer->read().gbuffer();
+  ASSERT_EQ(indexed.size(), colored.size());
+  for (std::size_t i = 0; i < indexed.size(); ++i)
+    ASSERT_EQ(indexed[i].albedo_roughness, colored[i].albedo_roughness) << i;
+}
+
 // --- motion ---
 
 TEST_F(RendererTest, MotionCarriesPointsToWhereTheyWere) {

@@ -63,8 +63,11 @@ GpuImage image_at(uint index) {
   return GpuImage(image.x, image.y, image.z, image.w);
 }
 
-vec3 palette_at(uint index) {
-  return READ_TEXELS ? uintBitsToFloat(texelFetch(palette_texels, int(index)).rgb) : palette.at[index].rgb;
+// Linear colour of a channel each: the palette's 256 colours, then kPaletteSrgb + byte, what a byte of sRGB means.
+vec3 palette_at(uvec3 index) {
+  if (!READ_TEXELS) return vec3(palette.at[index.x].x, palette.at[index.y].y, palette.at[index.z].z);
+  return uintBitsToFloat(uvec3(texelFetch(palette_texels, int(index.x)).x, texelFetch(palette_texels, int(index.y)).y,
+                               texelFetch(palette_texels, int(index.z)).z));
 }
 
 // An element of the list of lights; two stand in a texel. (Texels of images, one word each, are no sooner read so.)

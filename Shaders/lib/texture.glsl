@@ -17,25 +17,18 @@ struct Texel {
   bool glows;     // palette index 224..255
 };
 
-vec3 linear_from_srgb(vec3 c) {
-  return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
-}
-
 Texel fetch_texel(uint image_index, ivec2 p) {
   GpuImage image = image_at(image_index);
   uint at = image.first + uint(p.y) * (image.size & 0xffffu) + uint(p.x);
+  bool indexed = image.encoding == kEncodingPalette;
+  uint word = texels.at[indexed ? at >> 2u : at];
+  uint index = (word >> ((at & 3u) * 8u)) & 0xffu;
+  uvec3 bytes = (uvec3(word) >> uvec3(0u, 8u, 16u)) & 0xffu;
   Texel texel;
-  if (image.encoding == kEncodingPalette) {
-    uint index = (texels.at[at >> 2u] >> ((at & 3u) * 8u)) & 0xffu;
-    texel.color = palette_at(index);
-    texel.alpha = index == kTransparentIndex ? 0.0 : 1.0;
-    texel.glows = index >= kFirstFullbright;
-  } else {
-    vec4 c = unpackUnorm4x8(texels.at[at]);
-    texel.color = image.encoding == kEncodingSrgba ? linear_from_srgb(c.rgb) : c.rgb;
-    texel.alpha = c.a;
-    texel.glows = false;
-  }
+  texel.color = palette_at(indexed ? uvec3(index) : kPaletteSrgb + bytes);
+  if (image.encoding == kEncodingLinear) texel.color = vec3(bytes) / 255.0;
+  texel.alpha = indexed ? (index == kTransparentIndex ? 0.0 : 1.0) : float(word >> 24u) / 255.0;
+  texel.glows = indexed && index >= kFirstFullbright;
   return texel;
 }
 

@@ -44,6 +44,7 @@ FB_FN bool all_texels_glow(uint emission_kind) {
 FB_CONST uint kEncodingPalette = 0u;  // one byte a texel: index into the palette
 FB_CONST uint kEncodingSrgba = 1u;    // four bytes: sRGB colour, linear alpha
 FB_CONST uint kEncodingLinear = 2u;   // four bytes, linear: normal maps (xyz in 0..255), gloss
+FB_CONST uint kPaletteSrgb = 256u;    // behind the palette's colours: what each byte of sRGB means
 
 // FrameConstants::sky_mode (scene::SkyMode).
 FB_CONST uint kSkyBlack = 0u;

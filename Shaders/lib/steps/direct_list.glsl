@@ -96,35 +96,42 @@ struct Aim {
 const Aim kNoAim = Aim(vec3(0.0), vec3(0.0), 0.0, 0.0, kNoIndex, kNoIndex, vec3(0.0));
 
 // One of light_candidates() points of lights, chosen by what each would bring if nothing stood between (resampled
-// importance sampling, Talbot 2005).
+// importance sampling, Talbot 2005) and if each gave its light evenly: a candidate's density over areas is its mean emission
+// then, but for a factor. So emission, with its textures, is read of the chosen one alone.
 Aim aim_at_light(Vertex v, inout uint rng) {
   Aim aim = kNoAim;
   vec3 origin = scatter_origin(v.scatter, v.position);
-  float sum = 0.0, target = 0.0;
+  float sum = 0.0, target = 0.0, list = 0.0, scattered = 0.0;
+  vec2 bary = vec2(0.0);
   for (uint i = 0u; i < light_candidates(); ++i) {
     uint element = sample_light(rng);
     float root = sqrt(rng_uniform(rng)), along = rng_uniform(rng), pick = rng_uniform(rng);
-    vec2 bary = vec2(root * (1.0 - along), root * along);
+    vec2 at = vec2(root * (1.0 - along), root * along);
     uint instance = light_at(element).y, triangle = element - light_at(instance).x;
     GpuTriangle t = world_triangle(instance, triangle);
-    vec3 way = t.v0.xyz + t.e1.xyz * bary.x + t.e2.xyz * bary.y - origin;
+    vec3 way = t.v0.xyz + t.e1.xyz * at.x + t.e2.xyz * at.y - origin;
     float reach = length(way);
     vec3 direction = way / max(reach, 1e-20);
     float bsdf, density = light_pdf(element, t, reach, direction);
     vec3 f = scatter_eval(v.scatter, v.view, direction, bsdf);
     if (f == vec3(0.0) || !(density > 0.0)) continue;
-    bool sky;
-    vec3 emission = light_emission(instance, triangle, bary, direction, sky);
-    float weight = 1.0 / density_of_all(density, sky ? sun_pdf(direction) : 0.0, bsdf);
-    float value = weight * dot(f * emission, vec3(1.0));
+    float area = 0.5 * length(cross(t.e1.xyz, t.e2.xyz));
+    float value = dot(f, vec3(1.0)) * light_probability(element) / (area * density_of_all(density, 0.0, bsdf));
     if (!(value > 0.0)) continue;
     sum += value;
     if (pick * sum < value) {
       target = value;
-      aim = Aim(direction, f, weight, reach, instance, triangle, emission);
+      list = density;
+      scattered = bsdf;
+      bary = at;
+      aim = Aim(direction, f, 0.0, reach, instance, triangle, vec3(0.0));
     }
   }
-  aim.weight *= target > 0.0 ? sum / target : 0.0;
+  if (!(target > 0.0)) return kNoAim;
+  bool sky;
+  aim.emission = light_emission(aim.instance, aim.triangle, bary, aim.direction, sky);
+  aim.weight = sum / (target * density_of_all(list, sky ? sun_pdf(aim.direction) : 0.0, scattered));
+  if (aim.emission == vec3(0.0)) aim.f = vec3(0.0);
   return aim;
 }
 
