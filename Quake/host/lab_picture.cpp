@@ -84,7 +84,7 @@ Result<lab::Lane> lane_of(const ConfigurationText& text, const std::string& name
 
 // A configuration NAME@PROGRAM is of that program; NAME alone of every program.
 Result<std::vector<lab::Lane>> lanes_of(const PictureOptions& o, const std::vector<lab::Program>& programs) {
-  const auto texts = parse_configurations(o.estimators, o.configurations, "mcpg");
+  const auto texts = parse_configurations(o.estimators, o.configurations, lab::Lane().estimator);
   if (!texts) return texts.error();
   std::vector<lab::Lane> lanes;
   for (const ConfigurationText& text : *texts) {
@@ -297,7 +297,7 @@ void add_options(CLI::App& app, PictureOptions& o) {
       app.add_option("--config", o.configurations,
                      "NAME:cvar=value,...: a configuration set by cvars (r_estimator, r_spp, ...), run by every "
                      "program; NAME@PROGRAM:... by that one alone (the program itself is `this`); may be repeated; "
-                     "default: mcpg, 1 sample"));
+                     "default: nee, as in the game, 1 sample"));
   repeated(app.add_option("--binary", o.programs,
                           "NAME=PROGRAM: another fullbright-lab, an older one for example, judged beside this one; may "
                           "be repeated"));

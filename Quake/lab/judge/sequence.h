@@ -28,7 +28,7 @@ Result<Program> open_program(std::string name, std::string path);
 struct Lane {
   std::string name;
   Program program;
-  std::string estimator = "mcpg";
+  std::string estimator = "nee";
   std::uint32_t spp = 1;          // samples a pixel and frame
   std::vector<std::string> sets;  // "cvar=value"
 };
