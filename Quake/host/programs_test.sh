@@ -2,15 +2,10 @@
 # The two programs as their users run them: programs_test.sh BUILD_DIR. What needs game data is skipped, saying so, where
 # there is none (FULLBRIGHT_TEST_DATA, else ../shared/librequake beside the sources).
 set -uo pipefail
-build=$1
-data=${FULLBRIGHT_TEST_DATA:-../shared/librequake}
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-export XDG_CACHE_HOME=${XDG_CACHE_HOME:-${HOME-/tmp}/.cache}  # shaders stay compiled
+source "$(dirname "$0")/test_checks.sh"
 export HOME=$scratch/home  # the player's own folder has no say
 mkdir -p "$HOME"
 unset XDG_DATA_HOME
-source "$(dirname "$0")/test_checks.sh"
 fails_with() {  # fails_with TEXT COMMAND...: exits non-zero with one line on stderr that holds TEXT
   local text=$1 out
   shift

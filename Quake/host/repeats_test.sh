@@ -2,11 +2,6 @@
 # With r_deterministic a picture does not depend on the driver's threads: repeats_test.sh BUILD_DIR. Demos of game data are
 # skipped, saying so, where there is none (FULLBRIGHT_TEST_DATA, else ../shared/librequake beside the sources).
 set -uo pipefail
-build=$1
-data=${FULLBRIGHT_TEST_DATA:-../shared/librequake}
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-export XDG_CACHE_HOME=${XDG_CACHE_HOME:-${HOME-/tmp}/.cache}  # shaders stay compiled
 source "$(dirname "$0")/test_checks.sh"
 
 if ! "$build/fullbright" -listdevices >"$scratch/devices" 2>&1; then

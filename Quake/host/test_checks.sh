@@ -1,4 +1,10 @@
-# For the shell's tests of the programs: check NAME CONDITION... says how it went; $failures counts what failed.
+# For the shell's tests of the programs, which are called with the build's folder: $build, $data (LibreQuake's), $scratch (a
+# folder of the test's own); check NAME CONDITION... says how it went, and $failures counts what failed.
+build=$1
+data=${FULLBRIGHT_TEST_DATA:-../shared/librequake}
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+export XDG_CACHE_HOME=${XDG_CACHE_HOME:-${HOME-/tmp}/.cache}  # shaders stay compiled
 failures=0
 
 check() {  # check NAME CONDITION...

@@ -104,7 +104,7 @@ struct GpuScene::Impl {
   VkDeviceSize staged = 0;
   bool recorded = true;  // the last prepared frame was recorded
   bool said_unknown_material = false;
-  std::uint32_t asset_features = 0;  // features_of(assets), when there were so many
+  std::uint32_t asset_features = 0;  // features_of(assets), when these were known
   std::size_t known_meshes = 0, known_materials = 0;
   SceneFeatures features;
   SceneStatistics statistics;
@@ -326,8 +326,8 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
   const bool renumbered = s.assets.generation() != generation;
   if (renumbered) s.copies.forget();
   const std::size_t meshes = snapshot.assets->meshes.size(), materials = snapshot.assets->materials.size();
-  if (renumbered || meshes != s.known_meshes ||
-      materials != s.known_materials) {  // a model may come in the middle of a level
+  // A model may come in the middle of a level.
+  if (renumbered || meshes != s.known_meshes || materials != s.known_materials) {
     s.asset_features = features_of(*snapshot.assets);
     s.known_meshes = meshes;
     s.known_materials = materials;
