@@ -35,6 +35,7 @@ VkAccelerationStructureBuildSizesInfoKHR build_sizes(const Device::Impl& device,
 }
 
 void destroy(Device* device, VkAccelerationStructureKHR& handle) {
+  device->settle();
   if (handle) device->impl().acceleration.destroy(device->handle(), handle, nullptr);
   handle = VK_NULL_HANDLE;
 }

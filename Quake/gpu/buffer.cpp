@@ -132,6 +132,7 @@ Buffer::~Buffer() { release(); }
 
 void Buffer::release() {
   if (!device_) return;
+  device_->settle();
   Device::Impl& d = device_->impl();
   if (mapped_) vkUnmapMemory(d.device, memory_);
   vkDestroyBuffer(d.device, buffer_, nullptr);

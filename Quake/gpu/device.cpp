@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/check.h"
 #include "base/out_of_memory.h"
@@ -225,45 +226,43 @@ Device::Impl::Recording& Device::Impl::recording_at(std::size_t at) {
   return recording;
 }
 
+void Device::Impl::drop(Recording& recording) {
+  vkDeviceWaitIdle(device);
+  vkResetCommandBuffer(recording.commands, 0);
+  // Nobody knows whether it is signalled.
+  vkDestroyFence(device, recording.fence, nullptr);
+  recording.fence = VK_NULL_HANDLE;
+}
+
 // A recording in use. If it is not finished, whatever became of it is waited for and dropped.
 class Device::Impl::Run {
  public:
   explicit Run(Impl& device) : device_(device), at_(device.depth) {
-    commands_ = device.recording_at(at_).commands;
+    device.recording_at(at_);
     ++device.depth;
   }
   ~Run() {
     --device_.depth;
-    if (finished_) return;
-    vkDeviceWaitIdle(device_.device);
-    Recording& recording = device_.recordings[at_];
-    vkResetCommandBuffer(recording.commands, 0);
-    // Nobody knows whether it is signalled.
-    vkDestroyFence(device_.device, recording.fence, nullptr);
-    recording.fence = VK_NULL_HANDLE;
+    if (!finished_) device_.drop(recording());
   }
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  VkCommandBuffer commands() const { return commands_; }
-  VkFence fence() const { return device_.recordings[at_].fence; }
+  Recording& recording() const { return device_.recordings[at_]; }
   void finish() { finished_ = true; }
 
  private:
   Impl& device_;
   std::size_t at_;
-  VkCommandBuffer commands_ = VK_NULL_HANDLE;
   bool finished_ = false;
 };
 
-void Device::run(const std::function<void(Commands&)>& record) {
-  Impl& d = *impl_;
-  Impl::Run run(d);
-  const VkCommandBuffer cmd = run.commands();
+void Device::Impl::submit(Device& owner, Run& run, const std::function<void(Commands&)>& record) {
+  const VkCommandBuffer cmd = run.recording().commands;
   auto begin = vk_struct<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   FB_VK(vkBeginCommandBuffer(cmd, &begin));
-  Commands commands(*this, cmd);
+  Commands commands(owner, cmd);
   record(commands);
   // The fence alone does not make the device's writes visible to the host.
   auto to_host = vk_struct<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
@@ -273,15 +272,47 @@ void Device::run(const std::function<void(Commands&)>& record) {
                        0, nullptr);
   FB_VK(vkEndCommandBuffer(cmd));
 
-  auto submit = vk_struct<VkSubmitInfo>(VK_STRUCTURE_TYPE_SUBMIT_INFO);
-  submit.commandBufferCount = 1;
-  submit.pCommandBuffers = &cmd;
-  const VkFence fence = run.fence();
-  d.leave_driver_room();
-  FB_VK(vkQueueSubmit(d.queue, 1, &submit, fence));
-  FB_VK(vkWaitForFences(d.device, 1, &fence, VK_TRUE, UINT64_MAX));
-  FB_VK(vkResetFences(d.device, 1, &fence));
+  auto info = vk_struct<VkSubmitInfo>(VK_STRUCTURE_TYPE_SUBMIT_INFO);
+  info.commandBufferCount = 1;
+  info.pCommandBuffers = &cmd;
+  leave_driver_room();
+  FB_VK(vkQueueSubmit(queue, 1, &info, run.recording().fence));
+}
+
+void Device::Impl::wait_for(Recording& recording) {
+  FB_VK(vkWaitForFences(device, 1, &recording.fence, VK_TRUE, UINT64_MAX));
+  FB_VK(vkResetFences(device, 1, &recording.fence));
+}
+
+void Device::run(const std::function<void(Commands&)>& record) {
+  finish();
+  Impl::Run run(*impl_);
+  impl_->submit(*this, run, record);
+  impl_->wait_for(run.recording());
   run.finish();
+}
+
+void Device::start(const std::function<void(Commands&)>& record) {
+  finish();
+  FB_CHECK_EQ(impl_->depth, std::size_t{0});
+  Impl::Run run(*impl_);
+  impl_->submit(*this, run, record);
+  run.finish();
+  impl_->started = true;
+}
+
+void Device::finish() {
+  if (!std::exchange(impl_->started, false)) return;
+  try {
+    impl_->wait_for(impl_->recordings[0]);
+  } catch (...) {
+    impl_->drop(impl_->recordings[0]);
+    throw;
+  }
+}
+
+void Device::settle() noexcept {
+  if (impl_->started) vkDeviceWaitIdle(impl_->device);
 }
 
 }  // namespace fb::gpu

@@ -67,10 +67,15 @@ class Device {
   // Device memory allocated now, bytes.
   std::uint64_t allocated_bytes() const;
 
-  // Records with `record`, submits and waits. The one way to run work without a window. A run inside another's `record`
-  // finishes before the outer one starts. Where something throws, what was recorded is dropped, and the next run is as
-  // good as any. One thread at a time.
+  // Records with `record`, submits and waits. A run inside another's `record` finishes before the outer one starts.
+  // Where something throws, what was recorded is dropped, and the next run is as good as any. One thread at a time.
   void run(const std::function<void(Commands&)>& record);
+  // As run(), but does not wait: the host goes on beside the device. Until finish() the host writes to no memory that
+  // was recorded, and changes no binding table. One at a time: run() and start() finish the former first, and whatever
+  // is destroyed waits.
+  void start(const std::function<void(Commands&)>& record);
+  void finish();           // waits for what was started, if anything was
+  void settle() noexcept;  // the same for destructors: whatever becomes of it
 
   VkInstance instance() const;
   VkPhysicalDevice physical() const;

@@ -4,6 +4,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -64,6 +65,11 @@ struct Device::Impl {
   class Run;                                   // in device.cpp
   std::vector<Recording> recordings;
   std::size_t depth = 0;
+  bool started = false;  // the first recording is submitted and was not waited for
+
+  void submit(Device& device, Run& run, const std::function<void(Commands&)>& record);
+  void wait_for(Recording& recording);  // and makes it ready again
+  void drop(Recording& recording);      // nobody knows what became of it
 
   std::uint64_t allocated_bytes = 0;
   std::uint64_t next_serial = 1;

@@ -189,6 +189,25 @@ TEST_F(GpuTest, ARunInsideARunGoesFirst) {
   EXPECT_EQ(read_now<std::uint32_t>(*device_, b, 4), Words(4, 42));
 }
 
+// Runs and readbacks come after what was started, and a buffer that it writes goes only when it is done.
+TEST_F(GpuTest, WhatIsStartedIsFinishedByWhateverComesNext) {
+  constexpr std::size_t kCount = 1u << 20u;
+  Buffer target(*device_, BufferUse::kStorage, kCount * 4, "target");
+  for (const std::uint32_t value : {1u, 2u, 3u}) {
+    device_->start([&](Commands& commands) { commands.fill(target, value); });
+    if (value == 2) device_->finish();
+    EXPECT_EQ(read_now<std::uint32_t>(*device_, target, kCount), Words(kCount, value));
+  }
+  device_->finish();  // nothing is left to do
+  for (const std::uint32_t value : {4u, 5u}) {
+    device_->start([&](Commands& commands) { commands.fill(target, value); });
+  }
+  target = Buffer();
+  device_->finish();
+  EXPECT_THROW(device_->start([](Commands&) { throw OutOfMemory("in the midst of it"); }), OutOfMemory);
+  device_->finish();
+}
+
 TEST_F(GpuTest, PassesAreTimed) {
   if (device_->limits().timestamp_period_ns <= 0) GTEST_SKIP() << "the device has no timestamps";
   constexpr std::uint32_t kCount = 4096;

@@ -13,7 +13,7 @@ uvec2 FrameDrawer::size(const render::RenderSettings& settings) const {
 
 void FrameDrawer::draw(const scene::FrameSnapshot& snapshot, const scene::DrawList* list, const Wish& wish) {
   renderer_.resize(wish.size.x, wish.size.y);
-  renderer_.render(snapshot, list, wish.settings);
+  renderer_.begin(snapshot, list, wish.settings);
 }
 
 void FrameDrawer::draw(const scene::FrameSnapshot& snapshot, const scene::DrawList* list,

@@ -16,7 +16,7 @@ class FrameDrawer {
   void resize(uvec2 size) { size_ = size; }
   // Size of the frame that draw() would draw with these settings; 2D elements are laid out for it.
   uvec2 size(const render::RenderSettings& settings) const;
-  // Throws std::bad_alloc if there is no memory for the scene.
+  // Begins the frame (Renderer::begin). Throws std::bad_alloc if there is no memory for the scene.
   void draw(const scene::FrameSnapshot& snapshot, const scene::DrawList* list, const render::RenderSettings& settings);
 
  private:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "base/check.h"
 #include "base/log.h"
@@ -25,6 +26,13 @@ void register_host_cvars(con::Console& console) {
   console.add_cvar({"r_cpu_pixels", "129600",
                     "in a window on a CPU no more pixels than these are rendered, and scaled up; 0: all",
                     con::kCvarArchive, 0.0f, 1e8f, true});
+  console.add_cvar(
+      {"r_frames_ahead", "-1",
+       "frames that the host prepares while the device draws: 0 none, so that input is shown sooner; 1, for "
+       "more frames a second; -1: 1 while a demo is played, unless the CPU draws, else 0",
+       con::kCvarArchive, -1.0f, 1.0f, true});
+  console.add_cvar({"host_speeds", "0", "1: print the times of every frame: in all, the host's, from input to picture",
+                    con::kCvarPlain, 0.0f, 1.0f, true});
 }
 
 }  // namespace
@@ -33,6 +41,7 @@ Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
     : options_(options), engine_(std::move(engine)), screen_(engine_->console(), engine_->files().loader()) {}
 Game::~Game() {
   set_reproduction_hint(nullptr);
+  if (renderer_) renderer_->set_finished(nullptr);
   swapchain_.reset();  // before the device, the device before the window
   renderer_.reset();
   device_.reset();
@@ -87,6 +96,7 @@ Status Game::open_device() {
   auto renderer = render::Renderer::create(*device_, render::read_render_settings(engine_->console()));
   if (!renderer) return renderer.error();
   renderer_ = std::move(*renderer);
+  renderer_->set_finished([this] { show_drawn(); });
   drawer_.emplace(*renderer_);
   drawer_->resize(size);
   renderer_->resize(size.x, size.y);
@@ -208,10 +218,9 @@ double Game::seconds_passed() {
   return passed;
 }
 
-void Game::capture() {
-  if (options_.capture.empty() || frame_ % options_.capture_every != 0) return;
-  const uvec2 size = renderer_->output_size();
-  const std::string path = fmt::format("{}/frame_{:06}.png", options_.capture, frame_);
+void Game::capture(std::uint64_t frame, uvec2 size) {
+  if (options_.capture.empty() || frame % options_.capture_every != 0) return;
+  const std::string path = fmt::format("{}/frame_{:06}.png", options_.capture, frame);
   std::vector<std::uint32_t> pixels = renderer_->read().output();
   if (const auto status = lab::write_png(path, size.x, size.y, pixels); !status) {
     log_error("{}", status.error().message);
@@ -243,18 +252,41 @@ bool Game::draw_frame() {
   const scene::DrawList* list =
       overlay ? &screen_.draw(client.hud(), client.active(), drawer_->size(wanted), platform::now_seconds()) : nullptr;
   drawer_->draw(snapshot_, list, wanted);
-  const uvec2 size = renderer_->output_size();
-  if (swapchain_ && !swapchain_->present({&renderer_->output_pixels(), size.x, size.y})) fit_to_window();
-  capture();
+  drawn_ = {frame_, renderer_->output_size(), input_time_, client.timing()};
+  if (!draws_ahead()) renderer_->finish();
   ++frame_;
   return true;
+}
+
+// Where the device draws a frame while the host prepares the next, that one's input waits for it.
+bool Game::draws_ahead() const {
+  const float asked = engine_->console().cvar("r_frames_ahead").value();
+  // On the CPU there is nothing to gain: who draws has all of it already.
+  return asked < 0 ? engine_->client().playing() && !device_->is_software() : asked > 0;
+}
+
+// The renderer has finished the frame that it was given last.
+void Game::show_drawn() {
+  const Drawn drawn = drawn_;
+  if (swapchain_ && !swapchain_->present({&renderer_->output_pixels(), drawn.size.x, drawn.size.y})) fit_to_window();
+  const double now = platform::now_seconds();
+  const FrameTimes times{1e3 * (now - std::exchange(shown_time_, now)), renderer_->wait_milliseconds(),
+                         1e3 * (now - drawn.input_time)};
+  if (drawn.timed) pass_report_.add(renderer_->pass_times(), times);
+  if (engine_->console().cvar("host_speeds").on())
+    log_info("{:7.2f} ms, host {:6.2f}, input to picture {:7.2f}", times.whole, times.whole - times.waited,
+             times.latency);
+  capture(drawn.number, drawn.size);
 }
 
 void Game::report_timing() {
   const bool timing = engine_->client().timing();
   if (timing && !was_timing_) pass_report_.clear();
   if (!timing && was_timing_) {
-    if (const std::string line = pass_report_.line(); !line.empty()) log_info("{}", line);
+    renderer_->finish();
+    for (const std::string& line : {pass_report_.line(), pass_report_.times_line()}) {
+      if (!line.empty()) log_info("{}", line);
+    }
   }
   was_timing_ = timing;
 }
@@ -270,13 +302,13 @@ void Game::save_config() {
 bool Game::frame() {
   mouse_ = vec2(0.0f);
   handle_events();
+  input_time_ = platform::now_seconds();
   engine_->execute_commands(platform::now_seconds());
   if (quit_ || stop_wanted()) return false;
   const double passed = seconds_passed();
   engine_->frame(timer_.plan(passed, read_time_settings(engine_->console())), mouse_, platform::now_seconds());
   report_timing();
-  const bool drawn = draw_frame();
-  if (drawn && engine_->client().timing()) pass_report_.add(renderer_->pass_times());
+  if (!draw_frame()) renderer_->finish();
   return !options_.headless || engine_->busy();
 }
 
@@ -294,6 +326,7 @@ int Game::run() {
       engine_->give_up(Error{sentence_of(failure)});
     }
   }
+  renderer_->finish();
   engine_->client().disconnect();  // ends a recording, which may fail, too
   if (options_.headless && engine_->went_wrong()) exit_status_ = 1;
   if (window_) save_config();

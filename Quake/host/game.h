@@ -40,7 +40,9 @@ class Game {
   render::RenderSettings settings() const;
   bool frame();
   bool draw_frame();
-  void capture();
+  bool draws_ahead() const;
+  void show_drawn();
+  void capture(std::uint64_t frame, uvec2 size);
   Status write_screenshot(const std::string& name);
   void report_timing();
   void save_config();
@@ -59,7 +61,17 @@ class Game {
   int exit_status_ = 0;
   double last_time_ = 0;
   FrameTimer timer_;
-  vec2 mouse_{0.0f};  // mouse counts in this frame
+  vec2 mouse_{0.0f};       // mouse counts in this frame
+  double input_time_ = 0;  // when this frame's input was read
+  // The frame that the renderer was given last.
+  struct Drawn {
+    std::uint64_t number = 0;
+    uvec2 size{0, 0};
+    double input_time = 0;
+    bool timed = false;
+  };
+  Drawn drawn_;
+  double shown_time_ = 0;  // when a picture was shown last
   bool was_in_game_ = false;
   std::uint64_t frame_ = 0, captured_ = 0;
 };

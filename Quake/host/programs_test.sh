@@ -250,6 +250,7 @@ fi
 check "timedemo's exit status" test $? -eq 0
 check "timedemo prints QuakeSpasm's count" grep -Eq '^1232 frames +[0-9.]+ seconds +[0-9.]+ fps$' "$scratch/timedemo"
 check "timedemo reports the passes' times" grep -q '^gpu ms a frame: .*gbuffer' "$scratch/timedemo"
+check "and from input to picture" grep -Eq "^ms a frame: [0-9.]+, of these [0-9.]+ the host.s alone; input to picture [0-9.]+$" "$scratch/timedemo"
 check "frames are written" test "$(find "$scratch/frames" -name 'frame_*.png' | wc -l)" -ge 4
 check "a cvar without effect is none of the laboratory's" fails_with "no effect here" "$build/fullbright-lab" render --quiet \
   --basedir "$data" --map start --set gl_clear=1 --frames 0:0 --size 8x8

@@ -21,6 +21,10 @@
 namespace fb::render {
 namespace {
 
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
 bool is_finite(const mat4x3& m) {
   for (int c = 0; c < 4; ++c) {
     for (int r = 0; r < 3; ++r) {
@@ -336,6 +340,12 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
   s.collect(snapshot);
   s.fill(snapshot, emission);
   s.list_lights(snapshot, wants_lights);
+  s.statistics.host_milliseconds = milliseconds_since(start);
+}
+
+void GpuScene::stage() {
+  Impl& s = *impl_;
+  const auto start = std::chrono::steady_clock::now();
   s.stage();
   s.bind();
   s.recorded = false;
@@ -356,8 +366,7 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
       s.drawn.begin(), s.drawn.end(), [&](const Drawn& d) { return s.assets.meshes()[d.instance->mesh].posed; }));
   s.statistics.device_bytes = s.assets.device_bytes() + s.instances.bytes() + s.materials.bytes() + s.jobs.bytes() +
                               s.lights.bytes() + s.staging.size();
-  s.statistics.host_milliseconds =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  s.statistics.host_milliseconds += milliseconds_since(start);
 }
 
 void GpuScene::forget() {

@@ -40,7 +40,7 @@ struct SceneFeatures {
 struct SceneStatistics {
   std::uint32_t meshes = 0, triangles = 0, instances = 0, posed_instances = 0;
   std::uint64_t device_bytes = 0;
-  double host_milliseconds = 0;  // prepare(), this frame
+  double host_milliseconds = 0;  // prepare() and stage(), this frame
 };
 
 // What tests look into.
@@ -55,8 +55,11 @@ class GpuScene {
   GpuScene(const GpuScene&) = delete;
   GpuScene& operator=(const GpuScene&) = delete;
 
-  // Host part: uploads, tables, the tree over instances, the list of lights if it is wanted. Between submissions.
+  // Host part: uploads, tables, the tree over instances, the list of lights if it is wanted. The device may still draw
+  // the former frame.
   void prepare(const scene::FrameSnapshot& snapshot, const EmissionScales& emission, bool wants_lights = false);
+  // Lays what was prepared where the device takes it from. Between submissions.
+  void stage();
   // What was prepared was not all done on the device: the next frame uploads and builds everything.
   void forget();
   // Device part: copies, poses, refits, acceleration structures. Ends with a barrier.

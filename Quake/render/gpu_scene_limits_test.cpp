@@ -142,6 +142,7 @@ TEST_F(GpuSceneTest, SkipsWhatCannotBeDrawn) {
   gpu::BindingTable table(*device_);
   GpuScene scene(*device_, table, {});
   scene.prepare(c.snapshot, {});
+  scene.stage();
   EXPECT_EQ(scene.statistics().instances, 1u);
 }
 

@@ -97,10 +97,12 @@ TEST_F(GpuSceneTest, AsksOnlyAlphaTestedAndTranslucent) {
   gpu::BindingTable table(*device_);
   GpuScene scene(*device_, table, {});
   scene.prepare(c.snapshot, {});
+  scene.stage();
   EXPECT_TRUE(scene.features().alpha_test);
   EXPECT_TRUE(scene.features().translucent);
   EXPECT_FALSE(scene.features().specular);
   scene.prepare(opaque.snapshot, {});
+  scene.stage();
   EXPECT_FALSE(scene.features().alpha_test);
   EXPECT_FALSE(scene.features().translucent);
 }
@@ -111,12 +113,15 @@ TEST_F(GpuSceneTest, KnowsTheFeaturesOfModelsThatComeLater) {
   gpu::BindingTable table(*device_);
   GpuScene scene(*device_, table, {});
   scene.prepare(c.snapshot, {});
+  scene.stage();
   EXPECT_EQ(scene.features().surfaces, 0u);
   c.assets->materials.emplace_back().flags = scene::kMaterialWarp;
   scene.prepare(c.snapshot, {});
+  scene.stage();
   EXPECT_EQ(scene.features().surfaces, shared::kFeatureWarp);
   c.add(c.add_mesh(posed_soup(10, 2, 2)));
   scene.prepare(c.snapshot, {});
+  scene.stage();
   EXPECT_EQ(scene.features().surfaces, shared::kFeatureWarp | shared::kFeatureSmooth);
 }
 

@@ -70,31 +70,45 @@ float LightList::radiance(const scene::Assets& assets, const shared::GpuMaterial
   return shared::all_texels_glow(m.emission_kind) ? sum(means(assets, m.base).all * factor) : 0.0f;
 }
 
-void LightList::list_triangles(const scene::Assets& assets, std::span<const Source> sources,
-                               std::span<const float> glow) {
+std::vector<LightList::Glowing> LightList::find_glowing(std::span<const Source> sources, std::span<const float> glow) {
+  std::vector<Glowing> found;
+  for (std::uint32_t i = 0; i < sources.size(); ++i) {
+    const Source& s = sources[i];
+    if ((s.instance->visibility & scene::kSeenByIndirect) == 0) continue;
+    Glowing g;
+    g.instance = i;
+    g.mesh = s.instance->mesh;
+    g.material_base = s.gpu->material_base;
+    g.colored = (s.gpu->flags & shared::kInstanceHasColor) != 0;
+    g.color = g.colored ? sum(vec3(s.gpu->emission)) : 0.0f;
+    const auto& materials = s.mesh->materials;
+    if (g.colored ? !(g.color > 0.0f) : std::none_of(materials.begin(), materials.end(), [&](std::uint32_t material) {
+          return glow[material + g.material_base] > 0.0f;
+        }))
+      continue;
+    g.transform = s.instance->transform;
+    g.pose = s.instance->pose;
+    found.push_back(g);
+  }
+  return found;
+}
+
+void LightList::list_triangles(const scene::Assets& assets, std::span<const Source> sources) {
   first_ = static_cast<std::uint32_t>(sources.size());
   elements_.assign(first_, uvec2(shared::kNoIndex, 0));
   std::vector<double> powers;
   double total = 0;
-  for (std::uint32_t i = 0; i < first_; ++i) {
-    const Source& s = sources[i];
-    if ((s.instance->visibility & scene::kSeenByIndirect) == 0) continue;
-    const bool colored = (s.gpu->flags & shared::kInstanceHasColor) != 0;
-    const scene::Mesh& mesh = assets.meshes[s.instance->mesh];
-    const auto of = [&](std::uint32_t triangle) {
-      return colored ? sum(vec3(s.gpu->emission))
-                     : glow[mesh.triangles[s.mesh->order[triangle]].material + s.gpu->material_base];
-    };
-    bool any = false;
-    for (std::uint32_t t = 0; t < s.mesh->triangle_count && !any; ++t) any = of(t) > 0.0f;
-    if (!any) continue;
-    elements_[i].x = static_cast<std::uint32_t>(first_ + powers.size());
+  for (const Glowing& g : glowing_) {
+    const Source& s = sources[g.instance];
+    const scene::Mesh& mesh = assets.meshes[g.mesh];
+    elements_[g.instance].x = static_cast<std::uint32_t>(first_ + powers.size());
     const std::vector<float>& area = areas(assets, s);
     for (std::uint32_t t = 0; t < s.mesh->triangle_count; ++t) {
-      const float power = of(t) * area[t];
+      const float radiance = g.colored ? g.color : glow_[mesh.triangles[s.mesh->order[t]].material + g.material_base];
+      const float power = radiance * area[t];
       powers.push_back(power > 0.0f && std::isfinite(power) ? static_cast<double>(power) : 0.0);
       total += powers.back();
-      elements_.emplace_back(0, i);
+      elements_.emplace_back(0, g.instance);
     }
   }
   if (total <= 0) elements_.assign(first_, uvec2(shared::kNoIndex, 0));
@@ -164,20 +178,29 @@ void LightList::list_former(std::span<const Source> sources) {
 
 void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::span<const Source> sources,
                       std::span<const shared::GpuMaterial> materials) {
-  elements_.clear();
-  first_ = end_ = 0;
-  if (assets.generation != generation_ || sources.empty()) {  // other meshes: a triangle's index means another
+  // Other meshes: a triangle's index means another.
+  const bool others = assets.generation != generation_ || sources.empty();
+  if (others) {
     means_.clear();
     ids_.clear();
     areas_.clear();
   }
   generation_ = assets.generation;
+  if (sources.empty()) {
+    elements_.clear();
+    first_ = end_ = 0;
+    return;
+  }
   if (areas_.size() > 2 * sources.size() + 64) areas_.clear();  // of what is gone
-  if (sources.empty()) return;
   const float sky_mean = sky_radiance(assets, sky);
   std::vector<float> glow(materials.size());
   for (std::size_t i = 0; i < materials.size(); ++i) glow[i] = radiance(assets, materials[i], sky_mean);
-  list_triangles(assets, sources, glow);
+  std::vector<Glowing> glowing = find_glowing(sources, glow);
+  made_anew_ = others || first_ != sources.size() || glow != glow_ || glowing != glowing_;
+  glow_ = std::move(glow);
+  glowing_ = std::move(glowing);
+  if (made_anew_) list_triangles(assets, sources);
+  elements_.resize(former());
   list_former(sources);
 }
 

@@ -1,6 +1,6 @@
-// LightList: the triangles that glow, by the power that each is thought to have: area times mean radiance. Made anew
-// each frame for estimators that sample lights, which stay right whatever it says: what is missing there they find by
-// chance.
+// LightList: the triangles that glow, by the power that each is thought to have: area times mean radiance. For
+// estimators that sample lights, which stay right whatever it says: what is missing there they find by chance. Made
+// anew when what glows has changed.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +33,7 @@ class LightList {
   std::uint32_t first() const { return first_; }
   std::uint32_t end() const { return end_; }
   std::uint32_t former() const { return end_ + (end_ - first_); }
+  bool made_anew() const { return made_anew_; }  // by the last build(): not merely the former list's places
 
  private:
   // Mean linear colour of an image's texels: of all, and of those alone that glow by their palette index.
@@ -40,7 +41,17 @@ class LightList {
     vec3 all{0.0f}, glowing{0.0f};
   };
   const Means& means(const scene::Assets& assets, std::uint32_t image);
-  void list_triangles(const scene::Assets& assets, std::span<const Source> sources, std::span<const float> glow);
+  // An instance of which something glows: all that its part of the list comes from, but for the materials' radiance.
+  struct Glowing {
+    std::uint32_t instance = 0, mesh = 0, material_base = 0;
+    bool colored = false;
+    float color = 0;  // sum of the channels
+    mat4x3 transform{1.0f};
+    scene::PoseBlend pose;
+    bool operator==(const Glowing&) const = default;
+  };
+  static std::vector<Glowing> find_glowing(std::span<const Source> sources, std::span<const float> glow);
+  void list_triangles(const scene::Assets& assets, std::span<const Source> sources);
   void add_alias_table();
   const std::vector<float>& areas(const scene::Assets& assets, const Source& source);
   void list_former(std::span<const Source> sources);
@@ -51,6 +62,9 @@ class LightList {
   std::vector<std::optional<Means>> means_;
   std::vector<uvec2> elements_;
   std::uint32_t first_ = 0, end_ = 0;
+  bool made_anew_ = false;
+  std::vector<Glowing> glowing_;
+  std::vector<float> glow_;         // of the materials: radiance, sum of the channels
   std::vector<std::uint32_t> ids_;  // of the instances, in order
   // Twice the area of each triangle of an instance in the world, in the order of leaves, while it stays where it is.
   struct Areas {

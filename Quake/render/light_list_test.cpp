@@ -206,6 +206,41 @@ TEST(LightList, LightsAreFollowedFromFrameToFrame) {
   EXPECT_EQ(listed.list.former(), listed.list.elements().size()) << "other meshes have other triangles";
 }
 
+// Frame after frame, with whatever changes: the list that is kept is the one that would be made.
+TEST(LightList, IsMadeAnewWhereWhatGlowsHasChangedAndOnlyThere) {
+  scene::FrameSnapshot s = scene::many_lights(20);
+  Listed kept(s);
+  const auto expect_as_new = [&](bool made_anew, const char* what) {
+    const std::size_t former = kept.instances.size();
+    kept.build(s);
+    const LightList &list = kept.list, fresh = Listed(s).list;
+    EXPECT_EQ(list.made_anew(), made_anew) << what;
+    ASSERT_EQ(list.former(), fresh.former()) << what;
+    for (std::uint32_t i = 0; i < list.former(); ++i) ASSERT_EQ(list.elements()[i], fresh.elements()[i]) << what;
+    EXPECT_EQ(list.elements().size(), list.former() + former) << what;
+  };
+  expect_as_new(false, "nothing");
+  std::size_t dark = 0, glows = 0;
+  for (std::size_t i = 0; i < s.instances.size(); ++i) (kept.of_instance(s, i) > 0 ? glows : dark) = i;
+  ASSERT_NE(dark, glows);
+  ASSERT_EQ(kept.of_instance(s, dark), 0.0);
+  s.instances[dark].transform[3].x += 5;
+  expect_as_new(false, "what is dark moved");
+  s.instances[glows].transform[0] *= 2.0f;
+  expect_as_new(true, "what glows grew");
+  expect_as_new(false, "nothing again");
+  s.instances[glows].flags |= scene::kInstanceColor;
+  s.instances[glows].emission = vec3(3, 1, 1);
+  expect_as_new(true, "it was painted");
+  s.instances[glows].emission = vec3(0);
+  expect_as_new(true, "it went out");
+  s.instances.push_back(s.instances[dark]);
+  s.instances.back().id = 9999;
+  expect_as_new(true, "something came");
+  s.instances.pop_back();
+  expect_as_new(true, "it went");
+}
+
 TEST(LightList, AnInstancesColourReplacesItsMaterials) {
   scene::FrameSnapshot snapshot = scene::light_of_every_kind();
   const double before = Listed(snapshot).of_instance(snapshot, 4);

@@ -22,6 +22,7 @@ void RayList::load(const scene::FrameSnapshot& snapshot, std::span<const shared:
   EmissionScales scales;
   scales.fill(1.0f);
   scene_.prepare(snapshot, scales);
+  scene_.stage();
   table_.set_array(shared::kSetFrame, shared::kBindRays, rays_);
   table_.set_array(shared::kSetFrame, shared::kBindHits, hits_);
   table_.flush();

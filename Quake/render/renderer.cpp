@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstring>
+#include <ratio>
 
 #include "base/check.h"
 #include "base/hash.h"
@@ -76,9 +78,12 @@ struct Renderer::Impl {
     table.set_array(shared::kSetFrame, shared::kBindCounters, counters);
   }
 
+  ~Impl() { device.settle(); }
+
   void resize_buffers(uvec2 render, uvec2 output);
   void fit(const RenderSettings& settings);
-  void render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw, const RenderSettings& asked);
+  void begin(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw, const RenderSettings& asked);
+  void finish();
   void forget_frame();
   void choose_technique(const std::string& name);
   void choose_features(const scene::FrameSnapshot& snapshot, bool all);
@@ -113,7 +118,11 @@ struct Renderer::Impl {
   const TechniqueInfo* info = nullptr;
   std::unique_ptr<Technique> technique;
   shared::FrameConstants constants{};
+  PassList passes;         // of the frame that is under way, or was the last
+  bool under_way = false;  // it was begun and not finished
+  std::function<void()> finished;
   std::vector<PassTime> pass_times;
+  double wait_milliseconds = 0;
   bool said_unknown_estimator = false;
 };
 
@@ -177,6 +186,8 @@ void Renderer::Impl::fit(const RenderSettings& settings) {
 
 // The frame ended early: what it was to write, and what says that it was written, is as good as lost.
 void Renderer::Impl::forget_frame() {
+  device.settle();
+  under_way = false;
   restart = true;
   scene.forget();
   previous_valid = false;
@@ -303,34 +314,64 @@ PassList Renderer::Impl::list_passes() {
 
 Status Renderer::fit(const RenderSettings& settings) {
   return within_memory([&] {
+    impl_->finish();
     impl_->fit(settings);
     return ok_status();
   });
 }
 
-void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw,
-                      const RenderSettings& settings) {
+void Renderer::begin(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw,
+                     const RenderSettings& settings) {
   try {
-    impl_->render(snapshot, draw, settings);
+    impl_->begin(snapshot, draw, settings);
   } catch (...) {
     impl_->forget_frame();
     throw;
   }
 }
 
-void Renderer::Impl::render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw,
-                            const RenderSettings& asked) {
+void Renderer::finish() {
+  try {
+    impl_->finish();
+  } catch (...) {
+    impl_->forget_frame();
+    throw;
+  }
+}
+
+void Renderer::render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw,
+                      const RenderSettings& settings) {
+  begin(snapshot, draw, settings);
+  finish();
+}
+
+void Renderer::set_finished(std::function<void()> finished) { impl_->finished = std::move(finished); }
+
+void Renderer::Impl::finish() {
+  if (!under_way) return;
+  const auto start = std::chrono::steady_clock::now();
+  device.finish();
+  wait_milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  under_way = false;
+  pass_times = passes.times(timer.read());
+  if (finished) finished();
+}
+
+void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw,
+                           const RenderSettings& asked) {
   if (!snapshot.assets) {  // nothing loaded yet: an empty scene
     scene::FrameSnapshot empty = snapshot;
     empty.assets = std::make_shared<scene::Assets>();
     empty.instances.clear();
-    return render(empty, draw, asked);
+    return begin(empty, draw, asked);
   }
   choose_technique(asked.estimator);
   const RenderSettings settings = technique->adapt(asked);
+  scene.prepare(snapshot, emission_scales(settings), info->wants_lights);
+  finish();
   fit(settings);
   swap_gbuffers(static_cast<std::uint32_t>(settings.debug_view));
-  scene.prepare(snapshot, emission_scales(settings), info->wants_lights);
+  scene.stage();
   if (snapshot.assets->generation != generation) technique->forget();
   choose_features(snapshot, settings.force_features != 0);
   generation = snapshot.assets->generation;
@@ -341,16 +382,16 @@ void Renderer::Impl::render(const scene::FrameSnapshot& snapshot, const scene::D
   fill_constants(snapshot, settings);
   table.flush();
 
-  const PassList passes = list_passes();
-  device.run([&](gpu::Commands& commands) {
+  passes = list_passes();
+  device.start([&](gpu::Commands& commands) {
     timer.reset(commands.handle());
     commands.set_timer(&timer);
     commands.bind(table);
     passes.record(commands);
   });
+  under_way = true;
   ++accumulated;
   previous_valid = true;
-  pass_times = passes.times(timer.read());
 }
 
 void Renderer::restart_accumulation() { impl_->restart = true; }
@@ -363,20 +404,32 @@ const std::string& Renderer::intersector_name() const {
   return impl_->ray_query ? query : bvh;
 }
 
-const gpu::Buffer& Renderer::output_pixels() const { return impl_->output; }
+const gpu::Buffer& Renderer::output_pixels() const {
+  impl_->finish();
+  return impl_->output;
+}
 Readback Renderer::read() const {
+  impl_->finish();
   const Impl& r = *impl_;
-  return Readback({r.device, r.output, r.mean, r.m2, r.gbuffer, r.counters, r.exposure, r.denoiser, r.output_size,
+  return Readback({r.device, r.output, r.mean, r.m2, r.gbuffer, r.counters, r.exposure, r.denoiser, r.allocated_output,
                    r.render_size, r.accumulated});
 }
 std::uint64_t Renderer::learnt_bytes() const { return impl_->technique ? impl_->technique->bytes() : 0; }
 const Denoiser& Renderer::denoiser() const { return impl_->denoiser; }
 
-const std::vector<PassTime>& Renderer::pass_times() const { return impl_->pass_times; }
+const std::vector<PassTime>& Renderer::pass_times() const {
+  impl_->finish();
+  return impl_->pass_times;
+}
 double Renderer::gpu_milliseconds() const {
+  impl_->finish();
   double sum = 0;
   for (const PassTime& pass : impl_->pass_times) sum += pass.milliseconds;
   return sum;
+}
+double Renderer::wait_milliseconds() const {
+  impl_->finish();
+  return impl_->wait_milliseconds;
 }
 const SceneStatistics& Renderer::scene_statistics() const { return impl_->scene.statistics(); }
 std::uint64_t Renderer::device_bytes() const { return impl_->device.allocated_bytes(); }

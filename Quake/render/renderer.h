@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,7 +33,7 @@ class Renderer {
 
   // Output size in pixels, at least 1x1. What is rendered is RenderSettings::scale of it.
   void resize(std::uint32_t width, std::uint32_t height);
-  uvec2 output_size() const;
+  uvec2 output_size() const;  // as it was asked for last
   uvec2 render_size() const;
   // The lowest byte of output pixels is blue (for swapchains that want it).
   void set_swap_red_blue(bool swap);
@@ -46,6 +47,12 @@ class Renderer {
   // snapshot again (nothing moved, same time) accumulates. An unknown estimator or a ray query where there is none
   // keeps the former choice and says so once.
   void render(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw, const RenderSettings& settings);
+  // The same without waiting: the host's part of this frame is done beside the device's part of the former one, which
+  // is finished before this one's begins. Whatever reads results finishes it, too.
+  void begin(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw, const RenderSettings& settings);
+  void finish();
+  // Called when a frame that was begun is finished, before the next one can overwrite its output.
+  void set_finished(std::function<void()> finished);
   // Starts accumulation anew at the next frame.
   void restart_accumulation();
 
@@ -63,6 +70,7 @@ class Renderer {
 
   const std::vector<PassTime>& pass_times() const;  // of the last frame
   double gpu_milliseconds() const;                  // their sum
+  double wait_milliseconds() const;                 // for which the host waited for the last frame
   const SceneStatistics& scene_statistics() const;
   std::uint64_t device_bytes() const;
 
