@@ -29,7 +29,7 @@ void register_host_cvars(con::Console& console) {
   console.add_cvar(
       {"r_frames_ahead", "-1",
        "frames that the host prepares while the device draws: 0 none, so that input is shown sooner; 1, for "
-       "more frames a second; -1: 1 while a demo is played, unless the CPU draws, else 0",
+       "more frames a second; -1: 1 while a demo is played, else 0",
        con::kCvarArchive, -1.0f, 1.0f, true});
   console.add_cvar({"host_speeds", "0", "1: print the times of every frame: in all, the host's, from input to picture",
                     con::kCvarPlain, 0.0f, 1.0f, true});
@@ -230,8 +230,7 @@ void Game::capture(std::uint64_t frame, uvec2 size) {
 }
 
 render::RenderSettings Game::settings() const {
-  render::RenderSettings settings = render::read_render_settings(engine_->console());
-  if (settings.denoise < 0) settings.denoise = 1;
+  render::RenderSettings settings = render::as_in_game(render::read_render_settings(engine_->console()));
   const float most = engine_->console().cvar("r_cpu_pixels").value();
   if (window_ && device_->is_software() && most > 0) {
     settings.scale =
@@ -261,8 +260,7 @@ bool Game::draw_frame() {
 // Where the device draws a frame while the host prepares the next, that one's input waits for it.
 bool Game::draws_ahead() const {
   const float asked = engine_->console().cvar("r_frames_ahead").value();
-  // On the CPU there is nothing to gain: who draws has all of it already.
-  return asked < 0 ? engine_->client().playing() && !device_->is_software() : asked > 0;
+  return asked < 0 ? engine_->client().playing() : asked > 0;
 }
 
 // The renderer has finished the frame that it was given last.

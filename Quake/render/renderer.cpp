@@ -260,6 +260,8 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   const double elapsed = std::clamp(snapshot.time - last_time, 0.0, 1.0);
   const bool jump = first_frame || snapshot.cut || same_view || settings.exposure_time <= 0;
   constants.adaptation = jump ? 1.0f : 1.0f - static_cast<float>(std::exp(-elapsed / settings.exposure_time));
+  constants.local_exposure = std::max(settings.local_exposure, 0.0f);
+  constants.bloom = std::max(settings.bloom, 0.0f);
   constants.swap_red_blue = swap_red_blue;
   constants.draw_quads = !overlay.empty();
   constants.quad_tiles_x = overlay.tiles_x();
@@ -303,8 +305,14 @@ PassList Renderer::Impl::list_passes() {
   frame("accumulate", shaders.get("accumulate"), tiles);
   denoiser.add_passes(list, shaders);
   frame("histogram", shaders.get("exposure_histogram"), groups_over(render_size, 16));
+  const bool lens = constants.debug_view == 0 && (constants.bloom > 0 || constants.local_exposure > 0);
+  if (lens) frame("local_exposure", shaders.get("local_exposure"), {(shared::kGridCells + 63) / 64, 1});
   frame("exposure", shaders.get("exposure"), {1, 1});
-  frame("tonemap", shaders.get(constants.debug_view != 0 ? "debug_view" : "tonemap"), tiles);
+  if (lens) {
+    const uvec2 small = groups_over({shared::kBloomWidth, shared::kBloomHeight}, 8);
+    for (const char* step : {"bloom_small", "bloom_x", "bloom_y"}) frame(step, shaders.get(step), small);
+  }
+  frame("tonemap", shaders.get(constants.debug_view != 0 ? "debug_view" : lens ? "tonemap_lens" : "tonemap"), tiles);
   const uvec2 smooth(constants.smooth_width, constants.smooth_height);
   const char* over_time = smooth == render_size ? "temporal_antialias" : "temporal_upscale";
   frame("antialias", shaders.get(constants.taa != 0 ? over_time : "antialias"), groups_over(smooth, 8));

@@ -7,6 +7,8 @@
 namespace fb::render {
 namespace {
 
+constexpr float kLocalExposure = 0.35f, kBloom = 0.04f;  // in the game
+
 con::CvarSpec number_spec(const char* name, float value, float low, float high, bool integer, const char* help) {
   con::CvarSpec spec;
   spec.name = name;
@@ -63,6 +65,13 @@ RenderSettings read_render_settings(const con::Console& console) {
   settings.arrays = arrays == "bound"     ? ArrayAccess::kBound
                     : arrays == "address" ? ArrayAccess::kAddress
                                           : ArrayAccess::kAuto;
+  return settings;
+}
+
+RenderSettings as_in_game(RenderSettings settings) {
+  if (settings.denoise < 0) settings.denoise = 1;
+  if (settings.local_exposure < 0) settings.local_exposure = kLocalExposure;
+  if (settings.bloom < 0) settings.bloom = kBloom;
   return settings;
 }
 

@@ -21,7 +21,10 @@
   X(int, auto_exposure, "r_autoexposure", 1, 0, 1, "automatic exposure: adapt to the picture's mean luminance") \
   X(float, exposure, "r_exposure", 1, 0.0001f, 10000, "exposure: a factor on the automatic one; the whole exposure where r_autoexposure is 0") \
   X(float, exposure_target, "r_exposure_target", 0.16f, 0.001f, 10, "mean luminance that automatic exposure aims at") \
-  X(float, exposure_time, "r_exposure_time", 0.7f, 0, 60, "time constant of automatic exposure, seconds") \
+  X(float, exposure_time, "r_exposure_time", 1, 0, 60, "time constant of automatic exposure, seconds") \
+  X(float, exposure_rest, "r_exposure_rest", 0.2f, 0, 4, "how far the picture may be from its exposure before that follows, stops: explosions and shots do not make it pump") \
+  X(float, local_exposure, "r_local_exposure", -1, -1, 1, "local exposure: how much of the contrast between bright and dark parts of the picture is taken away, contrast within them is kept; -1: 0.35 in the game, 0 in the laboratory") \
+  X(float, bloom, "r_bloom", -1, -1, 1, "bloom: share of the light that spreads about where it falls, as in a lens; -1: 0.04 in the game, 0 in the laboratory") \
   X(int, tone_map, "r_tonemap", 1, 0, 1, "tone mapping: 0 clamps at white, 1 is a filmic curve that keeps colours") \
   X(int, fxaa, "r_fxaa", 1, 0, 1, "anti-alias the finished picture by FXAA (unless r_taa does)") \
   X(int, debug_view, "r_debug", 0, 0, 30, "show a buffer in the place of the picture, by name or number; Misc/docs/settings.md lists them")
