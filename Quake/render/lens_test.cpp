@@ -1,4 +1,5 @@
-// What stands between radiance and the screen: automatic exposure, local exposure, bloom. On pictures whose answer is known.
+// What stands between radiance and the screen: automatic exposure, local exposure, bloom. On pictures whose answer is
+// known.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -61,10 +61,22 @@ Now frame_at(uvec2 pixel) {
   vec2 size = vec2(frame.width, frame.height), up = vec2(frame.smooth_width, frame.smooth_height) / size;
   vec2 place = (vec2(pixel) + 0.5) / up;
   vec2 among = place - 0.5 - vec2(frame.jitter_x, frame.jitter_y), nearest = floor(among + 0.5);
-  uint at_place = rendered_at(ivec2(place));
-  Now now = Now(vec3(0.0), 0.0, 3.1415927 / (kNarrow * up.x * up.y), vec3(0.0), vec3(0.0), vec2(0.0), frames_at(at_place));
+  // What is in front moves the edge, and an edge's picture is as old as what it is the edge of.
+  vec4 front = vec4(0.0);
+  float closest = -1.0;
+  uint front_at = 0u;
+  for (int i = 0; i < 9; ++i) {
+    uint at = rendered_at(ivec2(nearest) + ivec2(i % 3, i / 3) - 1);
+    vec4 motion = uintBitsToFloat(gbuffer_quad(at, 4u));
+    float inverse_depth = motion.z > 0.0 ? 1.0 / motion.z : 0.0;
+    front = inverse_depth > closest ? motion : front;
+    front_at = inverse_depth > closest ? at : front_at;
+    closest = max(closest, inverse_depth);
+  }
+  float frames = max(frames_at(rendered_at(ivec2(place))), frames_at(front_at)), between = 1.0 / max(frames, 1.0);
+  Now now = Now(vec3(0.0), 0.0, 3.1415927 / (kNarrow * up.x * up.y), vec3(0.0), vec3(0.0), front.xy * up, frames);
   vec3 squares = vec3(0.0);
-  float closest = 0.0, moments = 0.0, between = 1.0 / max(now.frames, 1.0);
+  float moments = 0.0;
   for (int i = 0; i < 9; ++i) {
     vec2 at = nearest + vec2(i % 3 - 1, i / 3 - 1);
     vec2 away = (among - at) * up;
@@ -77,13 +89,6 @@ Now frame_at(uvec2 pixel) {
     moments += about;
     now.mean += about * c;
     squares += about * c * c;
-    // What is in front moves the edge.
-    vec4 motion = uintBitsToFloat(gbuffer_quad(rendered_at(ivec2(at)), 4u));
-    float inverse_depth = motion.z > 0.0 ? 1.0 / motion.z : 0.0;
-    if (inverse_depth > closest || i == 0) {
-      closest = inverse_depth;
-      now.motion = motion.xy * up;
-    }
   }
   if (frame.still != 0u) now.motion = vec2(0.0);
   now.color /= now.weight;
@@ -95,13 +100,25 @@ Now frame_at(uvec2 pixel) {
 Now frame_at(uvec2 pixel) {
   uint at = pixel.y * frame.width + pixel.x;
   vec3 color = ldr_at(ivec2(pixel)), sum = color, squares = color * color;
+  vec4 motion = uintBitsToFloat(gbuffer_quad(at, 4u));
+  float closest = motion.z > 0.0 ? 1.0 / motion.z : 0.0;
+  uint front = at;
   for (int i = 0; i < 4; ++i) {
     int side = 2 * (i & 1) - 1;
-    vec3 c = ldr_at(ivec2(pixel) + (i < 2 ? ivec2(side, 0) : ivec2(0, side)));
+    ivec2 p = ivec2(pixel) + (i < 2 ? ivec2(side, 0) : ivec2(0, side));
+    vec3 c = ldr_at(p);
     sum += c;
     squares += c * c;
+    vec4 other = uintBitsToFloat(gbuffer_quad(rendered_at(p), 4u));
+    float inverse_depth = other.z > 0.0 ? 1.0 / other.z : 0.0;
+    if (inverse_depth > closest * 1.1) {
+      closest = inverse_depth;
+      motion = other;
+      front = rendered_at(p);
+    }
   }
-  return Now(color, 1.0, 1.0, sum / 5.0, spread_of(sum / 5.0, squares / 5.0), motion_at(at), frames_at(at));
+  vec2 moved = frame.still != 0u ? vec2(0.0) : motion.xy;
+  return Now(color, 1.0, 1.0, sum / 5.0, spread_of(sum / 5.0, squares / 5.0), moved, max(frames_at(at), frames_at(front)));
 }
 #endif
 
