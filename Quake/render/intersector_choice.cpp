@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t kRays = 16384;
 constexpr std::uint32_t kSpheres = 128;
-constexpr int kRuns = 3;
+constexpr int kRuns = 10;
+constexpr double kDoubtOnCpu = 1.5;
 
 // From anywhere in the hall in any direction, as paths have them.
 std::vector<shared::ListRay> rays_through(const scene::FrameSnapshot& hall) {
@@ -33,27 +34,30 @@ std::vector<shared::ListRay> rays_through(const scene::FrameSnapshot& hall) {
   return rays;
 }
 
-double rays_per_microsecond(gpu::Device& device, const GpuSceneOptions& options, const scene::FrameSnapshot& hall,
-                            const std::vector<shared::ListRay>& rays) {
-  RayList list(device, options, false);
-  list.load(hall, rays);
-  list.trace();  // the first run may compile
-  double best = list.trace();
-  for (int run = 1; run < kRuns; ++run) best = std::min(best, list.trace());
-  return static_cast<double>(rays.size()) / (best * 1000.0);
-}
-
 }  // namespace
 
+// In turns, the best of each: what else the machine does for a moment must not decide.
 IntersectorSpeeds measure_intersectors(gpu::Device& device, std::optional<bool> by_address) {
   const scene::FrameSnapshot hall = scene::many_lights(kSpheres);
   const std::vector<shared::ListRay> rays = rays_through(hall);
   GpuSceneOptions options;
   options.by_address = by_address;
-  IntersectorSpeeds speeds;
-  speeds.bvh = rays_per_microsecond(device, options, hall, rays);
+  RayList bvh(device, options, false);
   options.ray_query = true;
-  speeds.query = rays_per_microsecond(device, options, hall, rays);
+  RayList query(device, options, false);
+  double fastest[2] = {1e30, 1e30};  // milliseconds
+  RayList* const lists[2] = {&bvh, &query};
+  for (RayList* list : lists) {
+    list->load(hall, rays);
+    list->trace();  // the first run may compile
+  }
+  for (int run = 0; run < kRuns; ++run) {
+    for (int i = 0; i < 2; ++i) fastest[i] = std::min(fastest[i], lists[i]->trace());
+  }
+  const double per_microsecond = static_cast<double>(rays.size()) / 1000.0;
+  IntersectorSpeeds speeds;
+  speeds.bvh = per_microsecond / fastest[0];
+  speeds.query = per_microsecond / fastest[1];
   return speeds;
 }
 
@@ -64,7 +68,8 @@ bool ray_query_is_faster(gpu::Device& device, std::optional<bool> by_address) {
   const std::scoped_lock lock(mutex);
   if (const auto found = measured.find(name); found != measured.end()) return found->second;
   const IntersectorSpeeds speeds = measure_intersectors(device, by_address);
-  const bool query = speeds.query > speeds.bvh;
+  // A busy processor may halve either one; in doubt it is our own trees that are faster there.
+  const bool query = speeds.query > speeds.bvh * (device.is_software() ? kDoubtOnCpu : 1.0);
   log_info("r_intersector auto: {} (millions of rays a second: query {:.2f}, bvh {:.2f})", query ? "query" : "bvh",
            speeds.query, speeds.bvh);
   return measured.emplace(name, query).first->second;

@@ -29,10 +29,10 @@ int lavapipe_version(const gpu::Device& device) {
 }  // namespace
 
 MemoryAccess memory_access(const gpu::Device& device, std::optional<bool> by_address) {
-  // Before Mesa 24, lavapipe loads lane by lane, and soonest through texel buffers; since, a load by address is one
-  // gather instruction, and one through a descriptor a bounds check and a branch a lane.
+  // Before Mesa 24, lavapipe loads lane by lane; since, a load by address is one gather instruction, and one through a
+  // descriptor a bounds check and a branch a lane. Four words at once through a texel buffer are soonest in either.
   const bool old = lavapipe_version(device) < 24;
-  return {device.has_addresses() && by_address.value_or(!old), old};
+  return {device.has_addresses() && by_address.value_or(!old), device.is_software()};
 }
 
 std::span<const std::uint32_t> shader_code(std::string_view name, bool ray_query, bool by_address) {

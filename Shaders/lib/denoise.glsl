@@ -1,5 +1,5 @@
 // The history buffer as the denoiser's passes read them: four words at once, through texel buffers where
-// those are faster (lavapipe before Mesa 24).
+// those are faster (lavapipe).
 #ifndef FB_LIB_DENOISE
 #define FB_LIB_DENOISE
 #include "lib/gbuffer_texel.glsl"

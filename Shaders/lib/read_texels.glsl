@@ -2,7 +2,6 @@
 #define FB_LIB_READ_TEXELS
 #include "shared/bindings.h"
 
-// Arrays that have a texel buffer are read through it: nearly twice as fast as storage buffers on lavapipe before Mesa 24,
-// slower after.
+// Arrays that have a texel buffer are read through it: faster than storage buffers on lavapipe.
 layout(constant_id = kSpecReadTexels) const bool READ_TEXELS = false;
 #endif

@@ -1,5 +1,5 @@
-// Records of the scene's tables, through texel buffers where those are faster: lavapipe before Mesa 24 loads a word of a
-// storage buffer lane by lane, four words of a texel buffer at once. Words that nobody reads are not fetched.
+// Records of the scene's tables, through texel buffers where those are faster: lavapipe loads each word of a storage
+// buffer by itself (before Mesa 24 lane by lane), four words of a texel buffer at once. Words that nobody reads are not fetched.
 #ifndef FB_LIB_SCENE_RECORDS
 #define FB_LIB_SCENE_RECORDS
 #include "lib/read_texels.glsl"
