@@ -6,7 +6,6 @@
 #include "lib/lens.glsl"
 #include "lib/shown.glsl"
 
-const uint kBloomPixels = kBloomWidth * kBloomHeight;
 const float kBloomSigma = 0.02;  // of the picture's height
 
 void main() {

@@ -80,15 +80,15 @@ struct ExposureState {
 // that a dark pixel beside a window does not count as bright (bilateral grid, Chen 2007). Both have one size, whatever
 // the picture's.
 FB_CONST uint kGridWidth = 20u, kGridHeight = 12u, kGridBins = 16u;
-FB_CONST uint kGridCells = 3840u;  // x fastest, then y, then bins
-FB_CONST uint kBloomWidth = 96u, kBloomHeight = 54u;
+FB_CONST uint kGridCells = kGridWidth * kGridHeight * kGridBins;  // x fastest, then y, then bins
+FB_CONST uint kBloomWidth = 96u, kBloomHeight = 54u, kBloomPixels = kBloomWidth * kBloomHeight;
 struct ExposureBuffer {
   ExposureState state;
-  uint histogram[128];    // kHistogramBins
-  uint grid_count[3840];  // samples in a cell
-  uint grid_sum[3840];    // of log2 luminance above the lowest bin's, in 1/256
-  uint grid[3840];        // smoothed: half2 of the weight of a cell's samples and of their mean log2 luminance
-  uint bloom[2 * 5184];   // pack_rgb9e5 of exposed radiance; twice kBloomWidth x kBloomHeight
+  uint histogram[128];           // kHistogramBins
+  uint grid_count[kGridCells];   // samples in a cell
+  uint grid_sum[kGridCells];     // of log2 luminance above the lowest bin's, in 1/256
+  uint grid[kGridCells];         // smoothed: half2 of the weight of a cell's samples and of their mean log2 luminance
+  uint bloom[2 * kBloomPixels];  // pack_rgb9e5 of exposed radiance; twice kBloomWidth x kBloomHeight
 };
 
 struct GpuQuad {   // 48 bytes, output pixels and atlas texels
