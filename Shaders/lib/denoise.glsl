@@ -43,17 +43,20 @@ float luminance_of(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 struct Reflector {
   vec3 emission, factor;
 };
-Reflector reflector(uvec4 albedo_roughness, uvec4 emission_specular, uint metalness, float cos_view) {
-  vec4 a = uintBitsToFloat(albedo_roughness), e = uintBitsToFloat(emission_specular);
-  return Reflector(e.rgb, demodulation_factor(a.rgb, a.w, e.w, float(metalness >> 24u) / 255.0, cos_view));
-}
 
 // 1 / depth of a plane at its pixel's middle, from that where the jittered ray met it.
 float at_middle(float inverse_depth, vec2 slope) {
   return inverse_depth / max(1.0 + dot(slope, vec2(frame.jitter_x, frame.jitter_y)), 0.1);
 }
 
-float cosine_to(vec3 ray, vec3 normal) { return abs(dot(normal, ray)) * inversesqrt(dot(ray, ray)); }
+// `words`: the texel's fourth quad. The coat is taken at the geometric normal's angle: Schlick's weight of a normal map at
+// grazing angles differs from pixel to pixel by more than what is reflected, and neighbours that share their irradiance
+// would be too bright by that.
+Reflector reflector(uint at, uvec4 words, vec3 ray) {
+  vec4 a = uintBitsToFloat(gbuffer_quad(at, 1u)), e = uintBitsToFloat(gbuffer_quad(at, 2u));
+  float cos_view = abs(dot(unpack_direction(words.x), ray)) * inversesqrt(dot(ray, ray));
+  return Reflector(e.rgb, demodulation_factor(a.rgb, a.w, e.w, float(words.w >> 24u) / 255.0, cos_view));
+}
 
 // How 1 / depth changes from pixel to pixel on the plane with this normal, relative to its value here: 1 / depth is linear
 // over the image of a plane.

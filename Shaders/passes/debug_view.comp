@@ -19,8 +19,7 @@ vec3 denoiser_color(uint at, GBufferTexel g) {
   uvec4 past = history_quad(section(kSectionHistory + frame.history_parity) + at);
   vec2 moments = unpackHalf2x16(past.z);
   float frames = float((past.y >> 16u) & 0xffu);
-  Reflector r = reflector(gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), g.material_metalness,
-                          cosine_to(camera_direction(vec2(invocation_pixel()) + 0.5), unpack_direction(g.shading_normal)));
+  Reflector r = reflector(at, gbuffer_quad(at, 3u), camera_direction(vec2(invocation_pixel()) + 0.5));
   switch (frame.debug_view) {
     case kViewDeviation: return vec3(sqrt(max(moments.y * moments.y - moments.x * moments.x, 0.0)) / max(4.0 * moments.x, 1e-6));
     case kViewHistory: return vec3(log2(1.0 + frames) / 8.0);

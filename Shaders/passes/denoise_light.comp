@@ -13,7 +13,7 @@ void main() {
   uvec4 words = gbuffer_quad(at, 3u);
   vec3 ray = camera_direction(vec2(pixel) + 0.5), geometric = unpack_direction(words.x);
   float depth = uintBitsToFloat(gbuffer_quad(at, 4u).z);
-  Reflector r = reflector(gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), words.w, cosine_to(ray, unpack_direction(words.y)));
+  Reflector r = reflector(at, words, ray);
   bool lit = inside && depth > 0.0 && max(r.factor.x, max(r.factor.y, r.factor.z)) > 0.0;
   vec3 x = checked_irradiance(demodulate(radiance.at[at].rgb - r.emission, r.factor));
   uint surface = pack_surface(at_middle(1.0 / max(depth, 1e-3), plane_slope(geometric, ray)), geometric);

@@ -103,8 +103,8 @@ void main() {
   uint at = pixel.y * frame.width + pixel.x;
   uvec4 words = gbuffer_quad(at, 3u);
   vec4 motion = uintBitsToFloat(gbuffer_quad(at, 4u));
-  vec3 normal = unpack_direction(words.y), ray = camera_direction(vec2(pixel) + 0.5);
-  Reflector r = reflector(gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), words.w, cosine_to(ray, normal));
+  vec3 ray = camera_direction(vec2(pixel) + 0.5);
+  Reflector r = reflector(at, words, ray);
   uint id = surface_name(words.z);
   vec3 geometric = unpack_direction(words.x);
   vec2 slope = plane_slope(geometric, ray);
@@ -145,7 +145,7 @@ void main() {
 
   float ahead = h.frames == 0.0 ? 0.0 : mean - luminance_of(irradiance);
   float random = float(rng_seed(at, frame.frame, 0u, 0u) >> 8u) * (1.0 / 16777216.0);
-  uvec4 filter_texel = uvec4(pack_rgb9e5(irradiance, random), packHalf2x16(vec2(deviation, ahead)), pack_surface(inverse_depth, normal),
+  uvec4 filter_texel = uvec4(pack_rgb9e5(irradiance, random), packHalf2x16(vec2(deviation, ahead)), pack_surface(inverse_depth, unpack_direction(words.y)),
                              uint(frames + 0.5) | (id << 8u) | (pack_coarse_normal(geometric) << 16u));
   uint moments = packHalf2x16(vec2(mean, sqrt(mean_square)));
   if (known) write_texels(at, filter_texel, moments, pack_surface(inverse_depth, geometric));

@@ -44,7 +44,7 @@ float parted(Tap a, Tap b) {
 // Light meets the surface again.
 vec3 reflected_color(uint at, vec3 irradiance, vec3 ray) {
   uvec4 words = gbuffer_quad(at, 3u);
-  Reflector r = reflector(gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), words.w, cosine_to(ray, unpack_direction(words.y)));
+  Reflector r = reflector(at, words, ray);
   return r.emission + irradiance * r.factor;
 }
 
