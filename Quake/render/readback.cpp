@@ -1,5 +1,8 @@
 #include "render/readback.h"
 
+#include <array>
+#include <bit>
+
 #include "render/denoiser.h"
 
 namespace fb::render {
@@ -18,13 +21,24 @@ std::vector<vec4> Readback::linear() const {
 std::vector<vec4> Readback::denoised() const { return from_.denoiser.on() ? from_.denoiser.read() : linear(); }
 std::vector<vec4> Readback::variance_of_mean() const {
   auto variance = gpu::read_now<vec4>(from_.device, from_.m2, pixels(from_.render_size));
-  const float n = static_cast<float>(from_.accumulated);
-  const float factor = n > 1 ? 1.0f / ((n - 1) * n) : 0.0f;
-  for (vec4& v : variance) v *= factor;
+  const std::vector<vec4> mean = linear();  // w: how many samples each pixel has; of one or none nothing was written
+  for (std::size_t i = 0; i < variance.size(); ++i) {
+    const float n = mean[i].w;
+    variance[i] = n > 1 ? variance[i] * (1.0f / ((n - 1) * n)) : vec4(0);
+  }
   return variance;
 }
 std::vector<shared::GBufferTexel> Readback::gbuffer() const {
-  return gpu::read_now<shared::GBufferTexel>(from_.device, from_.gbuffer, pixels(from_.render_size));
+  constexpr std::size_t kPlanes = sizeof(shared::GBufferTexel) / sizeof(glm::uvec4);
+  const std::size_t count = pixels(from_.render_size);
+  const auto planes = gpu::read_now<glm::uvec4>(from_.device, from_.gbuffer, kPlanes * count);
+  std::vector<shared::GBufferTexel> texels(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<glm::uvec4, kPlanes> words;
+    for (std::size_t plane = 0; plane < kPlanes; ++plane) words[plane] = planes[plane * count + i];
+    texels[i] = std::bit_cast<shared::GBufferTexel>(words);
+  }
+  return texels;
 }
 std::vector<glm::uvec4> Readback::history() const { return from_.denoiser.read_history(); }
 

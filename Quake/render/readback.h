@@ -27,7 +27,6 @@ class Readback {
     const gpu::Buffer &output, &mean, &m2, &gbuffer, &counters, &exposure;
     const Denoiser& denoiser;
     uvec2 output_size, render_size;
-    std::uint32_t accumulated;
   };
   explicit Readback(const Source& source) : from_(source) {}
 

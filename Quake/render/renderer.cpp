@@ -420,7 +420,7 @@ Readback Renderer::read() const {
   impl_->finish();
   const Impl& r = *impl_;
   return Readback({r.device, r.output, r.mean, r.m2, r.gbuffer, r.counters, r.exposure, r.denoiser, r.allocated_output,
-                   r.render_size, r.accumulated});
+                   r.render_size});
 }
 std::uint64_t Renderer::learnt_bytes() const { return impl_->technique ? impl_->technique->bytes() : 0; }
 const Denoiser& Renderer::denoiser() const { return impl_->denoiser; }

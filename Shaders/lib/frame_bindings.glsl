@@ -6,7 +6,6 @@
 
 layout(set = kSetScene, binding = kBindFrameConstants, std140) uniform FrameBlock { FrameConstants frame; };
 
-FB_FRAME_ARRAY(kBindGBuffer, 16, , GBufferArray, GBufferTexel, gbuffer)
 FB_FRAME_ARRAY(kBindRadiance, 16, , RadianceArray, vec4, radiance)
 FB_FRAME_ARRAY(kBindMean, 16, , MeanArray, vec4, mean_radiance)
 FB_FRAME_ARRAY(kBindM2, 16, , M2Array, vec4, m2_radiance)
@@ -18,7 +17,6 @@ FB_FRAME_ARRAY(kBindQuads, 16, readonly, QuadArray, GpuQuad, quads)
 FB_FRAME_ARRAY(kBindTiles, 4, readonly, TileArray, uint, tiles)
 FB_FRAME_ARRAY(kBindAtlas, 4, readonly, AtlasArray, uint, atlas)
 FB_FRAME_ARRAY(kBindCounters, 4, , CounterArray, uint, counters)
-FB_FRAME_ARRAY(kBindPreviousGBuffer, 16, readonly, PreviousGBufferArray, GBufferTexel, previous_gbuffer)
 
 // Factor from radiance to what the tone curve takes.
 float exposure_now() { return exposure_buffer.at[0].state.exposure; }

@@ -1,5 +1,5 @@
 // Mean and squared deviations over the frames of a static view (Welford 1962); without accumulation, this frame alone. Frames
-// that do not sample a pixel do not count there.
+// that do not sample a pixel do not count there. Squared deviations are written from a pixel's second sample on.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pixel.glsl"
@@ -12,14 +12,13 @@ void main() {
   bool sampled = pixel == light_pixel(pixel / frame.light_block);
   if (frame.accumulated_frames == 0u) {
     mean_radiance.at[at] = sampled ? vec4(x, 1.0) : vec4(0.0);
-    m2_radiance.at[at] = vec4(0.0);
     return;
   }
   if (!sampled) return;
-  float n = mean_radiance.at[at].w + 1.0;
-  vec3 mean = mean_radiance.at[at].rgb;
-  vec3 delta = x - mean;
-  mean += delta / n;
-  m2_radiance.at[at] += vec4(delta * (x - mean), 0.0);
+  vec4 former = mean_radiance.at[at];
+  float n = former.w + 1.0;
+  vec3 delta = x - former.rgb, mean = former.rgb + delta / n;
+  vec3 squares = n > 2.0 ? m2_radiance.at[at].rgb : vec3(0.0);
+  if (n > 1.0) m2_radiance.at[at] = vec4(squares + delta * (x - mean), 0.0);
   mean_radiance.at[at] = vec4(mean, n);
 }

@@ -40,13 +40,13 @@ vec3 former_color(GBufferTexel g) {
   if (g.position_t.w == 0.0 || frame.previous_gbuffer == 0u) return vec3(0.0);
   vec2 point = vec2(invocation_pixel()) + 0.5 + g.motion.xy;
   bool inside = all(greaterThanEqual(point, vec2(0.0))) && all(lessThan(point, vec2(frame.width, frame.height)));
-  GBufferTexel former = previous_gbuffer.at[inside ? uint(point.y) * frame.width + uint(point.x) : 0u];
+  GBufferTexel former = previous_gbuffer_at(inside ? uint(point.y) * frame.width + uint(point.x) : 0u);
   bool known = inside && former.id == g.id && abs(former.motion.z - g.motion.w) < 0.05 * g.motion.w;
   return known ? srgb_from_linear(former.albedo_roughness.rgb) : vec3(1.0, 0.0, 0.0);
 }
 
 vec3 debug_color(uint at) {
-  GBufferTexel g = gbuffer.at[at];
+  GBufferTexel g = gbuffer_at(at);
   switch (frame.debug_view) {
     case kViewNormal: return unpack_direction(g.normal) * 0.5 + 0.5;
     case kViewShadingNormal: return unpack_direction(g.shading_normal) * 0.5 + 0.5;

@@ -72,7 +72,7 @@ void main() {
   uvec4 texel = history_quad(source + at);
   Tap c = unpack_tap(texel);
   vec3 ray = camera_direction(vec2(pixel) + 0.5);
-  vec2 slope = plane_slope(unpack_direction(gbuffer_quad(at, 3u).x), ray);  // a normal map tilts no plane
+  vec2 slope = plane_slope(c.geometric, ray);  // a normal map tilts no plane
   ivec2 size = ivec2(frame.width, frame.height);
   // Distance from the plane is held against the distance along it.
   float pixel_size = 2.0 * length(frame.camera_right.xyz) / float(frame.width);

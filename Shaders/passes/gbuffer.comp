@@ -4,6 +4,7 @@
 #if INTERSECTOR_QUERY
 #extension GL_EXT_ray_query : require
 #endif
+#include "lib/gbuffer_texel.glsl"
 #include "lib/pixel.glsl"
 #include "lib/interaction.glsl"
 
@@ -38,5 +39,5 @@ void main() {
     texel.emission_specular = vec4(s.emission, 0.0);
     if (!missed) fill_texel(texel, s, hit, point, hit.t / length(ray));
   }
-  gbuffer.at[at] = texel;
+  store_gbuffer(at, texel);
 }

@@ -51,7 +51,7 @@ FB_CONST uint kTechniqueTexels = 2u;
 FB_CONST uint kTexelBuffers = 12u;
 
 // Set kSetFrame: the picture and what passes keep from frame to frame.
-FB_CONST uint kBindGBuffer = 0u;    // GBufferTexel[pixels]
+FB_CONST uint kBindGBuffer = 0u;    // uvec4[5][pixels], a GBufferTexel's
 FB_CONST uint kBindRadiance = 1u;   // vec4[pixels]: this frame's mean of samples; w: samples that were not finite
 FB_CONST uint kBindMean = 2u;       // vec4[pixels]: mean over the accumulated frames (rgb), w their number
 FB_CONST uint kBindM2 = 3u;         // vec4[pixels]: sum of squared deviations from that mean (Welford)
@@ -64,7 +64,7 @@ FB_CONST uint kBindTiles = 9u;      // uint[]: a tile's first and last+1 index, 
 FB_CONST uint kBindAtlas = 10u;     // uint[]: texels of 2D drawing
 FB_CONST uint kBindCounters = 11u;  // uint[kCounterCount]
 FB_CONST uint kBindHistory = 12u;   // uvec4[]: the denoiser's past frames (shared/denoise.h)
-FB_CONST uint kBindPreviousGBuffer = 13u;  // GBufferTexel[pixels] of the former frame, for techniques that want it
+FB_CONST uint kBindPreviousGBuffer = 13u;  // kBindGBuffer of the former frame, for techniques that want it
 FB_CONST uint kFrameArrays = 14u;
 
 // The same set in passes/trace_rays.comp (shared/ray_list.h).

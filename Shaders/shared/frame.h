@@ -60,6 +60,7 @@ struct NeeConstants {
   FB_LIGHT_SETTINGS(FB_UNIFORM_FIELD)
 };
 
+// In memory five planes, four words of every pixel in each.
 struct GBufferTexel {  // 80 bytes
   vec4 position_t;     // world position; w: distance along the ray, 0 where nothing was hit
   vec4 albedo_roughness;
