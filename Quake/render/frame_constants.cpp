@@ -55,7 +55,8 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
     // The sky's own factor reaches suns through the material of sky surfaces; taken out here so that r_emit_sun is
     // alone.
     const float sky_factor = settings.emit_sky > 0 ? settings.emit_sky : 1.0f;
-    c.sun_radiance[i] = vec4(sun.irradiance * (settings.emit_sun / solid_angle / sky_factor), 0);
+    const vec3 radiance = sun.irradiance * (settings.emit_sun / solid_angle / sky_factor);
+    c.sun_radiance[i] = vec4(radiance, (radiance.x + radiance.y + radiance.z) * sky_factor);
   }
   c.ambient = vec4(snapshot.ambient, 0);
   c.screen_tint = snapshot.screen_tint;

@@ -391,6 +391,7 @@ void GpuScene::add_passes(PassList& list) {
 const SceneFeatures& GpuScene::features() const { return impl_->features; }
 const SceneStatistics& GpuScene::statistics() const { return impl_->statistics; }
 uvec2 GpuScene::lights() const { return {impl_->light_list.first(), impl_->light_list.end()}; }
+float GpuScene::light_power() const { return impl_->light_list.power(); }
 uvec2 GpuScene::former_instances() const {
   return {impl_->light_list.former(), static_cast<std::uint32_t>(impl_->light_list.elements().size())};
 }

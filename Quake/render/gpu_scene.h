@@ -69,6 +69,7 @@ class GpuScene {
   const SceneFeatures& features() const;
   // Elements of the list of lights: the first triangle's, and one past the last. Equal: none glows, or none was wanted.
   uvec2 lights() const;
+  float light_power() const;  // LightList::power
   // Elements of it that say where the former frame's instances are.
   uvec2 former_instances() const;
   const SceneStatistics& statistics() const;

@@ -4,10 +4,12 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "base/log.h"
+#include "render/seen_grid.h"
 #include "render/technique.h"
 #include "shared/guide.h"
 
@@ -30,13 +32,16 @@ class GuidedTechnique : public Technique {
         name_(name),
         uniform_(tools.device, gpu::BufferUse::kUniform, sizeof(shared::GuideConstants), "constants of path guiding") {
     table_.set_uniform(shared::kSetTechnique, uniform_);
+    if (find_technique(name)->wants_lights) seen_.emplace(tools);
   }
 
   void prepare(const TechniqueFrame& frame) override;
   void add_passes(const TechniquePasses& passes) override;
   void forget() override { forget_ = true; }
   std::uint32_t salt() const override { return frame_; }
-  std::uint64_t bytes() const override { return states_.size() + proposals_.size() + cache_.size(); }
+  std::uint64_t bytes() const override {
+    return states_.size() + proposals_.size() + cache_.size() + (seen_ ? seen_->bytes() : 0);
+  }
 
  private:
   void make(gpu::Buffer& buffer, std::uint32_t binding, std::uint64_t bytes, const char* name);
@@ -47,6 +52,7 @@ class GuidedTechnique : public Technique {
   gpu::BindingTable& table_;
   std::string name_;
   gpu::Buffer uniform_, states_, proposals_, cache_;
+  std::optional<SeenGrid> seen_;  // where it looks for light, too
   std::uint32_t state_count_ = 0, cell_count_ = 0;
   std::uint64_t vertices_ = 0;               // of paths, a frame
   std::uint32_t accesses_ = 1, bucket_ = 1;  // cells that a vertex takes states from; states in a cell
@@ -98,6 +104,7 @@ void GuidedTechnique::fill_constants(const TechniqueFrame& frame) {
   c.mc_train = std::max(s.mc_train, s.spp / 16);
   c.mc_tail_train = std::max(s.mc_tail_train, s.spp / 16);
   c.frame_number = frame_;
+  c.seen_stride = seen_stride(frame.size, s);
   std::memcpy(uniform_.mapped(), &c, sizeof(c));
 }
 
@@ -116,12 +123,15 @@ void GuidedTechnique::prepare(const TechniqueFrame& frame) {
 
 void GuidedTechnique::add_passes(const TechniquePasses& passes) {
   if (std::exchange(forget_, false)) {
+    if (seen_) seen_->forget();
     passes.list.add("guide reset", PassKind::kEstimator, [this](gpu::Commands& commands) {
       for (const gpu::Buffer* buffer : {&states_, &cache_, &proposals_}) commands.fill(*buffer, 0);
       commands.barrier();
     });
   }
+  if (seen_) seen_->add_reset(passes.list);
   add_paths_pass(passes, name_, {resolve_, accesses_, bucket_});
+  if (seen_) seen_->add_fold(passes.list, passes.shaders);
   if (resolve_) {
     const auto groups = static_cast<std::uint32_t>((vertices_ + 63) / 64);
     passes.list.dispatch("guide states", PassKind::kEstimator, passes.shaders.get("guide_states"),

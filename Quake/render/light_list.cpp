@@ -111,6 +111,7 @@ void LightList::list_triangles(const scene::Assets& assets, std::span<const Sour
       elements_.emplace_back(0, g.instance);
     }
   }
+  power_ = static_cast<float>(0.5 * total);  // areas are doubled
   if (total <= 0) elements_.assign(first_, uvec2(shared::kNoIndex, 0));
   end_ = static_cast<std::uint32_t>(elements_.size());
   // Integers that add up: differences of the rounded sums.
@@ -189,6 +190,7 @@ void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::s
   if (sources.empty()) {
     elements_.clear();
     first_ = end_ = 0;
+    power_ = 0;
     return;
   }
   if (areas_.size() > 2 * sources.size() + 64) areas_.clear();  // of what is gone

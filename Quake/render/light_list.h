@@ -33,6 +33,7 @@ class LightList {
   std::uint32_t first() const { return first_; }
   std::uint32_t end() const { return end_; }
   std::uint32_t former() const { return end_ + (end_ - first_); }
+  float power() const { return power_; }         // of all: area times mean radiance, sum of the channels
   bool made_anew() const { return made_anew_; }  // by the last build(): not merely the former list's places
 
  private:
@@ -62,6 +63,7 @@ class LightList {
   std::vector<std::optional<Means>> means_;
   std::vector<uvec2> elements_;
   std::uint32_t first_ = 0, end_ = 0;
+  float power_ = 0;
   bool made_anew_ = false;
   std::vector<Glowing> glowing_;
   std::vector<float> glow_;         // of the materials: radiance, sum of the channels

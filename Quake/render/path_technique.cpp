@@ -1,7 +1,8 @@
-// Techniques that keep nothing from frame to frame: one pass that traces paths, and perhaps some constants.
+// Techniques of one pass that traces paths, which remember nothing or only what shadow rays reached.
 #include <cstring>
 #include <string>
 
+#include "render/seen_grid.h"
 #include "render/technique.h"
 #include "shared/frame.h"
 
@@ -22,17 +23,30 @@ class NeeTechnique : public PathTechnique {
  public:
   NeeTechnique(const TechniqueTools& tools, std::string_view name)
       : PathTechnique(name),
-        uniform_(tools.device, gpu::BufferUse::kUniform, sizeof(shared::NeeConstants), "constants of nee") {
+        uniform_(tools.device, gpu::BufferUse::kUniform, sizeof(shared::NeeConstants), "constants of nee"),
+        seen_(tools) {
     tools.table.set_uniform(shared::kSetTechnique, uniform_);
   }
   void prepare(const TechniqueFrame& frame) override {
     shared::NeeConstants constants{};
     copy_settings(frame.settings, constants);
+    constants.seen_stride = seen_stride(frame.size, frame.settings);
     std::memcpy(uniform_.mapped(), &constants, sizeof(constants));
+    frame_ = seen_.fresh() ? 1 : frame_ + 1;
   }
+  void add_passes(const TechniquePasses& passes) override {
+    seen_.add_reset(passes.list);
+    PathTechnique::add_passes(passes);
+    seen_.add_fold(passes.list, passes.shaders);
+  }
+  void forget() override { seen_.forget(); }
+  std::uint32_t salt() const override { return frame_; }
+  std::uint64_t bytes() const override { return seen_.bytes(); }
 
  private:
   gpu::Buffer uniform_;
+  SeenGrid seen_;
+  std::uint32_t frame_ = 0;  // since it forgot
 };
 
 }  // namespace

@@ -245,6 +245,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants = frame_constants(snapshot, settings, render_size, output_size);
   constants.light_first = this->scene.lights().x;
   constants.light_end = this->scene.lights().y;
+  constants.light_power = this->scene.light_power();
   constants.former_first = this->scene.former_instances().x;
   constants.former_end = this->scene.former_instances().y;
   constants.accumulated_frames = accumulated;
@@ -269,8 +270,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.technique_view = shows_view();
   constants.previous_gbuffer = previous_valid && !snapshot.cut;
   denoiser.fill(constants, snapshot, settings, scene == last_scene);
-  // What learns has room for r_spp samples.
-  if (info->learns) constants.history_gain = 1;
+  if (info->counts_samples) constants.history_gain = 1;
   constants.spp *= static_cast<int>(constants.history_gain);
   const uvec2 smooth = Denoiser::smooth_size(render_size, output_size, settings);
   constants.smooth_width = smooth.x;

@@ -13,22 +13,26 @@ const std::vector<TechniqueInfo>& techniques() {
        .bias = Bias::kUnbiased,
        .make = make_path_technique},
       {.name = "nee",
-       .description = "next-event estimation: lights from a list, suns and the BSDF; unbiased for paths of at most "
-                      "r_bounces reflections",
+       .description =
+           "next-event estimation: of the lights of a list and the suns one, by what it would bring and by what rays "
+           "reached before; and the BSDF; unbiased for paths of at most r_bounces reflections",
        .bias = Bias::kUnbiased,
        .make = make_nee_technique,
+       .learns = true,
        .wants_lights = true},
       {.name = "mcpg",
        .description = "Markov chain path guiding (Alber 2025); unbiased for paths of at most r_bounces reflections",
        .bias = Bias::kUnbiased,
        .make = make_guided_technique,
        .learns = true,
+       .counts_samples = true,
        .views = shared::kViewOfGuide},
       {.name = "mcpg_nee",
        .description = "mcpg that looks for lights as nee does, and learns what this leaves; unbiased like both",
        .bias = Bias::kUnbiased,
        .make = make_guided_technique,
        .learns = true,
+       .counts_samples = true,
        .wants_lights = true,
        .views = shared::kViewOfGuide},
       {.name = "mcpg_tail",
@@ -39,6 +43,7 @@ const std::vector<TechniqueInfo>& techniques() {
        .bias = Bias::kBiased,
        .make = make_guided_tail_technique,
        .learns = true,
+       .counts_samples = true,
        .views = shared::kViewOfGuide},
   };
   return list;

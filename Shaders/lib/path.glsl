@@ -13,8 +13,12 @@
 //             Proposal propose(Vertex v, inout Guidance g, inout uint rng)
 //             float proposal_pdf(Vertex v, Guidance g, vec3 direction)           density of propose in any direction
 //   direct    const bool kLooksForLight
-//             Direct look_for_light(Vertex v, inout uint rng)
-//             float met_share(Vertex v, Hit hit, Proposal p, vec3 emission)      of emission that is met, beside look_for_light
+//             const float kLooks                                                 share of paths whose last ray looks for light
+//             Aim aim_at_light(Vertex v, bool one, inout uint rng)               `one`: that ray is the path's own
+//             Direct look_for_light(Vertex v, Aim aim, inout uint rng)           by a ray more
+//             bool found(Aim aim, Hit hit, inout uint rng)                       whether a ray met what was looked for
+//             Direct direct_light(Vertex v, Aim aim, vec3 emission)              if it did
+//             float met_share(Vertex v, Hit hit, Proposal p, vec3 emission, bool one)   of emission that is met
 //   learning  const bool kLearns
 //             void learn_direct(Guidance g, Direct direct, Path path, inout uint rng)
 //             void learn_waste(Guidance g, Path path)                            the direction was of no use
@@ -37,28 +41,42 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
     prepare(v, here, path, rng, guidance);
     Proposal proposal = propose(v, guidance, rng);
 
-    // Light that is looked for.
+    // Light that is looked for, by a ray of its own unless the path's own ray is the last: that one does for both, in turns.
+    bool one = kLooksForLight && path.last && bounce > 0u, looks = false;
+    Aim aim = kNoAim;
     if (kLooksForLight) {
-      Direct direct = look_for_light(v, rng);
-      sum += throughput * direct.radiance;
-      learn_direct(guidance, direct, path, rng);
+      aim = aim_at_light(v, one, rng);
+      if (!one) {
+        Direct direct = look_for_light(v, aim, rng);
+        sum += throughput * direct.radiance;
+        learn_direct(guidance, direct, path, rng);
+      }
+      looks = one && rng_uniform(rng) < kLooks;
+      if (looks && aim.weight == 0.0) break;
     }
-    if (proposal.weight == vec3(0.0)) {
+    if (!looks && proposal.weight == vec3(0.0)) {
       learn_waste(guidance, path);
       break;
     }
+    if (looks) proposal.direction = aim.direction;
 
     // Light that is met: emitted there and, as far as it is known, reflected. A miss teaches, too.
     Incident incident;
     incident.origin = scatter_origin(v.scatter, v.position);
-    incident.hit = trace_from(v, proposal.direction, kRayEnd, rng);
+    incident.hit = trace_from(v, proposal.direction, looks ? aim.reach : kRayEnd, rng);
     bool missed = incident.hit.instance == kNoIndex;
     bool dark = missed && frame.sky_beyond == 0u;
     if (dark && !kLearns) break;
     Surface s;
     s.emission = vec3(0.0);
     if (!dark || !kLearns) s = load_surface(incident.hit, proposal.direction, kFilterNearest, path.last);
-    if (kLooksForLight) s.emission *= met_share(v, incident.hit, proposal, s.emission);
+    if (looks) {
+      Direct direct = direct_light(v, aim, found(aim, incident.hit, rng) ? s.emission : vec3(0.0));
+      sum += throughput * direct.radiance;
+      learn_direct(guidance, direct, path, rng);
+      break;
+    }
+    if (kLooksForLight) s.emission *= met_share(v, incident.hit, proposal, s.emission, one);
     incident.emission = s.emission;
     incident.reflection = vec3(0.0);
     incident.field = here;

@@ -27,8 +27,8 @@ struct FrameConstants {
   vec4 prev_camera_up;
   vec4 sky_color;         // factor or radiance; w: time in seconds, modulo what keeps it exact
   vec4 sun_direction[4];  // w: cosine of the angular radius
-  vec4 sun_radiance[4];
-  vec4 ambient;  // rgb: radiance from everywhere, of what the camera sees alone
+  vec4 sun_radiance[4];   // w: sum of the channels, with the sky's factor
+  vec4 ambient;           // rgb: radiance from everywhere, of what the camera sees alone
   vec4 screen_tint;
   uint width, height;  // rendered pixels
   uint output_width, output_height;
@@ -44,6 +44,7 @@ struct FrameConstants {
   uint technique_view;            // the technique draws the debug view
   uint previous_gbuffer;          // kBindPreviousGBuffer holds the former frame's
   uint light_first, light_end;    // triangles of the list of lights, then its alias table; equal: there are none
+  float light_power;              // of the list: area times radiance, sum of the channels
   uint former_first, former_end;  // its elements that say where the former frame's instances are now
   // Light is sampled at one pixel of each block of light_block x light_block, at light_x, light_y in it; 1: at every
   // pixel.
@@ -55,9 +56,10 @@ struct FrameConstants {
   FB_DENOISER_SETTINGS(FB_UNIFORM_FIELD)
 };
 
-// The uniform block of techniques that look for lights and keep nothing (estimators/nee).
+// The uniform block of techniques that look for lights and guide nothing (estimators/nee).
 struct NeeConstants {
   FB_LIGHT_SETTINGS(FB_UNIFORM_FIELD)
+  uint seen_stride;  // of this many shadow rays one is remembered; a power of two
 };
 
 // In memory five planes, four words of every pixel in each.

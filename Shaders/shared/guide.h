@@ -189,6 +189,7 @@ struct GuideConstants {
   float cache_angle;     // the same of a cell of the irradiance cache
   float prior_extent;    // radius of the prior, squared
   uint frame_number;     // frames since the guide forgot, from 1
+  uint seen_stride;      // of this many shadow rays one is remembered; a power of two
 };
 
 FB_NAMESPACE_END

@@ -68,7 +68,7 @@
 
 // Techniques that sample the list of lights (lib/steps/direct_list.glsl).
 #define FB_LIGHT_SETTINGS(X) \
-  X(int, nee_candidates, "r_nee_candidates", 8, 1, 256, "next-event estimation: light samples a vertex draws, of which it chooses one to trace a shadow ray to")
+  X(int, nee_candidates, "r_nee_candidates", 8, 1, 256, "next-event estimation: light samples a vertex draws of the list, of which (and of a sun) it chooses one to trace a shadow ray to")
 
 // Markov chain path guiding (shared/guide.h).
 #define FB_GUIDE_SETTINGS(X) \

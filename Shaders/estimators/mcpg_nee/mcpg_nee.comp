@@ -1,4 +1,4 @@
-// Technique `mcpg_nee`: as `mcpg`, and every vertex looks for a light of the list and for a sun. What it learns is the light
+// Technique `mcpg_nee`: as `mcpg`, and every vertex looks for a light, as in `nee`. What it learns is the light
 // that this leaves: by reflection, and from what is near. Unbiased as `mcpg` is.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -10,6 +10,7 @@ const bool kEndsInField = false;
 #include "lib/steps/mcpg/all.glsl"
 #include "lib/steps/direct_list.glsl"
 uint light_candidates() { return uint(guide.nee_candidates); }
+uint light_seen_stride() { return guide.seen_stride; }
 #include "lib/steps/mcpg/views.glsl"
 
 #include "lib/paths_main.glsl"

@@ -1,5 +1,5 @@
-// Technique `nee`: next-event estimation. Every vertex looks for a light of the list and for a sun, and goes on by the BSDF;
-// the three share what they may both find. Unbiased for paths of at most frame.bounces reflections; learns nothing.
+// Technique `nee`: next-event estimation. Every vertex looks for one light, of the list or a sun, and goes on by the BSDF; the
+// last vertex does one or the other. Unbiased for paths of at most frame.bounces reflections. It remembers what shadow rays reach.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -12,6 +12,7 @@
 #include "lib/steps/direct_list.glsl"
 layout(set = kSetTechnique, binding = kBindTechniqueConstants, std140) uniform NeeBlock { NeeConstants nee; };
 uint light_candidates() { return uint(nee.nee_candidates); }
+uint light_seen_stride() { return nee.seen_stride; }
 #include "lib/steps/no_learning.glsl"
 #include "lib/steps/no_views.glsl"
 

@@ -1,13 +1,15 @@
-// Step `direct` by a list of lights and suns. Sampling of what glows: triangles from the list of lights (power-proportional, uniform over a triangle), suns by their
-// discs. All densities are per solid angle as seen from the origin of the ray.
+// Step `direct` by a list of lights and suns. Sampling of what glows: triangles from the list of lights (power-proportional,
+// uniform over a triangle), suns by their discs. All densities are per solid angle as seen from the origin of the ray.
 #ifndef FB_LIB_STEPS_DIRECT_LIST
 #define FB_LIB_STEPS_DIRECT_LIST
 #include "lib/path_state.glsl"
+#include "lib/seen_grid.glsl"
 
 const bool kLooksForLight = true;
 
 // Light samples that a vertex draws to choose one of (r_nee_candidates). The technique defines it, from its constants.
 uint light_candidates();
+uint light_seen_stride();  // of this many rays one is remembered
 
 bool has_lights() { return frame.light_first < frame.light_end; }
 
@@ -55,55 +57,65 @@ float sun_pdf(vec3 direction) {
   return p / float(max(frame.sun_count, 1u));
 }
 
-vec3 sample_sun(inout uint rng) {
-  vec4 sun = frame.sun_direction[rng_next(rng) % frame.sun_count];
+// `radiance`: sum of the channels.
+vec3 sample_sun(inout uint rng, out float radiance) {
+  uint i = rng_next(rng) % frame.sun_count;
+  vec4 sun = frame.sun_direction[i];
+  radiance = frame.sun_radiance[i].w;
   float k = rng_uniform(rng) * (1.0 - sun.w), phi = 2.0 * kPiShared * rng_uniform(rng);  // k: 1 - cos
   float r = sqrt(k * (2.0 - k));
   return frame_about(sun.xyz) * vec3(r * cos(phi), r * sin(phi), 1.0 - k);
 }
 
-// Emission towards `direction`'s origin of a point of the scene, as load_surface has it.
-vec3 light_emission(uint instance, uint triangle, vec2 bary, vec3 direction, out bool sky) {
-  GpuMaterial m = material_of(instance, triangle);
-  sky = shows_sky(m, instance);
-  if (sky) return sky_radiance(direction) * m.emission.rgb;
-  return shade_point(m, instance, hit_uv(instance_at(instance).first_attribute + triangle, bary), kNearest).emission;
+// Emission towards its origin of what a ray meets, as load_surface has it.
+vec3 light_emission(Hit hit, vec3 direction) {
+  if (hit.instance == kNoIndex) return sky_radiance(direction);
+  GpuMaterial m = material_of(hit.instance, hit.triangle);
+  if (shows_sky(m, hit.instance)) return sky_radiance(direction) * m.emission.rgb;
+  return shade_point(m, hit.instance, hit_uv(instance_at(hit.instance).first_attribute + hit.triangle, hit.bary), kNearest).emission;
 }
 
-// The emission that a direction meets is shared by the balance heuristic (Veach and Guibas 1995): light_candidates()
-// samples of the list, one of the suns, one of the BSDF. It stands for whatever else samples directions, too: shares need
-// only add up to one.
-float density_of_all(float list, float sun, float bsdf) { return float(light_candidates()) * list + sun + bsdf; }
+// The emission that a direction meets is shared by the balance heuristic (Veach and Guibas 1995): light_candidates() samples of
+// the list or, inside of a sun's disc, one of the suns; and one of the BSDF, which stands for whatever else samples directions:
+// shares need only add up to one. Where one ray does for both (`one`), each has half of it.
+const float kLooks = 0.75;
+
+float density_of_all(float looked_for, float bsdf, bool one) {
+  return (one ? kLooks : 1.0) * looked_for + (one ? 1.0 - kLooks : 1.0) * bsdf;
+}
+
+// Of light that is looked for, where a ray met something.
+float looked_for_density(Hit hit, vec3 direction) {
+  float sun = has_feature(kFeatureSuns) && is_sky(hit) ? sun_pdf(direction) : 0.0;
+  return sun > 0.0 ? sun : float(light_candidates()) * hit_light_pdf(hit, direction);
+}
 
 // The share of emission that was met by a direction of the path's own.
-float met_share(Vertex v, Hit hit, Proposal p, vec3 emission) {
-  if (emission == vec3(0.0) || (p.flags & kScatterDelta) != 0u) return 1.0;
+float met_share(Vertex v, Hit hit, Proposal p, vec3 emission, bool one) {
+  if (emission == vec3(0.0) || (p.flags & kScatterDelta) != 0u) return one ? 1.0 / (1.0 - kLooks) : 1.0;
   float bsdf;
   scatter_eval(v.scatter, v.view, p.direction, bsdf);
-  float all = density_of_all(hit_light_pdf(hit, p.direction), is_sky(hit) ? sun_pdf(p.direction) : 0.0, bsdf);
+  float all = density_of_all(looked_for_density(hit, p.direction), bsdf, one);
   return all > 0.0 ? bsdf / all : 1.0;
 }
 
-// A direction to look for light in.
-struct Aim {
-  vec3 direction;
-  vec3 f;        // f cos; zero: nothing to look for
-  float weight;  // f cos times this is the factor on the emission that is met
-  float reach;
-  uint instance, triangle;  // what must be met
-  vec3 emission;            // of it
-};
-const Aim kNoAim = Aim(vec3(0.0), vec3(0.0), 0.0, 0.0, kNoIndex, kNoIndex, vec3(0.0));
+// The kind of light is chosen by what is known of its rays for this share of them, else each has half: so nothing is looked for
+// less than at a tenth of the vertices, however dark it was, and suns, which outshine all and hide behind walls, do not have
+// every ray of a cell that is new.
+const float kLearnt = 0.8;
+const float kEnoughRays = 8.0;  // a cell that sent fewer is new
 
-// One of light_candidates() points of lights, chosen by what each would bring if nothing stood between (resampled
-// importance sampling, Talbot 2005) and if each gave its light evenly: a candidate's density over areas is its mean emission
-// then, but for a factor. So emission, with its textures, is read of the chosen one alone.
-Aim aim_at_light(Vertex v, inout uint rng) {
+// One of light_candidates() points of lights and a direction to a sun, chosen by what each would bring (resampled importance
+// sampling, Talbot 2005) if each light were even and if as many rays to its kind arrived as did before from hereabouts. Emission,
+// with its textures, is read of what is met.
+Aim aim_at_light(Vertex v, bool one, inout uint rng) {
   Aim aim = kNoAim;
   vec3 origin = scatter_origin(v.scatter, v.position);
-  float sum = 0.0, target = 0.0, list = 0.0, scattered = 0.0;
-  vec2 bary = vec2(0.0);
-  for (uint i = 0u; i < light_candidates(); ++i) {
+  aim.cell = seen_cell(v.position, scatter_axis(v.scatter));
+  uvec4 seen = seen_cells.at[aim.cell];
+  float sum = 0.0, target = 0.0;
+  uint listed = has_lights() ? light_candidates() : 0u;
+  for (uint i = 0u; i < listed; ++i) {
     uint element = sample_light(rng);
     float root = sqrt(rng_uniform(rng)), along = rng_uniform(rng), pick = rng_uniform(rng);
     vec2 at = vec2(root * (1.0 - along), root * along);
@@ -114,63 +126,65 @@ Aim aim_at_light(Vertex v, inout uint rng) {
     vec3 direction = way / max(reach, 1e-20);
     float bsdf, density = light_pdf(element, t, reach, direction);
     vec3 f = scatter_eval(v.scatter, v.view, direction, bsdf);
-    if (f == vec3(0.0) || !(density > 0.0)) continue;
     float area = 0.5 * length(cross(t.e1.xyz, t.e2.xyz));
-    float value = dot(f, vec3(1.0)) * light_probability(element) / (area * density_of_all(density, 0.0, bsdf));
+    float all = density_of_all(float(listed) * density, bsdf, one);
+    float value = density > 0.0 ? dot(f, vec3(1.0)) * frame.light_power * light_probability(element) / (area * all) : 0.0;
     if (!(value > 0.0)) continue;
     sum += value;
     if (pick * sum < value) {
       target = value;
-      list = density;
-      scattered = bsdf;
-      bary = at;
-      aim = Aim(direction, f, 0.0, reach, instance, triangle, vec3(0.0));
+      aim = Aim(direction, f, 1.0 / all, reach * 1.001 + 0.01, instance, triangle, aim.cell);
     }
   }
-  if (!(target > 0.0)) return kNoAim;
-  bool sky;
-  aim.emission = light_emission(aim.instance, aim.triangle, bary, aim.direction, sky);
-  aim.weight = sum / (target * density_of_all(list, sky ? sun_pdf(aim.direction) : 0.0, scattered));
-  if (aim.emission == vec3(0.0)) aim.f = vec3(0.0);
+  if (has_feature(kFeatureSuns) && frame.sun_count > 0u) {
+    float radiance, bsdf;
+    vec3 direction = sample_sun(rng, radiance);
+    vec3 f = scatter_eval(v.scatter, v.view, direction, bsdf);
+    float sun = sun_pdf(direction);  // zero on a rim that rounding left out: directions of the BSDF miss it as well
+    float all = density_of_all(sun, bsdf, one);
+    float value = sun > 0.0 ? dot(f, vec3(1.0)) * radiance / all : 0.0;
+    float even = 1e-6 * (value + sum) + 1e-20;  // where neither was ever reached
+    float reached = seen_share(seen.x) * value + even, both = reached + seen_share(seen.y) * sum + even;
+    float known = min(seen_rays(seen.x) + seen_rays(seen.y), kEnoughRays) / kEnoughRays;
+    float chance = mix(0.5, reached / both, kLearnt * known);
+    chance = value > 0.0 ? sum > 0.0 ? chance : 1.0 : 0.0;
+    bool to_sun = rng_uniform(rng) < chance;
+    if (to_sun) {
+      sum = target = value;
+      aim = Aim(direction, f, 1.0 / all, kRayEnd, kNoIndex, kNoIndex, aim.cell);
+    }
+    aim.weight /= to_sun ? chance : 1.0 - chance;
+  }
+  aim.weight *= target > 0.0 ? sum / target : 0.0;
   return aim;
 }
 
-// Its weight and emission are left to what is met.
-Aim aim_at_sun(Vertex v, inout uint rng, out float bsdf) {
-  Aim aim = kNoAim;
-  aim.direction = sample_sun(rng);
-  aim.reach = kRayEnd;
-  aim.f = scatter_eval(v.scatter, v.view, aim.direction, bsdf);
-  return aim;
+// Whether a ray met what it was to look for. A point of the list inside of a sun's disc is the sun's.
+bool is_found(Aim aim, Hit hit) {
+  bool sun = aim.instance == kNoIndex;
+  if (!sun && (hit.instance != aim.instance || hit.triangle != aim.triangle)) return false;
+  if (!has_feature(kFeatureSuns)) return true;
+  bool sky = is_sky(hit);
+  return sun ? sky : !sky || sun_pdf(aim.direction) == 0.0;
 }
 
-const uint kToLight = 0u, kToSun = 1u;
+// Whether it did, remembered.
+bool found(Aim aim, Hit hit, inout uint rng) {
+  bool met = is_found(aim, hit);
+  if (aim.weight > 0.0 && (rng_next(rng) & (light_seen_stride() - 1u)) == 0u)
+    atomicAdd(seen_words.at[aim.cell * 4u + (aim.instance == kNoIndex ? 2u : 3u)], kSeenRay + (met ? kSeenMet : 0u));
+  return met;
+}
 
-// From a light of the list and from a sun: a ray to each, since one for both, chosen by what each would bring unoccluded, goes
-// to a sun behind walls again and again. Without suns their ray is not compiled: lavapipe skips nothing.
-Direct look_for_light(Vertex v, inout uint rng) {
-  Direct direct = Direct(vec3(0.0), vec3(0.0));
-  uint ways = has_feature(kFeatureSuns) ? 2u : 1u;
-  for (uint way = 0u; way < ways; ++way) {
-    if (way == kToLight ? !has_lights() : frame.sun_count == 0u) continue;
-    Aim aim;
-    float bsdf = 0.0;
-    if (way == kToLight) aim = aim_at_light(v, rng);
-    else aim = aim_at_sun(v, rng, bsdf);
-    if (aim.f == vec3(0.0)) continue;
-    Hit hit = trace_from(v, aim.direction, aim.reach * 1.001 + 0.01, rng);
-    if (way == kToLight) {
-      if (hit.instance != aim.instance || hit.triangle != aim.triangle) continue;
-    } else {
-      float sun = sun_pdf(aim.direction);  // zero on a rim that rounding left out: directions of the BSDF miss it as well
-      if (!is_sky(hit) || sun == 0.0) continue;
-      aim.weight = 1.0 / density_of_all(hit_light_pdf(hit, aim.direction), sun, bsdf);
-      aim.emission = sky_radiance(aim.direction) * (hit.instance != kNoIndex ? material_of(hit.instance, hit.triangle).emission.rgb : vec3(1.0));
-    }
-    vec3 light = aim.emission * aim.weight;
-    direct.radiance += aim.f * light;
-    direct.irradiance += light * (max(scatter_cosine(v.scatter, aim.direction), 0.0) / kPiShared);
-  }
-  return direct;
+Direct direct_light(Vertex v, Aim aim, vec3 emission) {
+  vec3 light = emission * aim.weight;
+  return Direct(aim.f * light, light * (max(scatter_cosine(v.scatter, aim.direction), 0.0) / kPiShared));
+}
+
+// From a light of the list or from a sun, by a ray of its own.
+Direct look_for_light(Vertex v, Aim aim, inout uint rng) {
+  Hit hit = trace_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, rng);
+  vec3 emission = found(aim, hit, rng) && aim.weight > 0.0 ? light_emission(hit, aim.direction) : vec3(0.0);
+  return direct_light(v, aim, emission);
 }
 #endif

@@ -1,0 +1,126 @@
+// Looking for light with the memory of what shadow rays reached: a sun that stands behind walls costs little once it was
+// looked for in vain, the mean is the same throughout, and what is remembered is forgotten and given back.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "render/seen_grid.h"
+#include "render/test_device.h"
+#include "render/test_image.h"
+#include "scene/in_code/scenes_in_code.h"
+#include "shared/seen_grid.h"
+
+namespace fb::render {
+namespace {
+
+using SeenGridTest = DeviceTest;
+
+constexpr int kFrames = 24;
+
+RenderSettings looking(int seed) {
+  RenderSettings s;
+  s.estimator = "nee";
+  s.spp = 4;
+  s.accumulate = 0;
+  s.jitter = 0;
+  s.seed = seed;
+  return s;
+}
+
+// A room with a lamp; its sun would outshine it, and no sky shows it.
+scene::FrameSnapshot room_without_view() {
+  scene::FrameSnapshot snapshot = scene::cornell_box();
+  snapshot.sky.suns = {{glm::normalize(vec3(0.2f, 0.3f, 0.9f)), vec3(100), 1.0f}};
+  return snapshot;
+}
+
+// Of the red channel: means over the pixels, of squares also over all but the worst of a hundred: single samples that graze a
+// lamp are half of the whole.
+struct Difference {
+  double bias = 0, square = 0, trimmed = 0;
+};
+Difference difference(const std::vector<vec4>& image, const std::vector<vec4>& truth) {
+  Difference d;
+  std::vector<double> squares;
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    const double x = static_cast<double>(image[i].x) - static_cast<double>(truth[i].x);
+    d.bias += x / static_cast<double>(image.size());
+    squares.push_back(x * x / static_cast<double>(image.size()));
+  }
+  std::sort(squares.begin(), squares.end());
+  d.square = std::accumulate(squares.begin(), squares.end(), 0.0);
+  d.trimmed = std::accumulate(squares.begin(), squares.end() - static_cast<std::ptrdiff_t>(squares.size() / 100), 0.0);
+  return d;
+}
+
+TEST_F(SeenGridTest, WhatIsNeverReachedIsSeldomLookedFor) {
+  const scene::FrameSnapshot scene = room_without_view();
+  auto renderer = make_renderer(looking(1), 64, 48);
+  RenderSettings truth_settings = looking(1);
+  truth_settings.estimator = "pt";
+  truth_settings.accumulate = 1;
+  truth_settings.spp = 64;
+  for (int i = 0; i < 32; ++i) renderer->render(scene, nullptr, truth_settings);
+  const std::vector<vec4> truth = renderer->read().linear();
+  double truth_variance = 0, mean = 0;
+  for (const vec4& v : renderer->read().variance_of_mean()) truth_variance += static_cast<double>(v.x);
+  for (const vec4& p : truth) mean += static_cast<double>(p.x);
+  const double pixels = static_cast<double>(truth.size());
+  mean /= pixels;
+
+  double fresh = 0, learnt = 0, square = 0, bias = 0;
+  for (int i = 0; i < kFrames; ++i) {
+    renderer->reset_learning();
+    renderer->render(scene, nullptr, looking(i + 2));
+    fresh += difference(renderer->read().linear(), truth).trimmed / kFrames;
+  }
+  for (int i = 0; i < kFrames; ++i) {
+    renderer->render(scene, nullptr, looking(i + 2));
+    const Difference d = difference(renderer->read().linear(), truth);
+    learnt += d.trimmed / kFrames;
+    square += d.square / kFrames;
+    bias += d.bias / kFrames;
+  }
+  EXPECT_LT(learnt, 0.85 * fresh);
+  const double error = std::sqrt(square / (pixels * kFrames) + truth_variance / (pixels * pixels));
+  EXPECT_NEAR(bias, 0.0, 4.5 * error);
+  EXPECT_LT(error, 0.01 * mean) << "the test can see little";
+}
+
+TEST_F(SeenGridTest, ItIsForgottenAndGivenBack) {
+  RenderSettings s = looking(1);
+  const scene::FrameSnapshot scene = room_without_view();
+  auto renderer = make_renderer(s, 64, 48);
+  renderer->render(scene, nullptr, s);
+  const std::uint64_t fresh = image_hash(*renderer);
+  EXPECT_GT(renderer->learnt_bytes(), 0u);
+  for (int i = 0; i < 4; ++i) renderer->render(scene, nullptr, s);
+  EXPECT_NE(image_hash(*renderer), fresh) << "what was learnt shows";
+  renderer->reset_learning();
+  renderer->render(scene, nullptr, s);
+  EXPECT_EQ(image_hash(*renderer), fresh);
+  s.estimator = "pt";
+  renderer->render(scene, nullptr, s);
+  EXPECT_EQ(renderer->learnt_bytes(), 0u);
+}
+
+// However many rays a frame sends: all of them in one cell still fit its counters.
+TEST(SeenStride, NoCounterOverflows) {
+  for (const uvec2 size : {uvec2(1, 1), uvec2(320, 180), uvec2(1920, 1080), uvec2(7680, 4320)}) {
+    for (const int spp : {1, 4, 4096}) {
+      RenderSettings s;
+      s.spp = spp;
+      s.bounces = 3;
+      const std::uint64_t stride = seen_stride(size, s);
+      EXPECT_EQ(stride & (stride - 1), 0u);
+      const double rays = double(size.x) * size.y * spp * s.bounces * s.first_spp / static_cast<double>(stride);
+      EXPECT_LT(rays + 8 * std::sqrt(rays), shared::kSeenRay) << size.x << "x" << size.y << ", " << spp;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fb::render

@@ -1,0 +1,9 @@
+// The grid of what shadow rays reach (shared/seen_grid.h), of techniques that look for light.
+#ifndef FB_LIB_SEEN_GRID
+#define FB_LIB_SEEN_GRID
+#include "lib/arrays.glsl"
+#include "shared/seen_grid.h"
+
+FB_TECHNIQUE_ARRAY(kBindSeen, 16, , SeenArray, uvec4, seen_cells)
+FB_TECHNIQUE_ARRAY(kBindSeen, 4, , SeenWordArray, uint, seen_words)
+#endif
