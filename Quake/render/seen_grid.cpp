@@ -9,7 +9,8 @@
 namespace fb::render {
 
 SeenGrid::SeenGrid(const TechniqueTools& tools)
-    : cells_(tools.device, gpu::BufferUse::kStorage, shared::kSeenCells * sizeof(glm::uvec4), "what shadow rays reach") {
+    : cells_(tools.device, gpu::BufferUse::kStorage, shared::kSeenCells * sizeof(glm::uvec4),
+             "what shadow rays reach") {
   tools.table.set_array(shared::kSetTechnique, shared::kBindSeen, cells_);
 }
 
@@ -30,7 +31,8 @@ std::uint32_t seen_stride(uvec2 size, const RenderSettings& settings) {
   const std::uint64_t rays = std::uint64_t{size.x} * size.y * static_cast<std::uint64_t>(settings.spp) *
                              static_cast<std::uint64_t>(std::max(settings.bounces, 1)) *
                              static_cast<std::uint64_t>(std::max(settings.first_spp, 1));
-  return static_cast<std::uint32_t>(std::bit_ceil(std::min<std::uint64_t>(rays / (shared::kSeenRay / 2) + 1, 1u << 30)));
+  return static_cast<std::uint32_t>(
+      std::bit_ceil(std::min<std::uint64_t>(rays / (shared::kSeenRay / 2) + 1, 1u << 30)));
 }
 
 }  // namespace fb::render

@@ -1,5 +1,5 @@
-// Looking for light with the memory of what shadow rays reached: a sun that stands behind walls costs little once it was
-// looked for in vain, the mean is the same throughout, and what is remembered is forgotten and given back.
+// Looking for light with the memory of what shadow rays reached: a sun that stands behind walls costs little once it
+// was looked for in vain, the mean is the same throughout, and what is remembered is forgotten and given back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,8 +37,8 @@ scene::FrameSnapshot room_without_view() {
   return snapshot;
 }
 
-// Of the red channel: means over the pixels, of squares also over all but the worst of a hundred: single samples that graze a
-// lamp are half of the whole.
+// Of the red channel: means over the pixels, of squares also over all but the worst of a hundred: single samples that
+// graze a lamp are half of the whole.
 struct Difference {
   double bias = 0, square = 0, trimmed = 0;
 };
