@@ -77,7 +77,7 @@ vec3 light_emission(Hit hit, vec3 direction) {
 
 // The emission that a direction meets is shared by the balance heuristic (Veach and Guibas 1995): light_candidates() samples of
 // the list or, inside of a sun's disc, one of the suns; and one of the BSDF, which stands for whatever else samples directions:
-// shares need only add up to one. Where one ray does for both (`one`), each has half of it.
+// shares need only add up to one. Where one ray does for both (`one`), each has its part of the rays.
 const float kLooks = 0.75;
 
 float density_of_all(float looked_for, float bsdf, bool one) {
