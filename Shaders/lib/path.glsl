@@ -66,7 +66,7 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
     incident.hit = trace_from(v, proposal.direction, looks ? aim.reach : kRayEnd, rng);
     bool missed = incident.hit.instance == kNoIndex;
     bool dark = missed && frame.sky_beyond == 0u;
-    if (dark && !kLearns) break;
+    if (dark && !kLearns && !looks) break;
     Surface s;
     s.emission = vec3(0.0);
     if (!dark || !kLearns) s = load_surface(incident.hit, proposal.direction, kFilterNearest, path.last);

@@ -6,8 +6,8 @@
 #include "shared/hash_grid.h"
 FB_NAMESPACE_BEGIN
 
-FB_CONST uint kBindSeen = 3u;  // uvec4[kSeenCells] in the technique's set: x, y: pack_seen of suns and of the list, as
-                               // folded; z, w: this frame's rays, kSeenRay each, kSeenMet more for those that arrived
+FB_CONST uint kBindSeen = 3u;  // uvec4[kSeenCells] in the technique's set: x, y: fold_seen of suns and of the list;
+                               // z, w: this frame's rays, kSeenRay each, kSeenMet more for those that arrived
 FB_CONST uint kSeenCells = 32768u;
 FB_CONST float kSeenWidth = 64.0f;  // of a cell, units
 FB_CONST uint kSeenMet = 1u, kSeenRay = 65536u;
@@ -24,7 +24,9 @@ FB_FN float seen_share(uint packed_) {
   vec2 rays_met = unpackHalf2x16(packed_);
   return rays_met.x > 0.0f ? rays_met.y / rays_met.x : 0.0f;
 }
+// Rays that are remembered.
 FB_FN float seen_rays(uint packed_) { return unpackHalf2x16(packed_).x; }
+// A frame's rays join those before: two halves, rays and how many of them arrived.
 FB_FN uint fold_seen(uint packed_, uint tally) {
   vec2 rays_met = unpackHalf2x16(packed_);
   float rays = rays_met.x + float(tally >> 16u), met = rays_met.y + float(tally & 0xffffu);

@@ -77,7 +77,7 @@ vec3 light_emission(Hit hit, vec3 direction) {
 
 // The emission that a direction meets is shared by the balance heuristic (Veach and Guibas 1995): light_candidates() samples of
 // the list or, inside of a sun's disc, one of the suns; and one of the BSDF, which stands for whatever else samples directions:
-// shares need only add up to one. Where one ray does for both (`one`), each has its part of the rays.
+// shares need only add up to one. Where one ray does for both (`one`), it looks for light with probability kLooks.
 const float kLooks = 0.75;
 
 float density_of_all(float looked_for, float bsdf, bool one) {
@@ -99,9 +99,8 @@ float met_share(Vertex v, Hit hit, Proposal p, vec3 emission, bool one) {
   return all > 0.0 ? bsdf / all : 1.0;
 }
 
-// The kind of light is chosen by what is known of its rays for this share of them, else each has half: so nothing is looked for
-// less than at a tenth of the vertices, however dark it was, and suns, which outshine all and hide behind walls, do not have
-// every ray of a cell that is new.
+// For this share of the rays what is known chooses the kind of light, for the others each kind has half: neither has less than
+// a tenth of the rays. A cell that is new has half and half, too: a sun outshines all lights, also where walls hide it.
 const float kLearnt = 0.8;
 const float kEnoughRays = 8.0;  // a cell that sent fewer is new
 
