@@ -90,6 +90,25 @@ TEST_F(SeenGridTest, WhatIsNeverReachedIsSeldomLookedFor) {
   EXPECT_LT(error, 0.01 * mean) << "the test can see little";
 }
 
+// Where all walls glow, light that is looked for and light that is met have like densities: a share that is wrong
+// shows.
+TEST_F(SeenGridTest, FurnaceHasItsClosedForm) {
+  constexpr double kAlbedo = 0.6, kEmission = 0.7;
+  const scene::FrameSnapshot scene = scene::furnace(0.6f, 0.7f, true);
+  double expected = kEmission, reflected = kEmission;
+  for (int bounces = 1; bounces <= 3; ++bounces) {
+    expected += reflected *= kAlbedo;
+    RenderSettings s = looking(bounces);
+    s.bounces = bounces;
+    s.spp = 64;
+    auto renderer = make_renderer(s, 64, 48);
+    renderer->render(scene, nullptr, s);
+    const ImageEstimate e = image_estimate(renderer->read().linear());
+    EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 4e-6 * expected) << bounces;
+    EXPECT_LT(e.error, 0.003 * expected) << bounces << ": the test can see little";
+  }
+}
+
 TEST_F(SeenGridTest, ItIsForgottenAndGivenBack) {
   RenderSettings s = looking(1);
   const scene::FrameSnapshot scene = room_without_view();
