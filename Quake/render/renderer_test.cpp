@@ -393,5 +393,26 @@ TEST_F(RendererTest, DrawsQuadsInOrderOverThePicture) {
   EXPECT_EQ(at(90, 39), 0u);
 }
 
+// Of two samples x1 and x2 the variance of their mean is (x1 - x2)^2 / 4; of one nothing is known.
+TEST_F(RendererTest, VarianceOfTheMeanOfTwoFrames) {
+  RenderSettings s;
+  s.estimator = "pt";
+  s.jitter = 0;
+  auto renderer = make_renderer(s, 32, 24);
+  const scene::FrameSnapshot scene = scene::cornell_box();
+  renderer->render(scene, nullptr, s);
+  const std::vector<vec4> first = renderer->read().linear();
+  for (const vec4& v : renderer->read().variance_of_mean()) ASSERT_EQ(v.x, 0.0f);
+  renderer->render(scene, nullptr, s);
+  const std::vector<vec4> mean = renderer->read().linear(), variance = renderer->read().variance_of_mean();
+  double sum = 0;
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    const float step = first[i].x - mean[i].x;  // half of x1 - x2
+    ASSERT_NEAR(variance[i].x, step * step, 1e-4f * (step * step + mean[i].x * mean[i].x)) << i;
+    sum += static_cast<double>(variance[i].x);
+  }
+  EXPECT_GT(sum, 0.0);
+}
+
 }  // namespace
 }  // namespace fb::render
