@@ -61,7 +61,8 @@ scene::FrameSnapshot moved(scene::FrameSnapshot snapshot, const vec3& by) {
 const std::pair<const char*, std::function<void(RenderSettings&)>> kFeatures[] = {
     {"defaults", {}},
     {"deterministic", [](RenderSettings& s) { s.deterministic = 1; }},
-    {"static grid", [](RenderSettings& s) { s.mc_adaptive = 0; }},
+    {"static grid of one width", [](RenderSettings& s) { s.mc_adaptive = 0, s.mc_wider = 1; }},
+    {"both grids", [](RenderSettings& s) { s.mc_adaptive = 0.7f; }},
     {"adaptive grid", [](RenderSettings& s) { s.mc_adaptive = 1, s.mc_coarser = 0; }},
     {"share not learnt", [](RenderSettings& s) { s.mc_learn_share = 0; }},
     {"scores as in the paper", [](RenderSettings& s) { s.mc_share_score = 0, s.mc_in_world = 0; }},

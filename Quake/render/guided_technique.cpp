@@ -76,8 +76,8 @@ void GuidedTechnique::make_buffers(const RenderSettings& settings) {
     state_count_ = cell_count_ = 0;  // until both are there
     make(states_, shared::kBindGuideStates, states * kStateBytes, "guide states");
     // Entries, the list of touched ones, its two counters, and the winning proposal of every state.
-    make(cache_, shared::kBindGuideCache, (std::uint64_t{cells} * (shared::kCacheWords + 1) + 4 + states) * 4,
-         "guide cache");
+    make(cache_, shared::kBindGuideCache,
+         (std::uint64_t{cells} * (shared::kCacheWords + 1) + shared::kCacheTailWords + states) * 4, "guide cache");
     state_count_ = states;
     cell_count_ = cells;
     log_info("path guiding: {} states and {} cached cells in {} MB", states, cells, bytes() >> 20);

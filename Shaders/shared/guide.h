@@ -169,13 +169,26 @@ FB_CONST uint kCacheCount = 4u;    // frames that updated it, at most 65535, and
 FB_CONST uint kCacheMoment = 5u;   // two words of two halves: relative second moments, one for each of guide_shares()
 FB_CONST uint kCacheTouched = 7u;  // this frame: samples, and whether it is claimed
 FB_CONST uint kCacheClaimed = 0x80000000u;
-FB_CONST uint kCacheClaim = 8u;         // this frame: the largest check that wants the entry
-FB_CONST uint kCacheSum = 9u;           // this frame, fixed point: three sums of radiance
-FB_CONST uint kCacheMomentSum = 12u;    // this frame, fixed point: four sums of second moments
+FB_CONST uint kCacheClaim = 8u;       // this frame: the largest check that wants the entry
+FB_CONST uint kCacheSum = 9u;         // this frame, fixed point: three sums of radiance
+FB_CONST uint kCacheMomentSum = 12u;  // this frame, fixed point: four sums of second moments
+// The words after all entries and the list of touched ones. In turns, for this frame and the next: how many are listed;
+// how many cells were added up (kCacheTotalCells); sums of their moments (kCacheTotals) and of their means' luminance
+// (kCacheTotalLight). Then the averages of these sums, five floats; zero: none yet.
+FB_CONST uint kCacheTotalCells = 2u;
+FB_CONST uint kCacheTotals = 4u;
+FB_CONST uint kCacheTotalMoments = 12u;  // four floats
+FB_CONST uint kCacheTotalLight = 16u;
+FB_CONST uint kCacheTotalLuminance = 18u;  // a float
+FB_CONST uint kCacheTailWords = 20u;
+// Largest and step of what a cell adds, so that 131072 cells cannot overflow.
+FB_CONST float kTotalMomentLargest = 16384.0f;
+FB_CONST float kTotalLightLargest = 4.0f;
+FB_CONST float kTotalLightFixed = 4096.0f;
 FB_CONST float kCacheFixed = 16384.0f;  // steps a unit of radiance
 FB_CONST float kCacheLargest = 64.0f;   // radiance that a sample may bring
-FB_CONST float kMomentFixed = 256.0f;   // steps a unit of relative second moment
-FB_CONST float kMomentLargest = 4096.0f;
+FB_CONST float kMomentFixed = 8.0f;     // steps a unit of relative second moment
+FB_CONST float kMomentLargest = 60000.0f;
 
 // Probabilities of guiding whose second moments are compared (lib/steps/mcpg/propose.glsl).
 FB_FN vec4 guide_shares() { return vec4(0.0f, 0.3f, 0.6f, 0.85f); }

@@ -75,19 +75,20 @@
   X(int, mc_states, "r_mc_states", 1000000, 1024, 16777216, "path guiding: states in the hash table, 24 bytes each; rounded up to a power of two") \
   X(int, mc_cells, "r_mc_cells", 131072, 1024, 4194304, "path guiding: cells of the irradiance cache, 68 bytes each; rounded up to a power of two") \
   X(int, mc_accesses, "r_mc_accesses", 2, 1, 16, "path guiding: cells from which a vertex gathers states; times r_mc_bucket this is the paper's N_mc") \
-  X(int, mc_bucket, "r_mc_bucket", 4, 1, 16, "path guiding: states in a cell, a power of two; 1 is the paper's table") \
-  X(float, mc_adaptive, "r_mc_adaptive", 0.7f, 0, 1, "path guiding: probability of gathering from the adaptive grid; the rest is from the static grid") \
+  X(int, mc_bucket, "r_mc_bucket", 8, 1, 16, "path guiding: states in a cell, a power of two; 1 is the paper's table") \
+  X(float, mc_adaptive, "r_mc_adaptive", 0, 0, 1, "path guiding: probability of gathering from the adaptive grid; the rest is from the static grid") \
   X(float, mc_angle, "r_mc_angle", 0.6f, 0.01f, 45, "path guiding: angle that an adaptive cell subtends at the camera, degrees") \
   X(float, mc_pixels, "r_mc_pixels", 4, 0, 256, "path guiding: least width of an adaptive cell, pixels") \
-  X(float, mc_static_width, "r_mc_static", 64, 1, 4096, "path guiding: width of a static cell, units") \
+  X(float, mc_static_width, "r_mc_static", 64, 1, 4096, "path guiding: width of the first static cell that a vertex gathers from, units") \
+  X(float, mc_wider, "r_mc_wider", 4, 1, 64, "path guiding: width of each further static cell over that of the one before") \
   X(float, mc_coarser, "r_mc_coarser", 0.3f, 0, 0.95f, "path guiding: probability of gathering one adaptive level coarser, applied again at each level") \
   X(float, mc_share, "r_mc_share", 0.5f, 0, 1, "path guiding: probability of guiding (1 - p_bsdf), where it is not learnt") \
   X(int, mc_learn_share, "r_mc_learn_share", 1, 0, 1, "path guiding: learn the probability of guiding, from second moments of the estimate") \
   X(float, mc_share_min, "r_mc_share_min", 0, 0, 1, "path guiding: lower bound of the learnt probability of guiding") \
-  X(float, mc_share_max, "r_mc_share_max", 0.7f, 0, 1, "path guiding: upper bound of the learnt probability of guiding") \
+  X(float, mc_share_max, "r_mc_share_max", 0.5f, 0, 1, "path guiding: upper bound of the learnt probability of guiding") \
   X(float, mc_alpha, "r_mc_alpha", 0.03f, 0.0001f, 1, "path guiding: least weight of a new sample in a state's moving averages (alpha_min)") \
   X(int, mc_count, "r_mc_count", 255, 1, 255, "path guiding: upper bound of a state's sample count (N_max)") \
-  X(float, mc_radius, "r_mc_radius", 8, 0.01f, 1024, "path guiding: radius of a light before samples show it (the prior of a lobe's width), units") \
+  X(float, mc_radius, "r_mc_radius", 32, 0.01f, 1024, "path guiding: radius of a light before samples show it (the prior of a lobe's width), units") \
   X(float, mc_power, "r_mc_power", 1, 0, 4, "path guiding: exponent of states' scores in the mixture's weights") \
   X(int, mc_share_score, "r_mc_score", 1, 0, 1, "path guiding: 1 a state's score is its lobe's share of the light; 0 the whole estimate, as in the paper") \
   X(int, mc_in_world, "r_mc_world", 1, 0, 1, "path guiding: 1 states keep the light's own extent and strength; 0 as seen from the point that learnt them, as in the paper") \

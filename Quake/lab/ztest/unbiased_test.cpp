@@ -211,7 +211,7 @@ const Row kFeatures[] = {
     {"candles", "mcpg", {"r_mc_train=1"}, warm(), 4},
     {"many", "mcpg", {"r_mc_states=1024", "r_mc_cells=1024"}, warm(), 2},
     {"many", "mcpg", {"r_mc_adaptive=1", "r_mc_coarser=0"}, warm(), 2},
-    {"many", "mcpg", {"r_mc_adaptive=0", "r_mc_static=16"}, warm(), 2},
+    {"many", "mcpg", {"r_mc_adaptive=0.7", "r_mc_wider=1", "r_mc_static=16"}, warm(), 2},
 };
 INSTANTIATE_TEST_SUITE_P(Features, MoreUnbiasedTest, testing::ValuesIn(kFeatures), row_name);
 

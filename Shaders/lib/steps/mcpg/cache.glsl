@@ -28,10 +28,14 @@ const uint kCacheTries = 4u;  // two places for a cell, then two for a coarser o
 const uint kCacheStale = 120u;  // frames after which another cell may take an entry
 
 uint guide_list_at() { return guide.mc_cells * kCacheWords; }
-// Two counters take turns: while one counts, the other is set to zero for the next frame.
-uint guide_list_count_at() { return guide.mc_cells * (kCacheWords + 1u) + (guide.frame_number & 1u); }
-uint guide_next_count_at() { return guide.mc_cells * (kCacheWords + 1u) + ((guide.frame_number + 1u) & 1u); }
-uint guide_winner_at() { return guide.mc_cells * (kCacheWords + 1u) + 4u; }
+uint guide_tail_at() { return guide.mc_cells * (kCacheWords + 1u); }
+// Two counters take turns: while one counts, the other is set to zero for the next frame. So do two sums of moments.
+uint guide_list_count_at() { return guide_tail_at() + (guide.frame_number & 1u); }
+uint guide_next_count_at() { return guide_tail_at() + ((guide.frame_number + 1u) & 1u); }
+uint guide_totals_at(uint number) { return guide_tail_at() + kCacheTotals + 4u * (number & 1u); }
+uint guide_total_light_at(uint number) { return guide_tail_at() + kCacheTotalLight + (number & 1u); }
+uint guide_totals_count_at(uint number) { return guide_tail_at() + kCacheTotalCells + (number & 1u); }
+uint guide_winner_at() { return guide_tail_at() + kCacheTailWords; }
 
 // Of the proposals for one slot, the one of highest rank is taken: as good as random, and the same in any order.
 // Multiplication by an odd number and exclusive or with a constant permute the words.
@@ -83,6 +87,10 @@ vec4 cached_moments(uint entry) {
   uvec4 words = cache_quad(entry + kCacheCount);
   return vec4(unpackHalf2x16(words.y), unpackHalf2x16(words.z));
 }
+
+// The same in the mean of all cells of the last frames.
+vec4 mean_moments() { return uintBitsToFloat(cache_quad(guide_tail_at() + kCacheTotalMoments)); }
+float mean_luminance() { return uintBitsToFloat(cache_quad(guide_tail_at() + kCacheTotalLight).z); }
 
 // Lists an entry at its first touch; `before`: its word kCacheTouched.
 void list_touched(uint entry, uint before) {

@@ -8,22 +8,31 @@
 #include "lib/steps/mcpg/mixture.glsl"
 
 const float kLeastUseful = 0.06;
+const float kShareFrames = 16.0;  // after which a cell's own moments count as much as those of all
 
-// How often to guide at a point: of several probabilities, which were all tried on the same samples, the ones with low
-// second moments of the estimate (off-policy: f^2 / (p_k p) averages f^2 / p_k whatever p the samples are from).
-float learnt_share(CacheCell cell, uint cell_frames) {
-  float prior = guide.mc_share;
-  if (guide.mc_learn_share == 0 || cell.entry == kNoIndex) return prior;
-  vec4 m = cached_moments(cell.entry);
-  if (!(min(min(m.x, m.y), min(m.z, m.w)) > 0.0)) return prior;
+// The probability of guiding that second moments ask for: of several, which were all tried on the same samples, the ones whose
+// moments are low (off-policy: f^2 / (p_k p) averages f^2 / p_k whatever p the samples are from).
+float best_share(vec4 m) {
   // Moments are over the squared mean: less one they are variances, which the floor keeps from being trusted too far.
   vec4 variance = max(m - 1.0, vec4(0.0)) + 0.03;
   vec4 w = min(min(variance.x, variance.y), min(variance.z, variance.w)) / variance;
   w *= w;
   w *= w;
-  float learnt = dot(w, guide_shares()) / dot(w, vec4(1.0));
-  float n = float(cell_frames);
-  float share = mix(prior, learnt, n / (n + 4.0));
+  return dot(w, guide_shares()) / dot(w, vec4(1.0));
+}
+
+bool known_moments(vec4 m) { return min(min(m.x, m.y), min(m.z, m.w)) > 0.0; }
+
+// How often to guide at a point: as its cell has learnt or, while the cell knows little, as all cells have together.
+float learnt_share(CacheCell cell, uint cell_frames) {
+  if (guide.mc_learn_share == 0) return guide.mc_share;
+  vec4 all = mean_moments();
+  float share = known_moments(all) ? best_share(all) : guide.mc_share;
+  if (cell.entry != kNoIndex) {
+    vec4 m = cached_moments(cell.entry);
+    float n = float(cell_frames);
+    if (known_moments(m)) share = mix(share, best_share(m), n / (n + kShareFrames));
+  }
   // A guided sample that finds nothing costs more than it brings where there is next to nothing to guide to.
   return clamp(share < kLeastUseful ? 0.0 : share, guide.mc_share_min, guide.mc_share_max);
 }

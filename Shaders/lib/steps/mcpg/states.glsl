@@ -15,11 +15,11 @@ struct GuideCell {
   uint check;
 };
 
-// The cell that a point falls into, at random: of the adaptive grid (at a random level) or of the static one.
-GuideCell guide_cell(vec3 p, vec3 n, bool adaptive, inout uint group_rng) {
+// The cell that a point falls into, at random: of the adaptive grid (at a random level) or of the static one of access `a`.
+GuideCell guide_cell(vec3 p, vec3 n, bool adaptive, uint a, inout uint group_rng) {
   vec3 u = vec3(rng_uniform(group_rng), rng_uniform(group_rng), rng_uniform(group_rng));
-  float width = guide.mc_static_width;
-  uint tag = kStaticTag;
+  float width = guide.mc_static_width * pow(guide.mc_wider, float(a));
+  uint tag = kStaticTag + (guide.mc_wider > 1.0 ? a : 0u);
   if (adaptive) {
     uint level = grid_level(distance(p, frame.camera_position.xyz), guide.adaptive_angle, rng_uniform(group_rng));
     level = min(level + grid_coarsening(guide.mc_coarser, rng_uniform(group_rng)), kGridLevels - 1u);

@@ -4,6 +4,8 @@
 #include "lib/steps/mcpg/propose.glsl"
 #include "lib/incident.glsl"
 
+const float kLeastMean = 0.25;  // of all cells' mean
+
 // How much larger the second moment of an estimate of that light is than its square, about.
 float reflected_moment(CacheCell there) {
   vec4 m = cached_moments(there.entry);
@@ -30,12 +32,16 @@ void train_cell(Vertex v, Guidance g, vec3 direction, Incident incident, float e
   list_touched(entry, atomicAdd(guide_cache.at[entry + kCacheTouched], 1u));
   vec3 incoming = incident.emission + incident.reflection;
   add_to_cache(entry, incoming * (max(scatter_cosine(v.scatter, direction), 0.0) / (kPiShared * g.pdf)), u);
-  float scale = luminance(scatter_albedo(v.scatter)) * luminance(cached_reflection(entry));
+  // Not relative to a mean of next to nothing: where light is seldom seen, the first to be found would outweigh all others.
+  float mean = max(luminance(cached_reflection(entry)), kLeastMean * mean_luminance());
+  float scale = luminance(scatter_albedo(v.scatter)) * mean;
   if (!(g.total > 0.0) || !(scale > 0.0)) return;
   float e = emitted / scale, r = reflected / scale;
   float second = e * (e + 2.0 * r) + (r > 0.0 ? r * r * reflected_moment(incident.field.cell) : 0.0);
   vec4 p = guide_shares() * g.guided_pdf + (1.0 - guide_shares()) * g.bsdf_pdf;
   vec4 m = (second * g.pdf) / p;
+  // All of them or none: what guiding misses costs the more the more one guides, and a bound of each alone would hide it.
+  m *= min(kMomentLargest / max(max(max(m.x, m.y), max(m.z, m.w)), 1e-30), 1.0);
   for (uint i = 0u; i < 4u; ++i) {
     uint x = to_fixed(m[i], kMomentFixed, kMomentLargest, u);
     if (x != 0u) atomicAdd(guide_cache.at[entry + kCacheMomentSum + i], x);

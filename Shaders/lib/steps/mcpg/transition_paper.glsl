@@ -10,7 +10,9 @@ bool paper_transition(Vertex v, Guidance g, float score, inout uint group_rng, i
   if (g.choice.state != kNoIndex) t.state = load_guide_state(g.choice.state);
   else t.state = empty_guide_state();
   t.value = score;
-  GuideCell cell = guide_cell(v.position, scatter_axis(v.scatter), rng_uniform(group_rng) < guide.mc_adaptive, group_rng);
+  bool adaptive = rng_uniform(group_rng) < guide.mc_adaptive;
+  uint access = min(uint(rng_uniform(group_rng) * float(GUIDE_ACCESSES)), GUIDE_ACCESSES - 1u);
+  GuideCell cell = guide_cell(v.position, scatter_axis(v.scatter), adaptive, access, group_rng);
   t.slot = cell.first;
   t.check = cell.check;
   return true;
