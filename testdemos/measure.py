@@ -5,7 +5,8 @@
     measure.py pictures [--estimator NAME] [--noise RELMSE] [--more] ...
     measure.py table                      errors.csv as a table for Misc/docs/scenes.md
 
-references  pt, 96x54, --spp samples (16384): references/NAME.exr, colours in halves and the variance of their mean
+references  pt (or the scene's reference_estimator), 96x54, --spp samples (16384): references/NAME.exr, colours in halves and the
+            variance of their mean
 errors      pt with 1, 16 and 256 samples, four runs of other seeds each, against these: three lines in errors.csv
 pictures    nee (or --estimator), 384x216, as often --spp samples (256) as it takes until its own relMSE, as exposed, is at most
             --noise (0.01): Misc/docs/pictures/scenes/NAME.jpg (by ImageMagick), and a row of pictures.csv. Samples are kept in
@@ -77,7 +78,7 @@ def make_reference(lab: Lab, name: str, spp: int) -> None:
     REFERENCES.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
         whole = Path(scratch) / "whole.exr"
-        lab.reference(name, whole, CENTRES, spp=spp, size=SIZE)
+        lab.reference(name, whole, CENTRES, spp=spp, size=SIZE, estimator=load(name)["reference_estimator"])
         planes, header = read(whole)
         kept = {n: p for n, p in planes.items() if n in "RGB" or n.startswith("variance.")}
         write(REFERENCES / f"{name}.exr", kept, header)
@@ -88,6 +89,7 @@ def errors_of(lab: Lab, name: str) -> list[dict]:
     reference = REFERENCES / f"{name}.exr"
     planes, header = read(reference)
     variance, relative = noise(planes)
+    mean = float(np.mean([planes[c].mean() for c in "RGB"]))
     rows = []
     with tempfile.TemporaryDirectory() as scratch:
         for spp in SAMPLES:
@@ -95,9 +97,17 @@ def errors_of(lab: Lab, name: str) -> list[dict]:
             for k, path in enumerate(tests):
                 lab.reference(name, path, CENTRES, f"r_seed={100 * spp + k + 1}", spp=spp, size=SIZE)
             found = json.loads(lab.run("compare", "--no-flip", "--json", "-", reference, *tests))
-            rows.append({"scene": name, "spp": spp} | figures(found) | {
-                "reference_mse": variance, "reference_relmse": relative})
+            of_runs = figures(found)
+            rows.append({"scene": name, "spp": spp} | of_runs | {
+                "reference_mse": variance, "reference_relmse": relative,
+                "relative_variance": relative_variance(spp, float(of_runs["mse"]), mean)})
     return rows
+
+
+def relative_variance(spp: int, mse: float, mean: float) -> str:
+    """The variance of one sample's estimate, averaged over the picture, in squares of the picture's mean. It is the same for any
+    number of samples, and known best from many."""
+    return f"{spp * mse / mean**2:.3g}"
 
 
 def noise(planes: dict, gain: float = 1.0) -> tuple[str, str]:
@@ -181,14 +191,16 @@ def make_picture(lab: Lab, name: str, spp: int, more: bool, goal: float, estimat
 
 
 def table() -> str:
-    """relMSE (and MSE in brackets) by samples; the reference's own; the picture's."""
+    """relMSE (and MSE in brackets) by samples; relative variance, from most samples; the reference's own relMSE; the picture's."""
     rows = list(csv.DictReader(ERRORS.open()))
     pictures = {row["scene"]: f"{row['relmse']} ({row['spp']} of {row['estimator']})" for row in csv.DictReader(NOISE.open())}
-    lines = ["| scene | 1 spp | 16 spp | 256 spp | reference's own | picture's own |", "| --- | --- | --- | --- | --- | --- |"]
+    lines = ["| scene | 1 spp | 16 spp | 256 spp | relative variance | reference's own | picture's own |",
+             "| --- | --- | --- | --- | --- | --- | --- |"]
     for name in sorted({row["scene"] for row in rows}):
         of = {int(row["spp"]): row for row in rows if row["scene"] == name}
         cells = [f"{of[n]['relmse']} ({of[n]['mse']})" for n in SAMPLES if n in of]
         own = next(iter(of.values()))
+        cells.append(of[max(of)]["relative_variance"])
         cells += [f"{own['reference_relmse']} ({own['reference_mse']})", pictures.get(name, "none yet")]
         lines.append(f"| `{name}` | " + " | ".join(cells) + " |")
     return "\n".join(lines)

@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-KEYS = {"map", "hard", "camera", "set", "frame", "tick", "script", "protocol"}
+KEYS = {"map", "hard", "camera", "set", "frame", "tick", "script", "protocol", "reference_estimator"}
 
 
 def names() -> list[str]:
@@ -29,7 +29,7 @@ def load(name: str) -> dict:
     unknown, missing = set(scene) - KEYS, {"map", "hard", "script"} - set(scene)
     if unknown or missing:
         raise ValueError(f"{path}: " + ", ".join([f"'{k}' is no key" for k in unknown] + [f"no '{k}'" for k in missing]))
-    return {"set": {}, "tick": 0.05} | scene
+    return {"set": {}, "tick": 0.05, "reference_estimator": "pt"} | scene
 
 
 def demo_of(name: str) -> Path:

@@ -106,7 +106,7 @@ for _frame, _painter in enumerate(tex_glow.plates):
     add(f"+{_frame}plate", (64, 64), _painter)
 add("sign_exit", (64, 32), tex_glow.sign_exit)
 add("sign_arrow", (64, 32), tex_glow.sign_arrow)
-for _name in "water_a water_b slime_a lava_a teleport".split():
+for _name in "water_a water_b water_still slime_a lava_a teleport".split():
     add(f"*{_name}", (64, 64), getattr(tex_liquid, _name))
 for _name in "sky_night sky_dusk sky_storm".split():
     add(_name, (256, 128), getattr(tex_liquid, _name))

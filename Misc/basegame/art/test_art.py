@@ -25,7 +25,7 @@ wood_plank wood_beam wood_door tile_teal tile_white tile_check marble_white marb
 window_a window_b light_white light_warm light_cool light_red light_green light_strip lamp_round rune_a rune_b
 crystal_blue crystal_red crystal_gold candle_wax door_iron door_gold door_silver door_rune +0button +1button +abutton
 +0plate +1plate +2plate +3plate sign_exit sign_arrow skull_trim bones crate_a crate_b barrel_side barrel_top bookshelf
-carpet_red {grate {vine {chain *water_a *water_b *slime_a *lava_a *teleport sky_night sky_dusk sky_storm skip clip
+carpet_red {grate {vine {chain *water_a *water_b *water_still *slime_a *lava_a *teleport sky_night sky_dusk sky_storm skip clip
 trigger origin hint box_shell box_nail box_rocket box_cell box_health box_mega box_shell_top box_nail_top
 box_rocket_top box_cell_top box_health_top box_mega_top lab_white lab_grey lab_black lab_red lab_green lab_blue
 lab_yellow lab_check lab_light lab_light_warm lab_light_dim lab_chrome lab_steel lab_marble

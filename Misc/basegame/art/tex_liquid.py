@@ -6,7 +6,7 @@ import numpy as np
 
 from art.canvas import Canvas
 from art.noise import blur, smoothstep
-from art.palette import RAMPS, heat
+from art.palette import RAMPS, heat, hex_to_srgb
 from art.surface import Surface
 
 # Slag is no flame: it stays below what a lamp has.
@@ -35,6 +35,12 @@ def water_a(width: int, height: int) -> Surface:
 def water_b(width: int, height: int) -> Surface:
     """Open water: bluer."""
     return _water(132, "081a34 103668 1a56a8 3a86e0 7cc4ff", "blue")
+
+
+def water_still(width: int, height: int) -> Surface:
+    """A pool's that nothing moves, for measurements: clear, so that it has next to no colour of its own, and smooth as a mirror."""
+    color = np.broadcast_to(hex_to_srgb("0d1413"), (height, width, 3)).copy()
+    return Surface(color, gloss=np.ones((height, width)), dither=0.0)
 
 
 def slime_a(width: int, height: int) -> Surface:

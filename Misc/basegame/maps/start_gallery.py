@@ -1,4 +1,5 @@
-"""The hub's gallery: a long vaulted room with a gate for each scene of the laboratory."""
+"""The hub's gallery: a long vaulted room with gates to the laboratory's scenes. `caustic` has none: a new gate
+would change the views of the hub that the judge's figures were taken in."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The door that stands ajar, after Veach's: all light of this room comes from the next one, through a gap a hand wide, off
-the walls there, and falls on things that shine."""
+"""The door that stands ajar, after Veach's: all light of this room comes from the next one, through a gap a hand wide, and there
+from a small lamp in a trough, off the ceiling above it and then off the walls. It falls on things that shine."""
 
 from kit import Group, Map, Tex, fit
 from scene_parts import furnish, lathe, stand
@@ -25,6 +25,16 @@ def table() -> Group:
     return group
 
 
+def lamp(world: Map) -> None:
+    """A trough on the east wall of the other room: it shines on the ceiling alone, where the gap shows none."""
+    x, y0, y1, z = 320, 224, 416, 144
+    world.detail.box((x - 64, y0, z), (x, y1, z + 4), "copper_trim")
+    world.detail.box((x - 64, y0, z + 4), (x - 60, y1, z + 20), "copper_trim")
+    for y in (y0, y1 - 4):
+        world.detail.box((x - 60, y, z + 4), (x, y + 4, z + 20), "copper_trim")
+    world.detail.box((x - 52, y0 + 16, z + 4), (x - 8, y1 - 16, z + 8), "lab_light_warm")
+
+
 URN = [(0, 8), (2, 9), (6, 5), (14, 13), (22, 15), (30, 9), (34, 6), (38, 8)]
 BOWL = [(0, 7), (3, 4), (5, 5), (10, 15), (16, 19)]
 JUG = [(0, 10), (10, 12), (24, 7), (40, 4), (44, 6)]
@@ -35,7 +45,7 @@ def build() -> Map:
     things = Group()
     here = {"side": "plaster", "bottom": "tile_check", "top": "wood_plank"}
     world.room((-224, -224, 0), (224, 176, CLEAR), here)
-    world.room((-224, 192, 0), (320, 480, CLEAR), {"side": "plaster", "bottom": "wood_plank", "top": "plaster"})
+    world.room((-48, 192, 0), (320, 448, CLEAR), {"side": "plaster", "bottom": "wood_plank", "top": "plaster"})
     world.cut((24, 176, 0), (112, 192, 136))
     # Wainscot, beams, the frame of the door.
     for lo, hi in (((-224, -224, 0), (-220, 176, 60)), ((220, -224, 0), (224, 176, 60)),
@@ -48,10 +58,8 @@ def build() -> Map:
     world.detail.box((16, 170, 0), (24, 194, 144), Tex("wood_beam", turn=1))
     world.detail.box((112, 170, 0), (120, 194, 144), Tex("wood_beam", turn=1))
     world.detail.box((24, 170, 136), (112, 194, 144), "wood_beam")
-    things.add(door(), (24, 178, 0), turn=24)
-    # The lamp of the other room hangs where the gap does not show it.
-    world.detail.box((152, 240, 150), (264, 432, 158), {"all": "copper_trim", "bottom": "lab_light_warm"})
-    world.detail.box((230, 330, 158), (234, 334, CLEAR), "metal_trim")
+    things.add(door(), (24, 178, 0), turn=44)
+    lamp(world)
     things.add(table(), (-40, 20, 0), turn=8)
     for profile, texture, at in ((URN, "copper_plate", (-84, 14)), (BOWL, "lab_chrome", (-34, 22)),
                                  (JUG, "tile_teal", (10, 30))):
