@@ -75,9 +75,9 @@ void GuidedTechnique::make_buffers(const RenderSettings& settings) {
   if (states != state_count_ || cells != cell_count_) {
     state_count_ = cell_count_ = 0;  // until both are there
     make(states_, shared::kBindGuideStates, states * kStateBytes, "guide states");
-    // Entries, the list of touched ones, its two counters, and the winning proposal of every state.
+    // Entries, the list of touched ones, sums and means of all, and the winning proposal of every state.
     make(cache_, shared::kBindGuideCache,
-         (std::uint64_t{cells} * (shared::kCacheWords + 1) + shared::kCacheTailWords + states) * 4, "guide cache");
+         (std::uint64_t{cells} * (shared::kCacheWords + 1) + shared::kTailWords + states) * 4, "guide cache");
     state_count_ = states;
     cell_count_ = cells;
     log_info("path guiding: {} states and {} cached cells in {} MB", states, cells, bytes() >> 20);

@@ -173,25 +173,30 @@ FB_CONST uint kCacheClaim = 8u;       // this frame: the largest check that want
 FB_CONST uint kCacheSum = 9u;         // this frame, fixed point: three sums of radiance
 FB_CONST uint kCacheMomentSum = 12u;  // this frame, fixed point: four sums of second moments
 // The words after all entries and the list of touched ones. In turns, for this frame and the next: how many are listed;
-// how many cells were added up (kCacheTotalCells); sums of their moments (kCacheTotals) and of their means' luminance
-// (kCacheTotalLight). Then the averages of these sums, five floats; zero: none yet.
-FB_CONST uint kCacheTotalCells = 2u;
-FB_CONST uint kCacheTotals = 4u;
-FB_CONST uint kCacheTotalMoments = 12u;  // four floats
-FB_CONST uint kCacheTotalLight = 16u;
-FB_CONST uint kCacheTotalLuminance = 18u;  // a float
-FB_CONST uint kCacheTailWords = 20u;
-// Largest and step of what a cell adds, so that 131072 cells cannot overflow.
-FB_CONST float kTotalMomentLargest = 16384.0f;
-FB_CONST float kTotalLightLargest = 4.0f;
-FB_CONST float kTotalLightFixed = 4096.0f;
-FB_CONST float kCacheFixed = 16384.0f;  // steps a unit of radiance
-FB_CONST float kCacheLargest = 64.0f;   // radiance that a sample may bring
-FB_CONST float kMomentFixed = 8.0f;     // steps a unit of relative second moment
+// of how many cells sums were made; the sums of their moments and of their means' luminance. Then averages of these
+// sums; zero: none yet.
+FB_CONST uint kTailCells = 2u;
+FB_CONST uint kTailMomentSums = 4u;
+FB_CONST uint kTailMomentMeans = 12u;  // four floats
+FB_CONST uint kTailLightSums = 16u;
+FB_CONST uint kTailLightMean = 18u;  // a float
+FB_CONST uint kTailWords = 20u;
+FB_CONST float kTailLargest = 2147483648.0f;  // that all cells together may add to a sum
+FB_CONST float kTailLightFixed = 4096.0f;     // steps a unit of luminance; moments are added in steps of one
+FB_CONST float kCacheFixed = 16384.0f;        // steps a unit of radiance
+FB_CONST float kCacheLargest = 64.0f;         // radiance that a sample may bring
+FB_CONST float kMomentFixed = 8.0f;           // steps a unit of relative second moment
 FB_CONST float kMomentLargest = 60000.0f;
 
 // Probabilities of guiding whose second moments are compared (lib/steps/mcpg/propose.glsl).
 FB_FN vec4 guide_shares() { return vec4(0.0f, 0.3f, 0.6f, 0.85f); }
+
+// Moments of these shares, not negative, none above `largest`. All are cut or none: what guiding misses costs the more
+// the more one guides, and a bound of each alone would hide it.
+FB_FN vec4 bound_moments(vec4 m, float largest) {
+  float most = max(max(m.x, m.y), max(m.z, m.w));
+  return most > largest ? m * (largest / most) : m;
+}
 
 // The technique's uniform block. Settings as they hold in this frame: sizes are powers of two, probabilities of guiding
 // leave room for the BSDF, and the shares that train grow with the samples of a pixel.

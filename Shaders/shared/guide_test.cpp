@@ -384,4 +384,13 @@ TEST(GuideView, HoldsAtItsLimits) {
 }
 
 }  // namespace
+TEST(Guide, MomentsAreCutTogether) {
+  const vec4 small(1.0f, 2.0f, 3.0f, 4.0f);
+  EXPECT_EQ(bound_moments(small, 4.0f), small);
+  EXPECT_EQ(bound_moments(vec4(0.0f), 4.0f), vec4(0.0f));
+  // Light outside of every lobe: the moment grows with the share, and must do so afterwards.
+  const vec4 cut = bound_moments(vec4(100.0f, 200.0f, 400.0f, 800.0f), 16.0f);
+  EXPECT_EQ(cut, vec4(2.0f, 4.0f, 8.0f, 16.0f));
+}
+
 }  // namespace fb::shared

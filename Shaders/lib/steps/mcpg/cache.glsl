@@ -29,13 +29,13 @@ const uint kCacheStale = 120u;  // frames after which another cell may take an e
 
 uint guide_list_at() { return guide.mc_cells * kCacheWords; }
 uint guide_tail_at() { return guide.mc_cells * (kCacheWords + 1u); }
-// Two counters take turns: while one counts, the other is set to zero for the next frame. So do two sums of moments.
+// Two counters take turns: while one counts, the other is set to zero for the next frame. So do the sums of all cells.
 uint guide_list_count_at() { return guide_tail_at() + (guide.frame_number & 1u); }
 uint guide_next_count_at() { return guide_tail_at() + ((guide.frame_number + 1u) & 1u); }
-uint guide_totals_at(uint number) { return guide_tail_at() + kCacheTotals + 4u * (number & 1u); }
-uint guide_total_light_at(uint number) { return guide_tail_at() + kCacheTotalLight + (number & 1u); }
-uint guide_totals_count_at(uint number) { return guide_tail_at() + kCacheTotalCells + (number & 1u); }
-uint guide_winner_at() { return guide_tail_at() + kCacheTailWords; }
+uint guide_summed_cells_at(uint number) { return guide_tail_at() + kTailCells + (number & 1u); }
+uint guide_moment_sums_at(uint number) { return guide_tail_at() + kTailMomentSums + 4u * (number & 1u); }
+uint guide_light_sum_at(uint number) { return guide_tail_at() + kTailLightSums + (number & 1u); }
+uint guide_winner_at() { return guide_tail_at() + kTailWords; }
 
 // Of the proposals for one slot, the one of highest rank is taken: as good as random, and the same in any order.
 // Multiplication by an odd number and exclusive or with a constant permute the words.
@@ -89,8 +89,8 @@ vec4 cached_moments(uint entry) {
 }
 
 // The same in the mean of all cells of the last frames.
-vec4 mean_moments() { return uintBitsToFloat(cache_quad(guide_tail_at() + kCacheTotalMoments)); }
-float mean_luminance() { return uintBitsToFloat(cache_quad(guide_tail_at() + kCacheTotalLight).z); }
+vec4 mean_moments() { return uintBitsToFloat(cache_quad(guide_tail_at() + kTailMomentMeans)); }
+float mean_luminance() { return uintBitsToFloat(cache_quad(guide_tail_at() + kTailLightSums)[kTailLightMean - kTailLightSums]); }
 
 // Lists an entry at its first touch; `before`: its word kCacheTouched.
 void list_touched(uint entry, uint before) {

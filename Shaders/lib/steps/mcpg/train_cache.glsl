@@ -39,9 +39,7 @@ void train_cell(Vertex v, Guidance g, vec3 direction, Incident incident, float e
   float e = emitted / scale, r = reflected / scale;
   float second = e * (e + 2.0 * r) + (r > 0.0 ? r * r * reflected_moment(incident.field.cell) : 0.0);
   vec4 p = guide_shares() * g.guided_pdf + (1.0 - guide_shares()) * g.bsdf_pdf;
-  vec4 m = (second * g.pdf) / p;
-  // All of them or none: what guiding misses costs the more the more one guides, and a bound of each alone would hide it.
-  m *= min(kMomentLargest / max(max(max(m.x, m.y), max(m.z, m.w)), 1e-30), 1.0);
+  vec4 m = bound_moments((second * g.pdf) / p, kMomentLargest);
   for (uint i = 0u; i < 4u; ++i) {
     uint x = to_fixed(m[i], kMomentFixed, kMomentLargest, u);
     if (x != 0u) atomicAdd(guide_cache.at[entry + kCacheMomentSum + i], x);
