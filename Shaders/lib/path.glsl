@@ -11,10 +11,10 @@
 //   proposal  struct Guidance                                                    what is known at a vertex: lobes, reservoirs ...
 //             void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g)
 //             Proposal propose(Vertex v, inout Guidance g, inout uint rng)
-//             float proposal_pdf(Vertex v, Guidance g, vec3 direction)           density of propose in any direction
+//             float proposal_pdf(Guidance g, vec3 direction, float bsdf_pdf)     density of propose in any direction, from the BSDF's
 //   direct    const bool kLooksForLight
 //             const float kLooks                                                 share of paths whose last ray looks for light
-//             Aim aim_at_light(Vertex v, bool one, inout uint rng)               `one`: that ray is the path's own
+//             Aim aim_at_light(Vertex v, Guidance g, bool one, inout uint rng)   `one`: that ray is the path's own
 //             Direct look_for_light(Vertex v, Aim aim, inout uint rng)           by a ray more
 //             bool found(Aim aim, Hit hit, inout uint rng)                       whether a ray met what was looked for
 //             Direct direct_light(Vertex v, Aim aim, vec3 emission)              if it did
@@ -45,7 +45,7 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
     bool one = kLooksForLight && path.last && bounce > 0u, looks = false;
     Aim aim = kNoAim;
     if (kLooksForLight) {
-      aim = aim_at_light(v, one, rng);
+      aim = aim_at_light(v, guidance, one, rng);
       if (!one) {
         Direct direct = look_for_light(v, aim, rng);
         sum += throughput * direct.radiance;

@@ -15,6 +15,7 @@ struct Path {
 struct Proposal {
   vec3 direction;
   vec3 weight;  // f cos / pdf; zero ends the path
+  float pdf;    // with which any direction there is proposed
   uint flags;   // of ScatterSample, where the vertex's own scattering was sampled
 };
 
@@ -24,10 +25,11 @@ struct Aim {
   vec3 f;        // f cos
   float weight;  // f cos times this is the factor on the emission that is met; zero: nothing to look for
   float reach;
+  float density, bsdf_pdf;  // with which the direction is looked for, and of the BSDF
   uint instance, triangle;  // what must be met; kNoIndex: a sun
   uint cell;                // of the grid of what such rays reach
 };
-const Aim kNoAim = Aim(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, kNoIndex, kNoIndex, 0u);
+const Aim kNoAim = Aim(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, kNoIndex, kNoIndex, 0u);
 
 // Light from what was looked for, by reflection to the vertex' viewer, and as it falls on the vertex.
 struct Direct {

@@ -76,12 +76,12 @@ vec3 light_emission(Hit hit, vec3 direction) {
 }
 
 // The emission that a direction meets is shared by the balance heuristic (Veach and Guibas 1995): light_candidates() samples of
-// the list or, inside of a sun's disc, one of the suns; and one of the BSDF, which stands for whatever else samples directions:
-// shares need only add up to one. Where one ray does for both (`one`), it looks for light with probability kLooks.
+// the list or, inside of a sun's disc, one of the suns; and one of whatever the path's own directions come from. Where one ray does
+// for both (`one`), it looks for light with probability kLooks.
 const float kLooks = 0.75;
 
-float density_of_all(float looked_for, float bsdf, bool one) {
-  return (one ? kLooks : 1.0) * looked_for + (one ? 1.0 - kLooks : 1.0) * bsdf;
+float density_of_all(float looked_for, float proposed, bool one) {
+  return (one ? kLooks : 1.0) * looked_for + (one ? 1.0 - kLooks : 1.0) * proposed;
 }
 
 // Of light that is looked for, where a ray met something.
@@ -93,10 +93,8 @@ float looked_for_density(Hit hit, vec3 direction) {
 // The share of emission that was met by a direction of the path's own.
 float met_share(Vertex v, Hit hit, Proposal p, vec3 emission, bool one) {
   if (emission == vec3(0.0) || (p.flags & kScatterDelta) != 0u) return one ? 1.0 / (1.0 - kLooks) : 1.0;
-  float bsdf;
-  scatter_eval(v.scatter, v.view, p.direction, bsdf);
-  float all = density_of_all(looked_for_density(hit, p.direction), bsdf, one);
-  return all > 0.0 ? bsdf / all : 1.0;
+  float all = density_of_all(looked_for_density(hit, p.direction), p.pdf, one);
+  return all > 0.0 ? p.pdf / all : 1.0;
 }
 
 // For this share of the rays what is known chooses the kind of light, for the others each kind has half: neither has less than
@@ -107,7 +105,7 @@ const float kEnoughRays = 8.0;  // a cell that sent fewer is new
 // One of light_candidates() points of lights and a direction to a sun, chosen by what each would bring (resampled importance
 // sampling, Talbot 2005) if each light were even and if as many rays to its kind arrived as did before from hereabouts. Emission,
 // with its textures, is read of what is met.
-Aim aim_at_light(Vertex v, bool one, inout uint rng) {
+Aim aim_at_light(Vertex v, Guidance g, bool one, inout uint rng) {
   Aim aim = kNoAim;
   vec3 origin = scatter_origin(v.scatter, v.position);
   aim.cell = seen_cell(v.position, scatter_axis(v.scatter));
@@ -132,7 +130,7 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
     sum += value;
     if (pick * sum < value) {
       target = value;
-      aim = Aim(direction, f, 1.0 / all, reach * 1.001 + 0.01, instance, triangle, aim.cell);
+      aim = Aim(direction, f, 1.0, reach * 1.001 + 0.01, float(listed) * density, bsdf, instance, triangle, aim.cell);
     }
   }
   if (has_feature(kFeatureSuns) && frame.sun_count > 0u) {
@@ -150,11 +148,13 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
     bool to_sun = rng_uniform(rng) < chance;
     if (to_sun) {
       sum = target = value;
-      aim = Aim(direction, f, 1.0 / all, kRayEnd, kNoIndex, kNoIndex, aim.cell);
+      aim = Aim(direction, f, 1.0, kRayEnd, sun, bsdf, kNoIndex, kNoIndex, aim.cell);
     }
     aim.weight /= to_sun ? chance : 1.0 - chance;
   }
-  aim.weight *= target > 0.0 ? sum / target : 0.0;
+  if (!(target > 0.0)) return aim;
+  // What chose it shares with the BSDF, which is cheap to ask; what it brings, with what the path really proposes.
+  aim.weight *= sum / (target * density_of_all(aim.density, proposal_pdf(g, aim.direction, aim.bsdf_pdf), one));
   return aim;
 }
 

@@ -4,7 +4,7 @@
 const bool kLooksForLight = false;
 
 const float kLooks = 0.0;
-Aim aim_at_light(Vertex v, bool one, inout uint rng) { return kNoAim; }
+Aim aim_at_light(Vertex v, Guidance g, bool one, inout uint rng) { return kNoAim; }
 bool found(Aim aim, Hit hit, inout uint rng) { return false; }
 Direct direct_light(Vertex v, Aim aim, vec3 emission) { return Direct(vec3(0.0), vec3(0.0)); }
 Direct look_for_light(Vertex v, Aim aim, inout uint rng) { return Direct(vec3(0.0), vec3(0.0)); }

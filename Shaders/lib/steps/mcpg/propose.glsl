@@ -69,13 +69,12 @@ Proposal propose(Vertex v, inout Guidance g, inout uint rng) {
   g.pdf = share_pdf(g, g.guided_pdf, g.bsdf_pdf);
   g.below = !scatters_to(v.scatter, p.direction);
   p.weight = g.pdf > 0.0 ? f / g.pdf : vec3(0.0);
+  p.pdf = g.pdf;
   return p;
 }
 
-float proposal_pdf(Vertex v, Guidance g, vec3 direction) {
-  float bsdf;
-  scatter_eval(v.scatter, v.view, direction, bsdf);
+float proposal_pdf(Guidance g, vec3 direction, float bsdf_pdf) {
   GuideSlot slot;
-  return share_pdf(g, mixture_pdf(g, direction, slot), bsdf);
+  return g.share > 0.0 ? share_pdf(g, mixture_pdf(g, direction, slot), bsdf_pdf) : bsdf_pdf;
 }
 #endif
