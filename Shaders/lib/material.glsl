@@ -59,22 +59,23 @@ Shade shade_point(GpuMaterial m, uint instance_index, vec2 uv, TextureFilter fil
   vec2 corner = floor(uv * size - 0.5), f = uv * size - 0.5 - corner;
   bool smooth_texels = filtered.kind == kFilterBilinear, wide = filtered.kind == kFilterFootprint;
   uint taps = smooth_texels || wide ? 4u : 1u;
-  uint fetches = has_luma ? 2u * taps : taps;
+  uint fetches = has_feature(kFeatureLuma) ? 2u * taps : taps;
   Shade s = Shade(vec3(0.0), vec3(0.0));
-  for (uint i = 0u; i < fetches; ++i) {
+  uint i = 0u;
+  do {
     uint tap = i & (taps - 1u);
     vec2 offset = vec2(tap & 1u, tap >> 1u);
     vec2 weights = mix(1.0 - f, f, offset);
     float weight = smooth_texels ? weights.x * weights.y : wide ? 0.25 : 1.0;
     vec2 at = smooth_texels ? (corner + offset + 0.5) / size : wide ? uv + footprint_tap(filtered, offset) : uv;
-    Texel texel = nearest_texel(i < taps ? m.base : m.luma, at, clamped);
+    Texel texel = nearest_texel(i >= taps && has_luma ? m.luma : m.base, at, clamped);
     if (i >= taps) {
-      s.emission += weight * texel.color;
+      if (has_luma) s.emission += weight * texel.color;
     } else {
       s.albedo += weight * texel.color;
       if (all_glows || (some_glow && texel.glows)) s.emission += weight * texel.color;
     }
-  }
+  } while (++i < fetches);
   s.albedo *= m.base_color.rgb;
   s.emission = constant ? m.emission.rgb : s.emission * m.emission.rgb;
   return s;

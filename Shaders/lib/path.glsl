@@ -13,70 +13,57 @@
 //             Proposal propose(Vertex v, inout Guidance g, inout uint rng)
 //             float proposal_pdf(Guidance g, vec3 direction, float bsdf_pdf)     density of propose in any direction, from the BSDF's
 //   direct    const bool kLooksForLight
-//             const float kLooks                                                 share of paths whose last ray looks for light
-//             Aim aim_at_light(Vertex v, Guidance g, bool one, inout uint rng)   `one`: that ray is the path's own
-//             Direct look_for_light(Vertex v, Aim aim, inout uint rng)           by a ray more
-//             bool found(Aim aim, Hit hit, inout uint rng)                       whether a ray met what was looked for
-//             Direct direct_light(Vertex v, Aim aim, vec3 emission)              if it did
-//             float met_share(Vertex v, Hit hit, Proposal p, vec3 emission, bool one)   of emission that is met
+//             Direct look_for_light(Vertex v, Guidance g, inout uint rng)        by a ray more
+//             Direct last_light(Vertex v, inout uint rng)                        by a path's last ray, which looks for it in turns
+//             float met_share(Hit hit, Proposal p, vec3 emission)                of emission that is met before the last
 //   learning  const bool kLearns
 //             void learn_direct(Guidance g, Direct direct, Path path, inout uint rng)
+//             void learn_last(Field here, Direct direct, Path path, inout uint rng)
 //             void learn_waste(Guidance g, Path path)                            the direction was of no use
 //             void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout Path path, inout uint rng)
 #ifndef FB_LIB_PATH
 #define FB_LIB_PATH
 #include "lib/incident.glsl"
 
-// Radiance that reaches the first vertex's viewer by reflection: paths of 1 to frame.bounces further vertices.
+// Radiance that reaches the first vertex's viewer by reflection: paths of 1 to frame.bounces further vertices. Where light is
+// looked for, the last of several vertices is apart: its one ray does for both, and what is known there guides neither.
 vec3 trace_path(Vertex v, Path path, inout uint rng) {
   vec3 sum = vec3(0.0), throughput = vec3(1.0);
   Field here = field_at(v, path);
-  for (uint bounce = 0u; bounce < frame.bounces; ++bounce) {
+  bool last_apart = kLooksForLight && frame.bounces > 1u, goes_on = true;
+  uint bounces = frame.bounces - (last_apart ? 1u : 0u);
+  uint bounce = 0u;
+  do {
     bool end = bounce + 1u == frame.bounces;
+    goes_on = false;
     path.last = end && !kEndsInField;
     path.vertex = path.number * frame.bounces + bounce;
 
-    // Where the path goes on.
+    // Where the path goes on, and light that is looked for.
     Guidance guidance;
     prepare(v, here, path, rng, guidance);
     Proposal proposal = propose(v, guidance, rng);
-
-    // Light that is looked for, by a ray of its own unless the path's own ray is the last: that one does for both, in turns.
-    bool one = kLooksForLight && path.last && bounce > 0u, looks = false;
-    Aim aim = kNoAim;
     if (kLooksForLight) {
-      aim = aim_at_light(v, guidance, one, rng);
-      if (!one) {
-        Direct direct = look_for_light(v, aim, rng);
-        sum += throughput * direct.radiance;
-        learn_direct(guidance, direct, path, rng);
-      }
-      looks = one && rng_uniform(rng) < kLooks;
-      if (looks && aim.weight == 0.0) break;
+      Direct direct = look_for_light(v, guidance, rng);
+      sum += throughput * direct.radiance;
+      learn_direct(guidance, direct, path, rng);
     }
-    if (!looks && proposal.weight == vec3(0.0)) {
+    if (proposal.weight == vec3(0.0)) {
       learn_waste(guidance, path);
       break;
     }
-    if (looks) proposal.direction = aim.direction;
 
     // Light that is met: emitted there and, as far as it is known, reflected. A miss teaches, too.
     Incident incident;
     incident.origin = scatter_origin(v.scatter, v.position);
-    incident.hit = trace_from(v, proposal.direction, looks ? aim.reach : kRayEnd, rng);
+    incident.hit = trace_from(v, proposal.direction, kRayEnd, rng);
     bool missed = incident.hit.instance == kNoIndex;
     bool dark = missed && frame.sky_beyond == 0u;
-    if (dark && !kLearns && !looks) break;
+    if (dark && !kLearns) break;
     Surface s;
     s.emission = vec3(0.0);
     if (!dark || !kLearns) s = load_surface(incident.hit, proposal.direction, kFilterNearest, path.last);
-    if (looks) {
-      Direct direct = direct_light(v, aim, found(aim, incident.hit, rng) ? s.emission : vec3(0.0));
-      sum += throughput * direct.radiance;
-      learn_direct(guidance, direct, path, rng);
-      break;
-    }
-    if (kLooksForLight) s.emission *= met_share(v, incident.hit, proposal, s.emission, one);
+    if (kLooksForLight) s.emission *= met_share(incident.hit, proposal, s.emission);
     incident.emission = s.emission;
     incident.reflection = vec3(0.0);
     incident.field = here;
@@ -98,6 +85,12 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
     if (missed || end) break;
     v = next;
     here = incident.field;
+    goes_on = true;
+  } while (++bounce < bounces);
+  if (kLooksForLight && goes_on) {
+    Direct direct = last_light(v, rng);
+    sum += throughput * direct.radiance;
+    learn_last(here, direct, path, rng);
   }
   return sum;
 }

@@ -19,17 +19,11 @@ struct Proposal {
   uint flags;   // of ScatterSample, where the vertex's own scattering was sampled
 };
 
-// A direction to look for light in.
-struct Aim {
-  vec3 direction;
-  vec3 f;        // f cos
-  float weight;  // f cos times this is the factor on the emission that is met; zero: nothing to look for
-  float reach;
-  float density, bsdf_pdf;  // with which the direction is looked for, and of the BSDF
-  uint instance, triangle;  // what must be met; kNoIndex: a sun
-  uint cell;                // of the grid of what such rays reach
-};
-const Aim kNoAim = Aim(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, kNoIndex, kNoIndex, 0u);
+Proposal propose_scattered(Vertex v, inout uint rng) {
+  vec3 u = vec3(rng_uniform(rng), rng_uniform(rng), FEATURE_SPECULAR ? rng_uniform(rng) : 1.0);
+  ScatterSample s = scatter_sample(v.scatter, v.view, u);
+  return Proposal(s.direction, s.weight, s.pdf, s.flags);
+}
 
 // Light from what was looked for, by reflection to the vertex' viewer, and as it falls on the vertex.
 struct Direct {

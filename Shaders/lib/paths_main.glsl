@@ -23,7 +23,8 @@ void main() {
   GBufferTexel g = gbuffer_at(at);
   vec3 emission = g.emission_specular.rgb;
   if (SHOW_VIEW) ldr.at[at] = packUnorm4x8(vec4(0.0, 0.0, 0.0, 1.0));
-  if (g.position_t.w == 0.0 || g.albedo_roughness.rgb == vec3(0.0) && g.emission_specular.w == 0.0) {
+  bool black = g.albedo_roughness.rgb == vec3(0.0) && g.emission_specular.w == 0.0;
+  if (g.position_t.w == 0.0 || black || frame.bounces == 0u) {
     radiance.at[at] = vec4(emission, 0.0);
     return;
   }
@@ -44,7 +45,8 @@ void main() {
   }
   vec3 sum = vec3(0.0);
   float lost = 0.0;
-  for (uint i = 0u; i < frame.spp; ++i) {
+  uint i = 0u;
+  do {
     uint rng = rng_seed(at, frame.frame, i, frame.seed);
     vec3 estimate = trace_path(v, begin_path(block, number + i, i), rng);
     if (any(isnan(estimate)) || any(isinf(estimate))) {
@@ -53,6 +55,6 @@ void main() {
       estimate = vec3(0.0);
     }
     sum += estimate;
-  }
+  } while (++i < frame.spp);
   radiance.at[at] = vec4(emission + sum / float(frame.spp), lost);
 }

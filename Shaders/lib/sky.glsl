@@ -36,7 +36,8 @@ vec3 sky_texture(vec3 direction) {
   bool layers = frame.sky_mode == kSkyLayers;
   uint count = layers && frame.sky_alpha != kNoIndex ? 2u : 1u;
   vec3 color = vec3(0.0);
-  for (uint i = 0u; i < count; ++i) {
+  uint i = 0u;
+  do {
     vec2 uv;
     uint image = box_face(direction, uv);
     if (layers) {
@@ -46,7 +47,7 @@ vec3 sky_texture(vec3 direction) {
     if (image == kNoIndex) break;
     Texel texel = nearest_texel(image, uv, !layers);
     color = mix(color, texel.color, i == 0u ? 1.0 : texel.alpha);
-  }
+  } while (++i < count);
   return color;
 }
 
@@ -54,9 +55,11 @@ vec3 sky_radiance(vec3 direction) {
   vec3 color = vec3(0.0);
   if (frame.sky_mode == kSkyConstant) color = frame.sky_color.rgb;
   else if (has_feature(kFeatureSkyTexture) && frame.sky_mode >= kSkyLayers) color = sky_texture(direction) * frame.sky_color.rgb;
-  uint suns = has_feature(kFeatureSuns) ? frame.sun_count : 0u;
-  for (uint i = 0u; i < suns; ++i) {
-    if (dot(direction, frame.sun_direction[i].xyz) >= frame.sun_direction[i].w) color += frame.sun_radiance[i].rgb;
+  if (has_feature(kFeatureSuns) && frame.sun_count > 0u) {
+    uint i = 0u;
+    do {
+      if (dot(direction, frame.sun_direction[i].xyz) >= frame.sun_direction[i].w) color += frame.sun_radiance[i].rgb;
+    } while (++i < frame.sun_count);
   }
   return color;
 }

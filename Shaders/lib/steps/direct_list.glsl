@@ -49,12 +49,14 @@ bool is_sky(Hit hit) {
 
 // One sun of all, each as often; 1 - cos of a small disc is exact.
 float sun_pdf(vec3 direction) {
+  if (frame.sun_count == 0u) return 0.0;
   float p = 0.0;
-  for (uint i = 0u; i < frame.sun_count; ++i) {
+  uint i = 0u;
+  do {
     vec4 sun = frame.sun_direction[i];
     if (dot(direction, sun.xyz) >= sun.w) p += 1.0 / (2.0 * kPiShared * (1.0 - sun.w));
-  }
-  return p / float(max(frame.sun_count, 1u));
+  } while (++i < frame.sun_count);
+  return p / float(frame.sun_count);
 }
 
 // `radiance`: sum of the channels.
@@ -67,9 +69,21 @@ vec3 sample_sun(inout uint rng, out float radiance) {
   return frame_about(sun.xyz) * vec3(r * cos(phi), r * sin(phi), 1.0 - k);
 }
 
+// A direction to look for light in.
+struct Aim {
+  vec3 direction;
+  vec3 f;        // f cos
+  float weight;  // f cos times this is the factor on the emission that is met; zero: nothing to look for
+  float reach;
+  float density, bsdf_pdf;  // with which the direction is looked for, and of the BSDF
+  uint instance, triangle;  // what must be met; kNoIndex: a sun
+  uint cell;                // of the grid of what such rays reach
+};
+const Aim kNoAim = Aim(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, kNoIndex, kNoIndex, 0u);
+
 // Emission towards its origin of what a ray meets, as load_surface has it.
 vec3 light_emission(Hit hit, vec3 direction) {
-  if (hit.instance == kNoIndex) return sky_radiance(direction);
+  if (hit.instance == kNoIndex) return frame.sky_beyond != 0u ? sky_radiance(direction) : vec3(0.0);
   GpuMaterial m = material_of(hit.instance, hit.triangle);
   if (shows_sky(m, hit.instance)) return sky_radiance(direction) * m.emission.rgb;
   return shade_point(m, hit.instance, hit_uv(instance_at(hit.instance).first_attribute + hit.triangle, hit.bary), kNearest).emission;
@@ -91,11 +105,13 @@ float looked_for_density(Hit hit, vec3 direction) {
 }
 
 // The share of emission that was met by a direction of the path's own.
-float met_share(Vertex v, Hit hit, Proposal p, vec3 emission, bool one) {
+float met_share_of(Hit hit, Proposal p, vec3 emission, bool one) {
   if (emission == vec3(0.0) || (p.flags & kScatterDelta) != 0u) return one ? 1.0 / (1.0 - kLooks) : 1.0;
   float all = density_of_all(looked_for_density(hit, p.direction), p.pdf, one);
   return all > 0.0 ? p.pdf / all : 1.0;
 }
+
+float met_share(Hit hit, Proposal p, vec3 emission) { return met_share_of(hit, p, emission, false); }
 
 // For this share of the rays what is known chooses the kind of light, for the others each kind has half: neither has less than
 // a tenth of the rays. A cell that is new has half and half, too: a sun outshines all lights, also where walls hide it.
@@ -105,14 +121,14 @@ const float kEnoughRays = 8.0;  // a cell that sent fewer is new
 // One of light_candidates() points of lights and a direction to a sun, chosen by what each would bring (resampled importance
 // sampling, Talbot 2005) if each light were even and if as many rays to its kind arrived as did before from hereabouts. Emission,
 // with its textures, is read of what is met.
-Aim aim_at_light(Vertex v, Guidance g, bool one, inout uint rng) {
+Aim aim_at_light(Vertex v, bool one, inout uint rng) {
   Aim aim = kNoAim;
   vec3 origin = scatter_origin(v.scatter, v.position);
   aim.cell = seen_cell(v.position, scatter_axis(v.scatter));
   uvec4 seen = seen_cells.at[aim.cell];
   float sum = 0.0, target = 0.0;
-  uint listed = has_lights() ? light_candidates() : 0u;
-  for (uint i = 0u; i < listed; ++i) {
+  uint listed = has_lights() ? light_candidates() : 0u, i = 0u;
+  if (listed > 0u) do {
     uint element = sample_light(rng);
     float root = sqrt(rng_uniform(rng)), along = rng_uniform(rng), pick = rng_uniform(rng);
     vec2 at = vec2(root * (1.0 - along), root * along);
@@ -126,13 +142,13 @@ Aim aim_at_light(Vertex v, Guidance g, bool one, inout uint rng) {
     float area = 0.5 * length(cross(t.e1.xyz, t.e2.xyz));
     float all = density_of_all(float(listed) * density, bsdf, one);
     float value = density > 0.0 ? dot(f, vec3(1.0)) * frame.light_power * light_probability(element) / (area * all) : 0.0;
-    if (!(value > 0.0)) continue;
-    sum += value;
-    if (pick * sum < value) {
+    bool useful = value > 0.0;
+    sum += useful ? value : 0.0;
+    if (useful && pick * sum < value) {
       target = value;
       aim = Aim(direction, f, 1.0, reach * 1.001 + 0.01, float(listed) * density, bsdf, instance, triangle, aim.cell);
     }
-  }
+  } while (++i < listed);
   if (has_feature(kFeatureSuns) && frame.sun_count > 0u) {
     float radiance, bsdf;
     vec3 direction = sample_sun(rng, radiance);
@@ -152,10 +168,13 @@ Aim aim_at_light(Vertex v, Guidance g, bool one, inout uint rng) {
     }
     aim.weight /= to_sun ? chance : 1.0 - chance;
   }
-  if (!(target > 0.0)) return aim;
-  // What chose it shares with the BSDF, which is cheap to ask; what it brings, with what the path really proposes.
-  aim.weight *= sum / (target * density_of_all(aim.density, proposal_pdf(g, aim.direction, aim.bsdf_pdf), one));
+  aim.weight *= target > 0.0 ? sum / target : 0.0;
   return aim;
+}
+
+// What chose a direction shares it with the BSDF, which is cheap to ask; what it brings, with all that paths propose there.
+void share_aim(inout Aim aim, float proposed, bool one) {
+  if (aim.weight > 0.0) aim.weight /= density_of_all(aim.density, proposed, one);
 }
 
 // Whether a ray met what it was to look for. A point of the list inside of a sun's disc is the sun's.
@@ -175,15 +194,29 @@ bool found(Aim aim, Hit hit, inout uint rng) {
   return met;
 }
 
-Direct direct_light(Vertex v, Aim aim, vec3 emission) {
-  vec3 light = emission * aim.weight;
-  return Direct(aim.f * light, light * (max(scatter_cosine(v.scatter, aim.direction), 0.0) / kPiShared));
+Direct direct_light(Vertex v, vec3 direction, vec3 f, vec3 light) {
+  return Direct(f * light, light * (max(scatter_cosine(v.scatter, direction), 0.0) / kPiShared));
 }
 
-// From a light of the list or from a sun, by a ray of its own.
-Direct look_for_light(Vertex v, Aim aim, inout uint rng) {
+Direct look_for_light(Vertex v, Guidance g, inout uint rng) {
+  Aim aim = aim_at_light(v, false, rng);
+  share_aim(aim, proposal_pdf(g, aim.direction, aim.bsdf_pdf), false);
   Hit hit = trace_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, rng);
   vec3 emission = found(aim, hit, rng) && aim.weight > 0.0 ? light_emission(hit, aim.direction) : vec3(0.0);
-  return direct_light(v, aim, emission);
+  return direct_light(v, aim.direction, aim.f, emission * aim.weight);
+}
+
+Direct last_light(Vertex v, inout uint rng) {
+  Proposal p = propose_scattered(v, rng);
+  Aim aim = aim_at_light(v, true, rng);
+  share_aim(aim, aim.bsdf_pdf, true);
+  bool looks = rng_uniform(rng) < kLooks;
+  vec3 direction = looks ? aim.direction : p.direction;
+  float reach = looks ? aim.weight > 0.0 ? aim.reach : 0.0 : p.weight != vec3(0.0) ? kRayEnd : 0.0;
+  Hit hit = trace_from(v, direction, reach, rng);
+  vec3 emission = reach > 0.0 ? light_emission(hit, direction) : vec3(0.0);
+  if (looks) return direct_light(v, direction, aim.f, found(aim, hit, rng) ? emission * aim.weight : vec3(0.0));
+  vec3 light = emission * met_share_of(hit, p, emission, true);
+  return direct_light(v, direction, p.weight * p.pdf, p.pdf > 0.0 ? light / p.pdf : vec3(0.0));
 }
 #endif

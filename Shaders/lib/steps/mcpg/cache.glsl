@@ -64,17 +64,21 @@ CacheCell find_cache_cell(vec3 p, vec3 n, inout uint group_rng) {
   CacheCell cell = CacheCell(kNoIndex, kNoIndex, 0u);
   vec3 u = vec3(rng_uniform(group_rng), rng_uniform(group_rng), rng_uniform(group_rng));
   uint level = grid_level(distance(p, frame.camera_position.xyz), guide.cache_angle, rng_uniform(group_rng));
-  for (uint i = 0u; i < kCacheTries && cell.entry == kNoIndex; ++i) {
+  uint i = 0u;
+  do {
     uint at = min(level + (i >> 1u), kGridLevels - 1u);
     GridKey key = grid_vertex(p, exp2(float(at)), kCacheTag + adaptive_tag(at, n), u);
     uint entry = ((key.hash & (guide.mc_cells - 1u)) ^ (i & 1u)) * kCacheWords;
     uint check = cache_quad(entry + kCacheCheck).x;
-    if (check == key.check) cell.entry = entry;
-    else if (cell.claim == kNoIndex && (check == 0u || cache_age(entry) > kCacheStale)) {
+    if (check == key.check) {
+      cell.entry = entry;
+      break;
+    }
+    if (cell.claim == kNoIndex && (check == 0u || cache_age(entry) > kCacheStale)) {
       cell.claim = entry;
       cell.check = key.check;
     }
-  }
+  } while (++i < kCacheTries);
   return cell;
 }
 

@@ -27,6 +27,18 @@ void learn_direct(Guidance g, Direct direct, Path path, inout uint rng) {
   add_to_cache(g.cache.entry, direct.irradiance, rng_uniform(rng));
 }
 
+// A last vertex is of use to its cell alone: the one sample that has all light there.
+void learn_last(Field here, Direct direct, Path path, inout uint rng) {
+  uint entry = here.cell.entry;
+  if (!path.trains && (frame.spp > kManyPaths || (entry != kNoIndex && cache_frames(entry) >= kYoungFrames))) return;
+  if (entry == kNoIndex) {
+    claim_cache(here.cell);
+    return;
+  }
+  list_touched(entry, atomicAdd(guide_cache.at[entry + kCacheTouched], 1u));
+  add_to_cache(entry, direct.irradiance, rng_uniform(rng));
+}
+
 // A direction below the surface: a sample of zero, without which the cell's means would be those of the others.
 void learn_waste(Guidance g, Path path) {
   uint entry = g.cache.entry;
