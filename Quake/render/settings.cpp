@@ -39,7 +39,7 @@ void register_render_cvars(con::Console& console) {
                                std::is_same_v<type, int>, help));
   FB_RENDER_SETTINGS(FB_REGISTER)
 #undef FB_REGISTER
-  console.add_cvar("r_estimator", "nee", "light transport estimator, one of: fullbright-lab estimators",
+  console.add_cvar("r_estimator", "mcpg_nee", "light transport estimator, one of: fullbright-lab estimators",
                    con::kCvarArchive);
   console.add_cvar("r_intersector", "auto",
                    "how rays are traced: query (VK_KHR_ray_query), bvh (traversal in the shader), auto (the faster "
