@@ -117,7 +117,7 @@ TEST_F(DenoiserTest, AFrameWithoutAPastHasMoreSamples) {
     auto renderer = make(s);
     renderer->render(snapshot, nullptr, s);
     const std::vector<std::uint32_t> frames = history_lengths(*renderer);
-    EXPECT_EQ(*std::max_element(frames.begin(), frames.end()), name == std::string("pt") ? 8u : 1u) << name;
+    EXPECT_EQ(*std::max_element(frames.begin(), frames.end()), 8u) << name;
   }
 }
 

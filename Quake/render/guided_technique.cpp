@@ -101,8 +101,9 @@ void GuidedTechnique::fill_constants(const TechniqueFrame& frame) {
   c.mc_states = static_cast<int>(state_count_);
   c.mc_cells = static_cast<int>(cell_count_);
   // A cell's sums have room for 4096 samples of the largest radiance: those of 16 paths in each of 16x16 pixels.
-  c.mc_train = std::max(s.mc_train, s.spp / 16);
-  c.mc_tail_train = std::max(s.mc_tail_train, s.spp / 16);
+  const int least_train = static_cast<int>(most_samples(s) / 16);
+  c.mc_train = std::max(s.mc_train, least_train);
+  c.mc_tail_train = std::max(s.mc_tail_train, least_train);
   c.frame_number = frame_;
   c.seen_stride = seen_stride(frame.size, s);
   std::memcpy(uniform_.mapped(), &c, sizeof(c));
@@ -113,8 +114,8 @@ void GuidedTechnique::prepare(const TechniqueFrame& frame) {
   resolve_ = s.deterministic != 0;
   bucket_ = std::bit_floor(static_cast<std::uint32_t>(s.mc_bucket));
   accesses_ = std::min(static_cast<std::uint32_t>(s.mc_accesses), kMaxLobes / bucket_);
-  vertices_ = static_cast<std::uint64_t>(frame.size.x) * frame.size.y * static_cast<std::uint64_t>(s.spp) *
-              static_cast<std::uint64_t>(s.bounces);
+  vertices_ =
+      static_cast<std::uint64_t>(frame.size.x) * frame.size.y * most_samples(s) * static_cast<std::uint64_t>(s.bounces);
   make_buffers(s);
   if (forget_) frame_ = 0;
   ++frame_;

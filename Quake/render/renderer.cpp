@@ -270,7 +270,6 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.technique_view = shows_view();
   constants.previous_gbuffer = previous_valid && !snapshot.cut;
   denoiser.fill(constants, snapshot, settings, scene == last_scene);
-  if (info->counts_samples) constants.history_gain = 1;
   constants.spp *= static_cast<int>(constants.history_gain);
   const uvec2 smooth = Denoiser::smooth_size(render_size, output_size, settings);
   constants.smooth_width = smooth.x;

@@ -28,9 +28,8 @@ void SeenGrid::add_fold(PassList& list, ShaderSet& shaders) {
 
 std::uint32_t seen_stride(uvec2 size, const RenderSettings& settings) {
   // A vertex sends one ray; all of a frame's in one cell still fit.
-  const std::uint64_t rays = std::uint64_t{size.x} * size.y * static_cast<std::uint64_t>(settings.spp) *
-                             static_cast<std::uint64_t>(std::max(settings.bounces, 1)) *
-                             static_cast<std::uint64_t>(std::max(settings.first_spp, 1));
+  const std::uint64_t rays = std::uint64_t{size.x} * size.y * most_samples(settings) *
+                             static_cast<std::uint64_t>(std::max(settings.bounces, 1));
   return static_cast<std::uint32_t>(
       std::bit_ceil(std::min<std::uint64_t>(rays / (shared::kSeenRay / 2) + 1, 1u << 30)));
 }

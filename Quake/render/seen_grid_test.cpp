@@ -133,6 +133,7 @@ TEST(SeenStride, NoCounterOverflows) {
       RenderSettings s;
       s.spp = spp;
       s.bounces = 3;
+      s.denoise = 1;
       const std::uint64_t stride = seen_stride(size, s);
       EXPECT_EQ(stride & (stride - 1), 0u);
       const double rays = double(size.x) * size.y * spp * s.bounces * s.first_spp / static_cast<double>(stride);

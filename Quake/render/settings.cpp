@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "render/debug_views.h"
 
 namespace fb::render {
@@ -73,6 +75,11 @@ RenderSettings as_in_game(RenderSettings settings) {
   if (settings.local_exposure < 0) settings.local_exposure = kLocalExposure;
   if (settings.bloom < 0) settings.bloom = kBloom;
   return settings;
+}
+
+std::uint64_t most_samples(const RenderSettings& settings) {
+  const int first = settings.denoise > 0 ? std::max(settings.first_spp, 1) : 1;
+  return static_cast<std::uint64_t>(std::max(settings.spp, 1)) * static_cast<std::uint64_t>(first);
 }
 
 EmissionScales emission_scales(const RenderSettings& s) {

@@ -2,6 +2,7 @@
 // (register_render_cvars) and the laboratory's --set come from them.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "console/console.h"
@@ -39,6 +40,9 @@ void copy_settings(const RenderSettings& settings, Block& block) {
   FB_RENDER_SETTINGS(FB_COPY)
 #undef FB_COPY
 }
+
+// Paths of a pixel in a frame, at most: with the denoiser a frame without a past has r_first_spp times as many.
+std::uint64_t most_samples(const RenderSettings& settings);
 
 // Emission factors by kind, as GpuScene wants them.
 EmissionScales emission_scales(const RenderSettings& settings);

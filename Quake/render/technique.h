@@ -69,7 +69,6 @@ struct TechniqueInfo {
   Bias bias;
   std::unique_ptr<Technique> (*make)(const TechniqueTools& tools, std::string_view name);
   bool learns = false;                         // keeps what it learnt from frame to frame
-  bool counts_samples = false;                 // its memory has room for r_spp samples of a pixel, no more
   bool wants_lights = false;                   // the list of lights (kBindLights)
   bool wants_previous_gbuffer = false;         // kBindPreviousGBuffer
   std::uint32_t views = shared::kViewOfFrame;  // the debug views that it draws itself: their owner

@@ -25,14 +25,12 @@ const std::vector<TechniqueInfo>& techniques() {
        .bias = Bias::kUnbiased,
        .make = make_guided_technique,
        .learns = true,
-       .counts_samples = true,
        .views = shared::kViewOfGuide},
       {.name = "mcpg_nee",
        .description = "mcpg that looks for lights as nee does, and learns what this leaves; unbiased like both",
        .bias = Bias::kUnbiased,
        .make = make_guided_technique,
        .learns = true,
-       .counts_samples = true,
        .wants_lights = true,
        .views = shared::kViewOfGuide},
       {.name = "mcpg_tail",
@@ -43,7 +41,6 @@ const std::vector<TechniqueInfo>& techniques() {
        .bias = Bias::kBiased,
        .make = make_guided_tail_technique,
        .learns = true,
-       .counts_samples = true,
        .views = shared::kViewOfGuide},
   };
   return list;
