@@ -121,6 +121,32 @@ TEST_F(DenoiserTest, AFrameWithoutAPastHasMoreSamples) {
   }
 }
 
+// Light of a sample in four pixels: what few of them say of its deviation parts a rare bright one from its neighbours, and it
+// stands as a blotch.
+TEST_F(DenoiserTest, YoungPixelsShareRareLight) {
+  const scene::FrameSnapshot snapshot = scene::many_lights(400);
+  const auto make = [&](const RenderSettings& settings) { return make_renderer(settings, 96, 96); };
+  const auto reference = reference_of(make, snapshot, 96);
+  int bright[2] = {};
+  for (const bool settles : {false, true}) {
+    RenderSettings s = denoising();
+    s.jitter = 0;
+    s.light_scale = 0.5f;
+    s.first_spp = 4;
+    if (!settles) s.svgf_settle = 1;
+    auto renderer = make(s);
+    for (int frame = 0; frame < 8; ++frame) {
+      renderer->render(at_time(snapshot, frame), nullptr, s);
+      if (frame < 3) continue;
+      const std::vector<vec4> picture = renderer->read().denoised();
+      for (std::size_t i = 0; i < picture.size(); ++i)
+        if (luminance(picture[i]) > 2 * luminance(reference[i]) + 1e-3f) ++bright[settles ? 1 : 0];
+    }
+  }
+  RecordProperty("pixels", std::to_string(bright[0]) + " without, " + std::to_string(bright[1]) + " with");
+  EXPECT_LT(bright[1], bright[0] * 3 / 4);
+}
+
 TEST_F(DenoiserTest, ANormalMapTiltsNoPlane) {
   RenderSettings s = denoising();
   s.jitter = 0;

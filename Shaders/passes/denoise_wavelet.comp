@@ -93,8 +93,10 @@ void main() {
     pooled += weight;
   }
   // A pixel's own variance is a poor estimate; what its neighbours on the surface have joins it, where it is known. A pixel
-  // whose own is not takes whatever they have.
-  float luminance_scale = c.known ? 1.0 / (frame.sigma_luminance * sqrt(variance / pooled) + 1e-4) : 0.0;
+  // whose own is not takes whatever they have, and one that has been seen for few frames parts the less from them: what its
+  // deviation has not met yet would stand alone.
+  float frames = float(texel.w & 0xffu), settled = clamp((frames - 3.0) / frame.svgf_settle, 0.0, 1.0);
+  float luminance_scale = c.known ? settled / (frame.sigma_luminance * sqrt(variance / pooled) + 1e-4) : 0.0;
   vec3 sum = c.irradiance;
   float weights = 1.0, squares = c.deviation * c.deviation, ahead = c.ahead;
   for (int i = 0; i < kTaps; ++i) {

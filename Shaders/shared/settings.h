@@ -38,6 +38,7 @@
   X(float, sigma_depth, "r_svgf_sigma_depth", 0.5f, 0.01f, 100, "denoiser: edge stop by depth: distance off the pixel's plane, relative to the distance along it, at which neighbours stop mixing; larger blurs more") \
   X(float, sigma_normal, "r_svgf_sigma_normal", 16, 0, 10000, "denoiser: edge stop by normals: exponent of the cosine between two normals; larger keeps more edges") \
   X(float, sigma_luminance, "r_svgf_sigma_luminance", 4, 0.01f, 1000, "denoiser: edge stop by luminance: difference, in standard deviations, at which neighbours stop mixing; larger blurs more") \
+  X(float, svgf_settle, "r_svgf_settle", 12, 1, 255, "denoiser: frames over which the edge stop by luminance comes in where a surface has come into sight; few samples say little of their deviation") \
   X(float, svgf_mean_frames, "r_svgf_mean_frames", 256, 1, 1000000, "denoiser: number of accumulated frames at which the raw mean makes up half of a still view's picture") \
   X(float, firefly, "r_firefly", 0, 0, 1000, "denoiser: clamp samples that exceed their pixel's history by this many standard deviations; 0 clamps none") \
   X(float, light_scale, "r_light_scale", 0, 0, 1, "denoiser: width and height at which light is sampled, relative to the rendered picture's: 1, 0.5 (one pixel of four a frame, in turns), 0.33 or 0.25; 0 is 0.5 where the device is a CPU, else 1") \
