@@ -121,8 +121,8 @@ TEST_F(DenoiserTest, AFrameWithoutAPastHasMoreSamples) {
   }
 }
 
-// Light of a sample in four pixels: what few of them say of its deviation parts a rare bright one from its neighbours, and it
-// stands as a blotch.
+// Light of a sample in four pixels: what few of them say of its deviation parts a rare bright one from its neighbours,
+// and it stands as a blotch.
 TEST_F(DenoiserTest, YoungPixelsShareRareLight) {
   const scene::FrameSnapshot snapshot = scene::many_lights(400);
   const auto make = [&](const RenderSettings& settings) { return make_renderer(settings, 96, 96); };
