@@ -9,9 +9,11 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "render/test_denoiser.h"
 #include "render/test_device.h"
 #include "render/test_image.h"
 #include "scene/in_code/scenes_in_code.h"
+#include "scene/in_code/scenes_in_motion.h"
 
 namespace fb::render {
 namespace {
@@ -66,6 +68,7 @@ const std::pair<const char*, std::function<void(RenderSettings&)>> kFeatures[] =
     {"adaptive grid", [](RenderSettings& s) { s.mc_adaptive = 1, s.mc_coarser = 0; }},
     {"share not learnt", [](RenderSettings& s) { s.mc_learn_share = 0; }},
     {"scores as in the paper", [](RenderSettings& s) { s.mc_share_score = 0, s.mc_in_world = 0; }},
+    {"the paper's method", [](RenderSettings& s) { s.mc_paper = 1; }},
     {"no cache", [](RenderSettings& s) { s.mc_cache = 0; }},
     {"exponent 0", [](RenderSettings& s) { s.mc_power = 0; }},
     {"exponent 4", [](RenderSettings& s) { s.mc_power = 4; }},
@@ -101,6 +104,50 @@ TEST_F(GuideTest, FurnaceHasItsClosedFormThirtyThousandUnitsAway) {
       EXPECT_EQ(renderer->read().counters().not_finite + renderer->read().counters().states_not_finite, 0u) << name;
     }
   }
+}
+
+// A state knows how fast its light moves; where it is depends on the time that has passed, not on the number of frames.
+TEST_F(GuideTest, FollowsALightThroughFramesOfUnevenLength) {
+  const auto assets = scene::rocket_assets();
+  const auto at = [&](std::uint64_t frame) { return scene::rocket(assets, frame, 60); };
+  const std::vector<std::uint64_t> shown = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 14, 18, 22, 26}, judged = {14, 18, 22, 26};
+  const uvec2 size(96, 54);
+  std::vector<std::vector<vec4>> references;
+  for (const std::uint64_t frame : judged) {
+    RenderSettings s;
+    s.estimator = "nee";
+    s.spp = 64;
+    s.jitter = 0;
+    s.seed = 77;
+    auto renderer = make_renderer(s, size.x, size.y);
+    render_frames(*renderer, at(frame), s, 4);
+    references.push_back(renderer->read().linear());
+  }
+  std::vector<double> errors;  // of the median frame
+  for (const int predicts : {0, 1}) {
+    std::vector<double> frames;
+    for (int seed = 0; seed < 4; ++seed) {
+      const RenderSettings s = guided(2, 2, [&](RenderSettings& r) {
+        r.jitter = 0;
+        r.accumulate = 0;
+        r.seed = seed;
+        r.mc_radius = 4;
+        r.mc_predict = predicts;
+      });
+      auto renderer = make_renderer(s, size.x, size.y);
+      for (const std::uint64_t frame : shown) {
+        renderer->render(at(frame), nullptr, s);
+        const auto place = std::find(judged.begin(), judged.end(), frame);
+        if (place == judged.end()) continue;
+        const std::vector<vec4>& reference = references[static_cast<std::size_t>(place - judged.begin())];
+        frames.push_back(mean_square_difference(renderer->read().linear(), reference));
+      }
+    }
+    std::sort(frames.begin(), frames.end());
+    errors.push_back(0.5 * (frames[7] + frames[8]));
+  }
+  RecordProperty("gain", std::to_string(errors[0] / errors[1]));
+  EXPECT_LT(errors[1], 0.2 * errors[0]);
 }
 
 TEST_F(GuideTest, EveryNumberOfBouncesAndSamples) {

@@ -1,6 +1,7 @@
 // Markov chain path guiding: what it remembers from frame to frame (the table of states, the irradiance cache) and,
 // where frames must not depend on the order of threads, the proposals of a frame. Layouts: Shaders/shared/guide.h.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -35,6 +36,7 @@ class GuidedTechnique : public Technique {
     if (find_technique(name)->wants_lights) seen_.emplace(tools);
   }
 
+  RenderSettings adapt(RenderSettings settings) const override;
   void prepare(const TechniqueFrame& frame) override;
   void add_passes(const TechniquePasses& passes) override;
   void forget() override { forget_ = true; }
@@ -54,9 +56,10 @@ class GuidedTechnique : public Technique {
   gpu::Buffer uniform_, states_, proposals_, cache_;
   std::optional<SeenGrid> seen_;  // where it looks for light, too
   std::uint32_t state_count_ = 0, cell_count_ = 0;
-  std::uint64_t vertices_ = 0;               // of paths, a frame
-  std::uint32_t accesses_ = 1, bucket_ = 1;  // cells that a vertex takes states from; states in a cell
-  std::uint32_t frame_ = 0;                  // since it forgot
+  std::uint64_t vertices_ = 0;                       // of paths, a frame
+  std::uint32_t accesses_ = 1, bucket_ = 1;          // cells that a vertex takes states from; states in a cell
+  std::uint32_t frame_ = 0;                          // since it forgot
+  std::array<double, shared::kPastFrames> times_{};  // of the last frames, by their numbers
   bool resolve_ = false;
   bool forget_ = true;
 };
@@ -91,6 +94,11 @@ void GuidedTechnique::fill_constants(const TechniqueFrame& frame) {
   const RenderSettings& s = frame.settings;
   shared::GuideConstants c{};
   copy_settings(s, c);
+  times_[frame_ % shared::kPastFrames] = frame.time;
+  for (std::uint32_t age = 0; age < std::min(frame_, shared::kPastFrames); ++age) {
+    const double elapsed = frame.time - times_[(frame_ - age) % shared::kPastFrames];
+    c.elapsed[age / 4][static_cast<int>(age % 4)] = static_cast<float>(std::clamp(elapsed, 0.0, 1.0));
+  }
   const float angle = std::tan(radians(s.mc_angle));
   c.adaptive_angle = std::max(angle, s.mc_pixels * frame.pixel_tangent);
   c.cache_angle = std::max(2 * angle, s.mc_cache_pixels * frame.pixel_tangent);
@@ -107,6 +115,24 @@ void GuidedTechnique::fill_constants(const TechniqueFrame& frame) {
   c.frame_number = frame_;
   c.seen_stride = seen_stride(frame.size, s);
   std::memcpy(uniform_.mapped(), &c, sizeof(c));
+}
+
+// Alber 2025: Table 1, Alg. 1 to 3 and Section 5, as far as they say. The probability of the BSDF is "low" there.
+RenderSettings GuidedTechnique::adapt(RenderSettings settings) const {
+  if (settings.mc_paper == 0) return settings;
+  settings.mc_bucket = 1;
+  settings.mc_accesses = 5;
+  settings.mc_adaptive = 0.7f;
+  settings.mc_wider = 1;
+  settings.mc_pixels = 0;
+  settings.mc_radius = 1;
+  settings.mc_learn_share = 0;
+  settings.mc_share = 0.9f;
+  settings.mc_share_score = 0;
+  settings.mc_in_world = 0;
+  settings.mc_loss = 1;
+  settings.mc_predict = 1;
+  return settings;
 }
 
 void GuidedTechnique::prepare(const TechniqueFrame& frame) {
@@ -147,6 +173,7 @@ class GuidedTailTechnique : public GuidedTechnique {
  public:
   using GuidedTechnique::GuidedTechnique;
   RenderSettings adapt(RenderSettings settings) const override {
+    settings = GuidedTechnique::adapt(settings);
     settings.bounces = settings.bounces > 0 ? 2 : 0;
     settings.mc_cache = 1;
     return settings;

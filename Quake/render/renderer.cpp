@@ -384,7 +384,7 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   generation = snapshot.assets->generation;
   const CameraFrame camera = camera_frame(snapshot.camera, render_size.x, render_size.y);
   const uvec2 lit = Denoiser::light_size(render_size, denoiser.light_block(settings));
-  technique->prepare({settings, lit, 2 * half_pixel_tangent(camera, render_size.y)});
+  technique->prepare({settings, lit, 2 * half_pixel_tangent(camera, render_size.y), snapshot.time});
   overlay.prepare(draw, output_size.x, output_size.y);
   fill_constants(snapshot, settings);
   table.flush();

@@ -27,6 +27,7 @@ struct TechniqueFrame {
   const RenderSettings& settings;  // as Technique::adapt left them
   uvec2 size;                      // pixels at which light is sampled
   float pixel_tangent;             // tangent of the angle that a pixel subtends
+  double time;                     // of the scene, seconds
 };
 
 // What it adds its passes from.

@@ -198,9 +198,13 @@ FB_FN vec4 bound_moments(vec4 m, float largest) {
   return most > largest ? m * (largest / most) : m;
 }
 
+FB_CONST uint kPastFrames = 32u;    // whose times are known
+FB_CONST uint kTrustedFrames = 8u;  // for which a light is thought to keep its velocity
+
 // The technique's uniform block. Settings as they hold in this frame: sizes are powers of two, probabilities of guiding
 // leave room for the BSDF, and the shares that train grow with the samples of a pixel.
 struct GuideConstants {
+  vec4 elapsed[kPastFrames / 4u];  // seconds since the frame that is so many frames old
   FB_GUIDE_SETTINGS(FB_UNIFORM_FIELD)
   FB_LIGHT_SETTINGS(FB_UNIFORM_FIELD)
   float adaptive_angle;  // tangent of the angle that an adaptive cell subtends

@@ -207,7 +207,7 @@ const Row kFeatures[] = {
     {"one_light", "mcpg", {"r_mc_learn_share=0", "r_mc_share=0.98"}, warm(), 2},
     {"one_light", "mcpg", {"r_mc_score=0"}, warm(), 2},
     {"one_light", "mcpg", {"r_mc_world=0"}, warm(), 2},
-    {"one_light", "mcpg", {"r_mc_accesses=5", "r_mc_bucket=1"}, warm(), 2},
+    {"one_light", "mcpg", {"r_mc_paper=1"}, warm(), 2},
     {"candles", "mcpg", {"r_mc_train=1"}, warm(), 4},
     {"many", "mcpg", {"r_mc_states=1024", "r_mc_cells=1024"}, warm(), 2},
     {"many", "mcpg", {"r_mc_adaptive=1", "r_mc_coarser=0"}, warm(), 2},

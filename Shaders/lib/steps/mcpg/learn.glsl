@@ -59,9 +59,7 @@ void update_state(Vertex v, Transition t, vec3 hit_position, vec3 velocity, floa
   if (!(dot(to_target, to_target) > 1e-6)) return;
   float scale = view_state(s, to_target, v.scatter).scale;
   bool seen = score > 0.0 && t.value >= 0.1 * s.weight * scale;
-  // The light is gone: nothing where it should be, and nobody saw it in the former frame (Alber 2025, Section 5).
-  bool lost = guide.mc_loss != 0 && t.matched && t.near && t.value < 0.02 * s.weight * scale &&
-              guide_age(s) > 1u;
+  bool lost = is_lost(t, scale);
   if (seen) s.target = expected;
   s = update_guide_state(s, v.position, hit_position, t.value / scale, score > 0.0 ? emitted / score : 0.0,
                          guide.mc_alpha, float(guide.mc_count), guide.mc_in_world != 0);
@@ -88,7 +86,7 @@ void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout 
 
   Transition t;
   bool accepted;
-  if (GUIDE_BUCKET == 1u) accepted = paper_transition(v, g, score, path.group_rng, rng, t);
+  if (GUIDE_BUCKET == 1u) accepted = paper_transition(v, g, p.direction, score, path.group_rng, rng, t);
   else accepted = bucket_transition(v, g, position, score, emitted, rng, t);
   if (accepted) update_state(v, t, position, velocity, score, emitted, path.vertex);
 }

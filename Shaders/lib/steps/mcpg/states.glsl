@@ -59,11 +59,12 @@ void store_guide_state(GuideState s, uint at, uint proposal) {
 
 uint guide_age(GuideState s) { return (guide.frame_number - s.time) & 0xffffu; }
 
-// Where its light should be now (Alber 2025, eq. 10), for the few frames that this can be trusted.
+// Where its light should be now (Alber 2025, eq. 10), for the few frames that this can be trusted. The paper's method has no
+// such limit: there it is the last frame whose time is known.
 vec3 predicted_target(GuideState s) {
-  uint age = guide_age(s);
-  bool moves = guide.mc_predict != 0 && age <= 8u;
-  return moves ? s.target + s.velocity * (float(age) * max(frame.time - frame.prev_time, 0.0)) : s.target;
+  uint age = guide_age(s), last = guide.mc_paper != 0 ? kPastFrames - 1u : kTrustedFrames;
+  bool moves = guide.mc_predict != 0 && age <= last;
+  return moves ? s.target + s.velocity * guide.elapsed[(age % kPastFrames) / 4u][age % 4u] : s.target;
 }
 
 GuideView view_state(GuideState s, vec3 to_target, Scatter at) {

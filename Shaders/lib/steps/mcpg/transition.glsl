@@ -3,6 +3,8 @@
 #define FB_MCPG_TRANSITION
 #include "lib/steps/mcpg/propose.glsl"
 
+const float kLeastOfWeight = 0.02;  // of what a state expects: less is nothing
+
 struct Transition {
   GuideState state;  // that learns
   float value;       // its score of the sample
@@ -10,4 +12,10 @@ struct Transition {
   bool matched;      // the state that is there explains the direction
   bool near;         // the direction is nearer to its lobe's mean than its mean cosine
 };
+
+// The light is gone: nothing where it should be, and nobody saw it in the former frame (Alber 2025, Section 5). `scale`: of the
+// state as it is seen from the vertex.
+bool is_lost(Transition t, float scale) {
+  return guide.mc_loss != 0 && t.matched && t.near && t.value < kLeastOfWeight * t.state.weight * scale && guide_age(t.state) > 1u;
+}
 #endif

@@ -4,12 +4,20 @@
 #define FB_MCPG_TRANSITION_PAPER
 #include "lib/steps/mcpg/transition.glsl"
 
-bool paper_transition(Vertex v, Guidance g, float score, inout uint group_rng, inout uint rng, out Transition t) {
-  t.matched = t.near = false;
-  if (rng_uniform(rng) * (g.all / float(kGuideLobes)) >= score) return false;
-  if (g.choice.state != kNoIndex) t.state = load_guide_state(g.choice.state);
-  else t.state = empty_guide_state();
+bool paper_transition(Vertex v, Guidance g, vec3 direction, float score, inout uint group_rng, inout uint rng, out Transition t) {
+  bool guided = g.choice.state != kNoIndex;
+  t.matched = guided;
+  t.near = guided && vmf_one_minus_cosine(g.choice.lobe.mu, direction) * g.choice.lobe.kappa < 1.0;
   t.value = score;
+  if (guided) t.state = load_guide_state(g.choice.state);
+  else t.state = empty_guide_state();
+  if (rng_uniform(rng) * (g.all / float(kGuideLobes)) >= score) {
+    // Not accepted: at most it says that the state's own light is gone.
+    t.slot = g.choice.state;
+    t.check = t.state.check;
+    vec3 to_light = predicted_target(t.state) - v.position;
+    return t.near && dot(to_light, to_light) > 1e-6 && is_lost(t, view_state(t.state, to_light, v.scatter).scale);
+  }
   bool adaptive = rng_uniform(group_rng) < guide.mc_adaptive;
   uint access = min(uint(rng_uniform(group_rng) * float(GUIDE_ACCESSES)), GUIDE_ACCESSES - 1u);
   GuideCell cell = guide_cell(v.position, scatter_axis(v.scatter), adaptive, access, group_rng);
