@@ -25,8 +25,10 @@ uint shown_word(uint parity, uint at) {
   return history_shown(frame.width * frame.height, frame.smooth_width * frame.smooth_height, parity) + at;
 }
 
-// Eight bits that tell instances apart.
-uint surface_name(uint id) { return hash_u32(id) >> 24u; }
+// Eight bits that tell instances apart, and a liquid from the ground about it: what it mirrors is not the light that falls
+// there, though both may lie in one plane. `words`: the texel's fourth quad.
+bool is_liquid(uvec4 words) { return (words.w & kTexelLiquid) != 0u; }
+uint surface_name(uvec4 words) { return hash_u32(words.z ^ (is_liquid(words) ? 0x80000000u : 0u)) >> 24u; }
 
 // Not finite: counted, and as good as black.
 vec3 checked_irradiance(vec3 x) {

@@ -17,5 +17,5 @@ void main() {
   bool lit = inside && depth > 0.0 && max(r.factor.x, max(r.factor.y, r.factor.z)) > 0.0;
   vec3 x = checked_irradiance(demodulate(radiance.at[at].rgb - r.emission, r.factor));
   uint surface = pack_surface(at_middle(1.0 / max(depth, 1e-3), plane_slope(geometric, ray)), geometric);
-  history.at[to] = lit ? uvec4(packHalf2x16(x.rg), packHalf2x16(vec2(x.b, 0.0)) | (surface_name(words.z) << 16u), surface, 0u) : uvec4(0u);
+  history.at[to] = lit ? uvec4(packHalf2x16(x.rg), packHalf2x16(vec2(x.b, 0.0)) | (surface_name(words) << 16u), surface, 0u) : uvec4(0u);
 }

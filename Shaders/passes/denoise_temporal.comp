@@ -105,7 +105,7 @@ void main() {
   vec4 motion = uintBitsToFloat(gbuffer_quad(at, 4u));
   vec3 ray = camera_direction(vec2(pixel) + 0.5);
   Reflector r = reflector(at, words, ray);
-  uint id = surface_name(words.z);
+  uint id = surface_name(words);
   vec3 geometric = unpack_direction(words.x);
   vec2 slope = plane_slope(geometric, ray);
   float inverse_depth = at_middle(1.0 / max(motion.z, 1e-3), slope), depth_before = frame.still != 0u ? motion.z : motion.w;
@@ -146,7 +146,7 @@ void main() {
   float ahead = h.frames == 0.0 ? 0.0 : mean - luminance_of(irradiance);
   float random = float(rng_seed(at, frame.frame, 0u, 0u) >> 8u) * (1.0 / 16777216.0);
   uvec4 filter_texel = uvec4(pack_rgb9e5(irradiance, random), packHalf2x16(vec2(deviation, ahead)), pack_surface(inverse_depth, unpack_direction(words.y)),
-                             uint(frames + 0.5) | (id << 8u) | (pack_coarse_normal(geometric) << 16u));
+                             uint(frames + 0.5) | (id << 8u) | (pack_coarse_normal(geometric) << 16u) | (is_liquid(words) ? kFilterLiquid : 0u));
   uint moments = packHalf2x16(vec2(mean, sqrt(mean_square)));
   if (known) write_texels(at, filter_texel, moments, pack_surface(inverse_depth, geometric));
   else write_texels(at, uvec4(0u), 0u, 0u);

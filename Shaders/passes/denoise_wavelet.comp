@@ -16,6 +16,7 @@ struct Tap {
   float luminance, deviation, ahead, inverse_depth;
   bool known;  // its deviation
   vec3 normal, geometric;
+  bool liquid;
 };
 Tap unpack_tap(uvec4 texel) {
   vec2 deviation_ahead = unpackHalf2x16(texel.y);
@@ -28,6 +29,7 @@ Tap unpack_tap(uvec4 texel) {
   tap.known = tap.deviation <= kMaxDeviation;
   tap.normal = unpack_surface_normal(texel.z);
   tap.geometric = unpack_coarse_normal(texel.w >> 16u);
+  tap.liquid = (texel.w & kFilterLiquid) != 0u;
   return tap;
 }
 
@@ -87,7 +89,7 @@ void main() {
     taps[i] = unpack_tap(history_quad(source + uint(p.y * size.x + p.x)));
     float expected = c.inverse_depth * (1.0 + dot(slope, vec2(p - ivec2(pixel))));
     shape[i] = abs(taps[i].inverse_depth - expected) * depth_scale + parted(taps[i], c);
-    if (taps[i].inverse_depth == 0.0) shape[i] = 1e3;
+    if (taps[i].inverse_depth == 0.0 || taps[i].liquid != c.liquid) shape[i] = 1e3;
     float weight = taps[i].known ? falloff(shape[i]) : 0.0;
     variance += weight * taps[i].deviation * taps[i].deviation;
     pooled += weight;

@@ -21,11 +21,12 @@ FB_FN uint history_shown(uint pixels, uint shown, uint parity) {
 // luminance and root of its mean square; w: pack_surface of the geometric normal. FilterTexel: x: irradiance,
 // pack_rgb9e5; y: half2 standard deviation of its luminance, what recent frames' mean luminance is above its; z:
 // pack_surface of the shading normal, 0: nothing to filter; w: frames (8 bits), id (8 bits), pack_coarse_normal of the
-// geometric normal. PictureTexel: x: half2 denoised radiance r, g; y: half b, above it how much of the history is to be
-// kept, of 255. LightTexel: x, y as of HistoryTexel, without frames; z: pack_surface of the geometric normal, 0: no
-// sample.
+// geometric normal, kFilterLiquid. PictureTexel: x: half2 denoised radiance r, g; y: half b, above it how much of the
+// history is to be kept, of 255. LightTexel: x, y as of HistoryTexel, without frames; z: pack_surface of the geometric
+// normal, 0: no sample.
 
-FB_CONST float kMaxIrradiance = 60000.0f;  // of a half, with room
+FB_CONST uint kFilterLiquid = 0x80000000u;  // in FilterTexel.w: the surface of a liquid
+FB_CONST float kMaxIrradiance = 60000.0f;   // of a half, with room
 FB_CONST float kMaxHalf = 65504.0f;
 FB_CONST float kMaxDeviation = 30000.0f;
 FB_CONST float kUnknownDeviation = 60000.0f;  // too few frames to tell

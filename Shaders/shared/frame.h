@@ -62,6 +62,8 @@ struct NeeConstants {
   uint seen_stride;  // of this many shadow rays one is remembered; a power of two
 };
 
+FB_CONST uint kTexelLiquid = 0x800000u;  // the surface of a liquid
+
 // In memory five planes, four words of every pixel in each.
 struct GBufferTexel {  // 80 bytes
   vec4 position_t;     // world position; w: distance along the ray, 0 where nothing was hit
@@ -69,7 +71,7 @@ struct GBufferTexel {  // 80 bytes
   vec4 emission_specular;       // rgb radiance towards the camera
   uint normal, shading_normal;  // octahedral; both face the camera
   uint id;                      // scene::Instance::id
-  uint material_metalness;      // material in the low 24 bits, metalness * 255 above
+  uint material_metalness;      // material in the low 23 bits, kTexelLiquid, metalness * 255 above
   vec4 motion;                  // xy: previous minus current position in pixels; z, w: view depth now and before
 };
 
