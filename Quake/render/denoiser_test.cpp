@@ -85,7 +85,6 @@ TEST_F(DenoiserTest, ErrorFallsAtOneSample) {
   EXPECT_GT(late, 49);
 }
 
-// A normal map turns what is shaded, not the plane on which neighbours are looked for.
 TEST_F(DenoiserTest, AFrameWithoutAPastHasMoreSamples) {
   const scene::FrameSnapshot snapshot = scene::cornell_box();
   const auto make = [&](const RenderSettings& settings) { return make_renderer(settings, 48, 48); };
@@ -147,6 +146,45 @@ TEST_F(DenoiserTest, YoungPixelsShareRareLight) {
   EXPECT_LT(bright[1], bright[0] * 3 / 4);
 }
 
+// A puddle lies in the plane of its floor; what it mirrors is not the light that falls on the ground beside it.
+TEST_F(DenoiserTest, APuddleSharesNothingWithItsFloor) {
+  RenderSettings s = denoising();
+  s.jitter = 0;
+  double error[2] = {};
+  for (const bool liquid : {false, true}) {
+    scene::FrameSnapshot snapshot = scene::cornell_box();
+    auto assets = std::make_shared<scene::Assets>(*snapshot.assets);
+    assets->generation = scene::next_generation();
+    scene::Mesh& room = assets->meshes[snapshot.instances[0].mesh];
+    const auto puddle = static_cast<std::uint32_t>(assets->materials.size());
+    assets->materials.push_back(assets->materials[room.triangles[0].material]);
+    assets->materials[puddle].base_color = vec3(0.02f);
+    assets->materials[puddle].specular = 0.5f;
+    assets->materials[puddle].roughness = 0.1f;
+    assets->materials[puddle].flags |= scene::kMaterialWarp | (liquid ? scene::kMaterialLiquid : 0u);
+    room.triangles[1].material = puddle;  // half of the floor
+    const auto bright = static_cast<std::uint32_t>(assets->materials.size());
+    assets->materials.push_back(
+        {.name = "bright", .emission = vec3(20.0f), .emission_kind = scene::EmissionKind::kConstant});
+    room.triangles[4].material = room.triangles[5].material = bright;  // the wall that the puddle mirrors
+    snapshot.assets = assets;
+    const auto make = [&](const RenderSettings& settings) { return make_renderer(settings, 96, 96); };
+    const auto reference = reference_of(make, snapshot, 48);
+    auto renderer = make(s);
+    for (int frame = 0; frame < 16; ++frame) renderer->render(at_time(snapshot, frame), nullptr, s);
+    const std::vector<vec4> picture = renderer->read().denoised();
+    const auto gbuffer = renderer->read().gbuffer();
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+      if ((gbuffer[i].material_metalness & 0x7fffffu) != room.triangles[0].material) continue;
+      const double relative = (luminance(picture[i]) - luminance(reference[i])) / (luminance(reference[i]) + 1e-2);
+      error[liquid ? 1 : 0] += relative * relative;
+    }
+  }
+  RecordProperty("error", std::to_string(error[0]) + " as one surface, " + std::to_string(error[1]) + " as a liquid");
+  EXPECT_LT(error[1], error[0] * 0.75);
+}
+
+// A normal map turns what is shaded, not the plane on which neighbours are looked for.
 TEST_F(DenoiserTest, ANormalMapTiltsNoPlane) {
   RenderSettings s = denoising();
   s.jitter = 0;
