@@ -164,8 +164,9 @@ TEST_F(DenoiserTest, APuddleSharesNothingWithItsFloor) {
     assets->materials[puddle].flags |= scene::kMaterialWarp | (liquid ? scene::kMaterialLiquid : 0u);
     room.triangles[1].material = puddle;  // half of the floor
     const auto bright = static_cast<std::uint32_t>(assets->materials.size());
-    assets->materials.push_back(
-        {.name = "bright", .emission = vec3(20.0f), .emission_kind = scene::EmissionKind::kConstant});
+    assets->materials.emplace_back();
+    assets->materials[bright].emission = vec3(20.0f);
+    assets->materials[bright].emission_kind = scene::EmissionKind::kConstant;
     room.triangles[4].material = room.triangles[5].material = bright;  // the wall that the puddle mirrors
     snapshot.assets = assets;
     const auto make = [&](const RenderSettings& settings) { return make_renderer(settings, 96, 96); };

@@ -12,8 +12,10 @@
 #include "render/test_denoiser.h"
 #include "render/test_device.h"
 #include "render/test_image.h"
+#include "scene/in_code/code_scene_parts.h"
 #include "scene/in_code/scenes_in_code.h"
 #include "scene/in_code/scenes_in_motion.h"
+#include "scene/shapes.h"
 
 namespace fb::render {
 namespace {
@@ -148,6 +150,37 @@ TEST_F(GuideTest, FollowsALightThroughFramesOfUnevenLength) {
   }
   RecordProperty("gain", std::to_string(errors[0] / errors[1]));
   EXPECT_LT(errors[1], 0.2 * errors[0]);
+}
+
+// A face of sky near by shows a sun that is far off: what one point learns of it must serve its neighbours.
+TEST_F(GuideTest, ASunIsADirection) {
+  auto assets = scene::new_code_assets();
+  const std::uint32_t ground = scene::add_material(*assets, "ground", vec3(0.5f));
+  const std::uint32_t sky = scene::add_material(*assets, "sky", vec3(0.0f), vec3(1.0f));
+  assets->materials[sky].emission_kind = scene::EmissionKind::kSky;
+  scene::Mesh place;
+  scene::add_quad(place, {-512, -512, 0}, {1024, 0, 0}, {0, 1024, 0}, ground);
+  scene::add_quad(place, {-768, -768, 160}, {0, 1536, 0}, {1536, 0, 0}, sky);
+  scene::FrameSnapshot snapshot = scene::still(assets, scene::camera_at({-200, 0, 120}, {40, 0, 0}, 90));
+  snapshot.instances.push_back(
+      scene::make_instance(scene::kIdWorld, scene::add_finished(*assets, std::move(place), "place")));
+  snapshot.sky.mode = scene::SkyMode::kConstant;
+  snapshot.sky.color = vec3(0.0f);
+  snapshot.sky.suns = {{glm::normalize(vec3(0.5f, 0.2f, 1.0f)), vec3(1000), 1.5f}};
+  double variance[2] = {};
+  for (const bool guides : {false, true}) {
+    RenderSettings s = guided(1, 1, [](RenderSettings& r) { r.accumulate = 0; });
+    if (!guides) s.estimator = "pt";
+    auto renderer = make_renderer(s, 96, 54);
+    render_frames(*renderer, snapshot, s, 24);
+    for (int frame = 0; frame < 8; ++frame) {
+      renderer->render(snapshot, nullptr, s);
+      const ImageEstimate e = image_estimate(renderer->read().linear());
+      variance[guides ? 1 : 0] += e.error * e.error;
+    }
+  }
+  RecordProperty("gain", std::to_string(variance[0] / variance[1]));
+  EXPECT_GT(variance[0] / variance[1], 50);
 }
 
 TEST_F(GuideTest, EveryNumberOfBouncesAndSamples) {

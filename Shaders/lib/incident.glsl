@@ -6,6 +6,7 @@
 struct Incident {
   vec3 origin;      // of the ray
   Hit hit;          // instance kNoIndex: nothing was met
+  bool sky;         // the light is from far behind it
   vec3 emission;    // radiance that is emitted there: the share that this ray stands for
   vec3 reflection;  // and reflected, as far as the field knows
   Field field;      // about the point that was met; about the ray's own vertex where there is none

@@ -62,8 +62,10 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
     if (dark && !kLearns) break;
     Surface s;
     s.emission = vec3(0.0);
+    s.sky = true;
     if (!dark || !kLearns) s = load_surface(incident.hit, proposal.direction, kFilterNearest, path.last);
     if (kLooksForLight) s.emission *= met_share(incident.hit, proposal, s.emission);
+    incident.sky = s.sky;
     incident.emission = s.emission;
     incident.reflection = vec3(0.0);
     incident.field = here;

@@ -15,6 +15,7 @@ struct Surface {
   vec3 emission;
   Bsdf bsdf;
   uint material;
+  bool sky;  // it shows the sky, which is far behind it
 };
 
 vec3 rows_times_point(vec4 x, vec4 y, vec4 z, vec3 p) {
@@ -196,6 +197,7 @@ Surface load_surface(Hit hit, vec3 direction, uint filter_kind, bool end_of_path
     }
   }
   if (sky) s.emission = sky_radiance(direction) * sky_factor;
+  s.sky = sky;
   return s;
 }
 #endif

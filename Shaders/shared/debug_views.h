@@ -43,7 +43,9 @@ FB_CONST uint kViewOfFormer = 2u;
   X(kViewGuideCache, 27u, kViewOfGuide, "guide_cache", "path guiding: the irradiance cache") \
   X(kViewGuideSampler, 28u, kViewOfGuide, "guide_sampler", "path guiding: what was sampled: a lobe, or the BSDF") \
   X(kViewGuideShare, 29u, kViewOfGuide, "guide_share", "path guiding: probability of guiding") \
-  X(kViewNotFinite, 30u, kViewOfFrame, "not_finite", "pixels with samples that were not finite, in red")
+  X(kViewNotFinite, 30u, kViewOfFrame, "not_finite", "pixels with samples that were not finite, in red") \
+  X(kViewGuideIncident, 31u, kViewOfGuide, "guide_incident", "path guiding: light by direction at the picture's middle, and the density it is sampled with") \
+  X(kViewGuideCover, 32u, kViewOfGuide, "guide_cover", "path guiding: the sampler's view; linear pictures hold second moments (testdemos/coverage.py)")
 // clang-format on
 
 #define FB_VIEW_CONSTANT(constant, number, owner, name, help) FB_CONST uint constant = number;

@@ -101,6 +101,8 @@ FB_FN GuideState add_guide_motion(GuideState s, uvec2 words) {
   return s;
 }
 
+FB_CONST float kPriorAngle = 0.005f;  // tangent of half the angle that a light is thought to fill at least
+
 // How a state's light looks from a point.
 struct GuideView {
   vec3 direction;  // to its mean, unit
@@ -121,7 +123,8 @@ FB_FN GuideView view_guide_state(GuideState s, vec3 to_target, float cosine, flo
   v.direction = to_target * (1.0f / sqrt(v.distance2));
   float n = max(float(s.count), 1.0f), n2 = n * n;
   if (in_world) {
-    float extent2 = (n2 * s.spread + radius2) / (n2 + 1.0f);
+    float prior = max(radius2, kPriorAngle * kPriorAngle * v.distance2);
+    float extent2 = (n2 * s.spread + prior) / (n2 + 1.0f);
     float reach2 = v.distance2 + extent2;
     v.spread = extent2 / reach2;
     v.scale = max(cosine, 0.1f) / reach2;

@@ -349,7 +349,8 @@ TEST(GuideView, IsThatOfLongDoubleFromAnyDistance) {
     const Real n = std::max(static_cast<Real>(s.count), 1.0L), n2 = n * n, r2 = static_cast<Real>(radius2);
     Real spread, scale = 1;
     if (in_world) {
-      const Real extent2 = (n2 * static_cast<Real>(s.spread) + r2) / (n2 + 1);
+      const Real angle = static_cast<Real>(kPriorAngle), prior = std::max(r2, angle * angle * d2);
+      const Real extent2 = (n2 * static_cast<Real>(s.spread) + prior) / (n2 + 1);
       spread = extent2 / (d2 + extent2);
       scale = std::max(static_cast<Real>(cosine), static_cast<Real>(0.1f)) / (d2 + extent2);
     } else {

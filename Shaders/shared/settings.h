@@ -27,7 +27,7 @@
   X(float, bloom, "r_bloom", -1, -1, 1, "bloom: share of the light that spreads about where it falls, as in a lens; -1: 0.04 in the game, 0 in the laboratory") \
   X(int, tone_map, "r_tonemap", 1, 0, 1, "tone mapping: 0 clamps at white, 1 is a filmic curve that keeps colours") \
   X(int, fxaa, "r_fxaa", 1, 0, 1, "anti-alias the finished picture by FXAA (unless r_taa does)") \
-  X(int, debug_view, "r_debug", 0, 0, 30, "show a buffer in the place of the picture, by name or number; Misc/docs/settings.md lists them")
+  X(int, debug_view, "r_debug", 0, 0, 32, "show a buffer in the place of the picture, by name or number; Misc/docs/settings.md lists them")
 
 // Rows of FrameConstants, for the denoiser's passes.
 #define FB_DENOISER_SETTINGS(X) \

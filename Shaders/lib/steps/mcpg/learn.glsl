@@ -10,7 +10,6 @@
 
 const bool kLearns = true;
 const bool kFollowsMotion = true;
-const float kFarTarget = 32768.0;  // as far as a map reaches: where light from beyond is thought to be
 
 const uint kYoungFrames = 32u;
 const uint kManyPaths = 16u;  // of a pixel: a share of them is enough, and a cell's sums have no room for all
@@ -46,6 +45,13 @@ void learn_waste(Guidance g, Path path) {
     list_touched(entry, atomicAdd(guide_cache.at[entry + kCacheTouched], 1u));
 }
 
+// Light of the sky is a direction, from wherever it is seen: its target is as far off as a map's coordinates reach.
+vec3 target_of(Incident incident, vec3 direction) {
+  vec3 away = (kTargetLimit - incident.origin * sign(direction)) / max(abs(direction), 1e-6);
+  float end = min(away.x, min(away.y, away.z));
+  return incident.origin + direction * (incident.sky ? max(end, 0.0) : incident.hit.t);
+}
+
 vec3 hit_velocity(Hit hit, vec3 position) {
   if (hit.instance == kNoIndex || (instance_at(hit.instance).flags & kInstanceMoves) == 0u) return vec3(0.0);
   return (position - previous_position(hit)) / max(frame.time - frame.prev_time, 1e-4);
@@ -76,7 +82,7 @@ void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout 
   bool trains = trains_here(g, path);
   bool is_new = g.choice.state == kNoIndex && !g.slot.matched && incident.emission != vec3(0.0);
   if (!trains && !is_new) return;
-  vec3 position = incident.origin + p.direction * min(incident.hit.t, kFarTarget);
+  vec3 position = target_of(incident, p.direction);
   vec3 velocity = hit_velocity(incident.hit, position);
 
   float emitted = luminance(p.weight * incident.emission);

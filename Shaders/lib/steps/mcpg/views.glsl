@@ -1,7 +1,10 @@
 // Step `views`: what is known at the first vertex, as colours (shared/debug_views.h, kViewOfGuide).
 #ifndef FB_MCPG_VIEWS
 #define FB_MCPG_VIEWS
+#include "lib/first_vertex.glsl"
+#include "lib/incident.glsl"
 #include "lib/steps/mcpg/propose.glsl"
+#include "shared/tone.h"
 
 vec3 heat(float x) { return clamp(vec3(1.5 - abs(4.0 * x - 3.0), 1.5 - abs(4.0 * x - 2.0), 1.5 - abs(4.0 * x - 1.0)), 0.0, 1.0); }
 vec3 cell_color(uint h) {
@@ -9,7 +12,7 @@ vec3 cell_color(uint h) {
   return vec3(h & 255u, (h >> 8u) & 255u, (h >> 16u) & 255u) / 255.0;
 }
 
-// The state of most weight in the finest cell about a vertex, that cell, and whether other cells' states lie in its slots.
+// The state of most weight in a cell, that cell, and whether other cells' states lie in its slots.
 GuideState strongest_state(Vertex v, GuideCell cell, out bool collides) {
   GuideState best = empty_guide_state();
   collides = false;
@@ -21,10 +24,70 @@ GuideState strongest_state(Vertex v, GuideCell cell, out bool collides) {
   return best;
 }
 
+// What a ray from a vertex meets: the light of it that guiding is for.
+vec3 light_met(Vertex v, Field here, Proposal p, Path path, inout uint rng) {
+  Hit hit = trace_from(v, p.direction, kRayEnd, rng);
+  Surface s = load_surface(hit, p.direction, kFilterNearest, false);
+  if (kLooksForLight) s.emission *= met_share(hit, p, s.emission);
+  if (hit.instance == kNoIndex || frame.bounces <= 1u) return s.emission;
+  Vertex next = surface_vertex(s, -p.direction);
+  return s.emission + field_reflection(field_at(next, path), here, next);
+}
+
+bool shows_directions() { return frame.debug_view == kViewGuideIncident; }
+bool measures_moments() { return frame.debug_view == kViewGuideCover; }
+
+// All directions above the surface in the picture's middle, twice, the surface's normal in the middle of a disc of equal areas:
+// to the left the light that comes from there, to the right the density that it is sampled with, logarithmic.
+vec3 view_of_directions(uvec2 block, uint number, uvec2 pixel) {
+  GBufferTexel g = gbuffer_at((frame.height / 2u) * frame.width + frame.width / 2u);
+  if (!shows_directions() || g.position_t.w == 0.0) return vec3(0.0);
+  float half_width = 0.5 * float(frame.width), radius = 0.48 * min(half_width, float(frame.height));
+  bool right = float(pixel.x) + 0.5 > half_width;
+  vec2 at = (vec2(pixel) + 0.5 - vec2(right ? 1.5 * half_width : 0.5 * half_width, 0.5 * float(frame.height))) / radius;
+  float r2 = dot(at, at);
+  Vertex v = first_vertex(g, uvec2(frame.width / 2u, frame.height / 2u));
+  float z = 1.0 - r2, spread = sqrt(max(2.0 - r2, 0.0));  // equal areas (Lambert's azimuthal projection)
+  Path path = begin_path(block, number, 0u);
+  path.group_rng = rng_seed(0u, frame.frame, 1u, frame.seed);  // the same cells for the whole picture
+  path.last = frame.bounces <= 1u;
+  uint rng = rng_seed(pixel.y * frame.width + pixel.x, frame.frame, 0u, frame.seed);
+  Field here = field_at(v, path);
+  Guidance g2;
+  prepare(v, here, path, rng, g2);
+  Proposal p;
+  p.direction = frame_about(v.scatter.normal) * vec3(at.x * spread, -at.y * spread, z);
+  float bsdf;
+  p.weight = scatter_eval(v.scatter, v.view, p.direction, bsdf);
+  p.pdf = proposal_pdf(g2, p.direction, bsdf);
+  p.flags = 0u;
+  if (r2 > 1.0) return vec3(0.02);
+  if (right) return heat(clamp(log2(max(p.pdf, 1e-6)) / 16.0 + 0.4, 0.0, 1.0));
+  return srgb_from_linear(filmic(light_met(v, here, p, path, rng) * exposure_now()));
+}
+
+// Second moments of a sample at the first vertex, in the place of radiance: that of directions where the lobes have less than a
+// tenth of the BSDF's density, that of all, and the estimate itself, so that means over frames say how
+// much of the variance is of light that no lobe stands for.
+vec3 view_of_moments(Vertex v, Path path, uint rng) {
+  if (!measures_moments()) return vec3(0.0);
+  path.last = frame.bounces <= 1u;
+  Field here = field_at(v, path);
+  Guidance g;
+  prepare(v, here, path, rng, g);
+  Proposal p = propose(v, g, rng);
+  if (p.weight == vec3(0.0)) return vec3(0.0);
+  float light = luminance(p.weight * light_met(v, here, p, path, rng));
+  return vec3(g.guided_pdf < 0.1 * g.bsdf_pdf ? light * light : 0.0, light * light, light);
+}
+
 vec3 view_color(Vertex v, Path path, uint rng) {
-  uint level = grid_level(distance(v.position, frame.camera_position.xyz), guide.adaptive_angle, 0.0);
   vec3 axis = scatter_axis(v.scatter);
-  GridKey key = grid_vertex(v.position, exp2(float(level)), adaptive_tag(level, axis), vec3(0.5));
+  bool adaptive = guide.mc_adaptive > 0.0;
+  uint level = grid_level(distance(v.position, frame.camera_position.xyz), guide.adaptive_angle, 0.0);
+  if (!adaptive) level = uint(log2(guide.mc_static_width) + 0.5);
+  GridKey key = grid_vertex(v.position, adaptive ? exp2(float(level)) : guide.mc_static_width,
+                            adaptive ? adaptive_tag(level, axis) : kStaticTag, vec3(0.5));
   GuideCell cell = GuideCell((key.hash & (guide.mc_states / GUIDE_BUCKET - 1u)) * GUIDE_BUCKET, key.check);
   bool collides;
   GuideState s = strongest_state(v, cell, collides);
@@ -45,6 +108,7 @@ vec3 view_color(Vertex v, Path path, uint rng) {
       vec3 x = has_cache ? cached_reflection(cached.entry) * (0.5 * exposure_now()) : vec3(0.0);
       return has_cache ? sqrt(x / (1.0 + x)) : vec3(0.5, 0.0, 0.5);
     }
+    case kViewGuideCover:
     case kViewGuideSampler: {
       path.last = frame.bounces <= 1u;
       Guidance g;
