@@ -71,11 +71,10 @@ FB_FN float vmf_inverse_cdf(float kappa, float u) {
   return min(2.0f * q * atanh_over_s, 2.0f);
 }
 
-// A direction of density vmf_pdf(mu, kappa, .); u in [0, 1)^2, u.x = 0 gives mu itself. Unit to rounding.
-FB_FN vec3 vmf_sample(vec3 mu, float kappa, vec2 u) {
-  float t = vmf_inverse_cdf(kappa, u.x);
-  float sine = sqrt(t * (2.0f - t));
-  float phi = (2.0f * u.y - 1.0f) * kVmfPi;  // Vulkan states sin's and cos's precision for [-pi, pi]
+// The direction whose cosine with mu is 1 - t and sine is `sine`, at the azimuth that u in [0, 1) gives. Unit to
+// rounding.
+FB_FN vec3 vmf_direction_about(vec3 mu, float t, float sine, float u) {
+  float phi = (2.0f * u - 1.0f) * kVmfPi;  // Vulkan states sin's and cos's precision for [-pi, pi]
   float x = sine * cos(phi), y = sine * sin(phi);
   // Added to mu in an orthonormal frame about it (Duff 2017): mu + x tangent + y bitangent - t mu.
   float s = mu.z >= 0.0f ? 1.0f : -1.0f;
@@ -83,6 +82,12 @@ FB_FN vec3 vmf_sample(vec3 mu, float kappa, vec2 u) {
   vec3 tangent = vec3(1.0f + s * mu.x * mu.x * a, s * b, -s * mu.x);
   vec3 bitangent = vec3(b, s + mu.y * mu.y * a, -mu.y);
   return normalize(mu + (tangent * x + bitangent * y - mu * t));
+}
+
+// A direction of density vmf_pdf(mu, kappa, .); u in [0, 1)^2, u.x = 0 gives mu itself. Unit to rounding.
+FB_FN vec3 vmf_sample(vec3 mu, float kappa, vec2 u) {
+  float t = vmf_inverse_cdf(kappa, u.x);
+  return vmf_direction_about(mu, t, sqrt(t * (2.0f - t)), u.y);
 }
 
 // 1 - (coth(kappa) - 1/kappa): 1 at kappa = 0, 1/kappa in narrow lobes.
