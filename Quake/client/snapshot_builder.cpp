@@ -37,10 +37,25 @@ std::array<vec3, 256> linear_palette(const formats::Palette& palette) {
 }
 
 constexpr float kMaxAmbient = 1000.0f;
+constexpr float kMaxExtinction = 10.0f;  // 1/unit: nothing is seen a hand away
 
 vec3 ambient_light(const SnapshotInput& input) {
   const float wanted = input.session.settings.r_ambient;
   return wanted < 0.0f ? input.library.map_ambient().radiance : vec3(std::min(wanted, kMaxAmbient));
+}
+
+// Quake's fog leaves exp(-(density z / 64)^2) of the light: ours, whose logarithm is linear, leaves half at the same
+// distance. Its colour is what is scattered of white light all around, so that thick fog in such light looks as
+// Quake's.
+scene::Medium medium_of(const Fog& fog, const Settings& settings) {
+  scene::Medium medium;
+  const float density = fog.density * std::max(settings.r_fog, 0.0f);
+  if (!(density > 0.0f)) return medium;
+  medium.extinction = std::min(std::sqrt(std::log(2.0f)) * density / 64.0f, kMaxExtinction);
+  for (int i = 0; i < 3; ++i) medium.albedo[i] = scene::linear_from_srgb(fog.color[i]);
+  medium.g = settings.r_fog_g;
+  medium.sky = 1.0f - std::clamp(settings.r_skyfog, 0.0f, 1.0f);
+  return medium;
 }
 
 vec3 unit_or(const vec3& v, const vec3& fallback) {
@@ -136,6 +151,7 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
 
   snapshot.instances.clear();
   snapshot.ambient = input.active ? ambient_light(input) : vec3(0.0f);
+  snapshot.medium = input.active ? medium_of(fog_at(state.fog, state.time), input.session.settings) : scene::Medium();
   snapshot.time = time_;
   snapshot.prev_time = prev_time_;
   snapshot.frame = count_;

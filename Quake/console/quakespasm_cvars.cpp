@@ -109,7 +109,6 @@ constexpr Row kRows[] = {
     {"r_shadows", "0", true, "1: flat shadows of models (here: light is traced)", kTracer},
     {"r_sky_quality", "12", false, "subdivision of the sky", kTracer},
     {"r_skyalpha", "1", false, "opacity of the sky's clouds", kTracer},
-    {"r_skyfog", "0.5", false, "opacity of fog over the sky", kTracer},
     {"r_slimealpha", "0", false, "opacity of slime", kLiquids},
     {"r_stereo", "0", false, "stereo eye separation", kTracer},
     {"r_stereodepth", "128", false, "stereo focus distance", kTracer},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/phase.h"
+
 namespace fb::render {
 
 CameraFrame camera_frame(const scene::Camera& camera, std::uint32_t width, std::uint32_t height) {
@@ -59,6 +61,12 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
     c.sun_radiance[i] = vec4(radiance, (radiance.x + radiance.y + radiance.z) * sky_factor);
   }
   c.ambient = vec4(snapshot.ambient, 0);
+  if (snapshot.medium.scatters()) {
+    const scene::Medium& m = snapshot.medium;
+    c.medium = vec4(glm::clamp(m.albedo, 0.0f, 1.0f), m.extinction);
+    const shared::PhaseFunction phase = shared::phase_function(m.g, m.alpha);
+    c.medium_phase = vec4(phase.g, phase.alpha, std::clamp(m.sky, 0.0f, 1.0f), 0);
+  }
   c.screen_tint = snapshot.screen_tint;
   c.width = render.x;
   c.height = render.y;

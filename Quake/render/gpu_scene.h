@@ -34,6 +34,7 @@ struct SceneFeatures {
   bool alpha_test = false;     // some triangle needs its texel asked
   bool translucent = false;    // some instance or material has alpha < 1
   bool specular = false;       // some material is not plain Lambert
+  bool medium = false;         // there is one between surfaces
   std::uint32_t surfaces = 0;  // shared::kFeature*, of all assets, drawn or not, and of the sky
 };
 

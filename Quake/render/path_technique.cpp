@@ -56,6 +56,10 @@ void add_paths_pass(const TechniquePasses& passes, std::string_view name,
   Variant variant = passes.variant;
   variant.technique = constants;
   passes.list.dispatch("paths", PassKind::kEstimator, passes.shaders.get(name, variant), groups_over(passes.size, 8));
+  if (!passes.medium) return;
+  variant.in_medium = true;
+  variant.show_view = false;
+  passes.list.dispatch("fog", PassKind::kEstimator, passes.shaders.get(name, variant), groups_over(passes.size, 8));
 }
 
 std::unique_ptr<Technique> make_path_technique(const TechniqueTools&, std::string_view name) {

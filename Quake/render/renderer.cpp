@@ -34,6 +34,7 @@ std::uint64_t scene_key(const scene::FrameSnapshot& s) {
   const float camera[] = {s.camera.position.x,        s.camera.position.y, s.camera.position.z, s.camera.angles.x,
                           s.camera.angles.y,          s.camera.angles.z,   s.camera.fov_x,      s.camera.fov_y,
                           static_cast<float>(s.time), s.ambient.x,         s.ambient.y,         s.ambient.z};
+  key = hash_bytes(&s.medium, sizeof(s.medium), key);
   return hash_span(std::span<const float>(camera), key);
 }
 
@@ -166,7 +167,7 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
   previous_valid = false;
   table.set_array(shared::kSetFrame, shared::kBindPreviousGBuffer, previous_gbuffer);
   make(gbuffer, shared::kBindGBuffer, pixels * sizeof(shared::GBufferTexel), "G-buffer");
-  make(radiance, shared::kBindRadiance, pixels * 16, "radiance");
+  make(radiance, shared::kBindRadiance, pixels * 32, "radiance");
   make(mean, shared::kBindMean, pixels * 16, "mean radiance");
   make(m2, shared::kBindM2, pixels * 16, "squared deviations");
   make(ldr, shared::kBindLdr, pixels * 4, "tone-mapped picture");
@@ -219,6 +220,7 @@ void Renderer::Impl::choose_features(const scene::FrameSnapshot& snapshot, bool 
   features.alpha_test |= scene.features().alpha_test || all;
   features.translucent |= scene.features().translucent || all;
   features.specular |= scene.features().specular || all;
+  features.medium |= snapshot.medium.scatters() || all;
   features.surfaces |= all ? shared::kFeaturesAll : scene.features().surfaces;
 }
 
@@ -290,7 +292,8 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
 
 // The way of a frame.
 PassList Renderer::Impl::list_passes() {
-  const Variant variant{ray_query, features.alpha_test || features.translucent, features.specular, features.surfaces};
+  const Variant variant{ray_query, features.alpha_test || features.translucent, features.specular, features.surfaces,
+                        features.medium};
   const uvec2 tiles = groups_over(render_size, 8);
   PassList list;
   const auto frame = [&](const char* name, const gpu::ComputePipeline& pipeline, uvec2 groups) {
@@ -300,7 +303,9 @@ PassList Renderer::Impl::list_passes() {
   frame("gbuffer", shaders.get("gbuffer", variant), tiles);
   Variant path_variant = variant;
   path_variant.show_view = shows_view();
-  technique->add_passes({list, shaders, path_variant, Denoiser::light_size(render_size, constants.light_block)});
+  const bool medium = constants.medium.w > 0 && constants.bounces > 0;
+  technique->add_passes(
+      {list, shaders, path_variant, Denoiser::light_size(render_size, constants.light_block), medium});
   frame("accumulate", shaders.get("accumulate"), tiles);
   denoiser.add_passes(list, shaders);
   frame("histogram", shaders.get("exposure_histogram"), groups_over(render_size, 16));
@@ -384,7 +389,8 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   generation = snapshot.assets->generation;
   const CameraFrame camera = camera_frame(snapshot.camera, render_size.x, render_size.y);
   const uvec2 lit = Denoiser::light_size(render_size, denoiser.light_block(settings));
-  technique->prepare({settings, lit, 2 * half_pixel_tangent(camera, render_size.y), snapshot.time});
+  technique->prepare(
+      {settings, lit, 2 * half_pixel_tangent(camera, render_size.y), snapshot.time, snapshot.medium.scatters()});
   overlay.prepare(draw, output_size.x, output_size.y);
   fill_constants(snapshot, settings);
   table.flush();

@@ -20,6 +20,8 @@ struct Variant {
   bool candidates = false;  // alpha tests or translucency
   bool specular = false;
   std::uint32_t surfaces = shared::kFeaturesAll;
+  bool medium = false;                                             // there is one between surfaces
+  bool in_medium = false;                                          // paths begin in it
   bool show_view = false;                                          // the technique draws its debug view
   std::array<std::uint32_t, shared::kTechniqueSpecs> technique{};  // the technique's own
   auto operator<=>(const Variant&) const = default;

@@ -28,6 +28,7 @@ struct TechniqueFrame {
   uvec2 size;                      // pixels at which light is sampled
   float pixel_tangent;             // tangent of the angle that a pixel subtends
   double time;                     // of the scene, seconds
+  bool medium;                     // paths begin in it, too
 };
 
 // What it adds its passes from.
@@ -36,6 +37,7 @@ struct TechniquePasses {
   ShaderSet& shaders;
   Variant variant;  // what the scene needs; the technique adds its own constants
   uvec2 size;
+  bool medium;  // paths begin in it, too
 };
 
 class Technique {
@@ -86,7 +88,7 @@ std::unique_ptr<Technique> make_nee_technique(const TechniqueTools& tools, std::
 std::unique_ptr<Technique> make_guided_technique(const TechniqueTools& tools, std::string_view name);
 std::unique_ptr<Technique> make_guided_tail_technique(const TechniqueTools& tools, std::string_view name);
 
-// The pass that traces paths, of a technique's shader.
+// The passes that trace paths, of a technique's shader: from surfaces and, where there is one, from the medium.
 void add_paths_pass(const TechniquePasses& passes, std::string_view name,
                     const std::array<std::uint32_t, shared::kTechniqueSpecs>& constants = {});
 

@@ -87,6 +87,16 @@ struct Sky {
   bool beyond_everything = false;  // a ray that leaves the scene sees the sky too (else black)
 };
 
+// What fills the space between surfaces: homogeneous, without emission.
+struct Medium {
+  float extinction = 0.0f;  // 1/unit; 0: there is none
+  vec3 albedo{0.0f};        // share of what it takes from light that it scatters, linear
+  float g = 0.0f;           // of Draine's phase function (Shaders/shared/phase.h): -0.999 behind, 0.999 ahead
+  float alpha = 0.0f;       // the same: 0 is Henyey and Greenstein's
+  float sky = 1.0f;         // share of the sky's light that the camera sees through it
+  bool scatters() const { return extinction > 0.0f; }
+};
+
 struct FrameSnapshot {
   std::shared_ptr<const Assets> assets;
   double time = 0.0, prev_time = 0.0;  // seconds: animation, warps, sky
@@ -95,7 +105,8 @@ struct FrameSnapshot {
   Camera camera, prev_camera;
   std::vector<Instance> instances;  // [0] is the world if there is one
   Sky sky;
-  vec3 ambient{0.0f};      // radiance from everywhere: what the camera sees reflects it, unoccluded and only once
+  vec3 ambient{0.0f};  // radiance from everywhere: what the camera sees reflects it, unoccluded and only once
+  Medium medium;
   vec4 screen_tint{0.0f};  // colour and its weight: damage, pickup, liquid
 };
 

@@ -51,13 +51,18 @@ float at_middle(float inverse_depth, vec2 slope) {
   return inverse_depth / max(1.0 + dot(slope, vec2(frame.jitter_x, frame.jitter_y)), 0.1);
 }
 
+// What the medium leaves of a surface's light; exactly 1 where there is none. `ray`: to the pixel, 1 along the view.
+float left_by_medium(uint at, vec3 ray) {
+  return frame.medium.w > 0.0 ? exp(-frame.medium.w * uintBitsToFloat(gbuffer_quad(at, 4u).z) * length(ray)) : 1.0;
+}
+
 // `words`: the texel's fourth quad. The coat is taken at the geometric normal's angle: Schlick's weight of a normal map at
 // grazing angles differs from pixel to pixel by more than what is reflected, and neighbours that share their irradiance
 // would be too bright by that.
 Reflector reflector(uint at, uvec4 words, vec3 ray) {
   vec4 a = uintBitsToFloat(gbuffer_quad(at, 1u)), e = uintBitsToFloat(gbuffer_quad(at, 2u));
   float cos_view = abs(dot(unpack_direction(words.x), ray)) * inversesqrt(dot(ray, ray));
-  return Reflector(e.rgb, demodulation_factor(a.rgb, a.w, e.w, float(words.w >> 24u) / 255.0, cos_view));
+  return Reflector(e.rgb, demodulation_factor(a.rgb, a.w, e.w, float(words.w >> 24u) / 255.0, cos_view) * left_by_medium(at, ray));
 }
 
 // How 1 / depth changes from pixel to pixel on the plane with this normal, relative to its value here: 1 / depth is linear

@@ -20,6 +20,7 @@ Vertex first_vertex(GBufferTexel g, uvec2 pixel) {
   v.previous = v.position;
   if (kFollowsMotion) v.previous = previous_world(g, vec2(pixel) + 0.5 + vec2(frame.jitter_x, frame.jitter_y));
   v.view = normalize(frame.camera_position.xyz - v.position);
+  v.scatter.medium = false;
   v.scatter.normal = unpack_direction(g.normal);
   v.scatter.shading_normal = unpack_direction(g.shading_normal);
   v.scatter.bsdf = Bsdf(g.albedo_roughness.rgb, max(g.albedo_roughness.w * g.albedo_roughness.w, kMinAlpha),

@@ -13,7 +13,17 @@ struct Vertex {
 };
 
 Vertex surface_vertex(Surface s, vec3 view) {
-  return Vertex(s.position, s.position, view, Scatter(s.normal, s.shading_normal, s.bsdf));
+  return Vertex(s.position, s.position, view, Scatter(s.normal, s.shading_normal, s.bsdf, false));
+}
+
+// A point of the medium.
+Vertex medium_vertex(vec3 position, vec3 view) {
+  return Vertex(position, position, view, Scatter(view, view, Bsdf(vec3(0.0), 1.0, 0.0, 0.0), true));
+}
+
+// The share of its light that a ray brings through the medium.
+float light_left(Hit hit) {
+  return FEATURE_MEDIUM ? transmittance(frame.medium.w, hit.instance == kNoIndex ? kRayEnd : hit.t) : 1.0;
 }
 
 // Every ray that leaves a vertex: a path's own, and those that look for light. The nearest hit within `reach`.

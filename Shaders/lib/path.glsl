@@ -25,19 +25,20 @@
 #define FB_LIB_PATH
 #include "lib/incident.glsl"
 
-// Radiance that reaches the first vertex's viewer by reflection: paths of 1 to frame.bounces further vertices. Where light is
+// Radiance that reaches the first vertex's viewer by reflection: paths of 1 to path_bounces() further vertices (r_bounces; r_fog_bounces where the first is in a
+// medium). Where light is
 // looked for, the last of several vertices is apart: its one ray does for both, and what is known there guides neither.
 vec3 trace_path(Vertex v, Path path, inout uint rng) {
   vec3 sum = vec3(0.0), throughput = vec3(1.0);
   Field here = field_at(v, path);
-  bool last_apart = kLooksForLight && frame.bounces > 1u, goes_on = true;
-  uint bounces = frame.bounces - (last_apart ? 1u : 0u);
+  bool last_apart = kLooksForLight && path_bounces() > 1u, goes_on = true;
+  uint bounces = path_bounces() - (last_apart ? 1u : 0u);
   uint bounce = 0u;
   do {
-    bool end = bounce + 1u == frame.bounces;
+    bool end = bounce + 1u == path_bounces();
     goes_on = false;
     path.last = end && !kEndsInField;
-    path.vertex = path.number * frame.bounces + bounce;
+    path.vertex = first_vertex_of(path.number) + bounce;
 
     // Where the path goes on, and light that is looked for.
     Guidance guidance;
@@ -65,14 +66,15 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
     s.sky = true;
     if (!dark || !kLearns) s = load_surface(incident.hit, proposal.direction, kFilterNearest, path.last);
     if (kLooksForLight) s.emission *= met_share(incident.hit, proposal, s.emission);
+    float left = light_left(incident.hit);
     incident.sky = s.sky;
-    incident.emission = s.emission;
+    incident.emission = s.emission * left;
     incident.reflection = vec3(0.0);
     incident.field = here;
     Vertex next = surface_vertex(s, -proposal.direction);
     if (kHasField && !missed && !path.last) {
       incident.field = field_at(next, path);
-      incident.reflection = field_reflection(incident.field, here, next);
+      incident.reflection = field_reflection(incident.field, here, next) * left;
     }
     if (kLearns) learn_hit(v, guidance, proposal, incident, path, rng);
     if (dark) break;
@@ -85,6 +87,7 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
       break;
     }
     if (missed || end) break;
+    throughput *= left;
     v = next;
     here = incident.field;
     goes_on = true;

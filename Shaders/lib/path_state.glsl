@@ -4,13 +4,22 @@
 #include "lib/interaction.glsl"
 
 struct Path {
-  uint number;     // among this frame's paths
-  uint vertex;     // among this frame's vertices: number * frame.bounces + reflections so far
+  uint number;     // among this frame's paths of its kind
+  uint vertex;     // among this frame's vertices: first_vertex_of(number) + reflections so far
   bool last;       // emission alone counts at what is met next
   bool trains;     // the technique learns all that it can from this path
   bool goes_on;    // to frame.bounces reflections, known light or not
   uint group_rng;  // random numbers that lanes that run together (4x2 pixels) share
 };
+
+// Most reflections of a path; scattering in a medium is the first of those that begin there.
+uint path_bounces() { return IN_MEDIUM ? uint(frame.medium_bounces) : uint(frame.bounces); }
+
+// Paths that begin in the medium come after all others.
+uint first_vertex_of(uint number) {
+  uint others = frame.light_width * ((frame.height + frame.light_block - 1u) / frame.light_block) * uint(frame.spp * frame.bounces);
+  return number * path_bounces() + (IN_MEDIUM ? others : 0u);
+}
 
 struct Proposal {
   vec3 direction;

@@ -1,6 +1,7 @@
 // The main function of every technique: a pixel's radiance is its emission, and the mean of frame.spp paths from its
 // surface. The includer chooses the technique's steps (lib/path.glsl) before.
 #include "lib/first_vertex.glsl"
+#include "lib/medium_path.glsl"
 #include "lib/path.glsl"
 
 // The technique writes the picture itself: a debug view of its own. A constant, since lavapipe runs both sides of a branch.
@@ -10,6 +11,10 @@ void main() {
   uvec2 block = invocation_pixel(), pixel = light_pixel(block);
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
   uint at = pixel.y * frame.width + pixel.x, number = (block.y * frame.light_width + block.x) * frame.spp;
+  if (IN_MEDIUM) {
+    light_in_medium(at, block, number, pixel);
+    return;
+  }
   GBufferTexel g = gbuffer_at(at);
   vec3 emission = g.emission_specular.rgb;
   if (SHOW_VIEW) ldr.at[at] = packUnorm4x8(vec4(view_of_directions(block, number, pixel), 1.0));
@@ -37,6 +42,7 @@ void main() {
     }
     sum += estimate;
   } while (++i < frame.spp);
+  if (FEATURE_MEDIUM) sum *= transmittance(frame.medium.w, g.position_t.w);
   radiance.at[at] = vec4(emission + sum / float(frame.spp), lost);
   if (SHOW_VIEW && measures_moments()) radiance.at[at] = vec4(view_of_moments(v, begin_path(block, number, 0u), rng_seed(at, frame.frame, frame.spp, frame.seed)), lost);
 }

@@ -1,4 +1,4 @@
-// How light scatters at a vertex of a path: by a surface's BSDF.
+// How light scatters at a vertex of a path: by a surface's BSDF, or by the phase function of the medium between surfaces.
 //
 // Scatter has three questions, which agree with each other: sample (a direction, f cos / pdf of it, its pdf, flags), eval
 // (f cos of any direction) with the pdf that sample has there, and geometry (where light may go at all, the projected
@@ -8,12 +8,21 @@
 #ifndef FB_LIB_SCATTER
 #define FB_LIB_SCATTER
 #include "lib/surface.glsl"
+#include "shared/medium.h"
+#include "shared/phase.h"
+
+layout(constant_id = kSpecMedium) const bool FEATURE_MEDIUM = false;  // there is a medium between surfaces
+layout(constant_id = kSpecInMedium) const bool IN_MEDIUM = false;     // a path's first vertex is in it
 
 struct Scatter {
-  vec3 normal;  // geometric, on the viewer's side
+  vec3 normal;  // geometric, on the viewer's side; in a medium: towards the viewer
   vec3 shading_normal;
   Bsdf bsdf;
+  bool medium;  // only where IN_MEDIUM
 };
+
+bool in_medium(Scatter s) { return IN_MEDIUM && s.medium; }
+PhaseFunction medium_phase() { return PhaseFunction(frame.medium_phase.x, frame.medium_phase.y); }
 
 // Of a sampled direction.
 const uint kScatterDelta = 1u;      // eval is zero almost everywhere else: no other way of sampling finds it
@@ -34,22 +43,33 @@ mat3 frame_about(vec3 n) {
 }
 
 // Whether light may be scattered in a direction: not into the geometric surface.
-bool scatters_to(Scatter s, vec3 direction) { return dot(direction, s.normal) > 0.0; }
+bool scatters_to(Scatter s, vec3 direction) { return dot(direction, s.normal) > 0.0 || in_medium(s); }
 
-// The cosine that irradiance is weighted by.
-float scatter_cosine(Scatter s, vec3 direction) { return dot(direction, s.normal); }
+// The cosine that irradiance is weighted by. A medium has light from all sides: its mean radiance times pi.
+float scatter_cosine(Scatter s, vec3 direction) { return in_medium(s) ? 0.25 : dot(direction, s.normal); }
 
 // What cells of a grid tell orientations by.
 vec3 scatter_axis(Scatter s) { return s.normal; }
 
 // What is reflected of even light, about.
-vec3 scatter_albedo(Scatter s) { return s.bsdf.albedo; }
+vec3 scatter_albedo(Scatter s) { return in_medium(s) ? vec3(1.0) : s.bsdf.albedo; }
 
 // Start of a ray that leaves the vertex.
-vec3 scatter_origin(Scatter s, vec3 position) { return offset_origin(position, s.normal); }
+vec3 scatter_origin(Scatter s, vec3 position) { return in_medium(s) ? position : offset_origin(position, s.normal); }
+
+// In a medium: what is scattered at all is the path's factor, not the vertex'.
+ScatterSample phase_scatter(vec3 view, vec2 u) {
+  ScatterSample result;
+  result.direction = phase_sample(medium_phase(), -view, u);
+  result.weight = vec3(1.0);
+  result.pdf = phase_eval_about(medium_phase(), -view, result.direction);
+  result.flags = 0u;
+  return result;
+}
 
 // `u`: uniform in [0, 1); the third is used where FEATURE_SPECULAR.
 ScatterSample scatter_sample(Scatter s, vec3 view, vec3 u) {
+  if (in_medium(s)) return phase_scatter(view, u.xy);
   ScatterSample result;
   result.flags = 0u;  // the smoothest coat is rough (kMinAlpha), and all are opaque
   mat3 to_world = frame_about(s.shading_normal);
@@ -71,6 +91,10 @@ ScatterSample scatter_sample(Scatter s, vec3 view, vec3 u) {
 // f cos of a direction, and the density that scatter_sample has there.
 vec3 scatter_eval(Scatter s, vec3 view, vec3 direction, out float pdf) {
   vec3 f;
+  if (in_medium(s)) {
+    pdf = phase_eval_about(medium_phase(), -view, direction);
+    return vec3(pdf);
+  }
   if (FEATURE_SPECULAR) {
     mat3 to_world = frame_about(s.shading_normal);
     vec3 wo = view * to_world, wi = direction * to_world;

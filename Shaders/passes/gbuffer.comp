@@ -8,12 +8,18 @@
 #include "lib/pixel.glsl"
 #include "lib/interaction.glsl"
 
+// The sky is beyond the medium, however near the face that shows it.
+float seen_through_medium(Surface s, float distance) {
+  if (!FEATURE_MEDIUM) return 1.0;
+  return s.sky ? frame.medium_phase.z : transmittance(frame.medium.w, distance);
+}
+
 void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float depth) {
   vec3 before = previous_pixel(previous_position(hit));
   texel.position_t = vec4(s.position, hit.t);
   texel.albedo_roughness = vec4(s.bsdf.albedo, sqrt(s.bsdf.alpha));
   // Even light is reflected here and nowhere else: no path brings it, so that it is the same in every estimator.
-  texel.emission_specular = vec4(s.emission + s.bsdf.albedo * frame.ambient.rgb, s.bsdf.specular);
+  texel.emission_specular = vec4((s.emission + s.bsdf.albedo * frame.ambient.rgb) * seen_through_medium(s, hit.t), s.bsdf.specular);
   texel.normal = pack_direction(s.normal);
   texel.shading_normal = pack_direction(s.shading_normal);
   texel.id = instance_at(hit.instance).id;
@@ -37,7 +43,7 @@ void main() {
   GBufferTexel texel = GBufferTexel(vec4(0.0), vec4(0.0, 0.0, 0.0, 1.0), vec4(0.0), 0u, 0u, 0u, 0u, vec4(0.0));
   if (!missed || frame.sky_beyond != 0u) {
     Surface s = load_surface(hit, direction, uint(frame.texture_filter), missed);
-    texel.emission_specular = vec4(s.emission, 0.0);
+    texel.emission_specular = vec4(s.emission * seen_through_medium(s, kRayEnd), 0.0);
     if (!missed) fill_texel(texel, s, hit, point, hit.t / length(ray));
   }
   store_gbuffer(at, texel);

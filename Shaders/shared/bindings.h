@@ -52,7 +52,8 @@ FB_CONST uint kTexelBuffers = 12u;
 
 // Set kSetFrame: the picture and what passes keep from frame to frame.
 FB_CONST uint kBindGBuffer = 0u;    // uvec4[5][pixels], a GBufferTexel's
-FB_CONST uint kBindRadiance = 1u;   // vec4[pixels]: this frame's mean of samples; w: samples that were not finite
+FB_CONST uint kBindRadiance = 1u;   // vec4[pixels]: this frame's mean of samples; w: samples that were not finite.
+                                    // Then, where there is a medium, the light that it scatters; w: its mean distance
 FB_CONST uint kBindMean = 2u;       // vec4[pixels]: mean over the accumulated frames (rgb), w their number
 FB_CONST uint kBindM2 = 3u;         // vec4[pixels]: sum of squared deviations from that mean (Welford)
 FB_CONST uint kBindLdr = 4u;        // uint[pixels]: tone-mapped, sRGB, r lowest
@@ -89,6 +90,9 @@ FB_CONST uint kSpecFeatures = 3u;    // what surfaces and sky have: kFeature* (s
 FB_CONST uint kSpecShowView = 2u;
 FB_CONST uint kSpecTechnique = 4u;
 FB_CONST uint kTechniqueSpecs = 4u;
+// Whether there is a medium between the surfaces, and whether paths begin in it:
+FB_CONST uint kSpecMedium = 8u;
+FB_CONST uint kSpecInMedium = 9u;
 // How memory is read fastest on the device (render/shader_code.h):
 FB_CONST uint kSpecReadTexels = 10u;  // arrays that have a texel buffer are read through it
 // Of passes/pose.comp:

@@ -29,6 +29,8 @@ struct FrameConstants {
   vec4 sun_direction[4];  // w: cosine of the angular radius
   vec4 sun_radiance[4];   // w: sum of the channels, with the sky's factor
   vec4 ambient;           // rgb: radiance from everywhere, of what the camera sees alone
+  vec4 medium;            // rgb: albedo; w: extinction, 1/unit, 0: there is no medium
+  vec4 medium_phase;  // xy: g and alpha of its phase function; z: share of the sky's light that it lets the camera see
   vec4 screen_tint;
   uint width, height;  // rendered pixels
   uint output_width, output_height;

@@ -54,6 +54,7 @@ FB_FN uint grid_coarsening(float rho, float u) {
 FB_FN uint adaptive_tag(uint level, vec3 n) { return level * 8u + cube_face(n); }
 FB_CONST uint kStaticTag = 1024u;
 FB_CONST uint kCacheTag = 2048u;
+FB_CONST uint kMediumTag = 4096u;  // of the cache in a medium: another mean than surfaces' there
 
 FB_NAMESPACE_END
 #endif

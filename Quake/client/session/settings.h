@@ -59,6 +59,9 @@ namespace fb::cl {
   X(r_dynamic, "r_dynamic", 1.0f, "draw dynamic lights")                                                               \
   X(r_entlights, "r_entlights", 1.0f, "glowing spheres at the map's light entities: factor on their light, 0 none")    \
   X(r_ambient, "r_ambient", -1.0f, "uniform ambient light: -1 as the map needs, 0 none, 1 shows plain textures")       \
+  X(r_fog, "r_fog", 1.0f, "fog of the map and of the console's fog: factor on its density, 0 none")                    \
+  X(r_fog_g, "r_fog_g", 0.4f, "how far ahead fog scatters light: -0.999 back, 0 evenly, 0.999 straight on")            \
+  X(r_skyfog, "r_skyfog", 0.5f, "opacity of fog over the sky")                                                         \
   X(r_playerbody, "r_playerbody", 1.0f, "the player's own body casts shadows and shows in reflections")
 
 struct Settings {

@@ -115,6 +115,7 @@ std::uint64_t content_key(const scene::FrameSnapshot& s) {
   std::uint64_t key = s.assets ? assets_key(*s.assets) : 0;
   key = hash_vector(s.instances, key);
   key = sky_key(s.sky, hash_bytes(&s.camera, sizeof s.camera, key));
+  key = hash_bytes(&s.medium, sizeof s.medium, key);
   return hash_value(s.time, hash_bytes(&s.ambient, sizeof s.ambient, key));
 }
 

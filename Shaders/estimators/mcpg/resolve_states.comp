@@ -7,7 +7,7 @@ layout(local_size_x = 64) in;
 
 void main() {
   uint proposal = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 64u) + gl_GlobalInvocationID.x;
-  if (proposal >= frame.width * frame.height * frame.spp * frame.bounces) return;
+  if (proposal >= guide.vertices) return;
   uvec4 rest = guide_proposals.at[proposal * 2u + 1u];
   uint at = rest.z, winner = guide_winner_at() + at;
   if (guide_cache.at[winner] != proposal_rank(proposal)) return;

@@ -142,6 +142,7 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
     float area = 0.5 * length(cross(t.e1.xyz, t.e2.xyz));
     float all = density_of_all(float(listed) * density, bsdf, one);
     float value = density > 0.0 ? dot(f, vec3(1.0)) * frame.light_power * light_probability(element) / (area * all) : 0.0;
+    if (FEATURE_MEDIUM) value *= transmittance(frame.medium.w, reach);
     bool useful = value > 0.0;
     sum += useful ? value : 0.0;
     if (useful && pick * sum < value) {
@@ -202,7 +203,7 @@ Direct look_for_light(Vertex v, Guidance g, inout uint rng) {
   Aim aim = aim_at_light(v, false, rng);
   share_aim(aim, proposal_pdf(g, aim.direction, aim.bsdf_pdf), false);
   Hit hit = trace_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, rng);
-  vec3 emission = found(aim, hit, rng) && aim.weight > 0.0 ? light_emission(hit, aim.direction) : vec3(0.0);
+  vec3 emission = found(aim, hit, rng) && aim.weight > 0.0 ? light_emission(hit, aim.direction) * light_left(hit) : vec3(0.0);
   return direct_light(v, aim.direction, aim.f, emission * aim.weight);
 }
 
@@ -214,7 +215,7 @@ Direct last_light(Vertex v, inout uint rng) {
   vec3 direction = looks ? aim.direction : p.direction;
   float reach = looks ? aim.weight > 0.0 ? aim.reach : 0.0 : p.weight != vec3(0.0) ? kRayEnd : 0.0;
   Hit hit = trace_from(v, direction, reach, rng);
-  vec3 emission = reach > 0.0 ? light_emission(hit, direction) : vec3(0.0);
+  vec3 emission = reach > 0.0 ? light_emission(hit, direction) * light_left(hit) : vec3(0.0);
   if (looks) return direct_light(v, direction, aim.f, found(aim, hit, rng) ? emission * aim.weight : vec3(0.0));
   vec3 light = emission * met_share_of(hit, p, emission, true);
   return direct_light(v, direction, p.weight * p.pdf, p.pdf > 0.0 ? light / p.pdf : vec3(0.0));

@@ -58,16 +58,16 @@ uvec4 cache_quad(uint word) {
 uint cache_frames(uint entry) { return cache_quad(entry + kCacheCount).x & 0xffffu; }
 uint cache_age(uint entry) { return (guide.frame_number - (cache_quad(entry + kCacheCount).x >> 16u)) & 0xffffu; }
 
-// The cell about a point; where its entry holds another cell, a coarser one. Lanes that run together choose alike, so that
+// The cell about a point, of surfaces (kCacheTag) or of the medium (kMediumTag); where its entry holds another cell, a coarser one. Lanes that run together choose alike, so that
 // they share memory.
-CacheCell find_cache_cell(vec3 p, vec3 n, inout uint group_rng) {
+CacheCell find_cache_cell(vec3 p, vec3 n, uint kind, inout uint group_rng) {
   CacheCell cell = CacheCell(kNoIndex, kNoIndex, 0u);
   vec3 u = vec3(rng_uniform(group_rng), rng_uniform(group_rng), rng_uniform(group_rng));
   uint level = grid_level(distance(p, frame.camera_position.xyz), guide.cache_angle, rng_uniform(group_rng));
   uint i = 0u;
   do {
     uint at = min(level + (i >> 1u), kGridLevels - 1u);
-    GridKey key = grid_vertex(p, exp2(float(at)), kCacheTag + adaptive_tag(at, n), u);
+    GridKey key = grid_vertex(p, exp2(float(at)), kind + adaptive_tag(at, n), u);
     uint entry = ((key.hash & (guide.mc_cells - 1u)) ^ (i & 1u)) * kCacheWords;
     uint check = cache_quad(entry + kCacheCheck).x;
     if (check == key.check) {

@@ -12,7 +12,7 @@ struct Field {
 };
 
 Field field_at(Vertex v, inout Path path) {
-  return Field(find_cache_cell(v.position, scatter_axis(v.scatter), path.group_rng));
+  return Field(find_cache_cell(v.position, scatter_axis(v.scatter), in_medium(v.scatter) ? kMediumTag : kCacheTag, path.group_rng));
 }
 
 // A path that ends in the field must not lack light (nor must the cache, which learns from such paths): a place of which

@@ -29,7 +29,7 @@ vec3 light_met(Vertex v, Field here, Proposal p, Path path, inout uint rng) {
   Hit hit = trace_from(v, p.direction, kRayEnd, rng);
   Surface s = load_surface(hit, p.direction, kFilterNearest, false);
   if (kLooksForLight) s.emission *= met_share(hit, p, s.emission);
-  if (hit.instance == kNoIndex || frame.bounces <= 1u) return s.emission;
+  if (hit.instance == kNoIndex || path_bounces() <= 1u) return s.emission;
   Vertex next = surface_vertex(s, -p.direction);
   return s.emission + field_reflection(field_at(next, path), here, next);
 }
@@ -50,7 +50,7 @@ vec3 view_of_directions(uvec2 block, uint number, uvec2 pixel) {
   float z = 1.0 - r2, spread = sqrt(max(2.0 - r2, 0.0));  // equal areas (Lambert's azimuthal projection)
   Path path = begin_path(block, number, 0u);
   path.group_rng = rng_seed(0u, frame.frame, 1u, frame.seed);  // the same cells for the whole picture
-  path.last = frame.bounces <= 1u;
+  path.last = path_bounces() <= 1u;
   uint rng = rng_seed(pixel.y * frame.width + pixel.x, frame.frame, 0u, frame.seed);
   Field here = field_at(v, path);
   Guidance g2;
@@ -71,7 +71,7 @@ vec3 view_of_directions(uvec2 block, uint number, uvec2 pixel) {
 // much of the variance is of light that no lobe stands for.
 vec3 view_of_moments(Vertex v, Path path, uint rng) {
   if (!measures_moments()) return vec3(0.0);
-  path.last = frame.bounces <= 1u;
+  path.last = path_bounces() <= 1u;
   Field here = field_at(v, path);
   Guidance g;
   prepare(v, here, path, rng, g);
@@ -94,7 +94,7 @@ vec3 view_color(Vertex v, Path path, uint rng) {
   vec3 to_target = s.target - v.position;
   bool known = s.weight > 0.0 && dot(to_target, to_target) > 1e-6;
   GuideView view = view_state(s, known ? to_target : axis, v.scatter);
-  CacheCell cached = find_cache_cell(v.position, axis, path.group_rng);
+  CacheCell cached = find_cache_cell(v.position, axis, kCacheTag, path.group_rng);
   bool has_cache = cached.entry != kNoIndex;
   switch (frame.debug_view) {
     case kViewGuideDirection: return known ? view.direction * 0.5 + 0.5 : vec3(0.0);
@@ -110,7 +110,7 @@ vec3 view_color(Vertex v, Path path, uint rng) {
     }
     case kViewGuideCover:
     case kViewGuideSampler: {
-      path.last = frame.bounces <= 1u;
+      path.last = path_bounces() <= 1u;
       Guidance g;
       prepare(v, field_at(v, path), path, rng, g);
       propose(v, g, rng);
