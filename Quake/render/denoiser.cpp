@@ -16,6 +16,8 @@ struct Level {
   std::uint32_t source, target;
 };
 
+constexpr int kMediumLevels = 3;  // odd: the result is where the first target was
+
 // So many that the footprint, 5^levels pixels, is at most a sixtieth of the picture: the same look at every size.
 int levels_for(uvec2 size) {
   int levels = 2;
@@ -32,15 +34,17 @@ std::uint32_t Denoiser::light_block(const RenderSettings& settings) const {
   return static_cast<std::uint32_t>(std::lround(1.0f / std::clamp(chosen, 0.25f, 1.0f)));
 }
 
-std::uint64_t Denoiser::history_bytes(uvec2 render, uvec2 smooth) {
+std::uint64_t Denoiser::history_bytes(uvec2 render, uvec2 smooth, bool medium) {
   const std::uint64_t pixels = std::uint64_t{render.x} * render.y, shown = std::uint64_t{smooth.x} * smooth.y;
-  return sizeof(glm::uvec4) * (shared::kSectionPicture * pixels + (pixels + 1) / 2) + 2 * sizeof(std::uint32_t) * shown;
+  const std::uint64_t texels = shared::kSectionPicture * pixels + (pixels + 1) / 2 + (shown + 1) / 2;  // whole ones
+  return sizeof(glm::uvec4) * (texels + (medium ? shared::kMediumSlots * pixels : 0));
 }
 
-void Denoiser::resize(uvec2 render, uvec2 output, const RenderSettings& settings) {
+void Denoiser::resize(uvec2 render, uvec2 output, const RenderSettings& settings, bool medium) {
   on_ = wanted(settings);
   const uvec2 size = on_ ? render : uvec2(0), smooth = on_ ? smooth_size(render, output, settings) : uvec2(0);
-  if (size == size_ && smooth == smooth_) return;
+  medium = medium && on_;
+  if (size == size_ && smooth == smooth_ && medium == medium_) return;
   const auto bind = [&] {
     table_.set_texels(shared::kTexelsHistory, buffer_);
     table_.set_array(shared::kSetFrame, shared::kBindHistory, buffer_);
@@ -50,12 +54,11 @@ void Denoiser::resize(uvec2 render, uvec2 output, const RenderSettings& settings
   buffer_ = gpu::Buffer();  // the old one's memory goes first
   bind();
   if (on_) {
-    // Whole texels of the texel buffer.
-    const VkDeviceSize bytes = (history_bytes(size, smooth) + sizeof(glm::uvec4) - 1) & ~(sizeof(glm::uvec4) - 1);
-    buffer_ = gpu::Buffer(device_, gpu::BufferUse::kStorage, bytes, "history");
+    buffer_ = gpu::Buffer(device_, gpu::BufferUse::kStorage, history_bytes(size, smooth, medium), "history");
   }
   size_ = size;
   smooth_ = smooth;
+  medium_ = medium;
   bind();
 }
 
@@ -69,6 +72,7 @@ void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snaps
   const auto turn = static_cast<std::uint32_t>((snapshot.frame + c.accumulated_frames) * (pixels / 2 + 1) % pixels);
   c.light_x = turn % light_block_;
   c.light_y = turn / light_block_;
+  fill_medium(c, settings, turn, snapshot.frame + c.accumulated_frames);
   c.denoise = on_;
   c.history_gain = 1;
   c.taa = on_ && antialiases(settings);
@@ -87,7 +91,22 @@ void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snaps
   last_frame_ = snapshot.frame;
 }
 
-void Denoiser::add_passes(PassList& list, ShaderSet& shaders) {
+// One of the light's pixels in each block of blocks.
+void Denoiser::fill_medium(shared::FrameConstants& c, const RenderSettings& settings, std::uint32_t turn,
+                           std::uint64_t frame) {
+  const float scale = wanted(settings) && settings.debug_view == 0 ? std::clamp(settings.fog_scale, 0.25f, 1.0f) : 1.0f;
+  const auto blocks = static_cast<std::uint32_t>(std::lround(1.0f / scale));
+  medium_block_ = light_block_ * blocks;
+  c.medium_block = medium_block_;
+  c.medium_width = light_size(uvec2(c.width, c.height), medium_block_).x;
+  // The light's turns come round before the next of these begins, so that all pixels have theirs.
+  const std::uint32_t number = blocks * blocks, lit = light_block_ * light_block_;
+  const auto next = static_cast<std::uint32_t>((frame / lit) * (number / 2 + 1) % number);
+  c.medium_x = next % blocks * light_block_ + turn % light_block_;
+  c.medium_y = next / blocks * light_block_ + turn / light_block_;
+}
+
+void Denoiser::add_passes(PassList& list, ShaderSet& shaders, bool medium) {
   if (!on_) return;
   const uvec2 groups = groups_over(size_, 8);
   if (light_block_ > 1) {
@@ -96,11 +115,30 @@ void Denoiser::add_passes(PassList& list, ShaderSet& shaders) {
   }
   list.dispatch("denoise_temporal", PassKind::kFrame,
                 shaders.get(light_block_ > 1 ? "denoise_temporal_sparse" : "denoise_temporal"), groups);
-  list.add("denoise_wavelets", PassKind::kFrame,
-           [this, &shaders, groups](gpu::Commands& commands) { record_wavelets(commands, shaders, groups); });
+  if (medium) {
+    list.add("denoise_medium", PassKind::kFrame,
+             [this, &shaders](gpu::Commands& commands) { record_medium(commands, shaders); });
+  }
+  list.add("denoise_wavelets", PassKind::kFrame, [this, &shaders, groups, medium](gpu::Commands& commands) {
+    record_wavelets(commands, shaders, groups, medium);
+  });
 }
 
-void Denoiser::record_wavelets(gpu::Commands& commands, ShaderSet& shaders, uvec2 groups) {
+// What is scattered ends in slot 3 (shared/denoise.h).
+void Denoiser::record_medium(gpu::Commands& commands, ShaderSet& shaders) {
+  const uvec2 groups = groups_over(light_size(size_, medium_block_), 8);
+  commands.dispatch(shaders.get("denoise_medium_temporal"), groups.x, groups.y);
+  commands.barrier();
+  Level level{1, 0, 2, 3};
+  for (int i = 0; i < kMediumLevels; ++i) {
+    commands.push(level);
+    commands.dispatch(shaders.get("denoise_medium"), groups.x, groups.y);
+    commands.barrier();
+    level = {2 * level.x - level.y, level.x + 2 * level.y, level.target, level.source};
+  }
+}
+
+void Denoiser::record_wavelets(gpu::Commands& commands, ShaderSet& shaders, uvec2 groups, bool medium) {
   // Powers of 2 + i; every other frame mirrored, so that what a level leaves is not the same twice.
   std::int32_t a = 1, b = 0;
   for (int level = 0; level < levels_; ++level) {
@@ -108,7 +146,7 @@ void Denoiser::record_wavelets(gpu::Commands& commands, ShaderSet& shaders, uvec
     const std::uint32_t target = shared::kSectionFilter + static_cast<std::uint32_t>((level + 1) & 1);
     commands.push(Level{a, parity_ != 0 ? b : -b, source, target});
     const char* shader = level == 0             ? "denoise_wavelet_first"
-                         : level + 1 == levels_ ? "denoise_wavelet_last"
+                         : level + 1 == levels_ ? medium ? "denoise_wavelet_last_medium" : "denoise_wavelet_last"
                                                 : "denoise_wavelet";
     commands.dispatch(shaders.get(shader), groups.x, groups.y);
     commands.barrier();

@@ -37,17 +37,19 @@ class Denoiser {
     return antialiases(settings) ? output : render;
   }
   // Bytes of the history for these sizes.
-  static std::uint64_t history_bytes(uvec2 render, uvec2 smooth);
+  static std::uint64_t history_bytes(uvec2 render, uvec2 smooth, bool medium);
 
   // Makes room for the history, or frees it; what was there is lost when a size changes.
-  void resize(uvec2 render, uvec2 output, const RenderSettings& settings);
+  // `medium`: there is, or was, one between surfaces.
+  void resize(uvec2 render, uvec2 output, const RenderSettings& settings, bool medium);
   // The next frame's history is none: what was to be written to it may not have been.
   void forget() { valid_ = false; }
   // This frame's rows of the uniform block. `still`: the same snapshot was rendered just before.
   void fill(shared::FrameConstants& constants, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
             bool still);
   // From radiance to the denoised picture; none if it is off.
-  void add_passes(PassList& list, ShaderSet& shaders);
+  // `medium`: it scatters in this frame.
+  void add_passes(PassList& list, ShaderSet& shaders, bool medium);
 
   bool on() const { return on_; }
   // rgb: denoised radiance of the last frame.
@@ -56,15 +58,17 @@ class Denoiser {
   std::vector<glm::uvec4> read_history() const;
 
  private:
-  void record_wavelets(gpu::Commands& commands, ShaderSet& shaders, uvec2 groups);
+  void record_wavelets(gpu::Commands& commands, ShaderSet& shaders, uvec2 groups, bool medium);
+  void fill_medium(shared::FrameConstants& c, const RenderSettings& settings, std::uint32_t turn, std::uint64_t frame);
+  void record_medium(gpu::Commands& commands, ShaderSet& shaders);
 
   gpu::Device& device_;
   gpu::BindingTable& table_;
   gpu::Buffer buffer_;
   uvec2 size_{0, 0}, smooth_{0, 0};
-  bool on_ = false, valid_ = false, blends_mean_ = false;
+  bool on_ = false, medium_ = false, valid_ = false, blends_mean_ = false;
   int levels_ = 0;
-  std::uint32_t light_block_ = 1;
+  std::uint32_t light_block_ = 1, medium_block_ = 1;
   std::uint32_t parity_ = 0, age_ = 0;
   std::uint64_t last_frame_ = 0;
 };

@@ -56,10 +56,11 @@ void add_paths_pass(const TechniquePasses& passes, std::string_view name,
   Variant variant = passes.variant;
   variant.technique = constants;
   passes.list.dispatch("paths", PassKind::kEstimator, passes.shaders.get(name, variant), groups_over(passes.size, 8));
-  if (!passes.medium) return;
+  if (passes.medium_size.x == 0) return;
   variant.in_medium = true;
   variant.show_view = false;
-  passes.list.dispatch("fog", PassKind::kEstimator, passes.shaders.get(name, variant), groups_over(passes.size, 8));
+  passes.list.dispatch("fog", PassKind::kEstimator, passes.shaders.get(name, variant),
+                       groups_over(passes.medium_size, 8));
 }
 
 std::unique_ptr<Technique> make_path_technique(const TechniqueTools&, std::string_view name) {

@@ -19,7 +19,9 @@ std::uint64_t pixels_of(uvec2 size) { return std::uint64_t{size.x} * size.y; }
 std::uint64_t largest_buffer(uvec2 output, const RenderSettings& settings) {
   const uvec2 render = scaled_size(output, settings);
   const std::uint64_t history =
-      Denoiser::wanted(settings) ? Denoiser::history_bytes(render, Denoiser::smooth_size(render, output, settings)) : 0;
+      Denoiser::wanted(settings)
+          ? Denoiser::history_bytes(render, Denoiser::smooth_size(render, output, settings), true)
+          : 0;
   return std::max(
       {pixels_of(render) * sizeof(shared::GBufferTexel), history, pixels_of(output) * sizeof(std::uint32_t)});
 }

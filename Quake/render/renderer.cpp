@@ -182,7 +182,7 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
 void Renderer::Impl::fit(const RenderSettings& settings) {
   check_picture_size(device, output_size, settings);
   resize_buffers(scaled_size(output_size, settings), output_size);
-  denoiser.resize(render_size, output_size, settings);
+  denoiser.resize(render_size, output_size, settings, features.medium);
 }
 
 // The frame ended early: what it was to write, and what says that it was written, is as good as lost.
@@ -304,10 +304,10 @@ PassList Renderer::Impl::list_passes() {
   Variant path_variant = variant;
   path_variant.show_view = shows_view();
   const bool medium = constants.medium.w > 0 && constants.bounces > 0;
-  technique->add_passes(
-      {list, shaders, path_variant, Denoiser::light_size(render_size, constants.light_block), medium});
-  frame("accumulate", shaders.get("accumulate"), tiles);
-  denoiser.add_passes(list, shaders);
+  technique->add_passes({list, shaders, path_variant, Denoiser::light_size(render_size, constants.light_block),
+                         medium ? Denoiser::light_size(render_size, constants.medium_block) : uvec2(0)});
+  frame("accumulate", shaders.get(medium ? "accumulate_medium" : "accumulate"), tiles);
+  denoiser.add_passes(list, shaders, medium);
   frame("histogram", shaders.get("exposure_histogram"), groups_over(render_size, 16));
   const bool lens = constants.debug_view == 0 && (constants.bloom > 0 || constants.local_exposure > 0);
   if (lens) frame("local_exposure", shaders.get("local_exposure"), {(shared::kGridCells + 63) / 64, 1});
@@ -381,6 +381,7 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   const RenderSettings settings = technique->adapt(asked);
   scene.prepare(snapshot, emission_scales(settings), info->wants_lights);
   finish();
+  features.medium |= snapshot.medium.scatters();
   fit(settings);
   swap_gbuffers(static_cast<std::uint32_t>(settings.debug_view));
   scene.stage();

@@ -37,7 +37,7 @@ struct TechniquePasses {
   ShaderSet& shaders;
   Variant variant;  // what the scene needs; the technique adds its own constants
   uvec2 size;
-  bool medium;  // paths begin in it, too
+  uvec2 medium_size;  // pixels at which paths begin in the medium; 0: none do
 };
 
 class Technique {

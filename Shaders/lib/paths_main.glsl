@@ -8,9 +8,9 @@
 layout(constant_id = kSpecShowView) const bool SHOW_VIEW = false;
 
 void main() {
-  uvec2 block = invocation_pixel(), pixel = light_pixel(block);
+  uvec2 block = invocation_pixel(), pixel = IN_MEDIUM ? medium_pixel(block) : light_pixel(block);
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
-  uint at = pixel.y * frame.width + pixel.x, number = (block.y * frame.light_width + block.x) * frame.spp;
+  uint at = pixel.y * frame.width + pixel.x, number = (block.y * (IN_MEDIUM ? frame.medium_width : frame.light_width) + block.x) * frame.spp;
   if (IN_MEDIUM) {
     light_in_medium(at, block, number, pixel);
     return;

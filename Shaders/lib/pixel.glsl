@@ -15,6 +15,8 @@ uvec2 invocation_pixel() {
 // The pixel of a block at which light is sampled in this frame; at the picture's edge perhaps beyond it.
 uvec2 light_pixel(uvec2 block) { return block * frame.light_block + uvec2(frame.light_x, frame.light_y); }
 
+uvec2 medium_pixel(uvec2 block) { return block * frame.medium_block + uvec2(frame.medium_x, frame.medium_y); }
+
 // Direction through a point of the image, in pixels from the top left; not normalised: its component along the camera's
 // forward axis is 1.
 vec3 camera_direction(vec2 point) {

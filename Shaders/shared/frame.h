@@ -51,6 +51,8 @@ struct FrameConstants {
   // Light is sampled at one pixel of each block of light_block x light_block, at light_x, light_y in it; 1: at every
   // pixel.
   uint light_block, light_x, light_y, light_width;  // light_width: blocks in a row
+  // Of the medium's light likewise; blocks of these are whole ones of the light's, and its pixel is one of theirs.
+  uint medium_block, medium_x, medium_y, medium_width;
   uint history_parity, history_valid;
   uint history_age, history_gain;  // frames since there was no history; frames that this one counts
   uint still;                      // still: the same snapshot again, so nothing has moved

@@ -1,0 +1,42 @@
+// Light that the medium scatters, as the denoiser keeps it: at each block of pixels a texel (shared/denoise.h, MediumTexel).
+#ifndef FB_LIB_MEDIUM_HISTORY
+#define FB_LIB_MEDIUM_HISTORY
+#include "lib/denoise.glsl"
+#include "shared/medium.h"
+
+ivec2 medium_size() {
+  uint block = frame.medium_block;
+  return ivec2(frame.medium_width, (frame.height + block - 1u) / block);
+}
+uint medium_slot(uint slot) {
+  ivec2 size = medium_size();
+  return medium_slots(frame.width * frame.height, frame.smooth_width * frame.smooth_height) + slot * uint(size.x * size.y);
+}
+
+struct MediumLight {
+  vec3 light;        // what the medium would scatter if it took all light, over its albedo
+  float frames;      // 0: none
+  float near;        // logarithm of where it scatters, in the mean
+  float mean, mean_square;  // of luminance
+};
+MediumLight unpack_medium(uvec4 t) {
+  vec2 moments = unpackHalf2x16(t.w);
+  return MediumLight(vec3(unpackHalf2x16(t.x), unpackHalf2x16(t.y & 0xffffu).x), float(t.y >> 16u), uintBitsToFloat(t.z), moments.x,
+                     moments.y * moments.y);
+}
+uvec4 pack_medium(MediumLight m) {
+  return uvec4(packHalf2x16(m.light.rg), (packHalf2x16(vec2(m.light.b, 0.0)) & 0xffffu) | (uint(m.frames + 0.5) << 16u),
+               floatBitsToUint(m.near), packHalf2x16(vec2(m.mean, sqrt(max(m.mean_square, 0.0)))));
+}
+
+// Distance along a pixel's ray to its surface, from the depth; far where there is none.
+float medium_reach(float depth, vec3 ray) { return depth > 0.0 ? depth * length(ray) : 1e6; }
+// Mean distance at which light scatters on the way there.
+float medium_mean_distance(float reach) {
+  float sigma = frame.medium.w, x = sigma * reach;
+  // 1 / sigma - reach T / (1 - T), which cancels where the medium is thin: half of the way then.
+  return x < 0.05 ? reach * (0.5 - x / 12.0) : 1.0 / sigma - reach * exp(-x) / max(one_minus_exp(x), 1e-20);
+}
+// How much two places of scattering are apart, as a factor of weight.
+float medium_alike(float near, float other) { return exp(-4.0 * abs(near - other)); }
+#endif
