@@ -9,7 +9,7 @@ void main() {
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
   uint at = pixel.y * frame.width + pixel.x;
   vec3 x = radiance.at[at].rgb;
-  if (frame.medium.w > 0.0) x += radiance.at[frame.width * frame.height + at].rgb;
+  if (frame.medium.w > 0.0 && frame.bounces > 0u) x += radiance.at[frame.width * frame.height + at].rgb;
   bool sampled = pixel == light_pixel(pixel / frame.light_block);
   if (frame.accumulated_frames == 0u) {
     mean_radiance.at[at] = sampled ? vec4(x, 1.0) : vec4(0.0);
