@@ -8,6 +8,7 @@
 #include "scene/in_code/scene_of_kinds.h"
 #include "scene/in_code/scenes_in_code.h"
 #include "scene/in_code/scenes_in_motion.h"
+#include "scene/in_code/scenes_of_fog.h"
 #include "scene/in_code/scenes_of_light.h"
 
 namespace fb::lab {
@@ -58,6 +59,8 @@ const std::vector<Entry>& entries() {
       {"candles_flicker", [] { return timed_film(scene::candle_assets(), scene::candles); }},
       {"strips", [] { return still_film(scene::strips()); }},
       {"lava", [] { return still_film(scene::lava_cave()); }},
+      {"slab", [] { return still_film(scene::slab(0.004f, 0.4f)); }},
+      {"window", [] { return still_film(scene::window()); }},
       {"kinds", [] { return still_film(scene::light_of_every_kind()); }},
       {"moving", [] { return timed_film(scene::moving_assets(), scene::moving); }},
       {"rocket", [] { return counted_film(scene::rocket_assets(), scene::rocket); }},

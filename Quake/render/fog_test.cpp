@@ -1,104 +1,431 @@
-// Fog in the denoised picture: its energy, its error, what a still view converges to, fog that comes and goes.
+// Media in the whole renderer, against numbers that are known without it: transmittance, single scattering as an
+// integral over a lamp and one along the ray, a glowing room full of fog; and numbers at the ends of their ranges.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <memory>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "render/test_denoiser.h"
+#include "render/frame_constants.h"
+#include "render/test_device.h"
+#include "render/test_image.h"
+#include "scene/in_code/code_scene_parts.h"
+#include "scene/in_code/scene_of_kinds.h"
 #include "scene/in_code/scenes_in_code.h"
+#include "scene/in_code/scenes_of_fog.h"
+#include "shared/test_quadrature.h"
 
 namespace fb::render {
 namespace {
 
-using FogTest = DeviceTest;
+using glm::dvec3;
+constexpr double kHalfTurn = 3.14159265358979323846;
 
-// The same assets always.
-const scene::FrameSnapshot& clear_box() {
-  static const scene::FrameSnapshot snapshot = scene::cornell_box();
-  return snapshot;
-}
-scene::FrameSnapshot foggy_box() {
-  scene::FrameSnapshot snapshot = clear_box();
-  snapshot.medium = {1.0f / 900, vec3(0.9f, 0.8f, 0.7f), 0.3f, 0.0f, 1.0f};
-  return snapshot;
+class FogTest : public DeviceTest {
+ protected:
+  static RenderSettings settings(std::string_view estimator, int spp, int bounces = 1, int fog_bounces = 1) {
+    RenderSettings s;
+    s.estimator = estimator;
+    s.spp = spp;
+    s.bounces = bounces;
+    s.medium_bounces = fog_bounces;
+    s.jitter = 0;
+    return s;
+  }
+  static std::vector<std::string> unbiased() {
+    std::vector<std::string> names;
+    for (const TechniqueInfo& technique : techniques())
+      if (technique.unbiased()) names.emplace_back(technique.name);
+    return names;
+  }
+  static void draw(Renderer& renderer, const scene::FrameSnapshot& snapshot, const RenderSettings& s, int frames) {
+    for (int i = 0; i < frames; ++i) renderer.render(snapshot, nullptr, s);
+  }
+  static void expect_finite(const Renderer& renderer, const std::string& what) {
+    EXPECT_EQ(renderer.read().counters().not_finite, 0u) << what;
+    EXPECT_EQ(renderer.read().counters().states_not_finite, 0u) << what;
+    for (const vec4& p : renderer.read().linear())
+      ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && p.x >= 0.0f) << what;
+  }
+};
+
+// Mean of the red channel over columns of a picture, and its standard error by the spread over frames.
+ImageEstimate columns_estimate(const Renderer& renderer, std::uint32_t width, std::uint32_t from, std::uint32_t to) {
+  const std::vector<vec4> mean = renderer.read().linear(), variance = renderer.read().variance_of_mean();
+  double sum = 0, sum_variance = 0, n = 0;
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    if (i % width < from || i % width >= to) continue;
+    sum += static_cast<double>(mean[i].x);
+    sum_variance += static_cast<double>(variance[i].x);
+    n += 1;
+  }
+  return {sum / n, std::sqrt(sum_variance) / n};
 }
 
-RenderSettings denoising_fog(float light_scale, float fog_scale) {
-  RenderSettings s = denoising();
-  s.estimator = "nee";
-  s.jitter = 0;
-  s.light_scale = light_scale;
-  s.fog_scale = fog_scale;
-  return s;
+double left_of_light(double sigma, double distance) { return std::exp(-sigma * distance); }
+double henyey_greenstein(double g, double cosine) {
+  return (1 - g * g) / (4 * kHalfTurn * std::pow(1 + g * g - 2 * g * cosine, 1.5));
+}
+double integral(double low, double high, int panels, const auto& f) {
+  return static_cast<double>(shared::integrate(
+      [&](long double x) { return static_cast<long double>(f(static_cast<double>(x))); }, low, high, panels));
 }
 
-using Maker = std::function<std::unique_ptr<Renderer>(const RenderSettings&)>;
-std::vector<vec4> foggy_reference(const Maker& make) {
-  RenderSettings s;
-  s.intersector = Intersector::kBvh;
-  s.estimator = "nee";
-  s.spp = 64;
-  s.jitter = 0;
-  s.seed = 99;
-  auto renderer = make(s);
-  for (int i = 0; i < 16; ++i) renderer->render(foggy_box(), nullptr, s);
-  return renderer->read().linear();
-}
+// --- transmittance ---
 
-TEST_F(FogTest, DenoisedItKeepsItsEnergyAndLosesItsNoise) {
-  const uvec2 size(96, 96);
-  const std::vector<vec4> reference = foggy_reference([&](const RenderSettings& r) { return make_renderer(r, size.x, size.y); });
-  for (const vec2 scales : {vec2(1, 0.5f), vec2(0.5f, 0.5f)}) {
-    const RenderSettings s = denoising_fog(scales.x, scales.y);
-    auto renderer = make_renderer(s, size.x, size.y);
-    double mean = 0, error = 0, raw = 0;
-    for (int frame = 0; frame < 40; ++frame) {
-      renderer->render(at_time(foggy_box(), frame), nullptr, s);
-      if (frame < 24) continue;
-      const std::vector<vec4> picture = renderer->read().denoised();
-      mean += mean_luminance(picture) / 16;
-      error += mean_square_difference(picture, reference) / 16;
+TEST_F(FogTest, AGlowingWallIsSeenThroughItByTheExponentialLaw) {
+  const float emission = 0.7f;
+  for (const std::string estimator : {"pt", "nee"}) {
+    auto renderer = make_renderer(settings(estimator, 1), 24, 16);
+    for (const float extinction : {1e-9f, 0.001f, 0.02f, 10.0f}) {
+      scene::FrameSnapshot snapshot = scene::furnace(0.0f, emission);
+      snapshot.medium.extinction = extinction;
+      draw(*renderer, snapshot, settings(estimator, 1), 2);
+      const auto image = renderer->read().linear();
+      const auto gbuffer = renderer->read().gbuffer();
+      for (std::size_t i = 0; i < image.size(); ++i) {
+        const auto sigma = static_cast<double>(extinction), t = static_cast<double>(gbuffer[i].position_t.w);
+        ASSERT_GE(t, 128.0);
+        const double expected = static_cast<double>(emission) * left_of_light(sigma, t);
+        // exp is off by roundings of its argument, which are as many of its value as the argument is large.
+        ASSERT_NEAR(image[i].x, expected, (4e-7 + 2e-7 * sigma * t) * expected + 1e-37)
+            << estimator << ' ' << extinction;
+      }
     }
-    RenderSettings noisy = s;
-    noisy.denoise = 0;
-    auto other = make_renderer(noisy, size.x, size.y);
-    other->render(at_time(foggy_box(), 0), nullptr, noisy);
-    raw = mean_square_difference(other->read().linear(), reference);
-    // Light at half of the resolution loses some at edges.
-    const bool whole = scales.x == 1.0f;
-    EXPECT_NEAR(mean / mean_luminance(reference), 1.0, whole ? 0.015 : 0.05) << scales.x << " " << scales.y;
-    EXPECT_LT(error, raw / (whole ? 15 : 8)) << scales.x << " " << scales.y;
-    EXPECT_EQ(renderer->read().counters().not_finite + renderer->read().counters().history_not_finite, 0u);
   }
 }
 
-TEST_F(FogTest, AStillViewConvergesToTheRawMean) {
-  for (const float scale : {1.0f, 0.5f}) {
-    RenderSettings s = denoising_fog(scale, scale);
-    s.accumulate = 1;
-    s.svgf_mean_frames = 4;
-    auto renderer = make_renderer(s, 48, 48);
-    for (int frame = 0; frame < 800; ++frame) renderer->render(foggy_box(), nullptr, s);
-    // A pixel has a sixteenth of the frames at least.
-    const auto raw = renderer->read().linear(), denoised = renderer->read().denoised();
-    for (std::size_t i = 0; i < raw.size(); ++i)
-      EXPECT_NEAR(denoised[i].y, raw[i].y, 0.05f * (raw[i].y + 0.2f)) << i << " at " << scale;
+// --- single scattering of one lamp ---
+
+struct LampTriangle {
+  dvec3 corner, e1, e2, area;  // area: outward, half the cross product
+};
+
+std::vector<LampTriangle> lamp_triangles(const scene::FrameSnapshot& snapshot) {
+  const scene::Instance& lamp = snapshot.instances.at(0);
+  const scene::Mesh& mesh = snapshot.assets->meshes[lamp.mesh];
+  std::vector<LampTriangle> list;
+  for (const scene::MeshTriangle& t : mesh.triangles) {
+    dvec3 p[3];
+    for (int k = 0; k < 3; ++k) p[k] = dvec3(lamp.transform * vec4(mesh.positions[t.vertices[k]], 1.0f));
+    list.push_back({p[0], p[1] - p[0], p[2] - p[0], 0.5 * glm::cross(p[1] - p[0], p[2] - p[0])});
+  }
+  return list;
+}
+
+// Light of radiance 1 that comes from the lamp to a point outside and is scattered along -direction there: the integral
+// over the triangles that face the point (the lamp is convex), by Radon's rule of degree 5.
+double scattered_once(const std::vector<LampTriangle>& lamp, const dvec3& point, const dvec3& direction, double sigma,
+                      double g) {
+  struct Node {
+    double u, v, weight;
+  };
+  static const double a = 0.059715871789770, b = 0.470142064105115, c = 0.797426985353087, d = 0.101286507323456;
+  static const Node kNodes[] = {{1.0 / 3, 1.0 / 3, 0.225},
+                                {a, b, 0.132394152788506},
+                                {b, a, 0.132394152788506},
+                                {b, b, 0.132394152788506},
+                                {c, d, 0.125939180544827},
+                                {d, c, 0.125939180544827},
+                                {d, d, 0.125939180544827}};
+  double sum = 0;
+  for (const LampTriangle& t : lamp) {
+    if (glm::dot(t.area, point - t.corner) <= 0) continue;
+    for (const Node& node : kNodes) {
+      const dvec3 way = t.corner + node.u * t.e1 + node.v * t.e2 - point;
+      const double r2 = glm::dot(way, way), r = std::sqrt(r2);
+      sum += node.weight * henyey_greenstein(g, glm::dot(direction, way) / r) * left_of_light(sigma, r) *
+             -glm::dot(t.area, way) / (r2 * r);
+    }
+  }
+  return sum;
+}
+
+// The same from all of a ray that starts at the origin and passes by the lamp: the distance is along + apart tan(u).
+double airlight(const std::vector<LampTriangle>& lamp, const dvec3& direction, double sigma, double g, int panels) {
+  const dvec3 centre(scene::kSlabLamp);
+  const double along = glm::dot(centre, direction), apart = glm::length(centre - direction * along);
+  return integral(std::atan2(-along, apart), 0.5 * kHalfTurn, panels, [&](double u) {
+    const double t = along + apart * std::tan(u), t_u = apart / (std::cos(u) * std::cos(u));
+    return sigma * left_of_light(sigma, t) * scattered_once(lamp, direction * t, direction, sigma, g) * t_u;
+  });
+}
+
+struct SlabView {
+  scene::FrameSnapshot snapshot;
+  double expected[2];  // red, over the left half of the picture and over the right
+};
+constexpr std::uint32_t kSlabWidth = 16, kSlabHeight = 8;
+
+// Beside the lamp, whose triangles no ray of the picture comes nearer to than some 25 units.
+SlabView slab_view(float extinction, float g) {
+  SlabView view{scene::slab(extinction, g), {}};
+  scene::FrameSnapshot& snapshot = view.snapshot;
+  snapshot.camera.angles = {0, -8, 0};
+  snapshot.camera.fov_x = 24;
+  snapshot.prev_camera = snapshot.camera;
+  const std::vector<LampTriangle> lamp = lamp_triangles(snapshot);
+  const CameraFrame camera = camera_frame(snapshot.camera, kSlabWidth, kSlabHeight);
+  const double light = static_cast<double>(scene::kSlabRadiance.x * snapshot.medium.albedo.x);
+  for (std::uint32_t y = 0; y < kSlabHeight; ++y)
+    for (std::uint32_t x = 0; x < kSlabWidth; ++x) {
+      const double sx = (x + 0.5) / kSlabWidth * 2 - 1, sy = (y + 0.5) / kSlabHeight * 2 - 1;
+      const dvec3 ray = glm::normalize(dvec3(camera.forward) + sx * dvec3(camera.right) - sy * dvec3(camera.up));
+      const double radiance =
+          light * airlight(lamp, ray, static_cast<double>(extinction), static_cast<double>(g), 24);
+      view.expected[x >= kSlabWidth / 2] += radiance / (kSlabWidth / 2 * kSlabHeight);
+    }
+  return view;
+}
+
+TEST_F(FogTest, TheQuadratureOfAirlightHasConverged) {
+  const std::vector<LampTriangle> lamp = lamp_triangles(scene::slab(0.01f, 0.7f));
+  for (const double degrees : {-20.0, -8.0, 4.0}) {
+    const dvec3 ray(std::cos(radians(static_cast<float>(degrees))), std::sin(radians(static_cast<float>(degrees))), 0);
+    for (const double g : {0.0, 0.7}) {
+      const double coarse = airlight(lamp, ray, 0.01, g, 24), fine = airlight(lamp, ray, 0.01, g, 96);
+      EXPECT_NEAR(coarse, fine, 1e-4 * fine) << degrees << ' ' << g;
+    }
   }
 }
 
-TEST_F(FogTest, ComesAndGoes) {
-  const RenderSettings s = denoising_fog(0.5f, 0.5f);
-  auto renderer = make_renderer(s, 48, 48);
-  auto clear_renderer = make_renderer(s, 48, 48);
-  const auto clear = [](int frame) { return at_time(clear_box(), frame); };
-  for (int frame = 0; frame < 40; ++frame) {
-    renderer->render(frame >= 3 && frame < 8 ? at_time(foggy_box(), frame) : clear(frame), nullptr, s);
-    clear_renderer->render(clear(frame), nullptr, s);
+TEST_F(FogTest, SlabHasTheAirlightIntegral) {
+  struct Effort {
+    const char* estimator;
+    int spp;
+    double enough;  // relative standard error of half the picture
+  };
+  // One renderer for all: another medium is another picture, but no other shader.
+  for (const Effort& effort : {Effort{"nee", 256, 0.006}, Effort{"mcpg_nee", 256, 0.006}, Effort{"mcpg", 256, 0.03},
+                               Effort{"pt", 1024, 0.03}}) {
+    const RenderSettings s = settings(effort.estimator, effort.spp);
+    auto renderer = make_renderer(s, kSlabWidth, kSlabHeight);
+    for (const float extinction : {0.002f, 0.01f})
+      for (const float g : {0.0f, 0.7f}) {
+        const SlabView view = slab_view(extinction, g);
+        const std::string what = fmt::format("{}, extinction {}, g {}", effort.estimator, extinction, g);
+        draw(*renderer, view.snapshot, s, 16);
+        for (const std::uint32_t half : {0u, 1u}) {
+          const ImageEstimate e = columns_estimate(*renderer, kSlabWidth, half * kSlabWidth / 2,
+                                                   (half + 1) * kSlabWidth / 2);
+          // The quadrature's own error is below 1e-4.
+          EXPECT_NEAR(e.mean, view.expected[half], 4.5 * e.error + 1e-4 * view.expected[half]) << what << ", " << half;
+          EXPECT_LT(e.error, effort.enough * view.expected[half]) << what << ": the test can see little";
+          fmt::print("{}, half {}: {:.5f}, quadrature {:.5f}: {:+.2f}% +- {:.2f}%\n", what, half, e.mean,
+                     view.expected[half], 100 * (e.mean / view.expected[half] - 1),
+                     100 * e.error / view.expected[half]);
+        }
+        for (const vec4& p : renderer->read().linear()) {
+          const vec3 light = scene::kSlabRadiance * view.snapshot.medium.albedo;
+          ASSERT_NEAR(p.y * light.x, p.x * light.y, 1e-4f * p.x * light.y) << what;
+          ASSERT_NEAR(p.z * light.x, p.x * light.z, 1e-4f * p.x * light.z) << what;
+        }
+        expect_finite(*renderer, what);
+      }
   }
-  EXPECT_NEAR(mean_luminance(renderer->read().denoised()) / mean_luminance(clear_renderer->read().denoised()), 1.0, 0.05);
-  EXPECT_EQ(renderer->read().counters().history_not_finite, 0u);
+}
+
+// --- a glowing room full of fog ---
+
+// scene::furnace of albedo and emission about a medium, seen by one ray along x.
+struct FoggyFurnace {
+  double sigma, g, scattered, albedo, emission;
+  static constexpr double kHalf = 128;
+  static constexpr int kCells = 32;
+  std::vector<double> table{};  // of wall_light, over a quarter of a wall
+
+  static double to_wall(const dvec3& from, const dvec3& direction) {
+    double t = 1e30;
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::abs(direction[axis]) > 1e-12)
+        t = std::min(t, ((direction[axis] > 0 ? kHalf : -kHalf) - from[axis]) / direction[axis]);
+    return std::max(t, 0.0);
+  }
+  // Integral over directions about the x axis of weight(cosine) times the light that comes from there, of paths that
+  // leave a wall by emission or, with `reflected`, by one reflection before.
+  double gathered(const dvec3& at, double least_cosine, int panels, bool reflected, const auto& weight) const {
+    return integral(least_cosine, 1, panels, [&](double c) {
+      const double s = std::sqrt(1 - c * c);
+      return weight(c) * integral(0, 2 * kHalfTurn, 2 * panels, [&](double phi) {
+               const dvec3 w(c, s * std::cos(phi), s * std::sin(phi));
+               const double t = to_wall(at, w);
+               return left_of_light(sigma, t) * (emission + (reflected ? albedo * wall_light(at + w * t) : 0.0));
+             });
+    });
+  }
+  // Irradiance over pi at a point of a wall, y and z of one where x is -128.
+  double irradiance(double y, double z, bool reflected, int panels) const {
+    return gathered({-kHalf, y, z}, 0, panels, reflected, [](double c) { return c / kHalfTurn; });
+  }
+  void tabulate() {
+    for (int i = 0; i <= kCells; ++i)
+      for (int j = 0; j <= kCells; ++j) table.push_back(irradiance(kHalf * i / kCells, kHalf * j / kCells, false, 8));
+  }
+  double wall_light(const dvec3& p) const {
+    const dvec3 d = glm::abs(p) * (kCells / kHalf);
+    const int wall = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
+    const double u = d[(wall + 1) % 3], v = d[(wall + 2) % 3];
+    const int i = std::min(static_cast<int>(u), kCells - 1), j = std::min(static_cast<int>(v), kCells - 1);
+    const auto at = [&](int k, int l) { return table[static_cast<std::size_t>(k * (kCells + 1) + l)]; };
+    return glm::mix(glm::mix(at(i, j), at(i + 1, j), u - i), glm::mix(at(i, j + 1), at(i + 1, j + 1), u - i), v - j);
+  }
+  // What a ray from `eye` along x brings.
+  double radiance(const dvec3& eye, int bounces, int fog_bounces) const {
+    const double reach = kHalf - eye.x;
+    const double surface = emission + albedo * irradiance(eye.y, eye.z, bounces > 1, 16);
+    const double in_fog = integral(0, reach, 4, [&](double t) {
+      return sigma * left_of_light(sigma, t) *
+             gathered(eye + dvec3(t, 0, 0), -1, 16, fog_bounces > 1, [&](double c) { return henyey_greenstein(g, c); });
+    });
+    return left_of_light(sigma, reach) * surface + scattered * in_fog;
+  }
+};
+
+// T(d) (e + a E) + albedo * integral of sigma T(s) * (mean over directions, weighted by the phase function, of what
+// comes from the walls), where E is a wall's irradiance over pi. Paths of the surface have r_bounces reflections, those
+// of the fog r_fog_bounces rays, and neither scatters a second time.
+TEST_F(FogTest, AGlowingRoomFullOfItHasItsQuadrature) {
+  FoggyFurnace room{0.006, 0.5, 0.8, 0.6, 0.7};
+  room.tabulate();
+  scene::FrameSnapshot snapshot = scene::furnace(0.6f, 0.7f);
+  snapshot.camera.position = {-40, 30, 10};
+  snapshot.camera.fov_x = 1;
+  snapshot.prev_camera = snapshot.camera;
+  snapshot.medium.extinction = 0.006f;
+  snapshot.medium.albedo = vec3(0.8f);
+  snapshot.medium.g = 0.5f;
+  std::vector<std::pair<std::pair<int, int>, double>> rows;
+  for (const auto& [bounces, fog_bounces] : {std::pair(1, 1), std::pair(2, 1), std::pair(1, 2), std::pair(2, 2)})
+    rows.push_back({{bounces, fog_bounces}, room.radiance({-40, 30, 10}, bounces, fog_bounces)});
+  for (const std::string& estimator : unbiased()) {
+    auto renderer = make_renderer(settings(estimator, 128), 16, 12);
+    for (const auto& [rays, expected] : rows) {
+      const RenderSettings s = settings(estimator, 128, rays.first, rays.second);
+      const std::string what = fmt::format("{}, r_bounces {}, r_fog_bounces {}", estimator, rays.first, rays.second);
+      draw(*renderer, snapshot, s, 8);
+      const ImageEstimate e = columns_estimate(*renderer, 16, 0, 16);
+      // 3e-4: the panels' and the table's error, and half a degree to either side.
+      EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 3e-4 * expected) << what;
+      EXPECT_LT(e.error, 3e-3 * expected) << what << ": the test can see little";
+      fmt::print("{}: {:.5f}, quadrature {:.5f}: {:+.3f}% +- {:.3f}%\n", what, e.mean, expected,
+                 100 * (e.mean / expected - 1), 100 * e.error / expected);
+      expect_finite(*renderer, what);
+    }
+  }
+}
+
+// --- hard numbers ---
+
+// Walls 29,440 units away on all sides.
+scene::FrameSnapshot wide_furnace() {
+  scene::FrameSnapshot snapshot = scene::furnace(0.6f, 0.7f);
+  for (scene::Instance& instance : snapshot.instances)
+    for (int axis = 0; axis < 3; ++axis) {
+      instance.transform[axis] *= 230.0f;
+      instance.prev_transform[axis] *= 230.0f;
+    }
+  return snapshot;
+}
+
+TEST_F(FogTest, NothingIsNotFiniteAtTheEndsOfItsNumbers) {
+  scene::FrameSnapshot in_lamp = scene::slab(0.0f, 0.0f);
+  in_lamp.camera.position = in_lamp.prev_camera.position = scene::kSlabLamp;
+  scene::FrameSnapshot far_off = scene::window();
+  for (scene::Instance& instance : far_off.instances) {
+    instance.transform[3] += vec3(30000, -30000, 29000);
+    instance.prev_transform = instance.transform;
+  }
+  far_off.camera.position += vec3(30000, -30000, 29000);
+  far_off.prev_camera = far_off.camera;
+  const std::pair<const char*, scene::FrameSnapshot> scenes[] = {{"slab", scene::slab(0.0f, 0.0f)},
+                                                                 {"in the lamp", in_lamp},
+                                                                 {"wide", wide_furnace()},
+                                                                 {"far off", far_off}};
+  for (const TechniqueInfo& estimator : techniques()) {
+    RenderSettings s = settings(estimator.name, 2, 2, 2);
+    s.force_features = 1;  // one shader for all scenes
+    auto renderer = make_renderer(s, 8, 8);
+    for (const auto& [name, original] : scenes) {
+      scene::FrameSnapshot snapshot = original;
+      snapshot.medium.albedo = vec3(1.0f);
+      for (const float extinction : {0.0f, 1e-30f, 1e-9f, 0.01f, 10.0f})
+        for (const float g : {-0.999f, 0.0f, 0.999f}) {
+          snapshot.medium.extinction = extinction;
+          snapshot.medium.g = g;
+          draw(*renderer, snapshot, s, 2);
+          expect_finite(*renderer, fmt::format("{}, {}, extinction {}, g {}", estimator.name, name, extinction, g));
+        }
+    }
+  }
+}
+
+// Optically thin or thick, 29,440 units away.
+TEST_F(FogTest, FarWallsHaveTheExponentialLaw) {
+  const double emission = static_cast<double>(0.7f);
+  for (const float extinction : {1e-9f, 1e-5f, 1e-3f}) {
+    scene::FrameSnapshot snapshot = wide_furnace();
+    snapshot.medium.extinction = extinction;
+    const RenderSettings s = settings("pt", 1, 0);
+    auto renderer = make_renderer(s, 16, 12);
+    draw(*renderer, snapshot, s, 1);
+    const auto image = renderer->read().linear();
+    const auto gbuffer = renderer->read().gbuffer();
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      const double depth = static_cast<double>(extinction) * static_cast<double>(gbuffer[i].position_t.w);
+      ASSERT_GT(gbuffer[i].position_t.w, 29000.0f);
+      ASSERT_NEAR(image[i].x, emission * std::exp(-depth), (4e-7 + 2e-7 * depth) * emission * std::exp(-depth));
+    }
+  }
+}
+
+// --- no medium ---
+
+// The same bits as without it, in a renderer that never saw one and in one whose shaders know of it.
+TEST_F(FogTest, OfNoExtinctionIsNone) {
+  for (const char* estimator : {"nee", "mcpg"}) {
+    RenderSettings s = settings(estimator, 2, 2, 2);
+    s.deterministic = 1;
+    const scene::FrameSnapshot clear = scene::light_of_every_kind();
+    scene::FrameSnapshot fog = clear;
+    fog.medium.albedo = vec3(1.0f);
+    fog.medium.g = 0.5f;
+    fog.medium.sky = 0.3f;
+    auto renderer = make_renderer(s, 48, 36);
+    const auto hash_of = [&](const scene::FrameSnapshot& snapshot) {
+      renderer->restart_accumulation();
+      renderer->reset_learning();
+      draw(*renderer, snapshot, s, 3);
+      return image_hash(*renderer);
+    };
+    const std::uint64_t expected = hash_of(clear);
+    EXPECT_EQ(hash_of(fog), expected) << estimator;
+    fog.medium.extinction = 0.01f;
+    EXPECT_NE(hash_of(fog), expected) << estimator;
+    EXPECT_EQ(hash_of(clear), expected) << estimator << ": after fog";
+  }
+}
+
+// r_bounces 0: nothing is scattered, and nothing of former frames is shown.
+TEST_F(FogTest, EmissionAloneIsTransmitted) {
+  scene::FrameSnapshot snapshot = scene::furnace(0.5f, 0.7f);
+  snapshot.medium.extinction = 0.01f;
+  snapshot.medium.albedo = vec3(1.0f);
+  for (const char* estimator : {"nee", "mcpg"}) {
+    auto renderer = make_renderer(settings(estimator, 1), 16, 12);
+    draw(*renderer, snapshot, settings(estimator, 1), 1);
+    draw(*renderer, snapshot, settings(estimator, 1, 0), 1);
+    const auto image = renderer->read().linear();
+    const auto gbuffer = renderer->read().gbuffer();
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      const double expected = 0.7 * left_of_light(0.01, static_cast<double>(gbuffer[i].position_t.w));
+      ASSERT_NEAR(image[i].x, expected, 3e-6 * expected) << estimator;
+    }
+  }
 }
 
 }  // namespace

@@ -61,6 +61,7 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
     c.sun_radiance[i] = vec4(radiance, (radiance.x + radiance.y + radiance.z) * sky_factor);
   }
   c.ambient = vec4(snapshot.ambient, 0);
+  c.medium_phase.z = 1.0f;  // shaders that know of a medium go on when there is none any more
   if (snapshot.medium.scatters()) {
     const scene::Medium& m = snapshot.medium;
     c.medium = vec4(glm::clamp(m.albedo, 0.0f, 1.0f), m.extinction);

@@ -114,7 +114,7 @@ void GuidedTechnique::fill_constants(const TechniqueFrame& frame) {
   c.mc_tail_train = std::max(s.mc_tail_train, least_train);
   c.frame_number = frame_;
   c.vertices = static_cast<std::uint32_t>(vertices_);
-  c.seen_stride = seen_stride(frame.size, s);
+  c.seen_stride = seen_stride(frame.size, s, frame.medium);
   std::memcpy(uniform_.mapped(), &c, sizeof(c));
 }
 

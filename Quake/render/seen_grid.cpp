@@ -26,10 +26,11 @@ void SeenGrid::add_fold(PassList& list, ShaderSet& shaders) {
   list.dispatch("seen", PassKind::kEstimator, shaders.get("seen_fold"), {shared::kSeenCells / 64, 1});
 }
 
-std::uint32_t seen_stride(uvec2 size, const RenderSettings& settings) {
+std::uint32_t seen_stride(uvec2 size, const RenderSettings& settings, bool medium) {
   // A vertex sends one ray; all of a frame's in one cell still fit.
-  const std::uint64_t rays = std::uint64_t{size.x} * size.y * most_samples(settings) *
-                             static_cast<std::uint64_t>(std::max(settings.bounces, 1));
+  const int vertices = std::max(settings.bounces, 1) + (medium ? settings.medium_bounces : 0);
+  const std::uint64_t rays =
+      std::uint64_t{size.x} * size.y * most_samples(settings) * static_cast<std::uint64_t>(vertices);
   return static_cast<std::uint32_t>(
       std::bit_ceil(std::min<std::uint64_t>(rays / (shared::kSeenRay / 2) + 1, 1u << 30)));
 }

@@ -21,6 +21,6 @@ class SeenGrid {
 };
 
 // Of this many rays a frame one is remembered, so that no cell's counters overflow; a power of two.
-std::uint32_t seen_stride(uvec2 size, const RenderSettings& settings);
+std::uint32_t seen_stride(uvec2 size, const RenderSettings& settings, bool medium);
 
 }  // namespace fb::render

@@ -130,14 +130,18 @@ TEST_F(SeenGridTest, ItIsForgottenAndGivenBack) {
 TEST(SeenStride, NoCounterOverflows) {
   for (const uvec2 size : {uvec2(1, 1), uvec2(320, 180), uvec2(1920, 1080), uvec2(7680, 4320)}) {
     for (const int spp : {1, 4, 4096}) {
-      RenderSettings s;
-      s.spp = spp;
-      s.bounces = 3;
-      s.denoise = 1;
-      const std::uint64_t stride = seen_stride(size, s);
-      EXPECT_EQ(stride & (stride - 1), 0u);
-      const double rays = double(size.x) * size.y * spp * s.bounces * s.first_spp / static_cast<double>(stride);
-      EXPECT_LT(rays + 8 * std::sqrt(rays), shared::kSeenRay) << size.x << "x" << size.y << ", " << spp;
+      for (const bool medium : {false, true}) {
+        RenderSettings s;
+        s.spp = spp;
+        s.bounces = 3;
+        s.medium_bounces = 8;
+        s.denoise = 1;
+        const std::uint64_t stride = seen_stride(size, s, medium);
+        EXPECT_EQ(stride & (stride - 1), 0u);
+        const int vertices = s.bounces + (medium ? s.medium_bounces : 0);
+        const double rays = double(size.x) * size.y * spp * vertices * s.first_spp / static_cast<double>(stride);
+        EXPECT_LT(rays + 8 * std::sqrt(rays), shared::kSeenRay) << size.x << "x" << size.y << ", " << spp << medium;
+      }
     }
   }
 }

@@ -15,6 +15,7 @@
 //   direct    const bool kLooksForLight
 //             Direct look_for_light(Vertex v, Guidance g, inout uint rng)        by a ray more
 //             Direct last_light(Vertex v, inout uint rng)                        by a path's last ray, which looks for it in turns
+//             bool point_of_light(inout uint rng, out vec3 place)                a point that may glow, for distances in a medium
 //             float met_share(Hit hit, Proposal p, vec3 emission)                of emission that is met before the last
 //   learning  const bool kLearns
 //             void learn_direct(Guidance g, Direct direct, Path path, inout uint rng)

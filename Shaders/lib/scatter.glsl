@@ -45,8 +45,9 @@ mat3 frame_about(vec3 n) {
 // Whether light may be scattered in a direction: not into the geometric surface.
 bool scatters_to(Scatter s, vec3 direction) { return dot(direction, s.normal) > 0.0 || in_medium(s); }
 
-// The cosine that irradiance is weighted by. A medium has light from all sides: its mean radiance times pi.
-float scatter_cosine(Scatter s, vec3 direction) { return in_medium(s) ? 0.25 : dot(direction, s.normal); }
+// The cosine that irradiance is weighted by, times the direction's length. A medium has light from all sides: its mean radiance
+// times pi.
+float scatter_cosine(Scatter s, vec3 direction) { return in_medium(s) ? 0.25 * length(direction) : dot(direction, s.normal); }
 
 // What cells of a grid tell orientations by.
 vec3 scatter_axis(Scatter s) { return s.normal; }

@@ -29,6 +29,7 @@ struct Row {
   int spp = 4;
   bool biased = false;                 // what must be found
   std::vector<std::string> both = {};  // set for pt, too
+  std::string reference = "pt";        // where pt finds too little, another that pt's rows hold to it
 };
 
 RunPlan plan(std::uint32_t runs, std::uint32_t frames, std::uint32_t skip = 0, bool fresh = false) {
@@ -76,8 +77,8 @@ class UnbiasedTest : public render::DeviceTest, public testing::WithParamInterfa
   };
   static Expected* expected(const Row& row) {
     const RunPlan& p = row.plan;
-    auto& at = references_[fmt::format("{} {} {} {} {} {}", row.scene, p.runs, p.frames, p.skip, row.spp,
-                                       fmt::join(row.both, " "))];
+    auto& at = references_[fmt::format("{} {} {} {} {} {} {}", row.scene, row.reference, p.runs, p.frames, p.skip,
+                                       row.spp, fmt::join(row.both, " "))];
     if (at.runs) return &at;
     auto source = code_scene(row.scene, 60);
     auto film = source ? collect_film(**source, p.skip + p.frames - 1) : Result<Film>(source.error());
@@ -87,8 +88,8 @@ class UnbiasedTest : public render::DeviceTest, public testing::WithParamInterfa
     }
     at.film = std::move(*film);
     Sampling sampling{settings_of(row.both), p};
-    sampling.settings.estimator = "pt";   // the cvar's default is what the game uses
-    sampling.settings.spp = 8 * row.spp;  // pt's are noisy, and cheap
+    sampling.settings.estimator = row.reference;                        // the cvar's default is what the game uses
+    sampling.settings.spp = (row.reference == "pt" ? 8 : 2) * row.spp;  // pt's are noisy, and cheap
     at.runs = std::make_unique<ReferenceRuns>(*device_, at.film, sampling);
     return &at;
   }
@@ -165,6 +166,19 @@ const Row kLooksForLights[] = {
 };
 INSTANTIATE_TEST_SUITE_P(LooksForLights, UnbiasedTest, testing::ValuesIn(kLooksForLights), row_name);
 
+// Fog, with light straight from what glows and with what surfaces reflect into it. Shafts are held to nee, whose mean
+// is that of pt (below) and of integrals (render/fog_test.cpp).
+const Row kFog[] = {
+    {"slab", "nee", {}, warm(), 4},
+    {"slab", "mcpg", {}, warm(), 4},
+    {"slab", "mcpg_nee", {}, cold(), 4},
+    {"window", "mcpg_nee", {}, cold(), 8, false, {}, "nee"},
+    {"window", "mcpg_nee", {}, warm(), 8, false, {"r_fog_bounces=2"}, "nee"},
+    {"window", "mcpg", {}, warm(), 16, false, {"r_fog_bounces=2"}, "nee"},
+    {"window", "nee", {"r_fog_bounces=1"}, warm(), 16, true, {"r_fog_bounces=2"}, "nee"},
+};
+INSTANTIATE_TEST_SUITE_P(Fog, UnbiasedTest, testing::ValuesIn(kFog), row_name);
+
 // Every feature off, some settings at their ends, more scenes. Looked at where time is given:
 // FULLBRIGHT_UNBIASED_TIMES.
 using MoreUnbiasedTest = UnbiasedTest;
@@ -212,6 +226,17 @@ const Row kFeatures[] = {
     {"many", "mcpg", {"r_mc_states=1024", "r_mc_cells=1024"}, warm(), 2},
     {"many", "mcpg", {"r_mc_adaptive=1", "r_mc_coarser=0"}, warm(), 2},
     {"many", "mcpg", {"r_mc_adaptive=0.7", "r_mc_wider=1", "r_mc_static=16"}, warm(), 2},
+    {"slab", "mcpg", {}, cold(), 4},
+    {"slab", "mcpg_nee", {}, warm(), 4},
+    {"slab", "mcpg", {"r_mc_adaptive=1"}, warm(), 4},
+    {"slab", "mcpg", {"r_mc_paper=1"}, warm(), 4},
+    {"slab", "nee", {}, warm(), 4, false, {"r_fog_bounces=2"}},
+    {"window", "nee", {}, plan(24, 4), 64, false, {"r_fog_bounces=2"}},
+    {"window", "nee", {}, plan(24, 4), 64},
+    {"window", "mcpg", {}, warm(), 16, false, {}, "nee"},
+    {"window", "mcpg", {}, cold(), 16, false, {"r_fog_bounces=2"}, "nee"},
+    {"window", "mcpg_nee", {"r_deterministic=1"}, warm(), 8, false, {"r_fog_bounces=3"}, "nee"},
+    {"window", "mcpg", {"r_deterministic=1"}, warm(), 16, false, {}, "nee"},
 };
 INSTANTIATE_TEST_SUITE_P(Features, MoreUnbiasedTest, testing::ValuesIn(kFeatures), row_name);
 

@@ -9,6 +9,7 @@
 #include "scene/in_code/scene_of_kinds.h"
 #include "scene/in_code/scenes_in_code.h"
 #include "scene/in_code/scenes_in_motion.h"
+#include "scene/in_code/scenes_of_fog.h"
 #include "scene/in_code/scenes_of_light.h"
 #include "scene/shapes.h"
 #include "scene/test_scenes.h"
@@ -164,6 +165,35 @@ TEST(LightScenes, LavaIsAPoolAndNothingElse) {
     pool += 0.5 * area2.z;
   }
   EXPECT_GT(pool, 0.5 * 640 * 640) << "more than half of what lies within the rim";
+}
+
+TEST(FogScenes, SlabIsALampInSightAndNothingElse) {
+  const FrameSnapshot snapshot = slab(0.004f, 0.4f);
+  ASSERT_EQ(snapshot.instances.size(), 1u);
+  EXPECT_EQ(lights(snapshot).size(), 1u);
+  EXPECT_TRUE(is_closed(snapshot.assets->meshes[snapshot.instances[0].mesh]));
+  EXPECT_FALSE(snapshot.sky.beyond_everything);
+  EXPECT_TRUE(snapshot.medium.scatters());
+  EXPECT_LT(glm::length(vec2(kSlabLamp.y, kSlabLamp.z)), 0.5f * kSlabLamp.x) << "within the picture";
+}
+
+TEST(FogScenes, WindowIsClosedAndItsSunFallsIn) {
+  const FrameSnapshot snapshot = window();
+  expect_closed_space(snapshot);
+  EXPECT_TRUE(snapshot.medium.scatters());
+  ASSERT_EQ(snapshot.sky.suns.size(), 1u);
+  const vec3 sun = snapshot.sky.suns[0].direction;
+  EXPECT_GT(sun.y, 0.5f) << "through the left wall";
+  EXPECT_GT(sun.z, 0.0f);
+  const Mesh& hall = snapshot.assets->meshes[0];
+  double sky = 0;
+  for (const MeshTriangle& t : hall.triangles) {
+    if (snapshot.assets->materials[t.material].emission_kind != EmissionKind::kSky) continue;
+    for (const std::uint32_t v : t.vertices) EXPECT_GT(hall.positions[v].y, kWindowWall);
+    sky += 0.5 * glm::length(glm::cross(hall.positions[t.vertices[1]] - hall.positions[t.vertices[0]],
+                                        hall.positions[t.vertices[2]] - hall.positions[t.vertices[0]]));
+  }
+  EXPECT_NEAR(sky, 3 * 48 * 128, 1e-2) << "between two bars";
 }
 
 TEST(Films, RocketFliesAtItsSpeedFromFrameOneOn) {

@@ -23,6 +23,24 @@ uint sample_light(inout uint rng) {
 
 float light_probability(uint element) { return float(light_at(element).x) / float(kLightRange); }
 
+// Uniform on a triangle: weights of its vertices 1 and 2.
+vec2 sample_triangle(inout uint rng) {
+  float root = sqrt(rng_uniform(rng)), along = rng_uniform(rng);
+  return vec2(root * (1.0 - along), root * along);
+}
+
+// A point of the list's lights, to choose distances in a medium by; false: it has none.
+bool point_of_light(inout uint rng, out vec3 place) {
+  place = vec3(0.0);
+  if (!has_lights()) return false;
+  uint element = sample_light(rng);
+  vec2 at = sample_triangle(rng);
+  uint instance = light_at(element).y;
+  GpuTriangle t = world_triangle(instance, element - light_at(instance).x);
+  place = t.v0.xyz + t.e1.xyz * at.x + t.e2.xyz * at.y;
+  return true;
+}
+
 // Density with which the list finds a point of a triangle of the world at `distance`; 0: it is not in the list.
 float light_pdf(uint element, GpuTriangle t, float distance, vec3 direction) {
   vec3 area = 0.5 * cross(t.e1.xyz, t.e2.xyz);
@@ -130,8 +148,8 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
   uint listed = has_lights() ? light_candidates() : 0u, i = 0u;
   if (listed > 0u) do {
     uint element = sample_light(rng);
-    float root = sqrt(rng_uniform(rng)), along = rng_uniform(rng), pick = rng_uniform(rng);
-    vec2 at = vec2(root * (1.0 - along), root * along);
+    vec2 at = sample_triangle(rng);
+    float pick = rng_uniform(rng);
     uint instance = light_at(element).y, triangle = element - light_at(instance).x;
     GpuTriangle t = world_triangle(instance, triangle);
     vec3 way = t.v0.xyz + t.e1.xyz * at.x + t.e2.xyz * at.y - origin;
