@@ -60,7 +60,7 @@ class GuidedTechnique : public Technique {
   std::uint32_t accesses_ = 1, bucket_ = 1;          // cells that a vertex takes states from; states in a cell
   std::uint32_t frame_ = 0;                          // since it forgot
   std::array<double, shared::kPastFrames> times_{};  // of the last frames, by their numbers
-  bool resolve_ = false;
+  bool resolve_ = false, guides_fog_ = true;
   bool forget_ = true;
 };
 
@@ -139,6 +139,7 @@ RenderSettings GuidedTechnique::adapt(RenderSettings settings) const {
 void GuidedTechnique::prepare(const TechniqueFrame& frame) {
   const RenderSettings& s = frame.settings;
   resolve_ = s.deterministic != 0;
+  guides_fog_ = !seen_ || s.mc_fog != 0;
   bucket_ = std::bit_floor(static_cast<std::uint32_t>(s.mc_bucket));
   accesses_ = std::min(static_cast<std::uint32_t>(s.mc_accesses), kMaxLobes / bucket_);
   vertices_ = static_cast<std::uint64_t>(frame.size.x) * frame.size.y * most_samples(s) *
@@ -158,7 +159,7 @@ void GuidedTechnique::add_passes(const TechniquePasses& passes) {
     });
   }
   if (seen_) seen_->add_reset(passes.list);
-  add_paths_pass(passes, name_, {resolve_, accesses_, bucket_});
+  add_paths_pass(passes, name_, {resolve_, accesses_, bucket_, 1}, {resolve_, accesses_, bucket_, guides_fog_});
   if (seen_) seen_->add_fold(passes.list, passes.shaders);
   if (resolve_) {
     const auto groups = static_cast<std::uint32_t>((vertices_ + 63) / 64);

@@ -51,13 +51,14 @@ class NeeTechnique : public PathTechnique {
 
 }  // namespace
 
-void add_paths_pass(const TechniquePasses& passes, std::string_view name,
-                    const std::array<std::uint32_t, shared::kTechniqueSpecs>& constants) {
+void add_paths_pass(const TechniquePasses& passes, std::string_view name, const TechniqueSpecs& constants,
+                    const TechniqueSpecs& in_medium) {
   Variant variant = passes.variant;
   variant.technique = constants;
   passes.list.dispatch("paths", PassKind::kEstimator, passes.shaders.get(name, variant), groups_over(passes.size, 8));
   if (passes.medium_size.x == 0) return;
   variant.in_medium = true;
+  variant.technique = in_medium;
   variant.show_view = false;
   passes.list.dispatch("fog", PassKind::kEstimator, passes.shaders.get(name, variant),
                        groups_over(passes.medium_size, 8));

@@ -89,7 +89,8 @@ std::unique_ptr<Technique> make_guided_technique(const TechniqueTools& tools, st
 std::unique_ptr<Technique> make_guided_tail_technique(const TechniqueTools& tools, std::string_view name);
 
 // The passes that trace paths, of a technique's shader: from surfaces and, where there is one, from the medium.
-void add_paths_pass(const TechniquePasses& passes, std::string_view name,
-                    const std::array<std::uint32_t, shared::kTechniqueSpecs>& constants = {});
+using TechniqueSpecs = std::array<std::uint32_t, shared::kTechniqueSpecs>;
+void add_paths_pass(const TechniquePasses& passes, std::string_view name, const TechniqueSpecs& constants = {},
+                    const TechniqueSpecs& in_medium = {});
 
 }  // namespace fb::render

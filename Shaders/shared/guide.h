@@ -15,6 +15,7 @@ FB_CONST uint kBindGuideProposals = 2u;  // uvec4[]: what a frame's paths want t
 FB_CONST uint kSpecResolve = kSpecTechnique;        // store proposals, which a pass resolves in a fixed order
 FB_CONST uint kSpecAccesses = kSpecTechnique + 1u;  // cells that a vertex takes states from
 FB_CONST uint kSpecBucket = kSpecTechnique + 2u;    // states in a cell
+FB_CONST uint kSpecGuides = kSpecTechnique + 3u;    // vertices take states from cells and teach them
 
 // Alber 2025, Table 1. Weighted sums are kept divided by their weight, so that nothing overflows; 24 bytes packed.
 struct GuideState {

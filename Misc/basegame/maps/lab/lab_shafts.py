@@ -1,5 +1,5 @@
-"""Shafts of light: the sun enters a chapel through slits high above, and its fog is to show the way. Until fog is rendered, what
-is hard is the sun alone: a disc of two degrees, behind slits, that lights a few spots."""
+"""Shafts of light: the sun enters a chapel through slits high above, and fog shows the way. The sun is a disc of two degrees, behind
+slits, that lights a few spots."""
 
 from kit import Group, Map, Tex
 from scene_parts import candle, furnish, lathe, stand

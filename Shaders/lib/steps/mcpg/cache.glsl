@@ -12,6 +12,8 @@
 #include "shared/guide.h"
 #include "shared/scene_gpu.h"
 
+layout(constant_id = kSpecGuides) const bool GUIDES = true;  // vertices take states from cells and teach them
+
 layout(set = kSetTechnique, binding = kBindTechniqueConstants, std140) uniform GuideBlock { GuideConstants guide; };
 FB_TECHNIQUE_ARRAY(kBindGuideStates, 16, , GuideStateArray, uvec4, guide_states)
 FB_TECHNIQUE_ARRAY(kBindGuideProposals, 16, , GuideProposalArray, uvec4, guide_proposals)

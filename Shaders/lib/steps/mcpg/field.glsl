@@ -12,6 +12,7 @@ struct Field {
 };
 
 Field field_at(Vertex v, inout Path path) {
+  if (!GUIDES) return Field(CacheCell(kNoIndex, kNoIndex, 0u));
   return Field(find_cache_cell(v.position, scatter_axis(v.scatter), in_medium(v.scatter) ? kMediumTag : kCacheTag, path.group_rng));
 }
 

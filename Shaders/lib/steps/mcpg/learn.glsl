@@ -16,6 +16,7 @@ const uint kManyPaths = 16u;  // of a pixel: a share of them is enough, and a ce
 
 // Little is known at the vertex yet, or it is this path's turn.
 bool trains_here(Guidance g, Path path) {
+  if (!GUIDES) return false;
   return path.trains || (frame.spp <= kManyPaths && (g.cache.entry == kNoIndex || g.cache_frames < kYoungFrames));
 }
 
@@ -28,6 +29,7 @@ void learn_direct(Guidance g, Direct direct, Path path, inout uint rng) {
 
 // A last vertex is of use to its cell alone: the one sample that has all light there.
 void learn_last(Field here, Direct direct, Path path, inout uint rng) {
+  if (!GUIDES) return;
   uint entry = here.cell.entry;
   if (!path.trains && (frame.spp > kManyPaths || (entry != kNoIndex && cache_frames(entry) >= kYoungFrames))) return;
   if (entry == kNoIndex) {
@@ -79,6 +81,7 @@ void update_state(Vertex v, Transition t, vec3 hit_position, vec3 velocity, floa
 }
 
 void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout Path path, inout uint rng) {
+  if (!GUIDES) return;
   bool trains = trains_here(g, path);
   bool is_new = g.choice.state == kNoIndex && !g.slot.matched && incident.emission != vec3(0.0);
   if (!trains && !is_new) return;

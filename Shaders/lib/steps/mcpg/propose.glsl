@@ -42,6 +42,9 @@ void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance
   g.cache_frames = g.cache.entry != kNoIndex ? cache_frames(g.cache.entry) : 0u;
   g.last = path.last;
   g.moved = guide.mc_previous != 0 && v.previous != v.position;
+  g.share = g.total = g.all = 0.0;
+  g.choice.state = kNoIndex;
+  if (!GUIDES) return;
   load_mixture(v, g, path.group_rng, rng);
   g.share = g.total > 0.0 ? learnt_share(g.cache, g.cache_frames) : 0.0;
 }
@@ -64,7 +67,7 @@ Proposal propose(Vertex v, inout Guidance g, inout uint rng) {
     p.flags = s.flags;
   }
   g.home = g.moved ? 0u : min(uint(rng_uniform(rng) * float(GUIDE_ACCESSES)), GUIDE_ACCESSES - 1u);
-  g.guided_pdf = mixture_pdf(g, p.direction, g.slot);
+  g.guided_pdf = GUIDES ? mixture_pdf(g, p.direction, g.slot) : 0.0;
   vec3 f = scatter_eval(v.scatter, v.view, p.direction, g.bsdf_pdf);
   g.pdf = share_pdf(g, g.guided_pdf, g.bsdf_pdf);
   g.below = !scatters_to(v.scatter, p.direction);
@@ -74,6 +77,7 @@ Proposal propose(Vertex v, inout Guidance g, inout uint rng) {
 }
 
 float proposal_pdf(Guidance g, vec3 direction, float bsdf_pdf) {
+  if (!GUIDES) return bsdf_pdf;
   GuideSlot slot;
   return g.share > 0.0 ? share_pdf(g, mixture_pdf(g, direction, slot), bsdf_pdf) : bsdf_pdf;
 }
