@@ -80,6 +80,25 @@ TEST_F(AmbientTest, AddsTheSameToEveryEstimator) {
   }
 }
 
+// In fog: what is left of it from the wall, and as much of A as the fog takes from the ray times its albedo.
+TEST_F(AmbientTest, FogScattersIt) {
+  const float albedo = 0.6f, light = 0.5f;
+  RenderSettings s = settings_of("pt", 1);
+  scene::FrameSnapshot snapshot = scene::furnace(albedo, 0.0f);
+  snapshot.ambient = vec3(light);
+  snapshot.medium.extinction = 0.01f;
+  snapshot.medium.albedo = vec3(0.8f, 0.4f, 0.0f);
+  auto renderer = make_renderer(s, 24, 16);
+  renderer->render(snapshot, nullptr, s);
+  const std::vector<vec4> picture = renderer->read().linear();
+  const std::vector<shared::GBufferTexel> texels = renderer->read().gbuffer();
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    const float left = std::exp(-0.01f * texels[i].position_t.w);
+    for (int c = 0; c < 3; ++c)
+      ASSERT_NEAR(picture[i][c], light * (albedo * left + snapshot.medium.albedo[c] * (1.0f - left)), 1e-4f) << i;
+  }
+}
+
 TEST_F(AmbientTest, TheDenoiserKeepsItAndAChangeStartsAnew) {
   const float albedo = 0.6f;
   RenderSettings s = settings_of("pt", 2);

@@ -339,8 +339,9 @@ TEST_F(FogTest, NothingIsNotFiniteAtTheEndsOfItsNumbers) {
   far_off.prev_camera = far_off.camera;
   const std::pair<const char*, scene::FrameSnapshot> scenes[] = {
       {"slab", scene::slab(0.0f, 0.0f)}, {"in the lamp", in_lamp}, {"wide", wide_furnace()}, {"far off", far_off}};
-  for (const TechniqueInfo& estimator : techniques()) {
-    RenderSettings s = settings(estimator.name, 2, 2, 2);
+  // What they do holds for the other techniques, whose steps are among theirs.
+  for (const char* estimator : {"nee", "mcpg", "mcpg_nee"}) {
+    RenderSettings s = settings(estimator, 2, 2, 2);
     s.force_features = 1;  // one shader for all scenes
     auto renderer = make_renderer(s, 8, 8);
     for (const auto& [name, original] : scenes) {
@@ -351,7 +352,7 @@ TEST_F(FogTest, NothingIsNotFiniteAtTheEndsOfItsNumbers) {
           snapshot.medium.extinction = extinction;
           snapshot.medium.g = g;
           draw(*renderer, snapshot, s, 2);
-          expect_finite(*renderer, fmt::format("{}, {}, extinction {}, g {}", estimator.name, name, extinction, g));
+          expect_finite(*renderer, fmt::format("{}, {}, extinction {}, g {}", estimator, name, extinction, g));
         }
     }
   }

@@ -14,12 +14,18 @@ float seen_through_medium(Surface s, float distance) {
   return s.sky ? frame.medium_phase.z : transmittance(frame.medium.w, distance);
 }
 
+// Even light that the medium scatters on the way: as much from every point, so without noise.
+vec3 scattered_even_light(float distance) {
+  return FEATURE_MEDIUM ? frame.medium.rgb * frame.ambient.rgb * opacity(frame.medium.w, distance) : vec3(0.0);
+}
+
 void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float depth) {
   vec3 before = previous_pixel(previous_position(hit));
   texel.position_t = vec4(s.position, hit.t);
   texel.albedo_roughness = vec4(s.bsdf.albedo, sqrt(s.bsdf.alpha));
   // Even light is reflected here and nowhere else: no path brings it, so that it is the same in every estimator.
-  texel.emission_specular = vec4((s.emission + s.bsdf.albedo * frame.ambient.rgb) * seen_through_medium(s, hit.t), s.bsdf.specular);
+  texel.emission_specular = vec4((s.emission + s.bsdf.albedo * frame.ambient.rgb) * seen_through_medium(s, hit.t) + scattered_even_light(hit.t),
+                                s.bsdf.specular);
   texel.normal = pack_direction(s.normal);
   texel.shading_normal = pack_direction(s.shading_normal);
   texel.id = instance_at(hit.instance).id;
@@ -43,7 +49,7 @@ void main() {
   GBufferTexel texel = GBufferTexel(vec4(0.0), vec4(0.0, 0.0, 0.0, 1.0), vec4(0.0), 0u, 0u, 0u, 0u, vec4(0.0));
   if (!missed || frame.sky_beyond != 0u) {
     Surface s = load_surface(hit, direction, uint(frame.texture_filter), missed);
-    texel.emission_specular = vec4(s.emission * seen_through_medium(s, kRayEnd), 0.0);
+    texel.emission_specular = vec4(s.emission * seen_through_medium(s, kRayEnd) + scattered_even_light(kRayEnd), 0.0);
     if (!missed) fill_texel(texel, s, hit, point, hit.t / length(ray));
   }
   store_gbuffer(at, texel);

@@ -172,10 +172,10 @@ const Row kFog[] = {
     {"slab", "nee", {}, warm(), 4},
     {"slab", "mcpg", {}, warm(), 4},
     {"slab", "mcpg_nee", {}, cold(), 4},
-    {"window", "mcpg_nee", {}, cold(), 8, false, {}, "nee"},
-    {"window", "mcpg_nee", {}, warm(), 8, false, {"r_fog_bounces=2"}, "nee"},
-    {"window", "mcpg", {}, warm(), 16, false, {"r_fog_bounces=2"}, "nee"},
-    {"window", "nee", {"r_fog_bounces=1"}, warm(), 16, true, {"r_fog_bounces=2"}, "nee"},
+    {"window", "mcpg_nee", {}, cold(), 4, false, {}, "nee"},
+    {"window", "mcpg_nee", {}, warm(), 4, false, {"r_fog_bounces=2"}, "nee"},
+    {"window", "mcpg", {}, warm(), 8, false, {"r_fog_bounces=2"}, "nee"},
+    {"window", "nee", {"r_fog_bounces=1"}, warm(), 4, true, {"r_fog_bounces=2"}, "nee"},
 };
 INSTANTIATE_TEST_SUITE_P(Fog, UnbiasedTest, testing::ValuesIn(kFog), row_name);
 
