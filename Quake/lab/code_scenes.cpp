@@ -9,6 +9,7 @@
 #include "scene/in_code/scenes_in_code.h"
 #include "scene/in_code/scenes_in_motion.h"
 #include "scene/in_code/scenes_of_light.h"
+#include "scene/in_code/scenes_of_water.h"
 
 namespace fb::lab {
 namespace {
@@ -58,6 +59,7 @@ const std::vector<Entry>& entries() {
       {"candles_flicker", [] { return timed_film(scene::candle_assets(), scene::candles); }},
       {"strips", [] { return still_film(scene::strips()); }},
       {"lava", [] { return still_film(scene::lava_cave()); }},
+      {"ripple", [] { return still_film(scene::ripple()); }},
       {"kinds", [] { return still_film(scene::light_of_every_kind()); }},
       {"moving", [] { return timed_film(scene::moving_assets(), scene::moving); }},
       {"rocket", [] { return counted_film(scene::rocket_assets(), scene::rocket); }},

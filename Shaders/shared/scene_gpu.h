@@ -27,6 +27,7 @@ FB_CONST uint kTriangleVisibilityShift = 1u;
 FB_CONST uint kTriangleInstanceShift = 3u;
 FB_CONST uint kTriangleAlphaTest = 1u;  // candidate hits must ask the texel
 FB_CONST uint kTriangleSmooth = 2u;     // has vertex normals
+FB_CONST uint kTriangleLiquidInFront = 4u;  // kMaterialWater: the liquid is on the side that it faces
 
 struct GpuInstance {  // 272 bytes
   vec4 to_world[3];
@@ -83,7 +84,7 @@ struct GpuMaterial {               // 80 bytes
   float roughness, specular, metalness;
   uint flags;          // scene::MaterialFlags
   uint emission_kind;  // scene::EmissionKind
-  uint pad0, pad1, pad2;
+  float absorption_r, absorption_g, absorption_b;  // kMaterialWater: of the liquid, 1/unit
 };
 
 // The list of lights. Element i below the number of instances: x is the element of instance i's triangle 0, kNoIndex if
