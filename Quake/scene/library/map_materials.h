@@ -21,7 +21,7 @@ struct LiquidAlphas {
 
 // What a clear liquid absorbs, 1/unit, from its texture's mean colour (linear) and its alpha. The depth at which half of white
 // light's luminance is left is kLiquidHalfDepth / alpha; what the texture shows less of is absorbed sooner.
-constexpr float kLiquidHalfDepth = 64.0f, kLiquidTint = 0.8f;
+constexpr float kLiquidHalfDepth = 256.0f, kLiquidTint = 0.5f;
 vec3 liquid_absorption(const vec3& color, float alpha);
 
 class MapMaterials {
