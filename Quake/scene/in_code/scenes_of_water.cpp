@@ -7,7 +7,7 @@
 
 namespace fb::scene {
 
-FrameSnapshot ripple() {
+FrameSnapshot ripple(const Ripple& kind) {
   constexpr float kHalf = 256.0f, kReach = 264.0f;  // the surface goes on within the walls
   constexpr int kCells = 264;
   auto assets = new_code_assets();
@@ -40,13 +40,19 @@ FrameSnapshot ripple() {
     surface.triangles.push_back({{at, at + 3, at + 1}, water, {}});
   }
 
-  FrameSnapshot snapshot = still(assets, camera_at({-200, -30, 100}, {35, 8, 0}, 90.0f));
+  const std::uint32_t sphere = add_sphere_mesh(*assets);
+  const Camera camera = kind.above ? camera_at({-230, -30, 240}, {35, 8, 0}, 90.0f) : camera_at({-200, -30, 100}, {35, 8, 0}, 90.0f);
+  FrameSnapshot snapshot = still(assets, camera);
   snapshot.instances.push_back(make_instance(kIdWorld, add_finished(*assets, std::move(room), "pool")));
   snapshot.instances.push_back(make_instance(kIdEntity + 1, add_finished(*assets, std::move(surface), "surface")));
-  snapshot.camera_liquid = water;
+  if (kind.lamps) {
+    snapshot.instances.push_back(glowing(kIdEntityLight, sphere, tiles, {60, 150, 220}, vec3(12.0f), vec3(20, 14, 8)));
+    snapshot.instances.push_back(glowing(kIdEntityLight + 1, sphere, tiles, {40, -120, 40}, vec3(8.0f), vec3(8, 14, 20)));
+  }
+  snapshot.camera_liquid = kind.above ? kNone : water;
   snapshot.sky.mode = SkyMode::kConstant;
   snapshot.sky.color = vec3(0.25f, 0.35f, 0.5f);
-  snapshot.sky.suns = {{vec3(0, 0, 1), vec3(9, 8, 6), 0.5f}};
+  snapshot.sky.suns = {{vec3(0, 0, 1), vec3(9, 8, 6), kind.sun_radius}};
   return snapshot;
 }
 

@@ -10,6 +10,11 @@ namespace fb::scene {
 // at whole multiples of kRippleLength along x, focus the sun on the floor: paraxially at the depth 1 / ((1 - 1 / n) a k^2).
 constexpr float kRippleLength = 64.0f, kRippleHeight = 3.0f;  // a, k = 2 pi / length
 constexpr float kRippleDepth = 128.0f;                        // of the floor, z = 0, under the mean surface
-FrameSnapshot ripple();
+struct Ripple {
+  float sun_radius = 0.5f;  // degrees
+  bool lamps = false;       // one above the surface, one under it
+  bool above = false;       // the camera is above it
+};
+FrameSnapshot ripple(const Ripple& kind = {});
 
 }  // namespace fb::scene
