@@ -48,7 +48,8 @@ vec3 ambient_light(const SnapshotInput& input) {
 // Quake's fog leaves exp(-(density z / 64)^2) of the light: ours, whose logarithm is linear, leaves half at the same
 // distance. Its colour is what is scattered of white light all around, so that thick fog in such light looks as
 // Quake's.
-// The material of the liquid about a point: the first of its kind, since a map's leafs do not say which texture is theirs.
+// The material of the liquid about a point: the first of its kind, since a map's leafs do not say which texture is
+// theirs.
 std::uint32_t liquid_about(const scene::ModelLibrary& library, const vec3& point) {
   if (!library.map()) return scene::kNone;
   const std::int32_t contents = world::point_contents(*library.map(), point);

@@ -60,8 +60,14 @@ const std::vector<Entry>& entries() {
       {"strips", [] { return still_film(scene::strips()); }},
       {"lava", [] { return still_film(scene::lava_cave()); }},
       {"ripple", [] { return still_film(scene::ripple()); }},
-      {"ripple_soft", [] { return still_film(scene::ripple({12.0f, true, false})); }},
-      {"ripple_above", [] { return still_film(scene::ripple({12.0f, true, true})); }},
+      {"ripple_soft",
+       [] {
+         return still_film(scene::ripple({12.0f, true, false}));
+       }},
+      {"ripple_above",
+       [] {
+         return still_film(scene::ripple({12.0f, true, true}));
+       }},
       {"kinds", [] { return still_film(scene::light_of_every_kind()); }},
       {"moving", [] { return timed_film(scene::moving_assets(), scene::moving); }},
       {"rocket", [] { return counted_film(scene::rocket_assets(), scene::rocket); }},

@@ -49,7 +49,8 @@ std::vector<vec4> foggy_reference(const Maker& make) {
 
 TEST_F(FogTest, DenoisedItKeepsItsEnergyAndLosesItsNoise) {
   const uvec2 size(96, 96);
-  const std::vector<vec4> reference = foggy_reference([&](const RenderSettings& r) { return make_renderer(r, size.x, size.y); });
+  const std::vector<vec4> reference =
+      foggy_reference([&](const RenderSettings& r) { return make_renderer(r, size.x, size.y); });
   for (const vec2 scales : {vec2(1, 0.5f), vec2(0.5f, 0.5f)}) {
     const RenderSettings s = denoising_fog(scales.x, scales.y);
     auto renderer = make_renderer(s, size.x, size.y);
@@ -97,7 +98,8 @@ TEST_F(FogTest, ComesAndGoes) {
     renderer->render(frame >= 3 && frame < 8 ? at_time(foggy_box(), frame) : clear(frame), nullptr, s);
     clear_renderer->render(clear(frame), nullptr, s);
   }
-  EXPECT_NEAR(mean_luminance(renderer->read().denoised()) / mean_luminance(clear_renderer->read().denoised()), 1.0, 0.05);
+  EXPECT_NEAR(mean_luminance(renderer->read().denoised()) / mean_luminance(clear_renderer->read().denoised()), 1.0,
+              0.05);
   EXPECT_EQ(renderer->read().counters().history_not_finite, 0u);
 }
 

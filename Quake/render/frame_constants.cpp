@@ -77,7 +77,7 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
   c.water_height = settings.water_waves;
   c.water_size = kWaveSize;
   c.water_clock = shared::wave_clock(snapshot.time, kWaveSize);
-  c.camera_liquid = settings.water != 0 ? snapshot.camera_liquid : shared::kNoIndex;
+  c.camera_liquid = settings.water > 0 ? snapshot.camera_liquid : shared::kNoIndex;
   c.screen_tint = snapshot.screen_tint;
   c.width = render.x;
   c.height = render.y;

@@ -301,8 +301,10 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
 
 // The way of a frame.
 PassList Renderer::Impl::list_passes() {
-  const Variant variant{ray_query, features.alpha_test || features.translucent, features.specular, features.surfaces,
-                        features.medium, false, features.water};
+  const Variant variant{ray_query,         features.alpha_test || features.translucent,
+                        features.specular, features.surfaces,
+                        features.medium,   false,
+                        features.water};
   const uvec2 tiles = groups_over(render_size, 8);
   PassList list;
   const auto frame = [&](const char* name, const gpu::ComputePipeline& pipeline, uvec2 groups) {
@@ -388,11 +390,11 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   }
   choose_technique(asked.estimator);
   const RenderSettings settings = technique->adapt(asked);
-  scene.prepare(snapshot, emission_scales(settings), info->wants_lights, settings.water != 0);
+  scene.prepare(snapshot, emission_scales(settings), info->wants_lights, settings.water > 0);
   finish();
   features.medium |= snapshot.medium.scatters();
   const bool new_scene = snapshot.assets->generation != generation;
-  features.water = settings.water != 0 && (scene.features().water || (features.water && !new_scene));
+  features.water = settings.water > 0 && (scene.features().water || (features.water && !new_scene));
   fit(settings);
   swap_gbuffers(static_cast<std::uint32_t>(settings.debug_view));
   scene.stage();

@@ -63,7 +63,8 @@ void look(scene::FrameSnapshot& snapshot, const vec3& position, float pitch, flo
   snapshot.prev_camera = snapshot.camera;
 }
 
-// A closed room of albedo a and emission e, half full of water that absorbs nothing, with waves: e (1 + a), above and below.
+// A closed room of albedo a and emission e, half full of water that absorbs nothing, with waves: e (1 + a), above and
+// below.
 TEST_F(WaterTest, AFurnaceStaysAFurnace) {
   const float albedo = 0.5f;
   for (const TechniqueInfo& estimator : techniques()) {
@@ -84,7 +85,8 @@ TEST_F(WaterTest, AFurnaceStaysAFurnace) {
   }
 }
 
-// White all around: what is reflected and what comes through are together all of it, at every angle and from both sides.
+// White all around: what is reflected and what comes through are together all of it, at every angle and from both
+// sides.
 TEST_F(WaterTest, ReflectsWhatItDoesNotLetThrough) {
   for (const float z : {-50.0f, -1e-3f, 0.0f, 1e-3f, 50.0f})
     for (const float waves : {0.0f, 2.0f}) {
@@ -155,8 +157,9 @@ TEST_F(WaterTest, TheCameraUnderWaterSeesLessTheFartherItLooks) {
   EXPECT_NEAR(middle.z, std::exp(-0.1f * 192), 1e-3f);
 }
 
-// One sine wave focuses the sun: the floor is brightest under its crests, and darkest between them (geometric optics; the
-// irradiance under a crest at depth d over that without waves is 1 / |1 - d (1 - 1 / n) a k^2|, under a trough 1 / (1 + ...)).
+// One sine wave focuses the sun: the floor is brightest under its crests, and darkest between them (geometric optics;
+// the irradiance under a crest at depth d over that without waves is 1 / |1 - d (1 - 1 / n) a k^2|, under a trough 1 /
+// (1 + ...)).
 TEST_F(WaterTest, CausticsLieUnderTheCrests) {
   scene::FrameSnapshot snapshot = scene::ripple();
   snapshot.sky.color = vec3(0.0f);
@@ -172,7 +175,8 @@ TEST_F(WaterTest, CausticsLieUnderTheCrests) {
   int crests = 0, troughs = 0;
   for (std::size_t i = 0; i < image.size(); ++i) {
     if (texels[i].position_t.z > 1.0f) continue;
-    const float x = texels[i].position_t.x, off = std::fabs(x - scene::kRippleLength * std::round(x / scene::kRippleLength));
+    const float x = texels[i].position_t.x,
+                off = std::fabs(x - scene::kRippleLength * std::round(x / scene::kRippleLength));
     if (off < 3.0f) crest += image[i].y, ++crests;
     if (off > 0.5f * scene::kRippleLength - 8.0f) trough += image[i].y, ++troughs;
   }
@@ -180,8 +184,8 @@ TEST_F(WaterTest, CausticsLieUnderTheCrests) {
   ASSERT_GT(troughs, 50);
   const double between = trough / troughs;
   EXPECT_GT(crest / crests, 3.0 * between);
-  // Under a trough: albedo / pi times the sun's irradiance, what is let through, absorption, and the spread; all of it over the
-  // index squared, since radiance in water is basic radiance.
+  // Under a trough: albedo / pi times the sun's irradiance, what is let through, absorption, and the spread; all of it
+  // over the index squared, since radiance in water is basic radiance.
   const float k = 2 * kPi / scene::kRippleLength, d = scene::kRippleDepth - scene::kRippleHeight;
   const float spread = 1.0f + d * (1.0f - 1.0f / kIndex) * scene::kRippleHeight * k * k;
   const float through = 1.0f - shared::dielectric_reflectance(1.0f, kIndex);

@@ -93,8 +93,8 @@ static_assert(sizeof(PoseVertex) == 8);
 
 struct MeshTriangle {
   std::array<std::uint32_t, 3> vertices;
-  std::uint32_t material;  // added to Instance::material_base
-  std::array<vec2, 3> uv;  // in units of the texture's size: 1 is one repeat
+  std::uint32_t material;        // added to Instance::material_base
+  std::array<vec2, 3> uv;        // in units of the texture's size: 1 is one repeat
   bool liquid_in_front = false;  // kMaterialWater: the liquid is on the side that the triangle faces, not behind it
 };
 

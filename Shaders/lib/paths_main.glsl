@@ -36,7 +36,7 @@ void main() {
   do {
     uint rng = rng_seed(at, frame.frame, i, frame.seed);
     Vertex first = v;
-    float factor = FEATURE_WATER ? choose_surface(first, at, rng) : 1.0;
+    float factor = FEATURE_WATER ? choose_surface(first, at, (g.material_metalness & kTexelLiquid) != 0u, rng) : 1.0;
     vec3 estimate = trace_path(first, begin_path(block, number + i, i), rng);
     if (FEATURE_WATER) estimate *= factor;
     if (any(isnan(estimate)) || any(isinf(estimate))) {

@@ -28,9 +28,8 @@ struct Segment {
 
 // Which way an interface takes a ray.
 const uint kTurnByChance = 0u;  // reflected or refracted as often as much is
-const uint kTurnThrough = 1u;   // the first: refracted; `left` has the share. Those after by chance
-const uint kTurnBack = 2u;      // the first: reflected
-const uint kTurnNowhere = 3u;   // interfaces end it
+const uint kTurnThrough = 1u;   // the first one refracts a camera's ray, whose `left` has the share. Those after it by chance
+const uint kTurnNowhere = 2u;   // interfaces end it
 
 struct Interface {
   vec3 position;
@@ -38,8 +37,6 @@ struct Interface {
   vec3 normal;  // with waves; faces the ray as well
   bool enters;  // the ray comes from air
 };
-
-bool is_water(uint material) { return (material_at(material).flags & kMaterialWater) != 0u; }
 
 Interface interface_at(Hit hit, GpuAttribute a, vec3 direction) {
   GpuTriangle t = world_triangle(hit.instance, hit.triangle);
@@ -71,37 +68,46 @@ vec3 kept_on_side(vec3 direction, vec3 facing) {
   return normalize(direction + facing * (side < 0.0 ? -2.0 * side : 0.0) + facing * (abs(side) < 1e-3 ? 2e-3 : 0.0));
 }
 
-// `most` reflected: by the level surface's reflectance, the first interface reflects more than it lets through.
-Segment follow(vec3 origin, vec3 direction, uint liquid, float reach, uint mask, uint turn, inout bool mostly_back, inout uint rng) {
-  Segment s = Segment(Hit(0.0, vec2(0.0), kNoIndex, 0u), origin, direction, vec3(1.0), liquid, false, 0.0, 0.0);
-  bool of_camera = turn == kTurnThrough || turn == kTurnBack;
+Segment straight(vec3 origin, vec3 direction, uint liquid) {
+  return Segment(Hit(0.0, vec2(0.0), kNoIndex, 0u), origin, direction, vec3(1.0), liquid, false, 0.0, 0.0);
+}
+
+// What the first interface reflects of a camera's ray.
+struct Mirrored {
+  Segment start;  // there, to be followed on
+  bool most;      // a level surface reflects more than it lets through
+};
+
+// Follows a segment on from where it is. `s.left` is without the fog before what a camera sees: the denoiser knows of that.
+Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, inout Mirrored mirrored, inout uint rng) {
   float nearer = 1.0;
   uint events = 0u;
   do {
     s.hit = trace(s.origin, s.direction, 0.0, reach, mask, rng);
     bool missed = s.hit.instance == kNoIndex;
     float piece = missed ? kRayEnd : s.hit.t;
-    // The fog before what the camera sees is whose looks at it.
     if (s.liquid != kNoIndex || !of_camera) s.left *= light_left(s.liquid, piece);
     s.distance += piece;
     s.seen += piece * nearer;
     if (missed || turn == kTurnNowhere || events == kMostInterfaces) break;
     GpuAttribute a = attribute_at(instance_at(s.hit.instance).first_attribute + s.hit.triangle);
-    uint material = instance_at(s.hit.instance).material_base + a.material;
-    if (!is_water(material)) break;
+    if ((a.flags & kTriangleWater) == 0u) break;
 
+    uint material = instance_at(s.hit.instance).material_base + a.material;
     Interface i = interface_at(s.hit, a, s.direction);
     float eta = i.enters ? kWaterIndex : 1.0 / kWaterIndex;
     float reflectance = dielectric_reflectance(min(-dot(s.direction, i.normal), 1.0), eta);
     bool back = rng_uniform(rng) < reflectance;
-    if (of_camera && !s.bent) {
-      back = turn == kTurnBack;
-      s.left *= back ? reflectance : 1.0 - reflectance;
-      mostly_back = dielectric_reflectance(min(-dot(s.direction, i.facing), 1.0), eta) > 0.5;
+    vec3 reflected = kept_on_side(dielectric_reflect(-s.direction, i.normal), i.facing);
+    if (turn == kTurnThrough && !s.bent) {
+      mirrored.start = Segment(s.hit, offset_origin(i.position, i.facing), reflected, s.left * reflectance, i.enters ? kNoIndex : material, true,
+                               s.distance, s.seen);
+      mirrored.most = dielectric_reflectance(min(-dot(s.direction, i.facing), 1.0), eta) > 0.5;
+      s.left *= 1.0 - reflectance;
+      back = false;
     }
     vec3 side = back ? i.facing : -i.facing;
-    vec3 next = back ? dielectric_reflect(-s.direction, i.normal) : dielectric_refract(-s.direction, i.normal, eta);
-    s.direction = kept_on_side(next, side);
+    s.direction = back ? reflected : kept_on_side(dielectric_refract(-s.direction, i.normal, eta), side);
     s.origin = offset_origin(i.position, side);
     s.liquid = i.enters == back ? kNoIndex : material;
     s.bent = true;
@@ -114,8 +120,8 @@ Segment follow(vec3 origin, vec3 direction, uint liquid, float reach, uint mask,
 // A path's own direction, or where `turn` is kTurnNowhere one that looks for light.
 Segment segment_from(Vertex v, vec3 direction, float reach, uint turn, inout uint rng) {
   vec3 origin = scatter_origin(v.scatter, v.position);
-  bool unused = false;
-  if (FEATURE_WATER) return follow(origin, direction, v.liquid, reach, kMaskIndirect, turn, unused, rng);
+  Mirrored unused;
+  if (FEATURE_WATER) return follow(straight(origin, direction, v.liquid), reach, kMaskIndirect, turn, false, unused, rng);
   Hit hit = trace_from(v, direction, reach, rng);
   return Segment(hit, origin, direction, light_left(v, hit), kNoIndex, false, hit.t, hit.t);
 }

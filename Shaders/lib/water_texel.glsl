@@ -13,29 +13,30 @@ struct WaterTexel {
   vec3 albedo;    // times its share; black: there is none
   uint own_liquid;              // that the texel's own surface is in
   uint normal, shading_normal;  // of the second
-  uint bent;                    // the texel's own surface is seen by way of an interface
+  bool bent;                    // an interface is before both; else nothing of the second is stored but its albedo
 };
 
 const uint kFirstWaterPlane = 5u;
 
 void store_water(uint at, WaterTexel w) {
-  gbuffer.at[in_plane(kFirstWaterPlane, at)] = uvec4(floatBitsToUint(w.position), w.liquid);
-  gbuffer.at[in_plane(kFirstWaterPlane + 1u, at)] = uvec4(floatBitsToUint(w.albedo), w.own_liquid);
-  gbuffer.at[in_plane(kFirstWaterPlane + 2u, at)] = uvec4(w.normal, w.shading_normal, w.bent, 0u);
+  gbuffer.at[in_plane(kFirstWaterPlane, at)] = uvec4(floatBitsToUint(w.albedo), w.own_liquid);
+  if (!w.bent) return;
+  gbuffer.at[in_plane(kFirstWaterPlane + 1u, at)] = uvec4(floatBitsToUint(w.position), w.liquid);
+  gbuffer.at[in_plane(kFirstWaterPlane + 2u, at)] = uvec4(w.normal, w.shading_normal, 0u, 0u);
 }
 
 WaterTexel water_at(uint at) {
   uvec4 a = gbuffer_quad(at, kFirstWaterPlane), b = gbuffer_quad(at, kFirstWaterPlane + 1u), c = gbuffer_quad(at, kFirstWaterPlane + 2u);
-  return WaterTexel(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), b.w, c.x, c.y, c.z);
+  return WaterTexel(uintBitsToFloat(b.xyz), b.w, uintBitsToFloat(a.xyz), a.w, c.x, c.y, false);
 }
 
 // Chooses one of a pixel's two surfaces for a path, by how much each can reflect. `v`: the texel's own. The factor on what the
 // path brings.
-float choose_surface(inout Vertex v, uint at, inout uint rng) {
+float choose_surface(inout Vertex v, uint at, bool bent, inout uint rng) {
   WaterTexel w = water_at(at);
   v.liquid = w.own_liquid;
   v.scatter.bsdf.albedo = max(v.scatter.bsdf.albedo - w.albedo, vec3(0.0));
-  if (w.bent != 0u) {
+  if (bent) {
     v.previous = v.position;
     v.view = v.scatter.shading_normal;  // Lambertian, whatever its material: no viewer is asked
   }

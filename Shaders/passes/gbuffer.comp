@@ -52,11 +52,12 @@ GBufferTexel texel_of(Surface s, Segment way, vec3 direction, vec2 point, float 
 GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
   vec3 direction = normalize(ray), emission = vec3(0.0);
   GBufferTexel texel = kNothingSeen;
-  WaterTexel water = WaterTexel(vec3(0.0), kNoIndex, vec3(0.0), kNoIndex, 0u, 0u, 0u);
-  bool back = false, mostly_back = false;
+  WaterTexel water = WaterTexel(vec3(0.0), kNoIndex, vec3(0.0), kNoIndex, 0u, 0u, false);
+  Segment way = straight(frame.camera_position.xyz, direction, frame.camera_liquid);
+  Mirrored mirrored = Mirrored(way, false);
+  bool back = false;
   do {
-    uint chance = rng;
-    Segment way = follow(frame.camera_position.xyz, direction, frame.camera_liquid, kRayEnd, kMaskCamera, back ? kTurnBack : kTurnThrough, mostly_back, chance);
+    way = follow(way, kRayEnd, kMaskCamera, kTurnThrough, true, mirrored, rng);
     bool missed = way.hit.instance == kNoIndex;
     GBufferTexel other = kNothingSeen;
     if (!missed || frame.sky_beyond != 0u) {
@@ -69,9 +70,9 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
     if (!back) {
       texel = other;
       water.own_liquid = way.liquid;
-      water.bent = way.bent ? 1u : 0u;
+      water.bent = way.bent;
     } else if (!missed) {
-      bool swaps = mostly_back || texel.position_t.w == 0.0;
+      bool swaps = mirrored.most || texel.position_t.w == 0.0;
       GBufferTexel second = swaps ? texel : other;
       texel = swaps ? other : texel;
       water.liquid = swaps ? water.own_liquid : way.liquid;
@@ -84,6 +85,7 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
     }
     if (!way.bent || back) break;
     back = true;
+    way = mirrored.start;
   } while (true);
   store_water(at, water);
   texel.emission_specular.rgb = emission;

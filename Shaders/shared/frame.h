@@ -73,8 +73,8 @@ FB_CONST uint kTexelLiquid = 0x800000u;  // the surface of a liquid
 
 // In memory five planes, four words of every pixel in each.
 FB_CONST uint kWaterPlanes = 3u;  // that follow where there is water (lib/water_texel.glsl)
-struct GBufferTexel {  // 80 bytes
-  vec4 position_t;     // world position; w: distance along the ray, 0 where nothing was hit
+struct GBufferTexel {             // 80 bytes
+  vec4 position_t;                // world position; w: distance along the ray, 0 where nothing was hit
   vec4 albedo_roughness;
   vec4 emission_specular;       // rgb radiance towards the camera
   uint normal, shading_normal;  // octahedral; both face the camera

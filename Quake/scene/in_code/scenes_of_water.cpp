@@ -41,13 +41,15 @@ FrameSnapshot ripple(const Ripple& kind) {
   }
 
   const std::uint32_t sphere = add_sphere_mesh(*assets);
-  const Camera camera = kind.above ? camera_at({-230, -30, 240}, {35, 8, 0}, 90.0f) : camera_at({-200, -30, 100}, {35, 8, 0}, 90.0f);
+  const Camera camera =
+      kind.above ? camera_at({-230, -30, 240}, {35, 8, 0}, 90.0f) : camera_at({-200, -30, 100}, {35, 8, 0}, 90.0f);
   FrameSnapshot snapshot = still(assets, camera);
   snapshot.instances.push_back(make_instance(kIdWorld, add_finished(*assets, std::move(room), "pool")));
   snapshot.instances.push_back(make_instance(kIdEntity + 1, add_finished(*assets, std::move(surface), "surface")));
   if (kind.lamps) {
     snapshot.instances.push_back(glowing(kIdEntityLight, sphere, tiles, {60, 150, 220}, vec3(12.0f), vec3(20, 14, 8)));
-    snapshot.instances.push_back(glowing(kIdEntityLight + 1, sphere, tiles, {40, -120, 40}, vec3(8.0f), vec3(8, 14, 20)));
+    snapshot.instances.push_back(
+        glowing(kIdEntityLight + 1, sphere, tiles, {40, -120, 40}, vec3(8.0f), vec3(8, 14, 20)));
   }
   snapshot.camera_liquid = kind.above ? kNone : water;
   snapshot.sky.mode = SkyMode::kConstant;

@@ -5,9 +5,10 @@
 
 namespace fb::scene {
 
-// Hard: all direct light on the floor is refracted, by one sine wave under a sun of half a degree, so that no straight ray finds
-// it. A pool, 512 x 512, with its sky as a ceiling; the camera is under water and looks at the floor. Crests of the wave,
-// at whole multiples of kRippleLength along x, focus the sun on the floor: paraxially at the depth 1 / ((1 - 1 / n) a k^2).
+// Hard: all direct light on the floor is refracted, by one sine wave under a sun of half a degree, so that no straight
+// ray finds it. A pool, 512 x 512, with its sky as a ceiling; the camera is under water and looks at the floor. Crests
+// of the wave, at whole multiples of kRippleLength along x, focus the sun on the floor: paraxially at the depth 1 / ((1
+// - 1 / n) a k^2).
 constexpr float kRippleLength = 64.0f, kRippleHeight = 3.0f;  // a, k = 2 pi / length
 constexpr float kRippleDepth = 128.0f;                        // of the floor, z = 0, under the mean surface
 struct Ripple {

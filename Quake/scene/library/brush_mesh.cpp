@@ -92,8 +92,8 @@ class BrushMeshBuilder {
   }
 
  private:
-  void add_fan(const std::vector<vec3>& polygon, const formats::BspTexInfo& texinfo,
-               const formats::BspTexture* texture, bool liquid_in_front = false) {
+  void add_fan(const std::vector<vec3>& polygon, const formats::BspTexInfo& texinfo, const formats::BspTexture* texture,
+               bool liquid_in_front = false) {
     const std::size_t n = polygon.size(), start = best_fan_start(polygon);
     const vec2 size(texture != nullptr && texture->width > 0 ? static_cast<float>(texture->width) : 16.0f,
                     texture != nullptr && texture->height > 0 ? static_cast<float>(texture->height) : 16.0f);
