@@ -10,6 +10,7 @@
 #include "scene/in_code/scenes_in_motion.h"
 #include "scene/in_code/scenes_of_fog.h"
 #include "scene/in_code/scenes_of_light.h"
+#include "scene/in_code/scenes_of_water.h"
 
 namespace fb::lab {
 namespace {
@@ -61,6 +62,15 @@ const std::vector<Entry>& entries() {
       {"lava", [] { return still_film(scene::lava_cave()); }},
       {"slab", [] { return still_film(scene::slab(0.004f, 0.4f)); }},
       {"window", [] { return still_film(scene::window()); }},
+      {"ripple", [] { return still_film(scene::ripple()); }},
+      {"ripple_soft",
+       [] {
+         return still_film(scene::ripple({12.0f, true, false}));
+       }},
+      {"ripple_above",
+       [] {
+         return still_film(scene::ripple({12.0f, true, true}));
+       }},
       {"kinds", [] { return still_film(scene::light_of_every_kind()); }},
       {"moving", [] { return timed_film(scene::moving_assets(), scene::moving); }},
       {"rocket", [] { return counted_film(scene::rocket_assets(), scene::rocket); }},

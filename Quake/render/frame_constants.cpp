@@ -4,8 +4,15 @@
 #include <cmath>
 
 #include "shared/phase.h"
+#include "shared/scene_gpu.h"
+#include "shared/waves.h"
 
 namespace fb::render {
+namespace {
+
+constexpr float kWaveSize = 64.0f;  // about the length of the longest wave of water, units
+
+}  // namespace
 
 CameraFrame camera_frame(const scene::Camera& camera, std::uint32_t width, std::uint32_t height) {
   const AxisVectors axes = angle_vectors(camera.angles);
@@ -68,6 +75,10 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
     const shared::PhaseFunction phase = shared::phase_function(m.g, m.alpha);
     c.medium_phase = vec4(phase.g, phase.alpha, std::clamp(m.sky, 0.0f, 1.0f), 0);
   }
+  c.water_height = settings.water_waves;
+  c.water_size = kWaveSize;
+  c.water_clock = shared::wave_clock(snapshot.time, kWaveSize);
+  c.camera_liquid = settings.water > 0 ? snapshot.camera_liquid : shared::kNoIndex;
   c.screen_tint = snapshot.screen_tint;
   c.width = render.x;
   c.height = render.y;

@@ -139,6 +139,7 @@ void GpuScene::Impl::collect(const scene::FrameSnapshot& snapshot) {
     features.alpha_test |= d.needs.alpha_test;
     features.translucent |= d.needs.translucent || instance.alpha < 1.0f;
     features.specular |= d.needs.specular;
+    features.water |= d.needs.water;
     const Bounds local = InstanceCopies::bounds(mesh, InstanceCopies::canonical(mesh, instance.pose));
     d.bounds = transform_bounds(instance.transform, local);
     // Corners are rounded when they are taken into the world.
@@ -321,7 +322,8 @@ GpuScene::GpuScene(gpu::Device& device, gpu::BindingTable& table, const GpuScene
     : impl_(std::make_unique<Impl>(device, table, options)) {}
 GpuScene::~GpuScene() = default;
 
-void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScales& emission, bool wants_lights) {
+void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScales& emission, bool wants_lights,
+                       bool water) {
   Impl& s = *impl_;
   const auto start = std::chrono::steady_clock::now();
   FB_CHECK(snapshot.assets != nullptr);
@@ -336,7 +338,7 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
     s.known_meshes = meshes;
     s.known_materials = materials;
   }
-  s.material_table.begin(*snapshot.assets, snapshot.time, emission);
+  s.material_table.begin(*snapshot.assets, snapshot.time, emission, water);
   s.collect(snapshot);
   s.fill(snapshot, emission);
   s.list_lights(snapshot, wants_lights);

@@ -90,6 +90,7 @@ TEST_F(LensTest, OutsideOfTheGameBothAreOff) {
   RenderSettings chosen;
   chosen.denoise = 0;
   chosen.local_exposure = chosen.bloom = 0;
+  chosen.water = 0;
   EXPECT_EQ(as_in_game(chosen), chosen);
   EXPECT_EQ(even(0.3f, lens_settings(-1, -1)), even(0.3f, lens_settings(0, 0)));
 }

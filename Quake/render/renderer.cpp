@@ -35,6 +35,7 @@ std::uint64_t scene_key(const scene::FrameSnapshot& s) {
                           s.camera.angles.y,          s.camera.angles.z,   s.camera.fov_x,      s.camera.fov_y,
                           static_cast<float>(s.time), s.ambient.x,         s.ambient.y,         s.ambient.z};
   key = hash_bytes(&s.medium, sizeof(s.medium), key);
+  key = hash_bytes(&s.camera_liquid, sizeof(s.camera_liquid), key);
   return hash_span(std::span<const float>(camera), key);
 }
 
@@ -87,7 +88,7 @@ struct Renderer::Impl {
   void finish();
   void forget_frame();
   void choose_technique(const std::string& name);
-  void choose_features(const scene::FrameSnapshot& snapshot, bool all);
+  void choose_features(const scene::FrameSnapshot& snapshot, const RenderSettings& settings);
   void swap_gbuffers(std::uint32_t debug_view);
   void fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings);
   // The technique draws the debug view that is asked for.
@@ -107,6 +108,7 @@ struct Renderer::Impl {
 
   Buffer uniform, gbuffer, previous_gbuffer, radiance, mean, m2, ldr, smoothed, output, exposure, counters;
   uvec2 output_size{640, 360}, render_size{0, 0}, allocated_output{0, 0};
+  std::uint32_t gbuffer_planes = 0;
   bool swap_red_blue = false;
 
   std::uint64_t key = 0, last_scene = 0;
@@ -153,7 +155,8 @@ uvec2 Renderer::render_size() const { return impl_->render_size; }
 void Renderer::set_swap_red_blue(bool swap) { impl_->swap_red_blue = swap; }
 
 void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
-  if (render == render_size && wanted_output == allocated_output) return;
+  const std::uint32_t planes = sizeof(shared::GBufferTexel) / 16 + (features.water ? shared::kWaterPlanes : 0);
+  if (render == render_size && wanted_output == allocated_output && planes == gbuffer_planes) return;
   render_size = allocated_output = uvec2(0);  // until all are there
   const VkDeviceSize pixels = static_cast<VkDeviceSize>(render.x) * render.y;
   const VkDeviceSize shown = static_cast<VkDeviceSize>(wanted_output.x) * wanted_output.y;
@@ -166,7 +169,7 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
   previous_gbuffer = Buffer();
   previous_valid = false;
   table.set_array(shared::kSetFrame, shared::kBindPreviousGBuffer, previous_gbuffer);
-  make(gbuffer, shared::kBindGBuffer, pixels * sizeof(shared::GBufferTexel), "G-buffer");
+  make(gbuffer, shared::kBindGBuffer, pixels * planes * 16, "G-buffer");
   make(radiance, shared::kBindRadiance, pixels * 32, "radiance");
   make(mean, shared::kBindMean, pixels * 16, "mean radiance");
   make(m2, shared::kBindM2, pixels * 16, "squared deviations");
@@ -175,6 +178,7 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
   make(output, shared::kBindOutput, shown * 4, "output");
   render_size = render;
   allocated_output = wanted_output;
+  gbuffer_planes = planes;
   restart = true;
 }
 
@@ -215,8 +219,13 @@ void Renderer::Impl::choose_technique(const std::string& name) {
 }
 
 // Features only grow while the assets stay: no compilation in mid-game when something comes and goes.
-void Renderer::Impl::choose_features(const scene::FrameSnapshot& snapshot, bool all) {
-  if (snapshot.assets->generation != generation) features = SceneFeatures{};
+void Renderer::Impl::choose_features(const scene::FrameSnapshot& snapshot, const RenderSettings& settings) {
+  const bool all = settings.force_features != 0;
+  if (snapshot.assets->generation != generation) {
+    const bool water = features.water;  // the G-buffer has been made for it
+    features = SceneFeatures{};
+    features.water = water;
+  }
   features.alpha_test |= scene.features().alpha_test || all;
   features.translucent |= scene.features().translucent || all;
   features.specular |= scene.features().specular || all;
@@ -292,8 +301,10 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
 
 // The way of a frame.
 PassList Renderer::Impl::list_passes() {
-  const Variant variant{ray_query, features.alpha_test || features.translucent, features.specular, features.surfaces,
-                        features.medium};
+  const Variant variant{ray_query,         features.alpha_test || features.translucent,
+                        features.specular, features.surfaces,
+                        features.medium,   false,
+                        features.water};
   const uvec2 tiles = groups_over(render_size, 8);
   PassList list;
   const auto frame = [&](const char* name, const gpu::ComputePipeline& pipeline, uvec2 groups) {
@@ -379,14 +390,16 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   }
   choose_technique(asked.estimator);
   const RenderSettings settings = technique->adapt(asked);
-  scene.prepare(snapshot, emission_scales(settings), info->wants_lights);
+  scene.prepare(snapshot, emission_scales(settings), info->wants_lights, settings.water > 0);
   finish();
   features.medium |= snapshot.medium.scatters();
+  const bool new_scene = snapshot.assets->generation != generation;
+  features.water = settings.water > 0 && (scene.features().water || (features.water && !new_scene));
   fit(settings);
   swap_gbuffers(static_cast<std::uint32_t>(settings.debug_view));
   scene.stage();
   if (snapshot.assets->generation != generation) technique->forget();
-  choose_features(snapshot, settings.force_features != 0);
+  choose_features(snapshot, settings);
   generation = snapshot.assets->generation;
   const CameraFrame camera = camera_frame(snapshot.camera, render_size.x, render_size.y);
   const uvec2 lit = Denoiser::light_size(render_size, denoiser.light_block(settings));

@@ -74,6 +74,7 @@ RenderSettings as_in_game(RenderSettings settings) {
   if (settings.denoise < 0) settings.denoise = 1;
   if (settings.local_exposure < 0) settings.local_exposure = kLocalExposure;
   if (settings.bloom < 0) settings.bloom = kBloom;
+  if (settings.water < 0) settings.water = 1;
   return settings;
 }
 

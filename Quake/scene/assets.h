@@ -51,6 +51,7 @@ enum MaterialFlags : std::uint32_t {
   kMaterialLiquid = shared::kMaterialLiquid,
   kMaterialNoFullbright = shared::kMaterialNoFullbright,
   kMaterialClampTexture = shared::kMaterialClampTexture,
+  kMaterialWater = shared::kMaterialWater,
 };
 
 // One texture of a material: base image and the images that go with it; kNone where absent.
@@ -76,6 +77,7 @@ struct Material {
   float specular = 0.0f;    // F0 of the dielectric coat: 0 none, 0.04 usual
   float metalness = 0.0f;   // base_color becomes F0 as this goes to 1
   float alpha = 1.0f;       // coverage (liquids' default alpha comes from cvars by name in the client)
+  vec3 absorption{0.0f};    // kMaterialWater: of the liquid behind the surface, 1/unit
   std::uint32_t flags = 0;  // MaterialFlags
 };
 // Which of a material's frames shows at a time. The one place that knows how Quake's textures animate.
@@ -91,8 +93,9 @@ static_assert(sizeof(PoseVertex) == 8);
 
 struct MeshTriangle {
   std::array<std::uint32_t, 3> vertices;
-  std::uint32_t material;  // added to Instance::material_base
-  std::array<vec2, 3> uv;  // in units of the texture's size: 1 is one repeat
+  std::uint32_t material;        // added to Instance::material_base
+  std::array<vec2, 3> uv;        // in units of the texture's size: 1 is one repeat
+  bool liquid_in_front = false;  // kMaterialWater: the liquid is on the side that the triangle faces, not behind it
 };
 
 // Triangles face the side from which their vertices run counter-clockwise (right-handed coordinates).

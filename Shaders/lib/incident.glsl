@@ -5,7 +5,7 @@
 
 struct Incident {
   vec3 origin;      // of the ray
-  Hit hit;          // instance kNoIndex: nothing was met
+  Segment way;      // from there; way.hit.instance kNoIndex: nothing was met
   bool sky;         // the light is from far behind it
   vec3 emission;    // radiance that is emitted there: the share that this ray stands for
   vec3 reflection;  // and reflected, as far as the field knows

@@ -5,26 +5,33 @@
 
 const float kRayEnd = 1e6;  // beyond any map: coordinates end at 32768
 
+layout(constant_id = kSpecWater) const bool FEATURE_WATER = false;  // some surface is an interface of water
+
 struct Vertex {
   vec3 position;
   vec3 previous;  // where the point was in the former frame; only known of what the camera sees
   vec3 view;      // towards the previous vertex
   Scatter scatter;
+  uint liquid;  // material of the one that it is in; kNoIndex: it is in air
 };
 
 Vertex surface_vertex(Surface s, vec3 view) {
-  return Vertex(s.position, s.position, view, Scatter(s.normal, s.shading_normal, s.bsdf, false));
+  return Vertex(s.position, s.position, view, Scatter(s.normal, s.shading_normal, s.bsdf, false), kNoIndex);
 }
 
 // A point of the medium.
 Vertex medium_vertex(vec3 position, vec3 view) {
-  return Vertex(position, position, view, Scatter(view, view, Bsdf(vec3(0.0), 1.0, 0.0, 0.0), true));
+  return Vertex(position, position, view, Scatter(view, view, Bsdf(vec3(0.0), 1.0, 0.0, 0.0), true), kNoIndex);
 }
 
-// The share of its light that a ray brings through the medium.
-float light_left(Hit hit) {
-  return FEATURE_MEDIUM ? transmittance(frame.medium.w, hit.instance == kNoIndex ? kRayEnd : hit.t) : 1.0;
+// The share of its light that a ray brings through the medium, or through a liquid.
+vec3 light_left(uint liquid, float distance) {
+  vec3 left = vec3(FEATURE_MEDIUM ? transmittance(frame.medium.w, distance) : 1.0);
+  if (!FEATURE_WATER || liquid == kNoIndex) return left;
+  GpuMaterial m = material_at(liquid);
+  return transmittance(vec3(m.absorption_r, m.absorption_g, m.absorption_b), distance);
 }
+vec3 light_left(Vertex v, Hit hit) { return light_left(v.liquid, hit.instance == kNoIndex ? kRayEnd : hit.t); }
 
 // Every ray that leaves a vertex: a path's own, and those that look for light. The nearest hit within `reach`.
 Hit trace_from(Vertex v, vec3 direction, float reach, inout uint rng) {

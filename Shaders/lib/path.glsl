@@ -28,11 +28,13 @@
 
 // Radiance that reaches the first vertex's viewer by reflection: paths of 1 to path_bounces() further vertices (r_bounces; r_fog_bounces where the first is in a
 // medium). Where light is
-// looked for, the last of several vertices is apart: its one ray does for both, and what is known there guides neither.
+// looked for, the last of several vertices is apart: its one ray does for both, and what is known there guides neither. Not under
+// water: there most light is bent, and only what is known finds it.
 vec3 trace_path(Vertex v, Path path, inout uint rng) {
   vec3 sum = vec3(0.0), throughput = vec3(1.0);
   Field here = field_at(v, path);
-  bool last_apart = kLooksForLight && path_bounces() > 1u, goes_on = true;
+  bool under_water = FEATURE_WATER && frame.camera_liquid != kNoIndex;
+  bool last_apart = kLooksForLight && path_bounces() > 1u && !under_water, goes_on = true;
   uint bounces = path_bounces() - (last_apart ? 1u : 0u);
   uint bounce = 0u;
   do {
@@ -58,21 +60,21 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
     // Light that is met: emitted there and, as far as it is known, reflected. A miss teaches, too.
     Incident incident;
     incident.origin = scatter_origin(v.scatter, v.position);
-    incident.hit = trace_from(v, proposal.direction, kRayEnd, rng);
-    bool missed = incident.hit.instance == kNoIndex;
+    incident.way = segment_from(v, proposal.direction, kRayEnd, kTurnByChance, rng);
+    bool missed = incident.way.hit.instance == kNoIndex;
     bool dark = missed && frame.sky_beyond == 0u;
     if (dark && !kLearns) break;
     Surface s;
     s.emission = vec3(0.0);
     s.sky = true;
-    if (!dark || !kLearns) s = load_surface(incident.hit, proposal.direction, kFilterNearest, path.last);
-    if (kLooksForLight) s.emission *= met_share(incident.hit, proposal, s.emission);
-    float left = light_left(incident.hit);
+    if (!dark || !kLearns) s = load_surface(incident.way.hit, incident.way.direction, kFilterNearest, path.last);
+    if (kLooksForLight && !incident.way.bent) s.emission *= met_share(incident.way.hit, proposal, s.emission);
+    vec3 left = incident.way.left;
     incident.sky = s.sky;
     incident.emission = s.emission * left;
     incident.reflection = vec3(0.0);
     incident.field = here;
-    Vertex next = surface_vertex(s, -proposal.direction);
+    Vertex next = end_of_segment(incident.way, s);
     if (kHasField && !missed && !path.last) {
       incident.field = field_at(next, path);
       incident.reflection = field_reflection(incident.field, here, next) * left;

@@ -1,7 +1,7 @@
 // What the path loop hands to the steps of a technique (lib/path.glsl).
 #ifndef FB_LIB_PATH_STATE
 #define FB_LIB_PATH_STATE
-#include "lib/interaction.glsl"
+#include "lib/segment.glsl"
 
 struct Path {
   uint number;     // among this frame's paths of its kind

@@ -3,6 +3,7 @@
 #include "lib/first_vertex.glsl"
 #include "lib/medium_path.glsl"
 #include "lib/path.glsl"
+#include "lib/water_texel.glsl"
 
 // The technique writes the picture itself: a debug view of its own. A constant, since lavapipe runs both sides of a branch.
 layout(constant_id = kSpecShowView) const bool SHOW_VIEW = false;
@@ -34,7 +35,10 @@ void main() {
   uint i = 0u;
   do {
     uint rng = rng_seed(at, frame.frame, i, frame.seed);
-    vec3 estimate = trace_path(v, begin_path(block, number + i, i), rng);
+    Vertex first = v;
+    float factor = FEATURE_WATER ? choose_surface(first, at, (g.material_metalness & kTexelLiquid) != 0u, rng) : 1.0;
+    vec3 estimate = trace_path(first, begin_path(block, number + i, i), rng);
+    if (FEATURE_WATER) estimate *= factor;
     if (any(isnan(estimate)) || any(isinf(estimate))) {
       atomicAdd(counters.at[kCounterNan], 1u);
       lost += 1.0;

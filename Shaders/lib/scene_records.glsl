@@ -54,7 +54,7 @@ GpuMaterial material_at(uint index) {
   return GpuMaterial(images_of.x, images_of.y, images_of.z, images_of.w,
                      uintBitsToFloat(texelFetch(material_texels, at + 1)), uintBitsToFloat(texelFetch(material_texels, at + 2)),
                      uintBitsToFloat(shape.x), uintBitsToFloat(shape.y), uintBitsToFloat(shape.z), shape.w,
-                     last.x, last.y, last.z, last.w);
+                     last.x, uintBitsToFloat(last.y), uintBitsToFloat(last.z), uintBitsToFloat(last.w));
 }
 
 GpuImage image_at(uint index) {

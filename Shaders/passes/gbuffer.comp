@@ -6,7 +6,10 @@
 #endif
 #include "lib/gbuffer_texel.glsl"
 #include "lib/pixel.glsl"
-#include "lib/interaction.glsl"
+#include "lib/segment.glsl"
+#include "lib/water_texel.glsl"
+
+const GBufferTexel kNothingSeen = GBufferTexel(vec4(0.0), vec4(0.0, 0.0, 0.0, 1.0), vec4(0.0), 0u, 0u, 0u, 0u, vec4(0.0));
 
 // The sky is beyond the medium, however near the face that shows it.
 float seen_through_medium(Surface s, float distance) {
@@ -34,6 +37,67 @@ void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float 
   texel.motion = vec4(before.xy - point, depth, before.z);
 }
 
+// A surface at the end of a camera ray's segment. By way of an interface it is seen as Lambertian, and moves as if the water was
+// level.
+GBufferTexel texel_of(Surface s, Segment way, vec3 direction, vec2 point, float depth) {
+  GBufferTexel texel;
+  fill_texel(texel, s, way.hit, point, depth);
+  texel.albedo_roughness.rgb *= way.left;
+  texel.emission_specular.rgb *= way.left;
+  if (way.bent || way.liquid != kNoIndex) texel.emission_specular.w = 0.0;
+  if (!way.bent) return texel;
+  vec3 moved = previous_position(way.hit) - s.position;
+  vec3 before = previous_pixel(frame.camera_position.xyz + direction * way.seen + moved);
+  texel.motion = vec4(before.xy - point, depth, before.z);
+  texel.material_metalness = (texel.material_metalness & 0x7fffffu) | kTexelLiquid;
+  return texel;
+}
+
+// What the camera sees where there is water: through the first interface that its ray meets, and mirrored in it. The surface of
+// which a level interface shows more is the texel's own.
+GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
+  vec3 direction = normalize(ray), emission = vec3(0.0);
+  GBufferTexel texel = kNothingSeen;
+  WaterTexel water = WaterTexel(vec3(0.0), kNoIndex, vec3(0.0), kNoIndex, 0u, 0u, false);
+  Segment way = straight(frame.camera_position.xyz, direction, frame.camera_liquid);
+  Mirrored mirrored = Mirrored(way, false);
+  bool back = false;
+  do {
+    way = follow(way, kRayEnd, kMaskCamera, kTurnThrough, true, mirrored, rng);
+    bool missed = way.hit.instance == kNoIndex;
+    GBufferTexel other = kNothingSeen;
+    if (!missed || frame.sky_beyond != 0u) {
+      way.hit.t = way.seen;  // for footprints and fog
+      Surface s = load_surface(way.hit, way.direction, uint(frame.texture_filter), missed);
+      other.emission_specular = vec4(s.emission * way.left * seen_through_medium(s, kRayEnd), 0.0);
+      if (!missed) other = texel_of(s, way, direction, point, way.seen / length(ray));
+    }
+    emission += other.emission_specular.rgb;
+    if (!back) {
+      texel = other;
+      water.own_liquid = way.liquid;
+      water.bent = way.bent;
+    } else if (!missed) {
+      bool swaps = mirrored.most || texel.position_t.w == 0.0;
+      GBufferTexel second = swaps ? texel : other;
+      texel = swaps ? other : texel;
+      water.liquid = swaps ? water.own_liquid : way.liquid;
+      water.own_liquid = swaps ? way.liquid : water.own_liquid;
+      water.position = second.position_t.xyz;
+      water.albedo = second.position_t.w > 0.0 ? second.albedo_roughness.rgb : vec3(0.0);
+      water.normal = second.normal;
+      water.shading_normal = second.shading_normal;
+      texel.albedo_roughness.rgb += water.albedo;
+    }
+    if (!way.bent || back) break;
+    back = true;
+    way = mirrored.start;
+  } while (true);
+  store_water(at, water);
+  texel.emission_specular.rgb = emission;
+  return texel;
+}
+
 void main() {
   uvec2 pixel = invocation_pixel();
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
@@ -42,11 +106,15 @@ void main() {
 
   vec2 point = vec2(pixel) + 0.5 + vec2(frame.jitter_x, frame.jitter_y);
   vec3 ray = camera_direction(point);
+  if (FEATURE_WATER) {
+    store_gbuffer(at, see_by_water(at, ray, point, rng));
+    return;
+  }
   vec3 direction = normalize(ray);
   Hit hit = trace(frame.camera_position.xyz, direction, 0.0, kRayEnd, kMaskCamera, rng);
 
   bool missed = hit.instance == kNoIndex;
-  GBufferTexel texel = GBufferTexel(vec4(0.0), vec4(0.0, 0.0, 0.0, 1.0), vec4(0.0), 0u, 0u, 0u, 0u, vec4(0.0));
+  GBufferTexel texel = kNothingSeen;
   if (!missed || frame.sky_beyond != 0u) {
     Surface s = load_surface(hit, direction, uint(frame.texture_filter), missed);
     texel.emission_specular = vec4(s.emission * seen_through_medium(s, kRayEnd) + scattered_even_light(kRayEnd), 0.0);

@@ -51,7 +51,8 @@ FB_CONST uint kTechniqueTexels = 2u;
 FB_CONST uint kTexelBuffers = 12u;
 
 // Set kSetFrame: the picture and what passes keep from frame to frame.
-FB_CONST uint kBindGBuffer = 0u;    // uvec4[5][pixels], a GBufferTexel's
+FB_CONST uint kBindGBuffer =
+    0u;  // uvec4[5][pixels], a GBufferTexel's; with water [3][pixels] more (lib/water_texel.glsl)
 FB_CONST uint kBindRadiance = 1u;   // vec4[pixels]: this frame's mean of samples; w: samples that were not finite.
                                     // Then, where there is a medium, the light that it scatters; w: its mean distance
 FB_CONST uint kBindMean = 2u;       // vec4[pixels]: mean over the accumulated frames (rgb), w their number
@@ -93,6 +94,8 @@ FB_CONST uint kTechniqueSpecs = 4u;
 // Whether there is a medium between the surfaces, and whether paths begin in it:
 FB_CONST uint kSpecMedium = 8u;
 FB_CONST uint kSpecInMedium = 9u;
+// Whether some surface is an interface of water (kMaterialWater):
+FB_CONST uint kSpecWater = 11u;
 // How memory is read fastest on the device (render/shader_code.h):
 FB_CONST uint kSpecReadTexels = 10u;  // arrays that have a texel buffer are read through it
 // Of passes/pose.comp:

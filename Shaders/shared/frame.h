@@ -56,6 +56,9 @@ struct FrameConstants {
   uint history_parity, history_valid;
   uint history_age, history_gain;  // frames since there was no history; frames that this one counts
   uint still;                      // still: the same snapshot again, so nothing has moved
+  float water_height, water_size;  // of its waves (shared/waves.h)
+  uint water_clock;
+  uint camera_liquid;  // material of the liquid that the camera is in; kNoIndex: it is in air
   FB_FRAME_SETTINGS(FB_UNIFORM_FIELD)
   FB_DENOISER_SETTINGS(FB_UNIFORM_FIELD)
 };
@@ -69,8 +72,9 @@ struct NeeConstants {
 FB_CONST uint kTexelLiquid = 0x800000u;  // the surface of a liquid
 
 // In memory five planes, four words of every pixel in each.
-struct GBufferTexel {  // 80 bytes
-  vec4 position_t;     // world position; w: distance along the ray, 0 where nothing was hit
+FB_CONST uint kWaterPlanes = 3u;  // that follow where there is water (lib/water_texel.glsl)
+struct GBufferTexel {             // 80 bytes
+  vec4 position_t;                // world position; w: distance along the ray, 0 where nothing was hit
   vec4 albedo_roughness;
   vec4 emission_specular;       // rgb radiance towards the camera
   uint normal, shading_normal;  // octahedral; both face the camera

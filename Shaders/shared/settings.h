@@ -66,6 +66,8 @@
   X(int, accumulate, "r_accumulate", 1, 0, 1, "while nothing in the view changes, show the mean of its frames") \
   X(int, jitter, "r_jitter", -1, -1, 1, "sub-pixel jitter of camera rays: -1 while accumulating and with r_taa, 0 never, 1 always") \
   X(float, scale, "r_scale", 1, 0.1f, 8, "rendered width and height, relative to the shown picture's, scaled up over time with r_taa; 2 and above, as in QuakeSpasm: 1 / 2 and so on") \
+  X(int, water, "r_water", -1, -1, 1, "water and slime: 0 classic opaque or translucent surfaces that warp, 1 clear liquids that reflect, refract and absorb light; -1: 1 in the game, 0 in the laboratory") \
+  X(float, water_waves, "r_water_waves", 0.6f, 0, 8, "height of the waves of level surfaces of water, with r_water 1, units") \
   X(int, deterministic, "r_deterministic", 0, 0, 1, "learning estimators do not depend on the order of threads: the same picture in every run, at some cost") \
   X(int, fast_build, "r_as_build", 0, 0, 1, "acceleration structures of ray queries: 0 fast to trace, 1 fast to build") \
   X(int, force_features, "r_force_features", 0, 0, 1, "compile shader features that the scene does not use, to measure what specialisation saves")
@@ -105,6 +107,7 @@
   X(int, mc_tail_train, "r_mc_tail_train", 8, 1, 64, "path guiding: with mcpg_tail, one in this many paths is traced one reflection further, to train the irradiance cache out of the camera's sight") \
   X(int, mc_loss, "r_mc_loss", 1, 0, 1, "path guiding: discard states whose light is gone") \
   X(int, mc_predict, "r_mc_predict", 1, 0, 1, "path guiding: extrapolate targets by the velocity of their light") \
+  X(int, mc_apparent, "r_mc_apparent", 1, 0, 1, "path guiding: 1 the target of light that an interface of water bent is where it appears to be (Ruppert 2020), 0 where it is") \
   X(int, mc_previous, "r_mc_previous", 1, 0, 1, "path guiding: on moving surfaces, gather also where the point was in the previous frame")
 
 // clang-format on

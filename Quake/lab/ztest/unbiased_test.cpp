@@ -179,6 +179,16 @@ const Row kFog[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Fog, UnbiasedTest, testing::ValuesIn(kFog), row_name);
 
+// Interfaces of water: no straight ray finds the sun under them. Waves stand still.
+const Row kWater[] = {
+    {"ripple_soft", "nee", {}, plan(16, 4), 8, false, {"r_water=1"}},
+    {"ripple_soft", "mcpg", {}, warm(), 8, false, {"r_water=1"}},
+    {"ripple_soft", "mcpg_nee", {}, warm(), 8, false, {"r_water=1"}},
+    {"ripple_above", "nee", {}, plan(16, 4), 8, false, {"r_water=1"}},
+    {"ripple_above", "mcpg_nee", {}, warm(), 8, false, {"r_water=1"}},
+};
+INSTANTIATE_TEST_SUITE_P(Water, UnbiasedTest, testing::ValuesIn(kWater), row_name);
+
 // Every feature off, some settings at their ends, more scenes. Looked at where time is given:
 // FULLBRIGHT_UNBIASED_TIMES.
 using MoreUnbiasedTest = UnbiasedTest;
@@ -189,6 +199,9 @@ TEST_P(MoreUnbiasedTest, HasTheMeanOfPt) {
 
 const Row kFeatures[] = {
     {"kinds", "mcpg", {}, warm(), 8},
+    {"ripple_above", "mcpg", {}, warm(), 8, false, {"r_water=1"}},
+    {"ripple_soft", "mcpg", {"r_mc_apparent=0"}, warm(), 8, false, {"r_water=1"}},
+    {"ripple_soft", "mcpg_nee", {}, cold(), 8, false, {"r_water=1", "r_bounces=3"}},
     {"kinds", "nee", {}, plan(16, 4), 8, false, {"r_bounces=4"}},
     {"kinds", "mcpg_nee", {"r_deterministic=1"}, cold(), 8},
     {"cbox_glossy", "mcpg_nee", {}, warm(), 2},

@@ -11,6 +11,7 @@
 #include "scene/library/liquid_faces.h"
 #include "scene/library/surface_names.h"
 #include "scene/shapes.h"
+#include "world/bsp_query.h"
 
 namespace fb::scene {
 namespace {
@@ -44,7 +45,8 @@ std::size_t best_fan_start(const std::vector<vec3>& polygon) {
 
 class BrushMeshBuilder {
  public:
-  BrushMeshBuilder(const formats::Bsp& bsp, MapMaterials& materials) : bsp_(bsp), materials_(materials) {}
+  BrushMeshBuilder(const formats::Bsp& bsp, std::uint32_t model, MapMaterials& materials)
+      : bsp_(bsp), model_(model), materials_(materials) {}
 
   void add_face(const formats::BspFace& face) {
     if (face.surfedge_count < 3) return;
@@ -69,15 +71,29 @@ class BrushMeshBuilder {
 
   Mesh take(std::string name) {
     for (const LiquidFace& face : without_coincident(std::move(liquids_)))
-      add_fan(face.polygon, bsp_.texinfos[face.texinfo], &bsp_.textures[face.texture]);
+      add_fan(face.polygon, bsp_.texinfos[face.texinfo], &bsp_.textures[face.texture], liquid_in_front(face));
     mesh_.name = std::move(name);
     finish_mesh(mesh_);
     return std::move(mesh_);
   }
 
+  // Which of a face's two sides is kept says nothing of where the liquid is; the tree of nodes does.
+  bool liquid_in_front(const LiquidFace& face) const {
+    vec3 middle(0.0f);
+    for (const vec3& p : face.polygon) middle += p / static_cast<float>(face.polygon.size());
+    const vec3 front = bsp_.planes[face.plane].normal * (face.back_side ? -1.0f : 1.0f);
+    const auto wet = [&](float side) {
+      const std::int32_t contents = world::point_contents(bsp_, middle + front * side, model_);
+      return contents == formats::kContentsWater || contents == formats::kContentsSlime ||
+             (contents <= formats::kContentsCurrent0 && contents >= formats::kContentsCurrentDown);
+    };
+    const bool before = wet(1.0f), behind = wet(-1.0f);
+    return before != behind ? before : front.z < -0.5f;  // where both or neither is, it is below
+  }
+
  private:
-  void add_fan(const std::vector<vec3>& polygon, const formats::BspTexInfo& texinfo,
-               const formats::BspTexture* texture) {
+  void add_fan(const std::vector<vec3>& polygon, const formats::BspTexInfo& texinfo, const formats::BspTexture* texture,
+               bool liquid_in_front = false) {
     const std::size_t n = polygon.size(), start = best_fan_start(polygon);
     const vec2 size(texture != nullptr && texture->width > 0 ? static_cast<float>(texture->width) : 16.0f,
                     texture != nullptr && texture->height > 0 ? static_cast<float>(texture->height) : 16.0f);
@@ -97,7 +113,7 @@ class BrushMeshBuilder {
       const std::array<std::size_t, 3> ids{start, (start + k) % n, (start + k + 1) % n};
       const vec3 cross = triangle_cross(polygon[ids[0]], polygon[ids[1]], polygon[ids[2]]);
       if (glm::length(cross) < 2.0f * kMinTriangleArea) continue;
-      MeshTriangle triangle{{corners[0], corners[k], corners[k + 1]}, material, {}};
+      MeshTriangle triangle{{corners[0], corners[k], corners[k + 1]}, material, {}, liquid_in_front};
       for (std::size_t c = 0; c < 3; ++c) triangle.uv[c] = uv_at(polygon[ids[c]]) - shift;
       mesh_.triangles.push_back(triangle);
     }
@@ -110,6 +126,7 @@ class BrushMeshBuilder {
   }
 
   const formats::Bsp& bsp_;
+  std::uint32_t model_;
   MapMaterials& materials_;
   Mesh mesh_;
   std::map<std::array<float, 3>, std::uint32_t> vertices_;
@@ -119,7 +136,7 @@ class BrushMeshBuilder {
 }  // namespace
 
 Mesh make_brush_mesh(const formats::Bsp& bsp, std::uint32_t model, MapMaterials& materials, std::string name) {
-  BrushMeshBuilder builder(bsp, materials);
+  BrushMeshBuilder builder(bsp, model, materials);
   const formats::BspModel& m = bsp.models[model];
   for (std::uint32_t i = 0; i < m.face_count; ++i) builder.add_face(bsp.faces[m.first_face + i]);
   return builder.take(std::move(name));

@@ -4,11 +4,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "scene/library/surface_names.h"
 
 namespace fb::scene {
+
+vec3 liquid_absorption(const vec3& color, float alpha) {
+  const float brightest = std::max({color.x, color.y, color.z, 1e-4f});
+  const vec3 weights = vec3(1.0f) - kLiquidTint * color / brightest;
+  const float mean = glm::dot(weights, vec3(0.2126f, 0.7152f, 0.0722f));
+  return weights * (std::log(2.0f) * alpha / (mean * kLiquidHalfDepth));
+}
 
 MapMaterials::MapMaterials(AssetBuilder& builder, const formats::Bsp& bsp, std::string map_path, LiquidAlphas alphas,
                            SurfaceLights surface_lights)
@@ -145,6 +153,11 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
       break;
   }
   if (liquid_kind(texture.name) != LiquidKind::kNone) material.flags |= kMaterialWarp | kMaterialLiquid;
+  if (liquid_kind(texture.name) == LiquidKind::kWater || liquid_kind(texture.name) == LiquidKind::kSlime) {
+    material.flags |= kMaterialWater;
+    material.absorption = liquid_absorption(
+        mean_color(builder_.palette(), builder_.assets().images[material.frames.front().base]), material.alpha);
+  }
 
   const auto lit = surface_lights_.find(lower_case(texture.name));
   if (lit != surface_lights_.end() &&

@@ -19,6 +19,11 @@ struct LiquidAlphas {
   float water = 1.0f, lava = 1.0f, slime = 1.0f, teleport = 1.0f;
 };
 
+// What a clear liquid absorbs, 1/unit, from its texture's mean colour (linear) and its alpha. The depth at which half
+// of white light's luminance is left is kLiquidHalfDepth / alpha; what the texture shows less of is absorbed sooner.
+constexpr float kLiquidHalfDepth = 256.0f, kLiquidTint = 0.5f;
+vec3 liquid_absorption(const vec3& color, float alpha);
+
 class MapMaterials {
  public:
   // For maps/start.bsp images are looked for in textures/start/ and then in textures/.

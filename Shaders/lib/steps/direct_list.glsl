@@ -122,14 +122,14 @@ float looked_for_density(Hit hit, vec3 direction) {
   return sun > 0.0 ? sun : float(light_candidates()) * hit_light_pdf(hit, direction);
 }
 
-// The share of emission that was met by a direction of the path's own.
-float met_share_of(Hit hit, Proposal p, vec3 emission, bool one) {
-  if (emission == vec3(0.0) || (p.flags & kScatterDelta) != 0u) return one ? 1.0 / (1.0 - kLooks) : 1.0;
+// The share of emission that was met by a direction of the path's own; all of it where the way there was bent.
+float met_share_of(Hit hit, Proposal p, vec3 emission, bool bent, bool one) {
+  if (emission == vec3(0.0) || bent || (p.flags & kScatterDelta) != 0u) return one ? 1.0 / (1.0 - kLooks) : 1.0;
   float all = density_of_all(looked_for_density(hit, p.direction), p.pdf, one);
   return all > 0.0 ? p.pdf / all : 1.0;
 }
 
-float met_share(Hit hit, Proposal p, vec3 emission) { return met_share_of(hit, p, emission, false); }
+float met_share(Hit hit, Proposal p, vec3 emission) { return met_share_of(hit, p, emission, false, false); }
 
 // For this share of the rays what is known chooses the kind of light, for the others each kind has half: neither has less than
 // a tenth of the rays. A cell that is new has half and half, too: a sun outshines all lights, also where walls hide it.
@@ -221,7 +221,7 @@ Direct look_for_light(Vertex v, Guidance g, inout uint rng) {
   Aim aim = aim_at_light(v, false, rng);
   share_aim(aim, proposal_pdf(g, aim.direction, aim.bsdf_pdf), false);
   Hit hit = trace_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, rng);
-  vec3 emission = found(aim, hit, rng) && aim.weight > 0.0 ? light_emission(hit, aim.direction) * light_left(hit) : vec3(0.0);
+  vec3 emission = found(aim, hit, rng) && aim.weight > 0.0 ? light_emission(hit, aim.direction) * light_left(v, hit) : vec3(0.0);
   return direct_light(v, aim.direction, aim.f, emission * aim.weight);
 }
 
@@ -232,10 +232,10 @@ Direct last_light(Vertex v, inout uint rng) {
   bool looks = rng_uniform(rng) < kLooks;
   vec3 direction = looks ? aim.direction : p.direction;
   float reach = looks ? aim.weight > 0.0 ? aim.reach : 0.0 : p.weight != vec3(0.0) ? kRayEnd : 0.0;
-  Hit hit = trace_from(v, direction, reach, rng);
-  vec3 emission = reach > 0.0 ? light_emission(hit, direction) * light_left(hit) : vec3(0.0);
-  if (looks) return direct_light(v, direction, aim.f, found(aim, hit, rng) ? emission * aim.weight : vec3(0.0));
-  vec3 light = emission * met_share_of(hit, p, emission, true);
+  Segment way = segment_from(v, direction, reach, looks ? kTurnNowhere : kTurnByChance, rng);
+  vec3 emission = reach > 0.0 ? light_emission(way.hit, way.direction) * way.left : vec3(0.0);
+  if (looks) return direct_light(v, direction, aim.f, found(aim, way.hit, rng) ? emission * aim.weight : vec3(0.0));
+  vec3 light = emission * met_share_of(way.hit, p, emission, way.bent, true);
   return direct_light(v, direction, p.weight * p.pdf, p.pdf > 0.0 ? light / p.pdf : vec3(0.0));
 }
 #endif

@@ -47,11 +47,21 @@ void learn_waste(Guidance g, Path path) {
     list_touched(entry, atomicAdd(guide_cache.at[entry + kCacheTouched], 1u));
 }
 
-// Light of the sky is a direction, from wherever it is seen: its target is as far off as a map's coordinates reach.
+// Light of the sky is a direction, from wherever it is seen: its target is as far off as a map's coordinates reach. What is seen
+// by way of an interface is where it appears to be: along the direction in which the ray left, as far as it went (Ruppert 2020,
+// Eq. 35).
 vec3 target_of(Incident incident, vec3 direction) {
-  vec3 away = (kTargetLimit - incident.origin * sign(direction)) / max(abs(direction), 1e-6);
+  vec3 origin = incident.origin;
+  float reach = incident.way.hit.t;
+  if (FEATURE_WATER && incident.way.bent) {
+    bool apparent = guide.mc_apparent != 0;
+    origin = apparent ? origin : incident.way.origin;
+    direction = apparent ? direction : incident.way.direction;
+    reach = apparent ? incident.way.distance : reach;
+  }
+  vec3 away = (kTargetLimit - origin * sign(direction)) / max(abs(direction), 1e-6);
   float end = min(away.x, min(away.y, away.z));
-  return incident.origin + direction * (incident.sky ? max(end, 0.0) : incident.hit.t);
+  return origin + direction * (incident.sky ? max(end, 0.0) : reach);
 }
 
 vec3 hit_velocity(Hit hit, vec3 position) {
@@ -86,7 +96,7 @@ void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout 
   bool is_new = g.choice.state == kNoIndex && !g.slot.matched && incident.emission != vec3(0.0);
   if (!trains && !is_new) return;
   vec3 position = target_of(incident, p.direction);
-  vec3 velocity = hit_velocity(incident.hit, position);
+  vec3 velocity = incident.way.bent ? vec3(0.0) : hit_velocity(incident.way.hit, position);
 
   float emitted = luminance(p.weight * incident.emission);
   float score = emitted + luminance(p.weight * incident.reflection);  // f / pdf

@@ -1,0 +1,226 @@
+// Water (r_water 1): interfaces that reflect, refract and absorb, against closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/renderer.h"
+#include "render/test_device.h"
+#include "render/test_image.h"
+#include "scene/in_code/scenes_in_code.h"
+#include "scene/in_code/scenes_of_water.h"
+#include "scene/shapes.h"
+#include "shared/dielectric.h"
+
+namespace fb::render {
+namespace {
+
+using WaterTest = DeviceTest;
+
+constexpr float kIndex = 1.33f;
+
+RenderSettings water_settings(const std::string& estimator, int bounces) {
+  RenderSettings s;
+  s.intersector = Intersector::kBvh;
+  s.estimator = estimator;
+  s.bounces = bounces;
+  s.water = 1;
+  s.water_waves = 0;
+  s.jitter = 0;
+  return s;
+}
+
+// A level surface of water at a height, from edge to edge of `half`; the water is under it.
+void add_water(scene::FrameSnapshot& snapshot, float z, float half, const vec3& absorption) {
+  auto assets = std::make_shared<scene::Assets>(*snapshot.assets);
+  assets->generation = scene::next_generation();
+  scene::Material water;
+  water.name = "water";
+  water.base_color = vec3(0.2f);
+  water.emission_kind = scene::EmissionKind::kNone;
+  water.flags = scene::kMaterialLiquid | scene::kMaterialWater;
+  water.absorption = absorption;
+  const auto material = static_cast<std::uint32_t>(assets->materials.size());
+  assets->materials.push_back(water);
+  scene::Mesh surface;
+  scene::add_quad(surface, {-half, -half, z}, {2 * half, 0, 0}, {0, 2 * half, 0}, material);
+  scene::finish_mesh(surface);
+  assets->meshes.push_back(surface);
+  scene::Instance instance;
+  instance.id = scene::kIdEntity + 100;
+  instance.mesh = static_cast<std::uint32_t>(assets->meshes.size() - 1);
+  snapshot.instances.push_back(instance);
+  snapshot.assets = assets;
+  if (snapshot.camera.position.z < z) snapshot.camera_liquid = material;
+}
+
+void look(scene::FrameSnapshot& snapshot, const vec3& position, float pitch, float fov) {
+  snapshot.camera.position = position;
+  snapshot.camera.angles = {pitch, 0, 0};
+  snapshot.camera.fov_x = fov;
+  snapshot.prev_camera = snapshot.camera;
+}
+
+// A closed room of albedo a and emission e, half full of water that absorbs nothing, with waves: e (1 + a), above and
+// below.
+TEST_F(WaterTest, AFurnaceStaysAFurnace) {
+  const float albedo = 0.5f;
+  for (const TechniqueInfo& estimator : techniques()) {
+    if (!estimator.unbiased()) continue;
+    for (const float z : {-20.0f, 20.0f}) {
+      scene::FrameSnapshot snapshot = scene::furnace(albedo, 1.0f);
+      look(snapshot, {0, 0, z}, z, 100);
+      add_water(snapshot, 0.0f, 140.0f, vec3(0.0f));
+      RenderSettings s = water_settings(std::string(estimator.name), 1);
+      s.spp = 16;
+      s.water_waves = 1.5f;
+      auto renderer = make_renderer(s, 48, 32);
+      for (int frame = 0; frame < 4; ++frame) renderer->render(snapshot, nullptr, s);
+      const ImageEstimate e = image_estimate(renderer->read().linear());
+      EXPECT_NEAR(e.mean, 1.0 + albedo, 5 * e.error + 1e-3) << estimator.name << ' ' << z;
+      EXPECT_EQ(renderer->read().counters().not_finite, 0u);
+    }
+  }
+}
+
+// White all around: what is reflected and what comes through are together all of it, at every angle and from both
+// sides.
+TEST_F(WaterTest, ReflectsWhatItDoesNotLetThrough) {
+  for (const float z : {-50.0f, -1e-3f, 0.0f, 1e-3f, 50.0f})
+    for (const float waves : {0.0f, 2.0f}) {
+      scene::FrameSnapshot snapshot;
+      snapshot.assets = std::make_shared<scene::Assets>();
+      snapshot.sky.mode = scene::SkyMode::kConstant;
+      snapshot.sky.color = vec3(1, 2, 3);
+      snapshot.sky.beyond_everything = true;
+      look(snapshot, {3, 5, z}, z > 0 ? 20.0f : -20.0f, 120);
+      add_water(snapshot, 0.0f, 5000.0f, vec3(0.0f));
+      RenderSettings s = water_settings("pt", 1);
+      s.water_waves = waves;
+      auto renderer = make_renderer(s, 48, 48);
+      renderer->render(snapshot, nullptr, s);
+      for (const vec4& p : renderer->read().linear())
+        for (int c = 0; c < 3; ++c) ASSERT_NEAR(p[c], static_cast<float>(c + 1), 1e-4f) << z << ' ' << waves;
+    }
+}
+
+// A floor that glows under a depth of water: where each ray meets it by Snell's law, and what of its light arrives.
+TEST_F(WaterTest, BendsAndAbsorbsAsTheFormulasSay) {
+  const float height = 40.0f, depth = 80.0f;
+  const vec3 absorption(0.01f, 0.002f, 0.0f);
+  scene::FrameSnapshot snapshot;
+  auto assets = std::make_shared<scene::Assets>();
+  scene::Material ground;
+  ground.emission = vec3(1.0f);
+  ground.emission_kind = scene::EmissionKind::kConstant;
+  assets->materials.push_back(ground);
+  scene::Mesh floor;
+  scene::add_quad(floor, {-2000, -2000, -depth}, {4000, 0, 0}, {0, 4000, 0}, 0);
+  scene::finish_mesh(floor);
+  assets->meshes.push_back(floor);
+  snapshot.assets = assets;
+  snapshot.instances.emplace_back();
+  look(snapshot, {0, 0, height}, 50.0f, 60);
+  add_water(snapshot, 0.0f, 2000.0f, absorption);
+  const RenderSettings s = water_settings("pt", 0);
+  constexpr int kSize = 33;
+  auto renderer = make_renderer(s, kSize, kSize);
+  renderer->render(snapshot, nullptr, s);
+  const auto texels = renderer->read().gbuffer();
+  const auto image = renderer->read().linear();
+  for (int row = 0; row < kSize; row += 8) {
+    const auto at = static_cast<std::size_t>(row * kSize + kSize / 2);
+    const float above = 2.0f * (static_cast<float>(row) + 0.5f) / kSize - 1.0f;
+    const float angle = radians(40.0f) - std::atan(above * std::tan(radians(30.0f)));  // from the vertical
+    const float inner = std::asin(std::sin(angle) / kIndex), way = depth / std::cos(inner);
+    const float x = height * std::tan(angle) + depth * std::tan(inner);
+    EXPECT_NEAR(texels[at].position_t.x, x, 2e-3f * (1 + x)) << row;
+    EXPECT_NEAR(texels[at].position_t.z, -depth, 1e-2f) << row;
+    const float through = 1.0f - shared::dielectric_reflectance(std::cos(angle), kIndex);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(image[at][c], through * std::exp(-absorption[c] * way), 1e-3f) << row << ' ' << c;
+  }
+}
+
+TEST_F(WaterTest, TheCameraUnderWaterSeesLessTheFartherItLooks) {
+  scene::FrameSnapshot snapshot = scene::furnace(0.0f, 1.0f);
+  look(snapshot, {-64, 0, -20}, 0, 20);
+  add_water(snapshot, 100.0f, 140.0f, vec3(0.01f, 0.0f, 0.1f));
+  const RenderSettings s = water_settings("pt", 1);
+  auto renderer = make_renderer(s, 33, 33);
+  renderer->render(snapshot, nullptr, s);
+  const vec4 middle = renderer->read().linear()[33 * 16 + 16];
+  EXPECT_NEAR(middle.x, std::exp(-0.01f * 192), 1e-3f);
+  EXPECT_NEAR(middle.y, 1.0f, 1e-5f);
+  EXPECT_NEAR(middle.z, std::exp(-0.1f * 192), 1e-3f);
+}
+
+// One sine wave focuses the sun: the floor is brightest under its crests, and darkest between them (geometric optics;
+// the irradiance under a crest at depth d over that without waves is 1 / |1 - d (1 - 1 / n) a k^2|, under a trough 1 /
+// (1 + ...)).
+TEST_F(WaterTest, CausticsLieUnderTheCrests) {
+  scene::FrameSnapshot snapshot = scene::ripple();
+  snapshot.sky.color = vec3(0.0f);
+  look(snapshot, {0, 0, 115}, 89.9f, 90);
+  RenderSettings s = water_settings("mcpg", 1);
+  s.spp = 8;
+  s.accumulate = 1;
+  auto renderer = make_renderer(s, 64, 64);
+  for (int frame = 0; frame < 48; ++frame) renderer->render(snapshot, nullptr, s);
+  const auto texels = renderer->read().gbuffer();
+  const auto image = renderer->read().linear();
+  double crest = 0, trough = 0;
+  int crests = 0, troughs = 0;
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    if (texels[i].position_t.z > 1.0f) continue;
+    const float x = texels[i].position_t.x,
+                off = std::fabs(x - scene::kRippleLength * std::round(x / scene::kRippleLength));
+    if (off < 3.0f) crest += image[i].y, ++crests;
+    if (off > 0.5f * scene::kRippleLength - 8.0f) trough += image[i].y, ++troughs;
+  }
+  ASSERT_GT(crests, 50);
+  ASSERT_GT(troughs, 50);
+  const double between = trough / troughs;
+  EXPECT_GT(crest / crests, 3.0 * between);
+  // Under a trough: albedo / pi times the sun's irradiance, what is let through, absorption, and the spread; all of it
+  // over the index squared, since radiance in water is basic radiance.
+  const float k = 2 * kPi / scene::kRippleLength, d = scene::kRippleDepth - scene::kRippleHeight;
+  const float spread = 1.0f + d * (1.0f - 1.0f / kIndex) * scene::kRippleHeight * k * k;
+  const float through = 1.0f - shared::dielectric_reflectance(1.0f, kIndex);
+  const double expected = 0.62 / kPi * 8.0 * through * std::exp(-0.0015f * d) / (spread * kIndex * kIndex);
+  EXPECT_NEAR(between / expected, std::exp(-0.0015f * 115), 0.05);
+}
+
+TEST_F(WaterTest, NothingIsLostInTheSurface) {
+  for (const char* estimator : {"pt", "nee", "mcpg", "mcpg_nee"})
+    for (const float z : {-1e-4f, 0.0f, 1e-4f}) {
+      scene::FrameSnapshot snapshot = scene::one_light(20.0f, 10.0f, 0.5f);  // the light is half in water
+      look(snapshot, {-60, 0, z}, 0, 100);
+      add_water(snapshot, 0.0f, 140.0f, vec3(1e-3f, 0.0f, 10.0f));
+      RenderSettings s = water_settings(estimator, 3);
+      s.spp = 4;
+      s.water_waves = 8;
+      auto renderer = make_renderer(s, 48, 48);
+      for (int frame = 0; frame < 4; ++frame) renderer->render(snapshot, nullptr, s);
+      EXPECT_EQ(renderer->read().counters().not_finite, 0u) << estimator << ' ' << z;
+      EXPECT_EQ(renderer->read().counters().states_not_finite, 0u) << estimator << ' ' << z;
+    }
+}
+
+TEST_F(WaterTest, WithoutWaterNothingChanges) {
+  std::uint64_t hashes[2];
+  for (const int water : {0, 1}) {
+    RenderSettings s = water_settings("mcpg_nee", 2);
+    s.water = water;
+    s.deterministic = 1;
+    auto renderer = make_renderer(s, 48, 48);
+    for (int frame = 0; frame < 3; ++frame) renderer->render(scene::cornell_box(), nullptr, s);
+    hashes[water] = image_hash(*renderer);
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+}  // namespace
+}  // namespace fb::render

@@ -1,0 +1,61 @@
+#include "scene/in_code/scenes_of_water.h"
+
+#include <cmath>
+
+#include "scene/in_code/code_scene_parts.h"
+#include "scene/shapes.h"
+
+namespace fb::scene {
+
+FrameSnapshot ripple(const Ripple& kind) {
+  constexpr float kHalf = 256.0f, kReach = 264.0f;  // the surface goes on within the walls
+  constexpr int kCells = 264;
+  auto assets = new_code_assets();
+  const std::uint32_t tiles = add_material(*assets, "tiles", vec3(0.6f, 0.62f, 0.65f));
+  const std::uint32_t sky = add_material(*assets, "sky", vec3(0.0f), vec3(1.0f));
+  assets->materials[sky].emission_kind = EmissionKind::kSky;
+  const std::uint32_t water = add_material(*assets, "water", vec3(0.1f, 0.2f, 0.25f));
+  assets->materials[water].flags = kMaterialLiquid | kMaterialWater;
+  assets->materials[water].absorption = vec3(0.004f, 0.0015f, 0.001f);
+
+  Mesh room;
+  add_box(room, {-kHalf, -kHalf, 0}, {kHalf, kHalf, 320}, tiles, true);
+  for (MeshTriangle& t : room.triangles) {
+    bool top = true;
+    for (const std::uint32_t vertex : t.vertices) top &= room.positions[vertex].z == 320.0f;
+    if (top) t.material = sky;
+  }
+  Mesh surface;
+  for (int i = 0; i <= kCells; ++i) {
+    const float x = kReach * (2.0f * static_cast<float>(i) / kCells - 1.0f), k = 2.0f * kPi / kRippleLength;
+    const float z = kRippleDepth + kRippleHeight * std::cos(k * x);
+    const vec3 normal = glm::normalize(vec3(kRippleHeight * k * std::sin(k * x), 0, 1));
+    for (const float y : {-kReach, kReach}) {
+      surface.positions.emplace_back(x, y, z);
+      surface.normals.push_back(normal);
+    }
+    if (i == kCells) break;
+    const auto at = static_cast<std::uint32_t>(2 * i);
+    surface.triangles.push_back({{at, at + 2, at + 3}, water, {}});
+    surface.triangles.push_back({{at, at + 3, at + 1}, water, {}});
+  }
+
+  const std::uint32_t sphere = add_sphere_mesh(*assets);
+  const Camera camera =
+      kind.above ? camera_at({-230, -30, 240}, {35, 8, 0}, 90.0f) : camera_at({-200, -30, 100}, {35, 8, 0}, 90.0f);
+  FrameSnapshot snapshot = still(assets, camera);
+  snapshot.instances.push_back(make_instance(kIdWorld, add_finished(*assets, std::move(room), "pool")));
+  snapshot.instances.push_back(make_instance(kIdEntity + 1, add_finished(*assets, std::move(surface), "surface")));
+  if (kind.lamps) {
+    snapshot.instances.push_back(glowing(kIdEntityLight, sphere, tiles, {60, 150, 220}, vec3(12.0f), vec3(20, 14, 8)));
+    snapshot.instances.push_back(
+        glowing(kIdEntityLight + 1, sphere, tiles, {40, -120, 40}, vec3(8.0f), vec3(8, 14, 20)));
+  }
+  snapshot.camera_liquid = kind.above ? kNone : water;
+  snapshot.sky.mode = SkyMode::kConstant;
+  snapshot.sky.color = vec3(0.25f, 0.35f, 0.5f);
+  snapshot.sky.suns = {{vec3(0, 0, 1), vec3(9, 8, 6), kind.sun_radius}};
+  return snapshot;
+}
+
+}  // namespace fb::scene

@@ -1,0 +1,136 @@
+// The way of light between two vertices of a path. In air it is a ray; a smooth interface of water does not end it but bends it:
+// at each the ray is reflected or refracted (Fresnel, Snell; shared/dielectric.h), by the normal of waves (shared/waves.h) where
+// the surface is level, and liquids absorb on the way. Light that reaches a vertex along a bent segment no straight ray finds:
+// interfaces are opaque to rays that look for light, so that met emission counts whole there and nowhere twice.
+//
+// Radiance is not scaled by the index squared: all of it is basic radiance, L / n^2, which an interface leaves alone, and what
+// glows or reflects under water is taken to do so in these units.
+#ifndef FB_LIB_SEGMENT
+#define FB_LIB_SEGMENT
+#include "lib/interaction.glsl"
+#include "shared/dielectric.h"
+#include "shared/waves.h"
+
+const float kWaterIndex = 1.33;
+const uint kMostInterfaces = 8u;  // of a segment; the next one ends it, as if it was opaque
+const float kLeastFacing = 0.01;  // cosine to which a wave's normal is turned that faces away from the ray
+
+struct Segment {
+  Hit hit;         // what ends it
+  vec3 origin;     // of its last piece
+  vec3 direction;  // of its last piece
+  vec3 left;       // share of the light at its end that it brings
+  uint liquid;     // that its end is in
+  bool bent;       // by an interface
+  float distance;  // along all pieces
+  float seen;      // at which its end appears through a level surface, along the first direction
+};
+
+// Which way an interface takes a ray.
+const uint kTurnByChance = 0u;  // reflected or refracted as often as much is
+const uint kTurnThrough = 1u;   // the first one refracts a camera's ray, whose `left` has the share. Those after it by chance
+const uint kTurnNowhere = 2u;   // interfaces end it
+
+struct Interface {
+  vec3 position;
+  vec3 facing;  // geometric normal on the ray's side
+  vec3 normal;  // with waves; faces the ray as well
+  bool enters;  // the ray comes from air
+};
+
+Interface interface_at(Hit hit, GpuAttribute a, vec3 direction) {
+  GpuTriangle t = world_triangle(hit.instance, hit.triangle);
+  Interface i;
+  i.position = t.v0.xyz + t.e1.xyz * hit.bary.x + t.e2.xyz * hit.bary.y;
+  vec3 front = normalize(cross(t.e1.xyz, t.e2.xyz));
+  bool from_front = dot(front, direction) < 0.0;
+  i.facing = from_front ? front : -front;
+  i.enters = from_front == ((a.flags & kTriangleLiquidInFront) == 0u);
+  vec3 n = i.facing;
+  if (has_feature(kFeatureSmooth) && (a.flags & kTriangleSmooth) != 0u) {
+    vec3 smooth_one = smooth_normal(hit.instance, a, hit.bary);
+    if (dot(smooth_one, smooth_one) > 0.0) n = to_world_normal(hit.instance, smooth_one);
+  }
+  if (abs(n.z) > 0.9) {
+    vec2 slope = wave_state(Waves(frame.water_height, frame.water_size, frame.water_clock), i.position.xy).slope;
+    n = normalize(vec3(n.xy / n.z - slope, 1.0));
+  }
+  if (dot(n, i.facing) < 0.0) n = -n;
+  float cosine = -dot(n, direction);
+  if (cosine < kLeastFacing) n = normalize(n - direction * (kLeastFacing - cosine));
+  i.normal = n;
+  return i;
+}
+
+// A direction on the side of the surface that `facing` is on, by mirroring it where a wave's normal sends it to the other.
+vec3 kept_on_side(vec3 direction, vec3 facing) {
+  float side = dot(direction, facing);
+  return normalize(direction + facing * (side < 0.0 ? -2.0 * side : 0.0) + facing * (abs(side) < 1e-3 ? 2e-3 : 0.0));
+}
+
+Segment straight(vec3 origin, vec3 direction, uint liquid) {
+  return Segment(Hit(0.0, vec2(0.0), kNoIndex, 0u), origin, direction, vec3(1.0), liquid, false, 0.0, 0.0);
+}
+
+// What the first interface reflects of a camera's ray.
+struct Mirrored {
+  Segment start;  // there, to be followed on
+  bool most;      // a level surface reflects more than it lets through
+};
+
+// Follows a segment on from where it is. `s.left` is without the fog before what a camera sees: the denoiser knows of that.
+Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, inout Mirrored mirrored, inout uint rng) {
+  float nearer = 1.0;
+  uint events = 0u;
+  do {
+    s.hit = trace(s.origin, s.direction, 0.0, reach, mask, rng);
+    bool missed = s.hit.instance == kNoIndex;
+    float piece = missed ? kRayEnd : s.hit.t;
+    if (s.liquid != kNoIndex || !of_camera) s.left *= light_left(s.liquid, piece);
+    s.distance += piece;
+    s.seen += piece * nearer;
+    if (missed || turn == kTurnNowhere || events == kMostInterfaces) break;
+    GpuAttribute a = attribute_at(instance_at(s.hit.instance).first_attribute + s.hit.triangle);
+    if ((a.flags & kTriangleWater) == 0u) break;
+
+    uint material = instance_at(s.hit.instance).material_base + a.material;
+    Interface i = interface_at(s.hit, a, s.direction);
+    float eta = i.enters ? kWaterIndex : 1.0 / kWaterIndex;
+    float reflectance = dielectric_reflectance(min(-dot(s.direction, i.normal), 1.0), eta);
+    bool back = rng_uniform(rng) < reflectance;
+    vec3 reflected = kept_on_side(dielectric_reflect(-s.direction, i.normal), i.facing);
+    if (turn == kTurnThrough && !s.bent) {
+      mirrored.start = Segment(s.hit, offset_origin(i.position, i.facing), reflected, s.left * reflectance, i.enters ? kNoIndex : material, true,
+                               s.distance, s.seen);
+      mirrored.most = dielectric_reflectance(min(-dot(s.direction, i.facing), 1.0), eta) > 0.5;
+      s.left *= 1.0 - reflectance;
+      back = false;
+    }
+    vec3 side = back ? i.facing : -i.facing;
+    s.direction = back ? reflected : kept_on_side(dielectric_refract(-s.direction, i.normal, eta), side);
+    s.origin = offset_origin(i.position, side);
+    s.liquid = i.enters == back ? kNoIndex : material;
+    s.bent = true;
+    nearer = back ? nearer : nearer / eta;
+    reach = kRayEnd;
+  } while (events++ < kMostInterfaces);
+  return s;
+}
+
+// A path's own direction, or where `turn` is kTurnNowhere one that looks for light.
+Segment segment_from(Vertex v, vec3 direction, float reach, uint turn, inout uint rng) {
+  vec3 origin = scatter_origin(v.scatter, v.position);
+  Mirrored unused;
+  if (FEATURE_WATER) return follow(straight(origin, direction, v.liquid), reach, kMaskIndirect, turn, false, unused, rng);
+  Hit hit = trace_from(v, direction, reach, rng);
+  return Segment(hit, origin, direction, light_left(v, hit), kNoIndex, false, hit.t, hit.t);
+}
+
+// The vertex at a segment's end. A coat has next to no reflectance where it borders on water.
+Vertex end_of_segment(Segment segment, Surface s) {
+  Vertex v = surface_vertex(s, -segment.direction);
+  v.liquid = segment.liquid;
+  if (FEATURE_WATER && segment.liquid != kNoIndex) v.scatter.bsdf.specular = 0.0;
+  return v;
+}
+#endif
