@@ -161,14 +161,14 @@ TEST_F(WaterTest, TheCameraUnderWaterSeesLessTheFartherItLooks) {
 // the irradiance under a crest at depth d over that without waves is 1 / |1 - d (1 - 1 / n) a k^2|, under a trough 1 /
 // (1 + ...)).
 TEST_F(WaterTest, CausticsLieUnderTheCrests) {
-  scene::FrameSnapshot snapshot = scene::ripple();
+  scene::FrameSnapshot snapshot = scene::ripple({3.0f, false, false});
   snapshot.sky.color = vec3(0.0f);
   look(snapshot, {0, 0, 115}, 89.9f, 90);
-  RenderSettings s = water_settings("mcpg", 1);
-  s.spp = 8;
+  RenderSettings s = water_settings("pt", 1);
+  s.spp = 64;
   s.accumulate = 1;
   auto renderer = make_renderer(s, 64, 64);
-  for (int frame = 0; frame < 48; ++frame) renderer->render(snapshot, nullptr, s);
+  for (int frame = 0; frame < 32; ++frame) renderer->render(snapshot, nullptr, s);
   const auto texels = renderer->read().gbuffer();
   const auto image = renderer->read().linear();
   double crest = 0, trough = 0;
@@ -190,7 +190,7 @@ TEST_F(WaterTest, CausticsLieUnderTheCrests) {
   const float spread = 1.0f + d * (1.0f - 1.0f / kIndex) * scene::kRippleHeight * k * k;
   const float through = 1.0f - shared::dielectric_reflectance(1.0f, kIndex);
   const double expected = 0.62 / kPi * 8.0 * through * std::exp(-0.0015f * d) / (spread * kIndex * kIndex);
-  EXPECT_NEAR(between / expected, std::exp(-0.0015f * 115), 0.05);
+  EXPECT_NEAR(between / expected, std::exp(-0.0015f * 115), 0.1);  // some 1500 of the trough's paths find the sun
 }
 
 TEST_F(WaterTest, NothingIsLostInTheSurface) {
