@@ -230,7 +230,8 @@ void Game::capture(std::uint64_t frame, uvec2 size) {
 }
 
 render::RenderSettings Game::settings() const {
-  render::RenderSettings settings = render::as_in_game(render::read_render_settings(engine_->console()));
+  render::RenderSettings settings =
+      render::as_in_game(render::read_render_settings(engine_->console()), device_->is_software());
   const float most = engine_->console().cvar("r_cpu_pixels").value();
   if (window_ && device_->is_software() && most > 0) {
     settings.scale =

@@ -83,15 +83,17 @@ TEST_F(LensTest, BloomSpreadsLightAndKeepsItsSum) {
 }
 
 TEST_F(LensTest, OutsideOfTheGameBothAreOff) {
-  const RenderSettings untouched, game = as_in_game(untouched);
+  const RenderSettings untouched, game = as_in_game(untouched, false);
   EXPECT_GT(game.local_exposure, 0);
   EXPECT_GT(game.bloom, 0);
   EXPECT_EQ(game.denoise, 1);
+  EXPECT_EQ(game.water, 1);
+  EXPECT_EQ(as_in_game(untouched, true).water, 0);
   RenderSettings chosen;
   chosen.denoise = 0;
   chosen.local_exposure = chosen.bloom = 0;
   chosen.water = 0;
-  EXPECT_EQ(as_in_game(chosen), chosen);
+  EXPECT_EQ(as_in_game(chosen, false), chosen);
   EXPECT_EQ(even(0.3f, lens_settings(-1, -1)), even(0.3f, lens_settings(0, 0)));
 }
 

@@ -70,11 +70,11 @@ RenderSettings read_render_settings(const con::Console& console) {
   return settings;
 }
 
-RenderSettings as_in_game(RenderSettings settings) {
+RenderSettings as_in_game(RenderSettings settings, bool on_cpu) {
   if (settings.denoise < 0) settings.denoise = 1;
   if (settings.local_exposure < 0) settings.local_exposure = kLocalExposure;
   if (settings.bloom < 0) settings.bloom = kBloom;
-  if (settings.water < 0) settings.water = 1;
+  if (settings.water < 0) settings.water = on_cpu ? 0 : 1;
   return settings;
 }
 

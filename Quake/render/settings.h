@@ -53,8 +53,8 @@ void register_render_cvars(con::Console& console);
 std::string settings_page();
 // The cvars' values now.
 RenderSettings read_render_settings(const con::Console& console);
-// What the game does where a setting leaves it to the program (-1): the denoiser, local exposure, bloom and water are
-// on.
-RenderSettings as_in_game(RenderSettings settings);
+// What the game does where a setting leaves it to the program (-1): the denoiser, local exposure and bloom are on, and
+// water is where there is a GPU.
+RenderSettings as_in_game(RenderSettings settings, bool on_cpu);
 
 }  // namespace fb::render
