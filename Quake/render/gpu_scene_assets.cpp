@@ -259,7 +259,7 @@ MeshRecord SceneAssets::add_mesh(const scene::Assets& assets, const scene::Mesh&
       if ((m.flags & scene::kMaterialAlphaTest) != 0 || m.alpha < 1.0f) flags |= shared::kTriangleAlphaTest;
       if ((m.flags & scene::kMaterialWater) != 0) flags |= shared::kTriangleWater;
     }
-    if (t.liquid_in_front) flags |= shared::kTriangleLiquidInFront;
+    if (t.liquid_in_front != 0) flags |= shared::kTriangleLiquidInFront;
     record.asks |= (flags & shared::kTriangleAlphaTest) != 0;
     batch.attributes.push_back(
         {t.vertices[0], t.vertices[1], t.vertices[2], t.material, t.uv[0], t.uv[1], t.uv[2], flags, 0});

@@ -93,10 +93,12 @@ static_assert(sizeof(PoseVertex) == 8);
 
 struct MeshTriangle {
   std::array<std::uint32_t, 3> vertices;
-  std::uint32_t material;        // added to Instance::material_base
-  std::array<vec2, 3> uv;        // in units of the texture's size: 1 is one repeat
-  bool liquid_in_front = false;  // kMaterialWater: the liquid is on the side that the triangle faces, not behind it
+  std::uint32_t material;  // added to Instance::material_base
+  std::array<vec2, 3> uv;  // in units of the texture's size: 1 is one repeat
+  std::uint32_t liquid_in_front =
+      0;  // 1, kMaterialWater: the liquid is on the side that the triangle faces, not behind
 };
+static_assert(sizeof(MeshTriangle) == 44, "hashed as bytes: no padding");
 
 // Triangles face the side from which their vertices run counter-clockwise (right-handed coordinates).
 // A rigid mesh has `positions` (and optionally `normals`); a posed one has `poses` instead: the renderer interpolates

@@ -29,7 +29,8 @@ std::uint64_t material_key(const scene::Material& m, std::uint64_t key) {
   key = hash_vector(m.frames, hash_vector(m.alternate_frames, hash_vector(m.end_times, key)));
   const float numbers[] = {m.frames_per_second, m.base_color.x, m.base_color.y, m.base_color.z,
                            m.emission.x,        m.emission.y,   m.emission.z,   m.roughness,
-                           m.specular,          m.metalness,    m.alpha};
+                           m.specular,          m.metalness,    m.alpha,        m.absorption.x,
+                           m.absorption.y,      m.absorption.z};
   key = hash_span(std::span<const float>(numbers), key);
   return hash_value(m.flags, hash_value(static_cast<std::uint32_t>(m.emission_kind), key));
 }
@@ -115,7 +116,7 @@ std::uint64_t content_key(const scene::FrameSnapshot& s) {
   std::uint64_t key = s.assets ? assets_key(*s.assets) : 0;
   key = hash_vector(s.instances, key);
   key = sky_key(s.sky, hash_bytes(&s.camera, sizeof s.camera, key));
-  key = hash_bytes(&s.medium, sizeof s.medium, key);
+  key = hash_value(s.camera_liquid, hash_bytes(&s.medium, sizeof s.medium, key));
   return hash_value(s.time, hash_bytes(&s.ambient, sizeof s.ambient, key));
 }
 

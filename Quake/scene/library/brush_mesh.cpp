@@ -113,7 +113,7 @@ class BrushMeshBuilder {
       const std::array<std::size_t, 3> ids{start, (start + k) % n, (start + k + 1) % n};
       const vec3 cross = triangle_cross(polygon[ids[0]], polygon[ids[1]], polygon[ids[2]]);
       if (glm::length(cross) < 2.0f * kMinTriangleArea) continue;
-      MeshTriangle triangle{{corners[0], corners[k], corners[k + 1]}, material, {}, liquid_in_front};
+      MeshTriangle triangle{{corners[0], corners[k], corners[k + 1]}, material, {}, liquid_in_front ? 1u : 0u};
       for (std::size_t c = 0; c < 3; ++c) triangle.uv[c] = uv_at(polygon[ids[c]]) - shift;
       mesh_.triangles.push_back(triangle);
     }
