@@ -26,10 +26,9 @@
 #define FB_LIB_PATH
 #include "lib/incident.glsl"
 
-// Radiance that reaches the first vertex's viewer by reflection: paths of 1 to path_bounces() further vertices (r_bounces; r_fog_bounces where the first is in a
-// medium). Where light is
-// looked for, the last of several vertices is apart: its one ray does for both, and what is known there guides neither. Not under
-// water: there most light is bent, and only what is known finds it.
+// Radiance that reaches the first vertex's viewer by reflection: paths of 1 to path_bounces() further vertices (r_bounces, or
+// r_fog_bounces where the first is in a medium). Where light is looked for, the last of several vertices is apart: its one ray
+// does for both, and what is known there guides neither. Not under water: there most light is bent, and only what is known finds it.
 vec3 trace_path(Vertex v, Path path, inout uint rng) {
   vec3 sum = vec3(0.0), throughput = vec3(1.0);
   Field here = field_at(v, path);
