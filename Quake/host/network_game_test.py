@@ -70,7 +70,8 @@ class Program:
             except queue.Empty:
                 break
             if line is None:
-                raise AssertionError(f"{self.name} ended; it wanted to say {pattern!r}")
+                said = "\n".join(self.lines[-5:])
+                raise AssertionError(f"{self.name} ended; it was to say {pattern!r}, and said last:\n{said}")
             self.lines.append(line)
             if re.search(pattern, line):
                 return line

@@ -34,17 +34,23 @@ std::uint32_t Denoiser::light_block(const RenderSettings& settings) const {
   return static_cast<std::uint32_t>(std::lround(1.0f / std::clamp(chosen, 0.25f, 1.0f)));
 }
 
-std::uint64_t Denoiser::history_bytes(uvec2 render, uvec2 smooth, bool medium) {
+std::uint32_t Denoiser::medium_block(const RenderSettings& settings) const {
+  const float scale = wanted(settings) && settings.debug_view == 0 ? std::clamp(settings.fog_scale, 0.25f, 1.0f) : 1.0f;
+  return light_block(settings) * static_cast<std::uint32_t>(std::lround(1.0f / scale));
+}
+
+std::uint64_t Denoiser::history_bytes(uvec2 render, uvec2 smooth, std::uint32_t medium_block) {
   const std::uint64_t pixels = std::uint64_t{render.x} * render.y, shown = std::uint64_t{smooth.x} * smooth.y;
+  const uvec2 blocks = medium_block > 0 ? light_size(render, medium_block) : uvec2(0);
   const std::uint64_t texels = shared::kSectionPicture * pixels + (pixels + 1) / 2 + (shown + 1) / 2;  // whole ones
-  return sizeof(glm::uvec4) * (texels + (medium ? shared::kMediumSlots * pixels : 0));
+  return sizeof(glm::uvec4) * (texels + std::uint64_t{shared::kMediumSlots} * blocks.x * blocks.y);
 }
 
 void Denoiser::resize(uvec2 render, uvec2 output, const RenderSettings& settings, bool medium) {
   on_ = wanted(settings);
   const uvec2 size = on_ ? render : uvec2(0), smooth = on_ ? smooth_size(render, output, settings) : uvec2(0);
-  medium = medium && on_;
-  if (size == size_ && smooth == smooth_ && medium == medium_) return;
+  const std::uint32_t block = on_ && medium ? medium_block(settings) : 0;
+  if (size == size_ && smooth == smooth_ && block == room_for_block_) return;
   const auto bind = [&] {
     table_.set_texels(shared::kTexelsHistory, buffer_);
     table_.set_array(shared::kSetFrame, shared::kBindHistory, buffer_);
@@ -54,11 +60,11 @@ void Denoiser::resize(uvec2 render, uvec2 output, const RenderSettings& settings
   buffer_ = gpu::Buffer();  // the old one's memory goes first
   bind();
   if (on_) {
-    buffer_ = gpu::Buffer(device_, gpu::BufferUse::kStorage, history_bytes(size, smooth, medium), "history");
+    buffer_ = gpu::Buffer(device_, gpu::BufferUse::kStorage, history_bytes(size, smooth, block), "history");
   }
   size_ = size;
   smooth_ = smooth;
-  medium_ = medium;
+  room_for_block_ = block;
   bind();
 }
 
@@ -94,9 +100,8 @@ void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snaps
 // One of the light's pixels in each block of blocks.
 void Denoiser::fill_medium(shared::FrameConstants& c, const RenderSettings& settings, std::uint32_t turn,
                            std::uint64_t frame) {
-  const float scale = wanted(settings) && settings.debug_view == 0 ? std::clamp(settings.fog_scale, 0.25f, 1.0f) : 1.0f;
-  const auto blocks = static_cast<std::uint32_t>(std::lround(1.0f / scale));
-  medium_block_ = light_block_ * blocks;
+  medium_block_ = medium_block(settings);
+  const std::uint32_t blocks = medium_block_ / light_block_;
   c.medium_block = medium_block_;
   c.medium_width = light_size(uvec2(c.width, c.height), medium_block_).x;
   // The light's turns come round before the next of these begins, so that all pixels have theirs.

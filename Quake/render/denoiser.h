@@ -29,6 +29,8 @@ class Denoiser {
   // Light is sampled at one pixel of each block of so many a side (r_light_scale); 1 without the denoiser, and where a
   // debug view shows what is sampled.
   std::uint32_t light_block(const RenderSettings& settings) const;
+  // Likewise of the light that a medium scatters (r_fog_scale).
+  std::uint32_t medium_block(const RenderSettings& settings) const;
   // Blocks of a picture.
   static uvec2 light_size(uvec2 render, std::uint32_t block) { return groups_over(render, block); }
 
@@ -36,8 +38,8 @@ class Denoiser {
   static uvec2 smooth_size(uvec2 render, uvec2 output, const RenderSettings& settings) {
     return antialiases(settings) ? output : render;
   }
-  // Bytes of the history for these sizes.
-  static std::uint64_t history_bytes(uvec2 render, uvec2 smooth, bool medium);
+  // Bytes of the history for these sizes. `medium_block`: 0 without a medium.
+  static std::uint64_t history_bytes(uvec2 render, uvec2 smooth, std::uint32_t medium_block);
 
   // Makes room for the history, or frees it; what was there is lost when a size changes.
   // `medium`: there is, or was, one between surfaces.
@@ -66,9 +68,10 @@ class Denoiser {
   gpu::BindingTable& table_;
   gpu::Buffer buffer_;
   uvec2 size_{0, 0}, smooth_{0, 0};
-  bool on_ = false, medium_ = false, valid_ = false, blends_mean_ = false;
+  bool on_ = false, valid_ = false, blends_mean_ = false;
   int levels_ = 0;
   std::uint32_t light_block_ = 1, medium_block_ = 1;
+  std::uint32_t room_for_block_ = 0;  // of the medium, in buffer_
   std::uint32_t parity_ = 0, age_ = 0;
   std::uint64_t last_frame_ = 0;
 };

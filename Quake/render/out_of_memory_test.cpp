@@ -300,5 +300,18 @@ TEST(PictureSize, TheLargestThatFitsDoesAndOneRowMoreDoesNot) {
   }
 }
 
+// 128 MiB are what Mesa 22's lavapipe allows.
+TEST(PictureSize, A720pPictureOfFogAndWaterFitsSmallBuffers) {
+  gpu::DeviceLimits limits;
+  limits.max_storage_buffer_range = limits.max_allocation_bytes = 128u << 20u;
+  RenderSettings settings;
+  settings.denoise = settings.taa = 1;
+  const PictureParts all{sizeof(shared::GBufferTexel) / 16 + shared::kWaterPlanes, 4};
+  EXPECT_EQ(largest_output(limits, uvec2(1280, 720), settings, all), uvec2(1280, 720));
+  PictureParts dense = all;
+  dense.medium_block = 1;
+  EXPECT_NE(largest_output(limits, uvec2(1280, 720), settings, dense), uvec2(1280, 720));
+}
+
 }  // namespace
 }  // namespace fb::render

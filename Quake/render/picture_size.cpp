@@ -8,22 +8,20 @@
 
 #include "base/out_of_memory.h"
 #include "render/denoiser.h"
-#include "shared/denoise.h"
-#include "shared/frame.h"
 
 namespace fb::render {
 namespace {
 
 std::uint64_t pixels_of(uvec2 size) { return std::uint64_t{size.x} * size.y; }
 
-std::uint64_t largest_buffer(uvec2 output, const RenderSettings& settings) {
+std::uint64_t largest_buffer(uvec2 output, const RenderSettings& settings, const PictureParts& parts) {
   const uvec2 render = scaled_size(output, settings);
   const std::uint64_t history =
       Denoiser::wanted(settings)
-          ? Denoiser::history_bytes(render, Denoiser::smooth_size(render, output, settings), true)
+          ? Denoiser::history_bytes(render, Denoiser::smooth_size(render, output, settings), parts.medium_block)
           : 0;
   return std::max(
-      {pixels_of(render) * sizeof(shared::GBufferTexel), history, pixels_of(output) * sizeof(std::uint32_t)});
+      {pixels_of(render) * 16 * parts.gbuffer_planes, history, pixels_of(output) * sizeof(std::uint32_t)});
 }
 
 std::uint64_t buffer_limit(const gpu::DeviceLimits& limits) {
@@ -48,10 +46,11 @@ uvec2 scaled_size(uvec2 output, const RenderSettings& settings) {
   return {scaled(output.x), scaled(output.y)};
 }
 
-uvec2 largest_output(const gpu::DeviceLimits& limits, uvec2 output, const RenderSettings& settings) {
+uvec2 largest_output(const gpu::DeviceLimits& limits, uvec2 output, const RenderSettings& settings,
+                     const PictureParts& parts) {
   const double limit = static_cast<double>(buffer_limit(limits));
   uvec2 size = output;
-  const auto excess = [&] { return static_cast<double>(largest_buffer(size, settings)) / limit; };
+  const auto excess = [&] { return static_cast<double>(largest_buffer(size, settings, parts)) / limit; };
   while (excess() > 1 && (size.x > 1 || size.y > 1)) {
     const double factor = 1 / std::sqrt(excess());
     const auto smaller = [&](std::uint32_t side) {
@@ -62,13 +61,14 @@ uvec2 largest_output(const gpu::DeviceLimits& limits, uvec2 output, const Render
   return size;
 }
 
-void check_picture_size(const gpu::Device& device, uvec2 output, const RenderSettings& settings) {
-  const uvec2 most = largest_output(device.limits(), output, settings);
+void check_picture_size(const gpu::Device& device, uvec2 output, const RenderSettings& settings,
+                        const PictureParts& parts) {
+  const uvec2 most = largest_output(device.limits(), output, settings, parts);
   if (most == output) return;
   const std::string scale =
       scaled_size(output, settings) != output ? fmt::format(" (r_scale {:g})", settings.scale) : "";
   throw OutOfMemory(fmt::format("a picture of {}x{}{} needs a buffer of {}; {} allows {} (try at most {}x{})", output.x,
-                                output.y, scale, memory_text(largest_buffer(output, settings)), device.report().name,
+                                output.y, scale, memory_text(largest_buffer(output, settings, parts)), device.report().name,
                                 memory_text(buffer_limit(device.limits())), most.x, most.y));
 }
 

@@ -1,9 +1,12 @@
 // How large a picture is rendered, and how large it may be on a device.
 #pragma once
 
+#include <cstdint>
+
 #include "base/maths.h"
 #include "gpu/device.h"
 #include "render/settings.h"
+#include "shared/frame.h"
 
 namespace fb::render {
 
@@ -16,10 +19,18 @@ uvec2 scaled_size(uvec2 output, const RenderSettings& settings);
 // The scale at which no more than so many pixels of an output are rendered, at most 1.
 float scale_for_pixels(uvec2 output, float pixels);
 
+// What a pixel's memory depends on beside the settings.
+struct PictureParts {
+  std::uint32_t gbuffer_planes = sizeof(shared::GBufferTexel) / 16;
+  std::uint32_t medium_block = 0;  // Denoiser::medium_block; 0: no medium is denoised
+};
+
 // The largest output of about this shape, at most this size, of which no buffer is larger than the device's limits.
-uvec2 largest_output(const gpu::DeviceLimits& limits, uvec2 output, const RenderSettings& settings);
+uvec2 largest_output(const gpu::DeviceLimits& limits, uvec2 output, const RenderSettings& settings,
+                     const PictureParts& parts = {});
 
 // Throws OutOfMemory, with a size that would do, where the device's limits do not allow the picture.
-void check_picture_size(const gpu::Device& device, uvec2 output, const RenderSettings& settings);
+void check_picture_size(const gpu::Device& device, uvec2 output, const RenderSettings& settings,
+                        const PictureParts& parts);
 
 }  // namespace fb::render

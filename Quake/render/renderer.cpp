@@ -82,6 +82,9 @@ struct Renderer::Impl {
 
   ~Impl() { device.settle(); }
 
+  std::uint32_t wanted_gbuffer_planes() const {
+    return sizeof(shared::GBufferTexel) / 16 + (features.water ? shared::kWaterPlanes : 0);
+  }
   void resize_buffers(uvec2 render, uvec2 output);
   void fit(const RenderSettings& settings);
   void begin(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw, const RenderSettings& asked);
@@ -155,7 +158,7 @@ uvec2 Renderer::render_size() const { return impl_->render_size; }
 void Renderer::set_swap_red_blue(bool swap) { impl_->swap_red_blue = swap; }
 
 void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
-  const std::uint32_t planes = sizeof(shared::GBufferTexel) / 16 + (features.water ? shared::kWaterPlanes : 0);
+  const std::uint32_t planes = wanted_gbuffer_planes();
   if (render == render_size && wanted_output == allocated_output && planes == gbuffer_planes) return;
   render_size = allocated_output = uvec2(0);  // until all are there
   const VkDeviceSize pixels = static_cast<VkDeviceSize>(render.x) * render.y;
@@ -184,7 +187,8 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
 
 // Buffers of the picture's size.
 void Renderer::Impl::fit(const RenderSettings& settings) {
-  check_picture_size(device, output_size, settings);
+  check_picture_size(device, output_size, settings,
+                     {wanted_gbuffer_planes(), features.medium ? denoiser.medium_block(settings) : 0});
   resize_buffers(scaled_size(output_size, settings), output_size);
   denoiser.resize(render_size, output_size, settings, features.medium);
 }
