@@ -20,8 +20,7 @@ std::uint64_t largest_buffer(uvec2 output, const RenderSettings& settings, const
       Denoiser::wanted(settings)
           ? Denoiser::history_bytes(render, Denoiser::smooth_size(render, output, settings), parts.medium_block)
           : 0;
-  return std::max(
-      {pixels_of(render) * 16 * parts.gbuffer_planes, history, pixels_of(output) * sizeof(std::uint32_t)});
+  return std::max({pixels_of(render) * 16 * parts.gbuffer_planes, history, pixels_of(output) * sizeof(std::uint32_t)});
 }
 
 std::uint64_t buffer_limit(const gpu::DeviceLimits& limits) {
@@ -68,8 +67,8 @@ void check_picture_size(const gpu::Device& device, uvec2 output, const RenderSet
   const std::string scale =
       scaled_size(output, settings) != output ? fmt::format(" (r_scale {:g})", settings.scale) : "";
   throw OutOfMemory(fmt::format("a picture of {}x{}{} needs a buffer of {}; {} allows {} (try at most {}x{})", output.x,
-                                output.y, scale, memory_text(largest_buffer(output, settings, parts)), device.report().name,
-                                memory_text(buffer_limit(device.limits())), most.x, most.y));
+                                output.y, scale, memory_text(largest_buffer(output, settings, parts)),
+                                device.report().name, memory_text(buffer_limit(device.limits())), most.x, most.y));
 }
 
 }  // namespace fb::render

@@ -16,8 +16,8 @@ FB_CONST uint kSectionPicture = 5u;  // half a section: PictureTexel[pixels]
 FB_FN uint history_shown(uint pixels, uint shown, uint parity) {
   return 4u * (kSectionPicture * pixels + (pixels + 1u) / 2u) + parity * shown;
 }
-// Behind them, from a whole texel on, where there is a medium: four times MediumTexel[blocks]. The first two are this frame's and the last one's by parity, the others a wavelet's source and target in turns.
-// In texels.
+// Behind them, from a whole texel on, where there is a medium: four times MediumTexel[blocks]. The first two are this
+// frame's and the last one's by parity, the others a wavelet's source and target in turns. In texels.
 FB_CONST uint kMediumSlots = 4u;
 FB_FN uint medium_slots(uint pixels, uint shown) { return (history_shown(pixels, shown, 2u) + 3u) / 4u; }
 
