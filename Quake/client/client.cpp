@@ -41,6 +41,7 @@ void Client::Impl::print(const std::string& text) {
 }
 
 Status Client::Impl::load_world(ClientState& state) {
+  if (link() && !link()->is_local() && loading) loading();
   snapshots.forget();
   view_memory = {};
   sky = {};
@@ -218,6 +219,7 @@ void Client::set_network(net::Network& network) { impl_->network = &network; }
 void Client::set_write_path(std::function<Result<std::filesystem::path>(std::string_view)> write_path) {
   impl_->write_path = std::move(write_path);
 }
+void Client::set_loading(std::function<void()> loading) { impl_->loading = std::move(loading); }
 void Client::connect(std::unique_ptr<net::Connection> connection, std::string server) {
   impl_->connect(std::move(connection), std::move(server));
 }
@@ -288,7 +290,11 @@ vec3 Client::player_origin() const {
   const Entity* player = impl_->session.state.view_entity_state();
   return player ? player->origin : vec3(0.0f);
 }
+vec3 Client::velocity() const { return impl_->session.state.velocity; }
 double Client::time() const { return impl_->session.state.time; }
+double Client::silence() const {
+  return impl_->link() && !impl_->link()->is_local() && active() ? impl_->clock() - impl_->last_heard : 0.0;
+}
 int Client::protocol() const {
   return impl_->session.state.have_server_info ? impl_->session.state.protocol.version : 0;
 }

@@ -73,6 +73,8 @@ class Client {
   void set_network(net::Network& network);
   // Where to write a file of this name.
   void set_write_path(std::function<Result<std::filesystem::path>(std::string_view name)> write_path);
+  // Called before a level of another machine's server is loaded, which takes a while.
+  void set_loading(std::function<void()> loading);
   // Joins a game over an open connection, leaving what went on before; `server` is what sentences call it. A local
   // server's game that one joins again is not shut down thereby.
   void connect(std::unique_ptr<net::Connection> connection, std::string server);
@@ -114,7 +116,9 @@ class Client {
   Fog fog() const;
   vec3 view_angles() const;    // degrees: where the player looks
   vec3 player_origin() const;  // of the view entity; 0 before it is known
+  vec3 velocity() const;       // of the player, units a second
   double time() const;         // seconds of the server's clock
+  double silence() const;      // seconds since another machine's server was heard last; 0 on a server of one's own
   int protocol() const;        // 15, 666 or 999; 0 before the first serverinfo
   const std::string& demo_name() const;
   std::size_t messages_read() const;  // of the demo that plays

@@ -92,8 +92,10 @@ struct Client::Impl {
   MessageSource source;
 
   LocalServer local;
+  std::function<void()> loading;
   net::Network* network = nullptr;
   std::string last_server;  // of the last game
+  double last_heard = 0.0;  // by clock(): when the server's last message came
   int games = 0;            // joined so far
   bool in_step = false;
   std::vector<Bytes> head;  // messages of this level's signon, for a recording that begins later

@@ -113,6 +113,7 @@ void Client::Impl::read_server() {
 
 // False: the game is over.
 bool Client::Impl::take_server_message(ByteView data) {
+  last_heard = clock();
   ClientState& state = session.state;
   if (std::exchange(session.reconnect, false)) state.signon = 0;
   const int level = session.levels, signon = state.signon;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char* kSound = "there is no sound yet";
 constexpr const char* kPad = "there are no game controllers yet";
-constexpr const char* kHud = "there are no menus and no status bar yet";
+constexpr const char* kHud = "this program draws no screen";
 constexpr const char* kConsole = "the look of the console cannot be changed yet";
 constexpr const char* kTracer = "the path tracer has no such feature";
 constexpr const char* kVideo = "the command line sets up the window";
@@ -61,15 +61,15 @@ constexpr Row kRows[] = {
     {"showpause", "1", false, "1: show that the game is paused", kHud},
     {"showturtle", "0", false, "1: show a turtle when frames are slow", kHud},
     {"con_logcenterprint", "1", false, "1: write centre prints to the console, too", kConsole},
-    {"con_notifytime", "3", false, "seconds that notify lines stay on the screen", kConsole},
-    {"scr_conalpha", "0.5", true, "opacity of the console", kConsole},
-    {"scr_conscale", "1", true, "text size of the console", kConsole},
+    {"con_notifytime", "3", false, "seconds that notify lines stay on the screen", kHud},
+    {"scr_conalpha", "0.5", true, "opacity of the console", kHud},
+    {"scr_conscale", "1", true, "text size of the console", kHud},
     {"scr_conspeed", "500", true, "speed at which the console opens", kConsole},
-    {"scr_conwidth", "0", true, "width of the console", kConsole},
+    {"scr_conwidth", "0", true, "width of the console", kHud},
     {"scr_usekfont", "0", false, "1: the re-release's font", kConsole},
     {"cl_gun_fovscale", "1", true, "1: keep a wide field of view from stretching the view model", kTracer},
-    {"contrast", "1", true, "contrast of the picture (r_exposure and r_tonemap set it here)", kTracer},
-    {"gamma", "1", true, "gamma of the picture (r_exposure and r_tonemap set it here)", kTracer},
+    {"contrast", "1", true, "contrast of the picture", kHud},
+    {"gamma", "1", true, "gamma of the picture", kHud},
     {"gl_affinemodels", "0", false, "1: affine texture mapping of models", kTracer},
     {"gl_clear", "1", false, "1: clear the picture before each frame", kTracer},
     {"gl_cull", "1", false, "1: cull back faces", kTracer},

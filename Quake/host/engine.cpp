@@ -7,6 +7,7 @@
 
 #include "base/log.h"
 #include "console/quakespasm_cvars.h"
+#include "fs/path.h"
 #include "render/settings.h"
 
 namespace fb::host {
@@ -51,7 +52,7 @@ Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::ve
   console_.add_cvar({"net_messagetimeout", "300", "seconds without a packet after which a new connection times out",
                      con::kCvarPlain, 1.0f, 86400.0f});
   register_time_cvars(console_);
-  if (options.server) make_server(options, arguments);
+  if (options.server) make_server(options);
   if (options.client) make_client();
   console_.add_cvar("cmdline", fmt::format("{}", fmt::join(arguments, " ")), "the program's command line",
                     con::kCvarRom);
@@ -72,7 +73,17 @@ Engine::~Engine() {
   if (client_) client_->disconnect();  // ends a recording, too
 }
 
-void Engine::make_server(const EngineOptions& options, const std::vector<std::string>& arguments) {
+ui::Rules Engine::rules() const {
+  const std::vector<std::string>& games = files_.options().games;
+  const auto played = [&](const char* game) {
+    return std::any_of(games.begin(), games.end(),
+                       [&](const std::string& name) { return fs::lower_case(name) == game; });
+  };
+  if (played("hipnotic") || played("quoth")) return ui::Rules::kHipnotic;
+  return played("rogue") ? ui::Rules::kRogue : ui::Rules::kQuake;
+}
+
+void Engine::make_server(const EngineOptions& options) {
   sv::ServerServices services;
   services.read_file = files_.loader();
   services.read_save = [this](std::string_view name) { return files_.read_own(name); };
@@ -83,9 +94,7 @@ void Engine::make_server(const EngineOptions& options, const std::vector<std::st
   sv::ServerOptions server;
   server.max_clients = options.max_clients;
   server.dedicated = options.dedicated;
-  server.standard_quake = std::none_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
-    return argument == "-hipnotic" || argument == "-rogue";
-  });
+  server.standard_quake = rules() == ui::Rules::kQuake;
   server_ = std::make_unique<sv::Server>(console_, std::move(services), server);
   server_->clients().add_listener(loopback_);
   if (options.max_clients > 1) console_.set("deathmatch", "1");  // as in Quake, unless the configuration says coop
@@ -115,6 +124,11 @@ Status Engine::listen(const EngineOptions& options) {
   server_->clients().add_listener(*listener_);
   log_info("Listening at port {}.", listener_->port());
   return ok_status();
+}
+
+void Engine::set_loading(const std::function<void()>& loading) {
+  if (server_) server_->set_loading(loading);
+  if (client_) client_->set_loading(loading);
 }
 
 void Engine::queue_configuration(const std::vector<std::string>& arguments) {

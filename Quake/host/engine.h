@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@
 #include "net/network.h"
 #include "scene/library/library.h"
 #include "server/server.h"
+#include "ui/hud_view.h"
 
 namespace fb::host {
 
@@ -54,10 +56,14 @@ class Engine {
   con::Console& console() { return console_; }
   fs::FileSystem& files() { return files_; }
   scene::ModelLibrary& library() { return library_; }
+  // Whose items the game has: a mission pack's by its option or its folder.
+  ui::Rules rules() const;
   // Only if the options ask for one.
   cl::Client& client() { return *client_; }
   sv::Server& server() { return *server_; }
 
+  // Called before a level is loaded, which takes a while.
+  void set_loading(const std::function<void()>& loading);
   // Queues the commands that configure a game, as Quake does: quake.rc, or the same steps if there is none; they
   // include those of the command line.
   void queue_configuration(const std::vector<std::string>& arguments);
@@ -78,7 +84,7 @@ class Engine {
  private:
   Engine(fs::FileSystem files, const EngineOptions& options, const std::vector<std::string>& arguments);
   void open_log();
-  void make_server(const EngineOptions& options, const std::vector<std::string>& arguments);
+  void make_server(const EngineOptions& options);
   void make_client();
   Status listen(const EngineOptions& options);
 

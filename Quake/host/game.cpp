@@ -19,6 +19,7 @@ namespace fb::host {
 namespace {
 
 constexpr uvec2 kWindowSize{1280, 720}, kHeadlessSize{640, 360};
+constexpr double kLongestLoading = 60.0;  // seconds that a plaque stays where no level comes
 
 void register_host_cvars(con::Console& console) {
   console.add_cvar(
@@ -38,7 +39,9 @@ void register_host_cvars(con::Console& console) {
 }  // namespace
 
 Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
-    : options_(options), engine_(std::move(engine)), screen_(engine_->console(), engine_->files().loader()) {}
+    : options_(options),
+      engine_(std::move(engine)),
+      screen_(engine_->console(), engine_->files().loader(), engine_->rules()) {}
 Game::~Game() {
   set_reproduction_hint(nullptr);
   if (renderer_) renderer_->set_finished(nullptr);
@@ -55,6 +58,7 @@ Result<std::unique_ptr<Game>> Game::create(const GameOptions& options) {
   if (!engine) return engine.error();
   std::unique_ptr<Game> game(new Game(options, std::move(*engine)));
   game->register_commands();
+  game->engine_->set_loading([&game = *game] { game.show_loading(); });
   if (!options.capture.empty()) {
     std::error_code failed;
     std::filesystem::create_directories(options.capture, failed);
@@ -240,18 +244,39 @@ render::RenderSettings Game::settings() const {
   return settings;
 }
 
+// The level that is left, with a plaque over it; it stays till the next one can be shown.
+void Game::show_loading() {
+  if (!window_ || !engine_->client().active() || loading_since_ >= 0.0) return;
+  renderer_->finish();
+  const render::RenderSettings wanted = settings();
+  drawer_->draw(snapshot_, &screen_.draw_loading(engine_->client(), drawer_->size(wanted)), wanted);
+  drawn_ = {frame_, renderer_->output_size(), input_time_, false};
+  renderer_->finish();
+  snapshot_.frame = ++frame_;
+  loading_since_ = platform::now_seconds();
+}
+
+bool Game::waits_for_level() {
+  const cl::Client& client = engine_->client();
+  const bool coming = !client.active() && (client.connected() || client.connecting() || engine_->server().active());
+  if (loading_since_ < 0.0 || (coming && platform::now_seconds() - loading_since_ < kLongestLoading))
+    return loading_since_ >= 0.0;
+  loading_since_ = -1.0;
+  return false;
+}
+
 bool Game::draw_frame() {
   cl::Client& client = engine_->client();
   if (!client.active() && !window_) return false;
+  if (waits_for_level()) return false;
   client.build_snapshot(snapshot_);
   if (!client.active()) snapshot_.assets = nullptr;  // frees the GPU memory of a level that was left
   snapshot_.frame = frame_;
-  // Measured or recorded frames show the game alone, without overlays.
-  const bool overlay = window_ != nullptr || engine_->console().cvar("scr_showfps").on();
   const render::RenderSettings wanted = settings();
-  const scene::DrawList* list =
-      overlay ? &screen_.draw(client.hud(), client.active(), drawer_->size(wanted), platform::now_seconds()) : nullptr;
-  drawer_->draw(snapshot_, list, wanted);
+  const double now = platform::now_seconds();
+  // Recorded frames show what the game shows, but not what the console says, which would not repeat.
+  const Screen::Moment moment{drawer_->size(wanted), now, now - std::exchange(drawn_time_, now), window_ != nullptr};
+  drawer_->draw(snapshot_, &screen_.draw(client, moment), wanted);
   drawn_ = {frame_, renderer_->output_size(), input_time_, client.timing()};
   if (!draws_ahead()) renderer_->finish();
   ++frame_;

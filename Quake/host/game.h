@@ -40,6 +40,8 @@ class Game {
   render::RenderSettings settings() const;
   bool frame();
   bool draw_frame();
+  void show_loading();
+  bool waits_for_level();
   bool draws_ahead() const;
   void show_drawn();
   void capture(std::uint64_t frame, uvec2 size);
@@ -71,8 +73,10 @@ class Game {
     bool timed = false;
   };
   Drawn drawn_;
+  double drawn_time_ = 0;  // when the last frame's 2D was drawn
   double shown_time_ = 0;  // when a picture was shown last
   bool was_in_game_ = false;
+  double loading_since_ = -1.0;  // when the plaque of a level that is loaded was shown; negative: none is
   std::uint64_t frame_ = 0, captured_ = 0;
 };
 

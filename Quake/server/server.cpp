@@ -82,7 +82,10 @@ Status Server::map(std::string_view name) {
 }
 
 Result<LoadedMap> Server::load_level(std::string_view name) {
-  return within_memory([&] { return load_map(level_files(), name); });
+  return within_memory([&] {
+    if (loading_) loading_();
+    return load_map(level_files(), name);
+  });
 }
 
 // A level that nobody joins for want of memory would run for ever.

@@ -91,6 +91,8 @@ class Server {
   Status set_max_clients(int count);
   // Called when `map` or `load` has begun a game, for a client in the same program to connect.
   void set_local_start(std::function<void()> start) { local_start_ = std::move(start); }
+  // Called before a level's files are read, which takes a while.
+  void set_loading(std::function<void()> loading) { loading_ = std::move(loading); }
   // Why the last game ended, or `map` or `load` began none; nothing after a level has begun well.
   const std::optional<Error>& last_error() const { return last_error_; }
   // Every edict's fields, the globals and the time as text, which is the same for the same game.
@@ -131,7 +133,7 @@ class Server {
   GameContext context_;
   std::unique_ptr<Level> level_;
   std::map<std::string, LevelModel, std::less<>> models_;  // of files read once
-  std::function<void()> local_start_;
+  std::function<void()> local_start_, loading_;
   std::optional<Error> last_error_;
   std::string next_level_;     // of request_changelevel
   float server_flags_ = 0.0f;  // QuakeC's serverflags, kept from level to level

@@ -76,6 +76,7 @@ Status Server::load_game(std::string_view typed) {
   if (!save) return save.error();
   const auto map_name = map_name_of(save->header.map);
   if (!map_name) return Error{fmt::format("{}: {}", *name, map_name.error().message)};
+  if (loading_) loading_();
   const auto map = load_map(level_files(), *map_name);
   if (!map) return Error{fmt::format("{}: {}", *name, map.error().message)};
   if (Status status = rehearse(*save, *map, edict_limit(), *name); !status) return status;

@@ -102,6 +102,13 @@ const Picture* Atlas::picture(std::string_view name) {
   return known->second ? &*known->second : nullptr;
 }
 
+vec4 Atlas::color(int index) const {
+  index = std::clamp(index, 0, 255);
+  if (!palette_) return vec4(vec3(static_cast<float>(index) / 255.0f), 1.0f);
+  const auto& rgb = palette_->rgb[static_cast<std::size_t>(index)];
+  return vec4(vec3(rgb[0], rgb[1], rgb[2]) / 255.0f, 1.0f);
+}
+
 std::optional<formats::RgbaImage> Atlas::read_picture(const std::string& name, std::string& failure) const {
   const auto accept_indexed = [&](Result<formats::IndexedImage> image) -> std::optional<formats::RgbaImage> {
     if (image && palette_) return colored(*image, 255);

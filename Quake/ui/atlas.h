@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "base/file_data.h"
+#include "base/maths.h"
 #include "formats/image.h"
 #include "formats/wad.h"
 #include "scene/draw_list.h"
@@ -39,6 +40,8 @@ class Atlas {
   // transparent. nullptr if there is none, after one message in the log.
   const Picture* picture(std::string_view name);
   bool has_game_font() const { return game_font_; }
+  // The palette's colour at this index (0 to 255), opaque; a grey without game data.
+  vec4 color(int index) const;
 
   // The current image, kept until something is added. Revisions of different atlases differ, too.
   std::shared_ptr<const scene::DrawAtlas> image() const;

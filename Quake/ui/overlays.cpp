@@ -26,21 +26,20 @@ void draw_notify(Painter& painter, const std::vector<con::ScrollLine>& lines) {
   }
 }
 
-void draw_fps(Painter& painter, double frames_per_second) {
+void draw_fps(Painter& painter, float right, float y, double frames_per_second) {
   if (!(frames_per_second > 0.0)) return;
   // Low frame rates are shown with a decimal.
   const std::string text = frames_per_second < 10.0 ? fmt::format("{:.1f} fps", frames_per_second)
                                                     : fmt::format("{:.0f} fps", frames_per_second);
-  painter.text(static_cast<float>(painter.width()) - kLine * static_cast<float>(text.size() + 1),
-               static_cast<float>(painter.height()) - 2.0f * kLine, text);
+  painter.text(right - kLine * static_cast<float>(text.size()), y, text);
 }
 
-void draw_center_print(Painter& painter, std::string_view text, std::size_t characters) {
+void draw_center_print(Painter& painter, std::string_view text, std::size_t characters, float raised) {
   if (!text.empty() && text.back() == '\n') text.remove_suffix(1);
   const auto fitting = static_cast<std::size_t>(std::max(painter.width() / 8, 1));
   const auto lines = wrap(text, std::min(kCenterColumns, fitting));
   float y = lines.size() <= 4 ? static_cast<float>(painter.height()) * 0.35f : 48.0f;
-  y = static_cast<float>(static_cast<int>(y));
+  y = static_cast<float>(static_cast<int>(y)) - raised;
   for (const std::string_view line : lines) {
     const float x = static_cast<float>((painter.width() - 8 * static_cast<int>(line.size())) / 2);
     painter.text(x, y, line.substr(0, characters));

@@ -12,18 +12,17 @@
 namespace fb::ui {
 
 constexpr std::size_t kNotifyLines = 4;
-constexpr double kNotifySeconds = 3.0;  // con_notifytime's default
 
-// At the top left. Pass, for example, Scrollback::recent(kNotifyLines, now, kNotifySeconds).
+// At the top left. Pass, for example, Scrollback::recent(kNotifyLines, now, seconds).
 void draw_notify(Painter& painter, const std::vector<con::ScrollLine>& lines);
 
-// At the bottom right: "72 fps". Draws nothing if nothing has been measured yet.
-void draw_fps(Painter& painter, double frames_per_second);
+// "72 fps", ending at `right`. Draws nothing if nothing has been measured yet.
+void draw_fps(Painter& painter, float right, float y, double frames_per_second);
 
 // In the middle, each line centred; texts of more than four lines start higher, as in Quake. Only the first
-// `characters` are shown (a finale's text appears letter by letter).
+// `characters` are shown (a finale's text appears letter by letter). `raised`: virtual pixels that it is moved up.
 void draw_center_print(Painter& painter, std::string_view text,
-                       std::size_t characters = std::numeric_limits<std::size_t>::max());
+                       std::size_t characters = std::numeric_limits<std::size_t>::max(), float raised = 0.0f);
 
 // Measures the frame rate over the last half second.
 class FrameRate {

@@ -35,15 +35,15 @@ TEST_F(OverlaysTest, NotifyLinesFromTheTop) {
   EXPECT_EQ(raster.text(atlas, 8, 16, 30), "b");
 }
 
-TEST_F(OverlaysTest, FpsAtTheBottomRight) {
-  Raster raster = drawn([](Painter& painter) { draw_fps(painter, 71.6); });
+TEST_F(OverlaysTest, FpsEndsWhereItIsTold) {
+  Raster raster = drawn([](Painter& painter) { draw_fps(painter, kWidth - 8, kHeight - 16, 71.6); });
   EXPECT_EQ(raster.text(atlas, kWidth - 7 * 8, kHeight - 16, 6), "72 fps");
-  raster = drawn([](Painter& painter) { draw_fps(painter, 3.14159); });
+  raster = drawn([](Painter& painter) { draw_fps(painter, kWidth - 8, kHeight - 16, 3.14159); });
   EXPECT_EQ(raster.text(atlas, kWidth - 8 * 8, kHeight - 16, 7), "3.1 fps");
   scene::DrawList list;
   {
     Painter painter(list, atlas, kWidth, kHeight, 1);
-    draw_fps(painter, 0.0);
+    draw_fps(painter, kWidth, 0, 0.0);
   }
   EXPECT_TRUE(list.quads.empty());
 }

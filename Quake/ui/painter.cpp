@@ -5,29 +5,43 @@
 #include "base/check.h"
 
 namespace fb::ui {
+namespace {
 
-int automatic_scale(int output_width, int output_height) {
-  return std::max(1, std::min(output_width / 640, output_height / 400));
-}
+constexpr float kUnclipped = 1e9f;  // virtual pixels
+
+}  // namespace
+
+Painter::Painter(scene::DrawList& list, Atlas& atlas, const Canvas& canvas)
+    : list_(list), atlas_(atlas), canvas_(canvas) {}
 
 Painter::Painter(scene::DrawList& list, Atlas& atlas, int output_width, int output_height, int scale)
-    : list_(list),
-      atlas_(atlas),
-      scale_(static_cast<float>(scale)),
-      width_(output_width / scale),
-      height_(output_height / scale) {
+    : Painter(list, atlas, screen_canvas({output_width, output_height}, static_cast<float>(scale))) {
   FB_CHECK_LE(1, scale);
 }
 
 Painter::~Painter() { list_.atlas = atlas_.image(); }
 
-void Painter::fill(float x, float y, float width, float height, const vec4& color) {
+void Painter::clip(float left, float right) {
+  clip_left_ = left;
+  clip_right_ = right;
+}
+void Painter::clip_nothing() { clip(-kUnclipped, kUnclipped); }
+
+void Painter::add(const vec2& min, const vec2& max, const vec2& uv_min, const vec2& uv_max, const vec4& color) {
+  const float left = std::max(min.x, clip_left_), right = std::min(max.x, clip_right_);
+  if (!(left < right)) return;
+  const auto u = [&](float x) { return uv_min.x + (uv_max.x - uv_min.x) * (x - min.x) / (max.x - min.x); };
   scene::DrawQuad quad;
-  quad.min = scale_ * vec2(x, y);
-  quad.max = scale_ * vec2(x + width, y + height);
-  quad.uv_min = quad.uv_max = vec2(0.0f);
+  quad.min = canvas_.origin + canvas_.scale * vec2(left, min.y);
+  quad.max = canvas_.origin + canvas_.scale * vec2(right, max.y);
+  quad.uv_min = {left > min.x ? u(left) : uv_min.x, uv_min.y};
+  quad.uv_max = {right < max.x ? u(right) : uv_max.x, uv_max.y};
   quad.color = color;
   list_.quads.push_back(quad);
+}
+
+void Painter::fill(float x, float y, float width, float height, const vec4& color) {
+  add({x, y}, {x + width, y + height}, vec2(0.0f), vec2(0.0f), color);
 }
 
 void Painter::picture(float x, float y, const Picture& picture, const vec4& color) {
@@ -35,13 +49,16 @@ void Painter::picture(float x, float y, const Picture& picture, const vec4& colo
 }
 
 void Painter::picture(float x, float y, float width, float height, const Picture& picture, const vec4& color) {
-  scene::DrawQuad quad;
-  quad.min = scale_ * vec2(x, y);
-  quad.max = scale_ * vec2(x + width, y + height);
-  quad.uv_min = vec2(picture.x, picture.y);
-  quad.uv_max = quad.uv_min + vec2(picture.width, picture.height);
-  quad.color = color;
-  list_.quads.push_back(quad);
+  const vec2 uv(picture.x, picture.y);
+  add({x, y}, {x + width, y + height}, uv, uv + vec2(picture.width, picture.height), color);
+}
+
+void Painter::part(float x, float y, const Picture& picture, int left, int top, int width, int height,
+                   const vec4& color) {
+  const Picture part{picture.x + std::clamp(left, 0, picture.width), picture.y + std::clamp(top, 0, picture.height),
+                     std::clamp(width, 0, std::max(0, picture.width - left)),
+                     std::clamp(height, 0, std::max(0, picture.height - top))};
+  if (part.width > 0 && part.height > 0) this->picture(x, y, part, color);
 }
 
 void Painter::character(float x, float y, unsigned char code, const vec4& color) {

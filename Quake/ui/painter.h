@@ -1,5 +1,5 @@
-// Draws text, pictures and fills into a DrawList in virtual pixels, each a whole number of output pixels, so that
-// Quake's 8-pixel letters stay sharp at any size.
+// Draws text, pictures and fills into a DrawList in the virtual pixels of a canvas. Where its scale is a whole number
+// Quake's 8-pixel letters stay sharp.
 #pragma once
 
 #include <cstdint>
@@ -8,40 +8,51 @@
 #include "base/maths.h"
 #include "scene/draw_list.h"
 #include "ui/atlas.h"
+#include "ui/canvas.h"
 
 namespace fb::ui {
 
-// Output pixels per virtual pixel, so that about 640x400 virtual ones fit: 1 at 1280x720, 2 at 1920x1080.
-int automatic_scale(int output_width, int output_height);
+constexpr float kGlyph = static_cast<float>(Atlas::kGlyphSize);  // virtual pixels a side of a letter
 
 class Painter {
  public:
-  // Draws on `list` without clearing it; list and atlas must outlive the painter. `scale` is at least 1.
+  // Draws on `list` without clearing it; list and atlas must outlive the painter.
+  Painter(scene::DrawList& list, Atlas& atlas, const Canvas& canvas);
+  // On all of the output.
   Painter(scene::DrawList& list, Atlas& atlas, int output_width, int output_height, int scale);
   // Passes the atlas to the list when drawing ends.
   ~Painter();
   Painter(const Painter&) = delete;
   Painter& operator=(const Painter&) = delete;
 
-  // The output's size in virtual pixels, without the incomplete ones at the border.
-  int width() const { return width_; }
-  int height() const { return height_; }
+  // The canvas's size in virtual pixels.
+  int width() const { return canvas_.width; }
+  int height() const { return canvas_.height; }
   Atlas& atlas() { return atlas_; }
+
+  // From now on only what lies between these columns is drawn.
+  void clip(float left, float right);
+  void clip_nothing();
 
   // Colours are sRGB-encoded with straight alpha.
   void fill(float x, float y, float width, float height, const vec4& color);
   void picture(float x, float y, const Picture& picture, const vec4& color = vec4(1.0f));
   // Stretches the picture over this rectangle.
   void picture(float x, float y, float width, float height, const Picture& picture, const vec4& color = vec4(1.0f));
+  // A part of it, unscaled; texels of the picture.
+  void part(float x, float y, const Picture& picture, int left, int top, int width, int height,
+            const vec4& color = vec4(1.0f));
   void character(float x, float y, unsigned char code, const vec4& color = vec4(1.0f));
   // One line in Quake's character set, 8 virtual pixels per character. `gold` uses the set's second colour.
   void text(float x, float y, std::string_view line, bool gold = false, const vec4& color = vec4(1.0f));
 
  private:
+  void add(const vec2& min, const vec2& max, const vec2& uv_min, const vec2& uv_max, const vec4& color);
+
   scene::DrawList& list_;
   Atlas& atlas_;
-  float scale_;
-  int width_, height_;
+  Canvas canvas_;
+  float clip_left_ = -1e9f, clip_right_ = 1e9f;
 };
 
 }  // namespace fb::ui

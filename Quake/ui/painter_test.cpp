@@ -70,6 +70,40 @@ TEST(Painter, GoldAndColours) {
   EXPECT_EQ(raster.at(19, 2).y, 0.0f);
 }
 
+TEST(Painter, CanvasPlacesAndClipCuts) {
+  Atlas atlas;
+  scene::DrawList list;
+  {
+    Painter painter(list, atlas, Canvas{{10.0f, 4.0f}, 2.0f, 50, 10});
+    EXPECT_EQ(painter.width(), 50);
+    painter.text(0, 0, "AB");
+    painter.clip(20, 28);
+    painter.text(16, 0, "CCC");  // the second half of one, the first of the next
+    painter.fill(0, 8, 100, 1, vec4(1));
+    painter.clip_nothing();
+    painter.fill(40, 8, 1, 1, vec4(1));
+  }
+  Raster raster(120, 24), whole(120, 24);
+  raster.draw(list);
+  EXPECT_EQ(raster.text(atlas, 10, 4, 2, 2), "AB");
+  scene::DrawList unclipped;
+  { Painter(unclipped, atlas, Canvas{{10.0f, 4.0f}, 2.0f, 50, 10}).text(16, 0, "CCC"); }
+  whole.draw(unclipped);
+  int lit = 0;
+  for (int y = 4; y < 20; ++y) {
+    for (int x = 42; x < 90; ++x) {
+      const bool inside = x >= 50 && x < 66;
+      EXPECT_EQ(raster.lit(x, y), inside && whole.lit(x, y)) << x << ' ' << y;
+      lit += raster.lit(x, y) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(lit, 20);
+  EXPECT_FALSE(raster.lit(49, 20));
+  EXPECT_TRUE(raster.lit(50, 20) && raster.lit(65, 21));
+  EXPECT_FALSE(raster.lit(66, 20));
+  EXPECT_TRUE(raster.lit(90, 20));
+}
+
 TEST(Painter, PicturesStretch) {
   Bytes palette(768, 0);
   palette[3] = 255;      // 1: red

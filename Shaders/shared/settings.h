@@ -29,6 +29,8 @@
   X(float, local_exposure, "r_local_exposure", -1, -1, 1, "local exposure: how much of the contrast between bright and dark parts of the picture is taken away, contrast within them is kept; -1: 0.35 in the game, 0 in the laboratory") \
   X(float, bloom, "r_bloom", -1, -1, 1, "bloom: share of the light that spreads about where it falls, as in a lens; -1: 0.04 in the game, 0 in the laboratory") \
   X(int, tone_map, "r_tonemap", 1, 0, 1, "tone mapping: 0 clamps at white, 1 is a filmic curve that keeps colours") \
+  X(float, gamma, "gamma", 1, 0.25f, 4, "exponent of the finished picture with all that is drawn over it; below 1 is brighter") \
+  X(float, contrast, "contrast", 1, 1, 2, "factor on the finished picture, before gamma") \
   X(int, fxaa, "r_fxaa", 1, 0, 1, "anti-alias the finished picture by FXAA (unless r_taa does)") \
   X(int, debug_view, "r_debug", 0, 0, 32, "show a buffer in the place of the picture, by name or number; Misc/docs/settings.md lists them")
 

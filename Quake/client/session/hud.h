@@ -34,6 +34,7 @@ struct Hud {
   std::string level_name, map_name;
   int max_clients = 1, game_type = 0;
   std::vector<Score> scores;
+  int player = -1;  // whose eyes these are: an index of scores; -1: nobody's
   std::string center_print;
   double center_print_time = -1000.0;  // when it came
   Intermission intermission = Intermission::kNone;

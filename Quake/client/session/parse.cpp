@@ -92,6 +92,7 @@ struct Apply {
   }
   std::string operator()(const net::svc::SetView& m) const {
     state.view_entity = m.entity;
+    state.hud.player = m.entity - 1;
     return {};
   }
   std::string operator()(const net::svc::Sound& m) const {

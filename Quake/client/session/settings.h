@@ -52,7 +52,7 @@ namespace fb::cl {
   X(gl_polyblend, "gl_polyblend", 1.0f, "0: no colour shifts")                                                         \
   X(r_drawviewmodel, "r_drawviewmodel", 1.0f, "draw the view model (the weapon in hand)")                              \
   X(r_viewmodel_quake, "r_viewmodel_quake", 0.0f, "1: raise the view model by viewsize, as Quake did")                 \
-  X(viewsize, "viewsize", 100.0f, "screen size, 80 to 110; sets the view model's height (r_viewmodel_quake)")          \
+  X(viewsize, "viewsize", 100.0f, "size of the screen: status bar, height of the view model")                          \
   X(r_drawentities, "r_drawentities", 1.0f, "draw entities")                                                           \
   X(r_drawworld, "r_drawworld", 1.0f, "draw the map")                                                                  \
   X(r_particles, "r_particles", 1.0f, "draw particles")                                                                \

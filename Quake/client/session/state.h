@@ -10,6 +10,7 @@
 
 #include "base/maths.h"
 #include "client/session/hud.h"
+#include "client/session/items.h"
 #include "net/server_messages.h"
 #include "scene/library/library.h"
 
@@ -31,13 +32,6 @@ enum EntityEffects : int {
   kEffectDimLight = 8,
   kEffectQuadLight = 16,
   kEffectPentaLight = 32,
-};
-
-enum Items : std::uint32_t {
-  kItemInvisibility = 1u << 19,
-  kItemInvulnerability = 1u << 20,
-  kItemSuit = 1u << 21,
-  kItemQuad = 1u << 22,
 };
 
 struct Entity {

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
+#include "base/number.h"
 #include "world/bsp_query.h"
 
 namespace fb::cl {
@@ -125,9 +128,27 @@ void set_powerup_shift(ClientState& state) {
     shift.percent = 0.0f;
 }
 
+// What a brush model whose skin says so (FTE_ENT_SKIN_CONTENTS) holds at a point; skins are sent as bytes. Nothing where
+// there is none. Models are not turned, as for collisions.
+std::optional<std::int32_t> contents_by_skin(const ClientState& state, const formats::Bsp& map, const vec3& point) {
+  constexpr int kFirstSkin = 256 - 16, kByte = 256;
+  for (const Entity& entity : state.entities) {
+    const auto model = static_cast<std::size_t>(std::max(entity.model, 0));
+    if (entity.skin < kFirstSkin || entity.skin >= kByte || model >= state.model_names.size()) continue;
+    if (entity.message_time != state.message_times[0] || !state.model_names[model].starts_with('*')) continue;
+    const auto submodel = parse_whole_number_unsigned(std::string_view(state.model_names[model]).substr(1));
+    if (!submodel || *submodel < 1 || *submodel >= map.models.size()) continue;
+    const vec3 there = point - entity.origin;
+    if (world::point_contents(map, there, static_cast<std::uint32_t>(*submodel)) != formats::kContentsEmpty)
+      return entity.skin - kByte;
+  }
+  return std::nullopt;
+}
+
 void color_picture(Session& session, const formats::Bsp* map, double seconds, View& view) {
   ClientState& state = session.state;
-  const std::int32_t contents = map ? world::point_contents(*map, view.origin) : formats::kContentsEmpty;
+  std::int32_t contents = formats::kContentsEmpty;
+  if (map) contents = contents_by_skin(state, *map, view.origin).value_or(world::point_contents(*map, view.origin));
   set_contents_shift(state, contents);
   set_powerup_shift(state);
   view.tint = blend_shifts(state, session.settings);

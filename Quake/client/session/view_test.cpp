@@ -182,6 +182,31 @@ TEST(View, LiquidsColourThePicture) {
   EXPECT_NEAR(v.tint.y, 80.0f / 255, 1e-5f);
 }
 
+TEST(View, VolumesOfBrushModelsColourThePicture) {
+  Player p;
+  formats::Bsp room = formats::testing::box_room(formats::BspVersion::kBsp29);
+  room.models.push_back(room.models[0]);
+  p.state.model_names.resize(9);
+  p.state.model_names[8] = "*1";
+  p.state.entities.resize(3);
+  Entity& volume = p.entity(2);
+  volume.model = 8;
+  volume.message_time = p.state.message_times[0];
+  volume.origin = vec3(4000.0f, 0, 0);  // so that the eye is in what is solid of it
+  volume.skin = 253;                    // -3, water, as a byte
+  EXPECT_NEAR(calculate_view(p, p.memory, &room, 0.05).tint.w, 128.0f / 255, 1e-5f);
+  volume.skin = 251;
+  EXPECT_NEAR(calculate_view(p, p.memory, &room, 0.05).tint.w, 150.0f / 255, 1e-5f);
+  volume.skin = 3;
+  EXPECT_EQ(calculate_view(p, p.memory, &room, 0.05).tint.w, 0.0f);
+  volume.skin = 253;
+  volume.origin = vec3(0.0f);  // in its open part
+  EXPECT_EQ(calculate_view(p, p.memory, &room, 0.05).tint.w, 0.0f);
+  volume.origin = vec3(4000.0f, 0, 0);
+  volume.message_time = 0.0;  // no longer told of
+  EXPECT_EQ(calculate_view(p, p.memory, &room, 0.05).tint.w, 0.0f);
+}
+
 TEST(View, ChaseCameraStaysInTheRoom) {
   Player p;
   p.settings.chase_active = 1.0f;
