@@ -27,8 +27,8 @@ import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 WIDTH, HEIGHT = 640, 400
-FRAMES = 40  # between a demo's start and its picture; a twentieth of a second each
-EVEN = "con_notifytime 0; scr_conspeed 100000; gl_polyblend 0; host_framerate 0.05; v_gunkick 0"
+FRAMES = 26  # between a demo's start and its picture; a twentieth of a second each
+EVEN = "host_maxfps 1000; con_notifytime 0; scr_conspeed 100000; gl_polyblend 0; host_framerate 0.05; v_gunkick 0"
 # Their picture of the world, and ours, black.
 THEIRS_BLACK = "r_drawworld 0; r_drawentities 0; r_drawviewmodel 0; r_particles 0; r_clearcolor 0; r_fastsky 1; " \
     "gl_texturemode gl_nearest_mipmap_linear; scr_showfps 0"
@@ -89,24 +89,25 @@ STATES = {
     "dead": State(health=0),
     "scores": State(cvars="+showscores"),
     "scores_at_120": State(cvars="+showscores; viewsize 120"),
-    "scaled": State(cvars="scr_sbarscale 2; crosshair 1; scr_crosshairscale 2", armor=150, items=127 | AXE | SHELLS | ARMOR1, weapon=NAILGUN),
-    "scaled_oddly": State(cvars="scr_sbarscale 1.5"),
+    "scaled": State(cvars="scr_sbarscale 2; crosshair 1; scr_crosshairscale 2; scr_sbaralpha 0.75", tolerance=1, armor=150, items=127 | AXE | SHELLS | ARMOR1, weapon=NAILGUN),
     "translucent": State(cvars="scr_sbaralpha 0.75", tolerance=1),
     "invisible_bar": State(cvars="scr_sbaralpha 0"),
     "cooperative": State(max_clients=8, players=PLAYERS),
     "deathmatch": State(max_clients=8, deathmatch=True, players=PLAYERS),
     "deathmatch_low": State(max_clients=8, deathmatch=True, players=PLAYERS, cvars="viewsize 110"),
     "deathmatch_scores": State(max_clients=8, deathmatch=True, players=PLAYERS, cvars="+showscores; scr_menuscale 2"),
-    "crosshair": State(cvars="crosshair 1; scr_clock 1"),
-    "paused": State(messages=bytes([PAUSE, 1])),
-    "center_print": State(messages=text(CENTER_PRINT, "You need the\ngold key!\n"), at=30),
-    "center_print_long": State(messages=text(CENTER_PRINT, "one\ntwo\nthree\nfour\nfive\nsix"), at=30, cvars="scr_menuscale 2"),
-    "center_print_crosshair": State(messages=text(CENTER_PRINT, "You need the\nsilver key!"), at=30, cvars="crosshair 1"),
+    "opaque_and_scaled": State(cvars="scr_sbarscale 2"),
+    "crosshair": State(cvars="crosshair 1; scr_clock 1; scr_sbaralpha 0.75", tolerance=1),
+    "paused": State(messages=bytes([PAUSE, 1]), at=4),
+    "center_print": State(messages=text(CENTER_PRINT, "You need the\ngold key!\n"), at=15),
+    "center_print_long": State(messages=text(CENTER_PRINT, "one\ntwo\nthree\nfour\nfive\nsix"), at=15, cvars="scr_menuscale 2"),
+    "center_print_crosshair": State(messages=text(CENTER_PRINT, "You need the\nsilver key!"), at=15, cvars="crosshair 1; scr_sbaralpha 0.75",
+                                    tolerance=1),
     "level_end": State(messages=bytes([INTERMISSION]), at=4),
     "level_end_scaled": State(messages=bytes([INTERMISSION]), at=4, cvars="scr_menuscale 2"),
     "level_end_deathmatch": State(messages=bytes([INTERMISSION]), at=4, max_clients=8, deathmatch=True, players=PLAYERS),
     "finale": State(messages=text(FINALE, "The walls fall silent. What you came for\nlies broken behind you, and the way\nis open."), at=4),
-    "finale_typed": State(messages=text(FINALE, "One.\nTwo.\nThree, four, five."), at=32, cvars="scr_printspeed 20"),
+    "finale_typed": State(messages=text(FINALE, "One.\nTwo.\nThree, four, five."), at=17, cvars="scr_printspeed 20"),
     "cutscene": State(messages=text(CUTSCENE, "Meanwhile,\nelsewhere"), at=4),
 }
 
@@ -138,6 +139,27 @@ def demo(state: State, level: str) -> bytes:
             block += state.messages
         blocks.append(block + bytes([128, 1]))  # the player, as the baseline is
     return b"-1\n" + b"".join(struct.pack("<i3f", len(block), -89, 0, 0) + block for block in blocks)
+
+
+def pictures_of(pak: pathlib.Path) -> bytes:
+    """The pak's gfx.wad, its backtile cut to 64 texels a side: of LibreQuake's 128, squeezed into 64 pixels, each pixel's middle
+    lies on the border of two, and which one shows is the driver's choice."""
+    data = pak.read_bytes()
+    start, size = struct.unpack_from("<ii", data, 4)
+    for at in range(start, start + size, 64):
+        if data[at : at + 56].split(b"\0")[0] == b"gfx.wad":
+            offset, length = struct.unpack_from("<ii", data, at + 56)
+            wad = bytearray(data[offset : offset + length])
+            count, directory = struct.unpack_from("<ii", wad, 4)
+            for entry in range(directory, directory + 32 * count, 32):
+                if bytes(wad[entry + 16 : entry + 32]).split(b"\0")[0].lower() == b"backtile":
+                    lump = struct.unpack_from("<i", wad, entry)[0]
+                    width, height = struct.unpack_from("<ii", wad, lump)
+                    texels = np.frombuffer(wad, np.uint8, width * height, lump + 8).reshape(height, width)[:64, :64].tobytes()
+                    wad[lump : lump + 8 + len(texels)] = struct.pack("<ii", 64, 64) + texels
+                    struct.pack_into("<ii", wad, entry + 4, 8 + len(texels), 8 + len(texels))
+            return bytes(wad)
+    raise SystemExit(f"{pak} has no gfx.wad")
 
 
 def read_tga(path: pathlib.Path) -> np.ndarray:
@@ -246,6 +268,7 @@ def main() -> int:
         shutil.copy(build / "game/id1/progs.dat", game)
         (game / "maps").mkdir()
         shutil.copy(ROOT / "Misc/basegame/maps/b_bh25.bsp", game / "maps/hudroom.bsp")
+        (game / "gfx.wad").write_bytes(pictures_of(data / "id1/pak0.pak"))
         (game / "quake.rc").write_text("stuffcmds\n")
         for state_name, state in states.items():
             (game / f"hud_{state_name}.dem").write_bytes(demo(state, "hudroom"))

@@ -5,12 +5,6 @@
 #include "base/check.h"
 
 namespace fb::ui {
-namespace {
-
-constexpr float kUnclipped = 1e9f;  // virtual pixels
-
-}  // namespace
-
 Painter::Painter(scene::DrawList& list, Atlas& atlas, const Canvas& canvas)
     : list_(list), atlas_(atlas), canvas_(canvas) {}
 
@@ -21,21 +15,21 @@ Painter::Painter(scene::DrawList& list, Atlas& atlas, int output_width, int outp
 
 Painter::~Painter() { list_.atlas = atlas_.image(); }
 
-void Painter::clip(float left, float right) {
-  clip_left_ = left;
-  clip_right_ = right;
+void Painter::clip(const vec2& min, const vec2& max) {
+  clip_min_ = min;
+  clip_max_ = max;
 }
-void Painter::clip_nothing() { clip(-kUnclipped, kUnclipped); }
+void Painter::clip_nothing() { clip(vec2(-kUnclipped), vec2(kUnclipped)); }
 
 void Painter::add(const vec2& min, const vec2& max, const vec2& uv_min, const vec2& uv_max, const vec4& color) {
-  const float left = std::max(min.x, clip_left_), right = std::min(max.x, clip_right_);
-  if (!(left < right)) return;
-  const auto u = [&](float x) { return uv_min.x + (uv_max.x - uv_min.x) * (x - min.x) / (max.x - min.x); };
+  const vec2 from = glm::max(min, clip_min_), to = glm::min(max, clip_max_);
+  if (!(from.x < to.x && from.y < to.y)) return;
+  const vec2 texels = (uv_max - uv_min) / (max - min);
   scene::DrawQuad quad;
-  quad.min = canvas_.origin + canvas_.scale * vec2(left, min.y);
-  quad.max = canvas_.origin + canvas_.scale * vec2(right, max.y);
-  quad.uv_min = {left > min.x ? u(left) : uv_min.x, uv_min.y};
-  quad.uv_max = {right < max.x ? u(right) : uv_max.x, uv_max.y};
+  quad.min = canvas_.origin + canvas_.scale * from;
+  quad.max = canvas_.origin + canvas_.scale * to;
+  quad.uv_min = uv_min + texels * (from - min);
+  quad.uv_max = uv_max - texels * (max - to);
   quad.color = color;
   list_.quads.push_back(quad);
 }

@@ -30,8 +30,8 @@ class Painter {
   int height() const { return canvas_.height; }
   Atlas& atlas() { return atlas_; }
 
-  // From now on only what lies between these columns is drawn.
-  void clip(float left, float right);
+  // From now on only what lies in this rectangle is drawn.
+  void clip(const vec2& min, const vec2& max);
   void clip_nothing();
 
   // Colours are sRGB-encoded with straight alpha.
@@ -47,12 +47,13 @@ class Painter {
   void text(float x, float y, std::string_view line, bool gold = false, const vec4& color = vec4(1.0f));
 
  private:
+  static constexpr float kUnclipped = 1e9f;  // virtual pixels
   void add(const vec2& min, const vec2& max, const vec2& uv_min, const vec2& uv_max, const vec4& color);
 
   scene::DrawList& list_;
   Atlas& atlas_;
   Canvas canvas_;
-  float clip_left_ = -1e9f, clip_right_ = 1e9f;
+  vec2 clip_min_{-kUnclipped}, clip_max_{kUnclipped};
 };
 
 }  // namespace fb::ui

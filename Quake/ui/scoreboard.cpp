@@ -20,7 +20,7 @@ float width_of(std::string_view text) { return kGlyph * static_cast<float>(text.
 void draw_scrolling(Painter& painter, float y, std::string_view text, double now) {
   const float round = width_of(text) + kGlyph * kScrollGap;
   const float x = -std::floor(std::fmod(static_cast<float>(std::fmod(now, 1e5)) * kScrollSpeed, round));
-  painter.clip(0.0f, kBarWidth);
+  painter.clip(vec2(0.0f, -1e6f), vec2(kBarWidth, 1e6f));
   painter.text(x, y, text);
   painter.text(x + width_of(text) + kGlyph, y, "///");
   painter.text(x + round, y, text);

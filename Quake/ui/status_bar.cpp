@@ -18,24 +18,16 @@ constexpr float kBarY = 24.0f, kInventoryY = 8.0f;
 constexpr int kLowArmor = 25, kLowHealth = 25, kLowAmmo = 10, kMostShown = 999;
 constexpr unsigned char kSmallZero = 18;
 
-// Fills the rows beside an opaque bar with backtile, whose corner is the output's.
-void tile(Painter& painter, float left, float top, float right, float bottom) {
+// Fills a rectangle of the output with backtile, whatever its size in squares of 64 pixels from the output's corner.
+void tile(Painter& painter, const vec2& min, const vec2& max) {
+  constexpr float kTile = 64.0f;
   const Picture* const picture = painter.atlas().picture("backtile");
-  if (!picture || picture->width <= 0 || picture->height <= 0) return;
-  const auto next = [](float at, int step) {
-    const auto size = static_cast<float>(step);
-    return (std::floor(at / size) + 1.0f) * size;
-  };
-  for (float y = top; y < bottom;) {
-    const float below = std::min(next(y, picture->height), bottom);
-    for (float x = left; x < right;) {
-      const float beyond = std::min(next(x, picture->width), right);
-      painter.part(x, y, *picture, static_cast<int>(x) % picture->width, static_cast<int>(y) % picture->height,
-                   static_cast<int>(beyond - x), static_cast<int>(below - y));
-      x = beyond;
-    }
-    y = below;
-  }
+  if (!picture) return;
+  painter.clip(min, max);
+  const vec2 first = glm::floor(min / kTile) * kTile;
+  for (float y = first.y; y < max.y; y += kTile)
+    for (float x = first.x; x < max.x; x += kTile) painter.picture(x, y, kTile, kTile, *picture);
+  painter.clip_nothing();
 }
 
 void tile_sides(scene::DrawList& list, Atlas& atlas, const HudView& view, const Canvas& bar) {
@@ -43,8 +35,8 @@ void tile_sides(scene::DrawList& list, Atlas& atlas, const HudView& view, const 
   Painter painter(list, atlas, screen_canvas(view.output, 1.0f));
   const vec2 size(view.output);
   const float top = size.y - std::floor((shows_inventory(view) ? 48.0f : 24.0f) * bar.scale);
-  tile(painter, 0.0f, top, bar.origin.x, size.y);
-  tile(painter, std::floor(bar.origin.x + static_cast<float>(bar.width) * bar.scale), top, size.x, size.y);
+  tile(painter, {0.0f, top}, {bar.origin.x, size.y});
+  tile(painter, {std::floor(bar.origin.x + static_cast<float>(bar.width) * bar.scale), top}, size);
 }
 
 void draw_inventory(Painter& painter, const HudView& view) {

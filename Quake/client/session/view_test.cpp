@@ -187,7 +187,7 @@ TEST(View, VolumesOfBrushModelsColourThePicture) {
   formats::Bsp room = formats::testing::box_room(formats::BspVersion::kBsp29);
   room.models.push_back(room.models[0]);
   p.state.model_names.resize(9);
-  p.state.model_names[8] = "*1";
+  p.state.model_names[8] = "*2";
   p.state.entities.resize(3);
   Entity& volume = p.entity(2);
   volume.model = 8;
