@@ -19,7 +19,7 @@ namespace fb::host {
 namespace {
 
 constexpr uvec2 kWindowSize{1280, 720}, kHeadlessSize{640, 360};
-constexpr double kLongestLoading = 60.0;  // seconds that a plaque stays where no level comes
+constexpr double kLongestLoading = 60.0, kLongestLeaving = 0.5;  // seconds that a plaque stays where no level comes
 
 void register_host_cvars(con::Console& console) {
   console.add_cvar(
@@ -165,6 +165,15 @@ void Game::register_commands() {
       });
 }
 
+// In the order that files have, whatever the window's is.
+std::vector<std::uint32_t> Game::read_picture() const {
+  std::vector<std::uint32_t> pixels = renderer_->read().output();
+  if (swapchain_ && swapchain_->swaps_red_and_blue()) {
+    for (std::uint32_t& p : pixels) p = (p & 0xff00ff00u) | ((p & 0xffu) << 16u) | ((p >> 16u) & 0xffu);
+  }
+  return pixels;
+}
+
 Status Game::write_screenshot(const std::string& name) {
   const uvec2 size = renderer_->output_size();
   const auto path = engine_->files().write_path("screenshots/" + name);
@@ -172,11 +181,7 @@ Status Game::write_screenshot(const std::string& name) {
   std::error_code failed;
   std::filesystem::create_directories(path->parent_path(), failed);
   if (failed) return Error{fmt::format("{}: its directory cannot be made: {}", path->string(), failed.message())};
-  std::vector<std::uint32_t> pixels = renderer_->read().output();
-  if (swapchain_ && swapchain_->swaps_red_and_blue()) {
-    for (std::uint32_t& p : pixels) p = (p & 0xff00ff00u) | ((p & 0xffu) << 16u) | ((p >> 16u) & 0xffu);
-  }
-  const auto status = lab::write_png(path->string(), size.x, size.y, pixels);
+  const auto status = lab::write_png(path->string(), size.x, size.y, read_picture());
   if (status) log_info("wrote {}", path->string());
   return status;
 }
@@ -225,8 +230,7 @@ double Game::seconds_passed() {
 void Game::capture(std::uint64_t frame, uvec2 size) {
   if (options_.capture.empty() || frame % options_.capture_every != 0) return;
   const std::string path = fmt::format("{}/frame_{:06}.png", options_.capture, frame);
-  std::vector<std::uint32_t> pixels = renderer_->read().output();
-  if (const auto status = lab::write_png(path, size.x, size.y, pixels); !status) {
+  if (const auto status = lab::write_png(path, size.x, size.y, read_picture()); !status) {
     log_error("{}", status.error().message);
     quit_ = true;
     exit_status_ = 1;
@@ -254,13 +258,18 @@ void Game::show_loading() {
   renderer_->finish();
   snapshot_.frame = ++frame_;
   loading_since_ = platform::now_seconds();
+  left_level_ = false;
 }
 
+// The plaque stays till the client has left the old level and joined the next one, or till it is clear that none comes.
 bool Game::waits_for_level() {
+  if (loading_since_ < 0.0) return false;
   const cl::Client& client = engine_->client();
-  const bool coming = !client.active() && (client.connected() || client.connecting() || engine_->server().active());
-  if (loading_since_ < 0.0 || (coming && platform::now_seconds() - loading_since_ < kLongestLoading))
-    return loading_since_ >= 0.0;
+  const bool active = client.active();
+  const bool coming = client.connected() || client.connecting() || engine_->server().active();
+  const double longest = active ? kLongestLeaving : coming ? kLongestLoading : 0.0;
+  left_level_ |= !active;
+  if (!(active && left_level_) && platform::now_seconds() - loading_since_ < longest) return true;
   loading_since_ = -1.0;
   return false;
 }

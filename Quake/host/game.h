@@ -44,6 +44,7 @@ class Game {
   bool waits_for_level();
   bool draws_ahead() const;
   void show_drawn();
+  std::vector<std::uint32_t> read_picture() const;
   void capture(std::uint64_t frame, uvec2 size);
   Status write_screenshot(const std::string& name);
   void report_timing();
@@ -77,6 +78,7 @@ class Game {
   double shown_time_ = 0;  // when a picture was shown last
   bool was_in_game_ = false;
   double loading_since_ = -1.0;  // when the plaque of a level that is loaded was shown; negative: none is
+  bool left_level_ = false;      // the client has left the level that the plaque was shown over
   std::uint64_t frame_ = 0, captured_ = 0;
 };
 
