@@ -27,8 +27,8 @@ import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 WIDTH, HEIGHT = 640, 400
-FRAMES = 26  # between a demo's start and its picture; a twentieth of a second each
-EVEN = "host_maxfps 1000; con_notifytime 0; scr_conspeed 100000; gl_polyblend 0; host_framerate 0.05; v_gunkick 0"
+FRAMES = 14  # between a demo's start and its picture; a tenth of a second each
+EVEN = "host_maxfps 1000; con_notifytime 0; scr_conspeed 100000; host_framerate 0.1; v_gunkick 0"
 # Their picture of the world, and ours, black.
 THEIRS_BLACK = "r_drawworld 0; r_drawentities 0; r_drawviewmodel 0; r_particles 0; r_clearcolor 0; r_fastsky 1; " \
     "gl_texturemode gl_nearest_mipmap_linear; scr_showfps 0"
@@ -57,16 +57,21 @@ class State:
     players: tuple = ()  # (name, frags, colours)
     stats: tuple[int, int, int, int] = (12, 40, 3, 7)  # all secrets, all monsters, secrets, monsters
     messages: bytes = b""  # after the signon
+    gains: int = 0  # items from then on
     at: int = 0  # the messages come with this frame's
     cvars: str = ""
     tolerance: int = 0  # of 255, in every channel
+    pack: str = ""  # the mission pack, whose servers send the number of the weapon's bit
     level: str = "the Hall of Numbers"
 
 
 PLAYERS = (("ranger", 12, 0x4D), ("", 0, 0), ("grunt", -3, 0xC1), ("a longer name", 105, 0x04), ("knight", 12, 0x00))
 # Numbers of the server's messages.
-TIME, SET_VIEW, PRINT, SET_ANGLE, SERVER_INFO, NAME, FRAGS, CLIENT_DATA, COLORS, STAT = 7, 5, 8, 10, 11, 13, 14, 15, 17, 3
+TIME, SET_VIEW, SERVER_INFO, NAME, FRAGS, CLIENT_DATA, COLORS, STAT, DAMAGE = 7, 5, 11, 13, 14, 15, 17, 3, 19
 PAUSE, SIGNON, CENTER_PRINT, INTERMISSION, FINALE, BASELINE, CD_TRACK, CUTSCENE = 24, 25, 26, 30, 31, 22, 32, 34
+
+
+TINTS = "gl_polyblend 1; scr_sbaralpha 0.75"
 
 
 def text(message: int, line: str) -> bytes:
@@ -83,6 +88,9 @@ STATES = {
     "invulnerable": State(items=SHOTGUN | AXE | INVULNERABLE, weapon=0, ammo=0, armor=7),
     "both": State(items=SHOTGUN | AXE | INVULNERABLE | INVISIBLE),
     "hurt": State(health=59),
+    "pain": State(health=70, messages=bytes([DAMAGE, 0, 10]) + bytes(6), at=13),
+    "new_weapons": State(gains=SUPER_SHOTGUN | NAILGUN | LIGHTNING, at=8),
+    "new_weapons_later": State(gains=SUPER_SHOTGUN | NAILGUN | LIGHTNING, at=6),
     "numbers": State(health=-5, armor=100, ammo=255, counts=(255, 1, 0, 99), cvars="viewsize 110"),
     "bar_alone": State(cvars="viewsize 110"),
     "nothing": State(cvars="viewsize 120"),
@@ -99,27 +107,54 @@ STATES = {
     "opaque_and_scaled": State(cvars="scr_sbarscale 2"),
     "crosshair": State(cvars="crosshair 1; scr_clock 1; scr_sbaralpha 0.75", tolerance=1),
     "paused": State(messages=bytes([PAUSE, 1]), at=4),
-    "center_print": State(messages=text(CENTER_PRINT, "You need the\ngold key!\n"), at=15),
-    "center_print_long": State(messages=text(CENTER_PRINT, "one\ntwo\nthree\nfour\nfive\nsix"), at=15, cvars="scr_menuscale 2"),
-    "center_print_crosshair": State(messages=text(CENTER_PRINT, "You need the\nsilver key!"), at=15, cvars="crosshair 1; scr_sbaralpha 0.75",
+    "center_print": State(messages=text(CENTER_PRINT, "You need the\ngold key!\n"), at=8),
+    "center_print_long": State(messages=text(CENTER_PRINT, "one\ntwo\nthree\nfour\nfive\nsix"), at=8, cvars="scr_menuscale 2"),
+    "center_print_crosshair": State(messages=text(CENTER_PRINT, "You need the\nsilver key!"), at=8, cvars="crosshair 1; scr_sbaralpha 0.75",
                                     tolerance=1),
     "level_end": State(messages=bytes([INTERMISSION]), at=4),
     "level_end_scaled": State(messages=bytes([INTERMISSION]), at=4, cvars="scr_menuscale 2"),
     "level_end_deathmatch": State(messages=bytes([INTERMISSION]), at=4, max_clients=8, deathmatch=True, players=PLAYERS),
     "finale": State(messages=text(FINALE, "The walls fall silent. What you came for\nlies broken behind you, and the way\nis open."), at=4),
-    "finale_typed": State(messages=text(FINALE, "One.\nTwo.\nThree, four, five."), at=17, cvars="scr_printspeed 20"),
+    "finale_typed": State(messages=text(FINALE, "One.\nTwo.\nThree, four, five."), at=9, cvars="scr_printspeed 20"),
     "cutscene": State(messages=text(CUTSCENE, "Meanwhile,\nelsewhere"), at=4),
+    "tint_quad": State(items=SHOTGUN | AXE | QUAD, cvars=TINTS, tolerance=1),
+    "tint_suit": State(items=SHOTGUN | AXE | SUIT, cvars=TINTS, tolerance=1),
+    "tint_invisible": State(items=SHOTGUN | AXE | INVISIBLE, cvars=TINTS + "; gl_cshiftpercent_powerup 50", tolerance=1),
+    "tint_damage": State(health=70, messages=bytes([DAMAGE, 20, 10]) + bytes(6), at=12, cvars=TINTS, tolerance=3),  # theirs fades in whole percents
+    "gamma": State(cvars="gamma 0.6", tolerance=1),
+    "gamma_and_contrast": State(cvars="gamma 1.4; contrast 1.6", tolerance=1),
+    "hipnotic": State(pack="hipnotic", items=127 | SHELLS | KEY1 | KEY2 | QUAD | 1 << 7 | 1 << 23 | 1 << 24 | 1 << 25 | 3 << 29, weapon=7),
+    "hipnotic_new_weapons": State(pack="hipnotic", gains=16 | 1 << 16 | 1 << 7 | 1 << 23, at=8),
+    "hipnotic_launcher": State(pack="hipnotic", items=SHOTGUN | 16 | 1 << 16 | ROCKETS | KEY2, weapon=4),
+    "hipnotic_proximity": State(pack="hipnotic", items=SHOTGUN | 16 | 1 << 16 | ROCKETS, weapon=16),
+    "hipnotic_proximity_alone": State(pack="hipnotic", items=SHOTGUN | 1 << 16, weapon=16),
+    "hipnotic_neither": State(pack="hipnotic", items=SHOTGUN | 16 | 1 << 16 | 1 << 23, weapon=23, cvars="scr_sbarscale 2"),
+    "rogue": State(pack="rogue", items=127 | 1 << 8 | KEY1 | QUAD | 1 << 24 | 3 << 29, weapon=2, armor=90),
+    "rogue_lava_nails": State(pack="rogue", items=127 | 1 << 26 | 1 << 23, weapon=12, armor=25),
+    "rogue_plasma": State(pack="rogue", items=127 | 1 << 27 | 1 << 25, weapon=16),
+    "rogue_multi_rockets": State(pack="rogue", items=127 | 1 << 28, weapon=15),
+    "rogue_teams": State(pack="rogue", max_clients=8, deathmatch=True, players=PLAYERS, cvars="teamplay 4"),
+    "rogue_teams_white": State(pack="rogue", max_clients=8, deathmatch=True, players=(("ranger", 105, 0x0D),), cvars="teamplay 6"),
+    "rogue_no_teams": State(pack="rogue", max_clients=8, deathmatch=True, players=PLAYERS, cvars="teamplay 1"),
 }
+# Pictures that only the mission packs have, and their sizes; the data has none of them, so that they are made up.
+PACK_PICTURES = {f"{state}_{weapon}": (24, 16) for state in ("inv", "inv2", *(f"inva{i}" for i in range(1, 6)))
+                 for weapon in ("laser", "mjolnir", "gren_prox", "prox_gren", "prox")}
+PACK_PICTURES |= {name: (16, 16) for name in ("sb_wsuit", "sb_eshld", "r_shield1", "r_agrav1")}
+PACK_PICTURES |= {name: (24, 16) for name in ("r_lava", "r_superlava", "r_gren", "r_multirock", "r_plasma")}
+PACK_PICTURES |= {name: (24, 24) for name in ("r_teambord", "r_ammolava", "r_ammomulti", "r_ammoplasma")}
+PACK_PICTURES |= {name: (320, 24) for name in ("r_invbar1", "r_invbar2")}
 
 
-def client_data(state: State) -> bytes:
+def client_data(state: State, frame: int = 0) -> bytes:
     bits = 512 | 1024 | 8192  # items, on the ground, armour
-    out = struct.pack("<BHiB", CLIENT_DATA, bits, state.items - (1 << 32 if state.items >> 31 else 0), state.armor)
+    items = state.items | (state.gains if frame >= state.at else 0)
+    out = struct.pack("<BHiB", CLIENT_DATA, bits, items - (1 << 32 if items >> 31 else 0), state.armor)
     return out + struct.pack("<hB4BB", state.health, state.ammo, *state.counts, state.weapon)
 
 
 def demo(state: State, level: str) -> bytes:
-    """The demo's file: signon, then frames of a twentieth of a second."""
+    """The demo's file: signon, then frames of a tenth of a second."""
     blocks = []
     info = struct.pack("<BiBB", SERVER_INFO, 15, state.max_clients, int(state.deathmatch)) + state.level.encode() + b"\0"
     info += f"maps/{level}.bsp".encode() + b"\0progs/player.mdl\0\0" + b"misc/null.wav\0\0"
@@ -134,7 +169,7 @@ def demo(state: State, level: str) -> bytes:
         signon += struct.pack("<BBi", STAT, number, value)
     blocks.append(signon + client_data(state) + bytes([SIGNON, 3]))
     for frame in range(4 * FRAMES):
-        block = struct.pack("<Bf", TIME, 1.0 + 0.05 * frame) + client_data(state)
+        block = struct.pack("<Bf", TIME, 1.0 + 0.1 * frame) + client_data(state, frame)
         if frame == state.at:
             block += state.messages
         blocks.append(block + bytes([128, 1]))  # the player, as the baseline is
@@ -158,8 +193,20 @@ def pictures_of(pak: pathlib.Path) -> bytes:
                     texels = np.frombuffer(wad, np.uint8, width * height, lump + 8).reshape(height, width)[:64, :64].tobytes()
                     wad[lump : lump + 8 + len(texels)] = struct.pack("<ii", 64, 64) + texels
                     struct.pack_into("<ii", wad, entry + 4, 8 + len(texels), 8 + len(texels))
-            return bytes(wad)
+            return with_pack_pictures(wad)
     raise SystemExit(f"{pak} has no gfx.wad")
+
+
+def with_pack_pictures(wad: bytearray) -> bytes:
+    """The wad with a picture of noise for each name of PACK_PICTURES."""
+    count, start = struct.unpack_from("<ii", wad, 4)
+    lumps, directory = bytearray(wad[12:start]), bytearray(wad[start : start + 32 * count])
+    noise = np.random.default_rng(1)
+    for name, (width, height) in PACK_PICTURES.items():
+        picture = struct.pack("<ii", width, height) + noise.integers(0, 256, width * height, np.uint8).tobytes()
+        directory += struct.pack("<iiiBBH16s", 12 + len(lumps), len(picture), len(picture), ord("B"), 0, 0, name.encode())
+        lumps += picture
+    return b"WAD2" + struct.pack("<ii", len(directory) // 32, 12 + len(lumps)) + bytes(lumps + directory)
 
 
 def read_tga(path: pathlib.Path) -> np.ndarray:
@@ -221,7 +268,7 @@ def write_png(path: pathlib.Path, pixels: np.ndarray) -> None:
 def script(states: dict[str, State], black: str, screenshot: str) -> str:
     """Plays each demo and takes a picture of it. Settings go back to their defaults after each."""
     back = "-showscores; viewsize 100; scr_sbarscale 1; scr_sbaralpha 1; scr_menuscale 1; crosshair 0; scr_crosshairscale 1; scr_clock 0; " \
-        "scr_printspeed 8"
+        "scr_printspeed 8; teamplay 0; gl_polyblend 0; gl_cshiftpercent_powerup 100; gamma 1; contrast 1"
     lines = [EVEN, black]
     for name, state in states.items():
         lines += [back, state.cvars, f"playdemo hud_{name}"] + ["wait"] * FRAMES + [screenshot.format(name), "wait", "stopdemo", "wait"]
@@ -272,20 +319,26 @@ def main() -> int:
         (game / "quake.rc").write_text("stuffcmds\n")
         for state_name, state in states.items():
             (game / f"hud_{state_name}.dem").write_bytes(demo(state, "hudroom"))
-        (game / "theirs.cfg").write_text(script(states, THEIRS_BLACK, "screenshot tga"))
-        (game / "ours.cfg").write_text(script(states, OURS_BLACK, "screenshot {}"))
-        try:
-            pictures = [written / f"spasm{i:04}.tga" for i in range(len(states))]
-            run(["xvfb-run", "-a", "-s", f"-screen 0 {WIDTH}x{HEIGHT}x24", theirs, "-basedir", work / "base", "-game", work.name, "-window",
-                 "-width", str(WIDTH), "-height", str(HEIGHT), "-nosound", "+vid_fsaa", "0", "+exec", "theirs.cfg"], "quakespasm", pictures,
-                cwd=work, env=os.environ | {"LIBGL_ALWAYS_SOFTWARE": "1", "SDL_AUDIODRIVER": "dummy"})
-            expected = dict(zip(states, map(read_tga, pictures)))
-        finally:
-            shutil.rmtree(written, ignore_errors=True)
-        made = {state_name: work / "user" / work.name / "screenshots" / f"{state_name}.png" for state_name in states}
-        run([build / "fullbright", "-basedir", work / "base", "-userdir", work / "user", "-game", work.name, "-headless", "-size",
-             f"{WIDTH}x{HEIGHT}", "+exec", "ours.cfg"], "fullbright", list(made.values()))
-        return report(states, expected, {state_name: read_png(path) for state_name, path in made.items()}, arguments.keep)
+        expected, found = {}, {}
+        for pack in sorted({state.pack for state in states.values()}):
+            of_pack = {state_name: state for state_name, state in states.items() if state.pack == pack}
+            option = ["-" + pack] if pack else []
+            (work / "base" / pack).mkdir(exist_ok=True)
+            (game / "theirs.cfg").write_text(script(of_pack, THEIRS_BLACK, "screenshot tga"))
+            (game / "ours.cfg").write_text(script(of_pack, OURS_BLACK, "screenshot {}"))
+            try:
+                pictures = [written / f"spasm{i:04}.tga" for i in range(len(of_pack))]
+                run(["xvfb-run", "-a", "-s", f"-screen 0 {WIDTH}x{HEIGHT}x24", theirs, "-basedir", work / "base", *option, "-game", work.name,
+                     "-window", "-width", str(WIDTH), "-height", str(HEIGHT), "-nosound", "+vid_fsaa", "0", "+exec", "theirs.cfg"],
+                    "quakespasm", pictures, cwd=work, env=os.environ | {"LIBGL_ALWAYS_SOFTWARE": "1", "SDL_AUDIODRIVER": "dummy"})
+                expected |= dict(zip(of_pack, map(read_tga, pictures)))
+            finally:
+                shutil.rmtree(written, ignore_errors=True)
+            made = {state_name: work / "user" / work.name / "screenshots" / f"{state_name}.png" for state_name in of_pack}
+            run([build / "fullbright", "-basedir", work / "base", "-userdir", work / "user", *option, "-game", work.name, "-headless", "-size",
+                 f"{WIDTH}x{HEIGHT}", "+exec", "ours.cfg"], "fullbright", list(made.values()))
+            found |= {state_name: read_png(path) for state_name, path in made.items()}
+        return report(states, expected, found, arguments.keep)
 
 
 def report(states: dict[str, State], expected: dict, found: dict, keep: pathlib.Path | None) -> int:

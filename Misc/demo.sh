@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # `make demo`: plays a recorded demo headless through the path tracer: the base game's hub, or demo3 of the data in
-# QUAKE_DIR, a folder with id1/pak0.pak. DEMO, SIZE, CAPTURE_EVERY and OUT choose the demo, the picture's size, which
-# frames are saved, and the folder for them.
+# QUAKE_DIR, a folder with id1/pak0.pak. DEMO, SIZE, CAPTURE_EVERY, OUT and VIEWSIZE choose the demo, the picture's size, which
+# frames are saved, the folder for them, and how much of the status bar they show (100: all of it).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -17,6 +17,7 @@ demo=${DEMO:-$([[ -n $data ]] && echo demo3 || echo hub)}
 out=${OUT:-out/demo}
 mkdir -p "$out"
 rm -f "$out"/*.png
+# At this size the status bar would hide a quarter of the picture.
 build/fullbright -headless "${game[@]}" -size "${SIZE:-320x180}" -capture "$out" \
-  -capture_every "${CAPTURE_EVERY:-30}" +timedemo "$demo" +quit
+  -capture_every "${CAPTURE_EVERY:-30}" +viewsize "${VIEWSIZE:-120}" +timedemo "$demo" +quit
 echo "$(find "$out" -name '*.png' | wc -l) frames are in $(cd "$out" && pwd)"

@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "base/number.h"
-#include "base/number.h"
 #include "base/test_directory.h"
 #include "host/engine.h"
+#include "host/screen.h"
 
 namespace fb::host {
 namespace {
@@ -265,9 +265,11 @@ class QuakeSpasmCvarsTest : public testing::Test {
     auto made = Engine::create({"-basedir", directory.path().string(), "-nohome", "-nolan"});
     ASSERT_TRUE(made.ok()) << made.error().message;
     engine = std::move(*made);
+    screen = std::make_unique<Screen>(engine->console(), engine->files().loader(), engine->rules());
   }
   const TestDirectory directory;
   std::unique_ptr<Engine> engine;
+  std::unique_ptr<Screen> screen;  // which has cvars, too
 };
 
 TEST_F(QuakeSpasmCvarsTest, AreThereWithTheirDefaults) {

@@ -1,5 +1,5 @@
-// Where virtual pixels lie in the output. Each part of the screen has a canvas of its own, since each has a scale of its
-// own (scr_conscale, scr_sbarscale, scr_menuscale, scr_crosshairscale). Sizes and places are QuakeSpasm's.
+// Where virtual pixels lie in the output. Each part of the screen has a canvas of its own, since each has a scale of
+// its own (scr_conscale, scr_sbarscale, scr_menuscale, scr_crosshairscale). Sizes and places are QuakeSpasm's.
 #pragma once
 
 #include "base/maths.h"

@@ -1,5 +1,5 @@
-// Everything between the picture and the console: what is shown during play, at a level's end, between episodes, while a
-// level loads. In QuakeSpasm's order.
+// Everything between the picture and the console: what is shown during play, at a level's end, between episodes, while
+// a level loads. In QuakeSpasm's order.
 #pragma once
 
 #include "scene/draw_list.h"

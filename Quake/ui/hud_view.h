@@ -20,11 +20,11 @@ struct HudView {
   bool show_scores = false;  // +showscores
   int skill = 1;
   int teamplay = 0;
-  double now = 0.0;        // seconds of a clock that never stops, for what scrolls
-  double silence = 0.0;    // seconds since the server was heard
-  bool slow = false;       // three frames in a row took a tenth of a second or more
-  float speed = -1.0f;     // over ground, units a second; negative: not known
-  double frame_rate = 0.0; // frames a second; 0: not known
+  double now = 0.0;         // seconds of a clock that never stops, for what scrolls
+  double silence = 0.0;     // seconds since the server was heard
+  bool slow = false;        // three frames in a row took a tenth of a second or more
+  float speed = -1.0f;      // over ground, units a second; negative: not known
+  double frame_rate = 0.0;  // frames a second; 0: not known
 
   bool has(std::uint32_t bits) const { return (static_cast<std::uint32_t>(hud.items) & bits) != 0; }
   int stat(int index) const { return hud.stats[static_cast<std::size_t>(index)]; }

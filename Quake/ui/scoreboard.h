@@ -36,7 +36,8 @@ void draw_rankings(Painter& painter, const HudView& view);
 void draw_level_end(Painter& painter, const HudView& view);
 void draw_finale_title(Painter& painter);
 
-// A number in the large digits of gfx.wad, right-aligned in `digits` places of 24 pixels; what has more loses its first.
+// A number in the large digits of gfx.wad, right-aligned in `digits` places of 24 pixels; what has more loses its
+// first.
 void draw_number(Painter& painter, float x, float y, int number, int digits, bool red);
 // A picture by name; what is missing is left out.
 void draw_named(Painter& painter, float x, float y, const std::string& name, const vec4& color = vec4(1.0f));

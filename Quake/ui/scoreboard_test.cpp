@@ -24,7 +24,9 @@ class ScoreboardTest : public HudTest {
   Raster on_bar(const HudView& view, void (*draw)(Painter&, const HudView&)) {
     return on(view, status_bar_canvas(view.output, 1.0f, true), draw);
   }
-  static int index_at(const Raster& raster, int x, int y) { return static_cast<int>(raster.at(x, y).x * 255.0f + 0.5f); }
+  static int index_at(const Raster& raster, int x, int y) {
+    return static_cast<int>(raster.at(x, y).x * 255.0f + 0.5f);
+  }
 };
 
 TEST_F(ScoreboardTest, MostFragsFirstAndEqualOnesInTheirOrder) {

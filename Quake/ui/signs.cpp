@@ -12,7 +12,7 @@
 namespace fb::ui {
 namespace {
 
-constexpr double kSilent = 0.3;           // seconds without a message after which the sign comes
+constexpr double kSilent = 0.3;          // seconds without a message after which the sign comes
 constexpr double kSpeedInterval = 0.05;  // seconds
 
 // A picture of its own in the middle of the menu's canvas, a little above.
@@ -40,7 +40,8 @@ void draw_crosshair(scene::DrawList& list, Atlas& atlas, const HudView& view) {
 
 void draw_warnings(scene::DrawList& list, Atlas& atlas, const HudView& view) {
   const HudSettings& s = view.settings;
-  Painter painter(list, atlas, screen_canvas(view.output, console_scale(view.output, s.console_scale, s.console_width)));
+  Painter painter(list, atlas,
+                  screen_canvas(view.output, console_scale(view.output, s.console_scale, s.console_width)));
   if (view.silence > kSilent) draw_named(painter, 64.0f, 0.0f, "net");
   if (view.slow && s.show_turtle != 0.0f) draw_named(painter, 0.0f, 0.0f, "turtle");
 }

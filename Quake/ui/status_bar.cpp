@@ -43,7 +43,8 @@ void draw_inventory(Painter& painter, const HudView& view) {
   draw_named(painter, 0.0f, 0.0f, inventory_bar_picture(view), background(view));
   for (const Icon& icon : weapon_icons(view)) {
     // The mission pack's weapons are further right, where its keys have made room.
-    const float x = icon.slot < 7 ? 24.0f * static_cast<float>(icon.slot) : 8.0f + 24.0f * static_cast<float>(icon.slot);
+    const float x =
+        icon.slot < 7 ? 24.0f * static_cast<float>(icon.slot) : 8.0f + 24.0f * static_cast<float>(icon.slot);
     draw_named(painter, x, kInventoryY, icon.picture);
   }
   for (int i = 0; i < 4; ++i)

@@ -1,5 +1,5 @@
-// The status bar without a bar: numbers in the lower corners, weapons at the right, powers at the left (Ironwail's forms
-// 1 and 2, whose difference is where the ammunition stands).
+// The status bar without a bar: numbers in the lower corners, weapons at the right, powers at the left (Ironwail's
+// forms 1 and 2, whose difference is where the ammunition stands).
 #include <algorithm>
 #include <cmath>
 
@@ -57,8 +57,8 @@ struct CornerBar {
       // A mission pack's picture takes the place of the weapon's own.
       const auto covers = [&](const Icon& other) { return &other > &icon && other.slot == icon.slot; };
       if (std::any_of(icons.begin(), icons.end(), covers)) continue;
-      draw_named(painter, right + 1.0f - (icon.active ? 24.0f : 18.0f), middle - kIconRow * static_cast<float>(icon.slot),
-                 icon.picture);
+      draw_named(painter, right + 1.0f - (icon.active ? 24.0f : 18.0f),
+                 middle - kIconRow * static_cast<float>(icon.slot), icon.picture);
     }
   }
 
@@ -120,8 +120,7 @@ void draw_sigils(scene::DrawList& list, Atlas& atlas, const HudView& view, bool 
   Painter painter(list, atlas, status_bar_canvas(view.output, view.settings.bar_scale, false));
   const float x = 144.0f, y = at_side ? 20.0f : 16.0f;
   if (const Picture* bar = atlas.picture("ibar")) painter.part(x, y, *bar, 288, 8, 32, 16);
-  for (const Icon& sigil : sigils)
-    draw_named(painter, x + 8.0f * static_cast<float>(sigil.slot), y, sigil.picture);
+  for (const Icon& sigil : sigils) draw_named(painter, x + 8.0f * static_cast<float>(sigil.slot), y, sigil.picture);
 }
 
 }  // namespace

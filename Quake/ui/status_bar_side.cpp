@@ -1,4 +1,5 @@
-// QuakeWorld's inventory: weapons above each other at the right, the four counts of ammunition and the runes below them.
+// QuakeWorld's inventory: weapons above each other at the right, the four counts of ammunition and the runes below
+// them.
 #include <algorithm>
 
 #include "client/session/items.h"

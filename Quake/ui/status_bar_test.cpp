@@ -56,14 +56,15 @@ TEST_F(StatusBarTest, SmallCountsOfAmmunition) {
     for (int row = 0; row < 8; ++row)
       for (int column = 0; column < 8; ++column) {
         const Picture glyph = atlas.glyph(code);
-        const auto texel = atlas.image()->texels[static_cast<std::size_t>((glyph.y + row) * Atlas::kWidth + glyph.x + column)];
+        const auto texel =
+            atlas.image()->texels[static_cast<std::size_t>((glyph.y + row) * Atlas::kWidth + glyph.x + column)];
         if ((texel >> 24u != 0) != r.lit(x + column, 152 + row)) return false;
       }
     return true;
   };
-  EXPECT_TRUE(same(26, 18));                                   // 0
-  EXPECT_TRUE(same(66, 22));                                   // 4
-  EXPECT_TRUE(same(74, 20));                                   // 2
+  EXPECT_TRUE(same(26, 18));                                     // 0
+  EXPECT_TRUE(same(66, 22));                                     // 4
+  EXPECT_TRUE(same(74, 20));                                     // 2
   EXPECT_TRUE(same(106, 27) && same(114, 27) && same(122, 27));  // 999
 }
 

@@ -18,7 +18,7 @@ namespace fb::ui {
 
 class HudTest : public testing::Test {
  protected:
-  HudTest() : atlas([this](std::string_view name) { return file(name); }) {
+  HudTest() : atlas([](std::string_view name) { return file(name); }) {
     hud.level_name = "Hall";
     hud.map_name = "e1m1";
     hud.time = 100.0;
@@ -58,19 +58,52 @@ class HudTest : public testing::Test {
   // Names and sizes; a picture's colour is its place in the list, counted from 1.
   static const std::vector<std::pair<std::string, ivec2>>& names() {
     static const auto kNames = [] {
-      std::vector<std::pair<std::string, ivec2>> all = {
-          {"sbar", {320, 24}},      {"ibar", {320, 24}},       {"scorebar", {320, 24}},  {"backtile", {64, 64}},
-          {"disc", {24, 24}},       {"net", {32, 32}},         {"turtle", {32, 32}},     {"num_minus", {24, 24}},
-          {"anum_minus", {24, 24}}, {"num_colon", {16, 24}},   {"num_slash", {16, 24}},  {"sb_key1", {16, 16}},
-          {"sb_key2", {16, 16}},    {"sb_invis", {16, 16}},    {"sb_invuln", {16, 16}},  {"sb_suit", {16, 16}},
-          {"sb_quad", {16, 16}},    {"sb_sigil1", {8, 16}},    {"sb_sigil2", {8, 16}},   {"sb_sigil3", {8, 16}},
-          {"sb_sigil4", {8, 16}},   {"sb_shells", {24, 24}},   {"sb_nails", {24, 24}},   {"sb_rocket", {24, 24}},
-          {"sb_cells", {24, 24}},   {"sb_armor1", {24, 24}},   {"sb_armor2", {24, 24}},  {"sb_armor3", {24, 24}},
-          {"sb_wsuit", {16, 16}},   {"sb_eshld", {16, 16}},    {"face_inv2", {24, 24}},  {"face_quad", {24, 24}},
-          {"face_invis", {24, 24}}, {"face_invul2", {24, 24}}, {"r_invbar1", {320, 24}}, {"r_invbar2", {320, 24}},
-          {"r_lava", {24, 16}},     {"r_teambord", {24, 24}},  {"r_shield1", {16, 16}},  {"r_agrav1", {16, 16}},
-          {"gfx/pause.lmp", {128, 24}},    {"gfx/loading.lmp", {144, 24}}, {"gfx/ranking.lmp", {160, 24}},
-          {"gfx/complete.lmp", {192, 24}}, {"gfx/inter.lmp", {160, 144}},  {"gfx/finale.lmp", {288, 24}}};
+      std::vector<std::pair<std::string, ivec2>> all = {{"sbar", {320, 24}},
+                                                        {"ibar", {320, 24}},
+                                                        {"scorebar", {320, 24}},
+                                                        {"backtile", {64, 64}},
+                                                        {"disc", {24, 24}},
+                                                        {"net", {32, 32}},
+                                                        {"turtle", {32, 32}},
+                                                        {"num_minus", {24, 24}},
+                                                        {"anum_minus", {24, 24}},
+                                                        {"num_colon", {16, 24}},
+                                                        {"num_slash", {16, 24}},
+                                                        {"sb_key1", {16, 16}},
+                                                        {"sb_key2", {16, 16}},
+                                                        {"sb_invis", {16, 16}},
+                                                        {"sb_invuln", {16, 16}},
+                                                        {"sb_suit", {16, 16}},
+                                                        {"sb_quad", {16, 16}},
+                                                        {"sb_sigil1", {8, 16}},
+                                                        {"sb_sigil2", {8, 16}},
+                                                        {"sb_sigil3", {8, 16}},
+                                                        {"sb_sigil4", {8, 16}},
+                                                        {"sb_shells", {24, 24}},
+                                                        {"sb_nails", {24, 24}},
+                                                        {"sb_rocket", {24, 24}},
+                                                        {"sb_cells", {24, 24}},
+                                                        {"sb_armor1", {24, 24}},
+                                                        {"sb_armor2", {24, 24}},
+                                                        {"sb_armor3", {24, 24}},
+                                                        {"sb_wsuit", {16, 16}},
+                                                        {"sb_eshld", {16, 16}},
+                                                        {"face_inv2", {24, 24}},
+                                                        {"face_quad", {24, 24}},
+                                                        {"face_invis", {24, 24}},
+                                                        {"face_invul2", {24, 24}},
+                                                        {"r_invbar1", {320, 24}},
+                                                        {"r_invbar2", {320, 24}},
+                                                        {"r_lava", {24, 16}},
+                                                        {"r_teambord", {24, 24}},
+                                                        {"r_shield1", {16, 16}},
+                                                        {"r_agrav1", {16, 16}},
+                                                        {"gfx/pause.lmp", {128, 24}},
+                                                        {"gfx/loading.lmp", {144, 24}},
+                                                        {"gfx/ranking.lmp", {160, 24}},
+                                                        {"gfx/complete.lmp", {192, 24}},
+                                                        {"gfx/inter.lmp", {160, 144}},
+                                                        {"gfx/finale.lmp", {288, 24}}};
       for (int i = 0; i < 10; ++i) {
         all.push_back({"num_" + std::to_string(i), {24, 24}});
         all.push_back({"anum_" + std::to_string(i), {24, 24}});

@@ -31,11 +31,11 @@ enum HipnoticBits : unsigned {
 
 // Bits that only Dissolution of Eternity (rogue) uses so.
 enum RogueItems : std::uint32_t {
-  kRogueShells = 1u << 7,         // nails, rockets, cells follow
-  kRogueLavaNailgun = 1u << 12,   // five powered weapons follow each other
-  kRogueArmor1 = 1u << 23,        // two more follow
-  kRogueLavaNails = 1u << 26,     // plasma, multi rockets follow
-  kRogueShield = 1u << 29,        // then the antigravity belt
+  kRogueShells = 1u << 7,        // nails, rockets, cells follow
+  kRogueLavaNailgun = 1u << 12,  // five powered weapons follow each other
+  kRogueArmor1 = 1u << 23,       // two more follow
+  kRogueLavaNails = 1u << 26,    // plasma, multi rockets follow
+  kRogueShield = 1u << 29,       // then the antigravity belt
 };
 
 }  // namespace fb::cl

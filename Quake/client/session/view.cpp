@@ -128,8 +128,8 @@ void set_powerup_shift(ClientState& state) {
     shift.percent = 0.0f;
 }
 
-// What a brush model whose skin says so (FTE_ENT_SKIN_CONTENTS) holds at a point; skins are sent as bytes. Nothing where
-// there is none. Models are not turned, as for collisions.
+// What a brush model whose skin says so (FTE_ENT_SKIN_CONTENTS) holds at a point; skins are sent as bytes. Nothing
+// where there is none. Models are not turned, as for collisions.
 std::optional<std::int32_t> contents_by_skin(const ClientState& state, const formats::Bsp& map, const vec3& point) {
   constexpr int kFirstSkin = 256 - 16, kByte = 256;
   for (const Entity& entity : state.entities) {
