@@ -393,6 +393,31 @@ TEST_F(RendererTest, DrawsQuadsInOrderOverThePicture) {
   EXPECT_EQ(at(90, 39), 0u);
 }
 
+TEST_F(RendererTest, TintThenQuadsThenContrastAndGamma) {
+  RenderSettings s;
+  s.contrast = 1.5f;
+  s.gamma = 0.5f;
+  auto renderer = make_renderer(s, 16, 8);
+  scene::DrawList list;
+  list.atlas = std::make_shared<scene::DrawAtlas>(scene::DrawAtlas{1, 1, {0u}, 1});
+  list.quads.push_back({{8, 0}, {16, 4}, {0, 0}, {0, 0}, {0.25f, 0.8f, 0, 1}});
+  scene::FrameSnapshot dark;
+  dark.screen_tint = vec4(1.0f, 0.5f, 0.0f, 0.4f);  // over black
+  renderer->render(dark, &list, s);
+  const auto pixels = renderer->read().output();
+  const auto level = [](float color) { return std::round(255.0f * std::sqrt(std::min(1.0f, 1.5f * color))); };
+  const auto expect = [&](std::size_t x, float red, float green) {
+    EXPECT_NEAR(static_cast<float>(pixels[x] & 255u), level(red), 1.0f) << x;
+    EXPECT_NEAR(static_cast<float>(pixels[x] >> 8u & 255u), level(green), 1.0f) << x;
+  };
+  expect(2, 0.4f, 0.2f);
+  expect(12, 0.25f, 0.8f);
+  renderer->render(dark, &list, RenderSettings{});
+  const auto plain = renderer->read().output();
+  EXPECT_EQ(plain[2] & 255u, 102u);
+  EXPECT_EQ(plain[12] & 255u, 64u);
+}
+
 // Of two samples x1 and x2 the variance of their mean is (x1 - x2)^2 / 4; of one nothing is known.
 TEST_F(RendererTest, VarianceOfTheMeanOfTwoFrames) {
   RenderSettings s;
