@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/named_pictures.h"
+
 namespace fb::ui {
 namespace {
 
-constexpr float kDigit = 24.0f;
 constexpr unsigned char kLeftBracket = 16, kRightBracket = 17, kOwnMark = 12;
 constexpr int kBarWidth = 320;
 constexpr float kScrollSpeed = 30.0f;  // pixels a second
@@ -32,23 +33,6 @@ void draw_centered(Painter& painter, float y, std::string_view text) {
 }
 
 }  // namespace
-
-void draw_named(Painter& painter, float x, float y, const std::string& name, const vec4& color) {
-  if (name.empty()) return;
-  if (const Picture* picture = painter.atlas().picture(name)) painter.picture(x, y, *picture, color);
-}
-
-void draw_number(Painter& painter, float x, float y, int number, int digits, bool red) {
-  std::string text = fmt::format("{}", number);
-  const auto places = static_cast<std::size_t>(digits);
-  if (text.size() > places) text.erase(0, text.size() - places);
-  x += kDigit * static_cast<float>(places - text.size());
-  for (const char c : text) {
-    const std::string digit = c == '-' ? "minus" : std::string(1, c);
-    draw_named(painter, x, y, (red ? "anum_" : "num_") + digit);
-    x += kDigit;
-  }
-}
 
 std::vector<std::size_t> ranking(const cl::Hud& hud) {
   std::vector<std::size_t> order;

@@ -16,10 +16,10 @@ std::vector<std::size_t> ranking(const cl::Hud& hud);
 // Palette index of a player's colour (0 to 13).
 int color_index(int color);
 
-// Frags on the player's colours, and brackets about the player whose eyes these are: `pattern` is 28 or 40 wide.
+// Frags on the player's colours, and brackets about the player whose eyes these are.
 struct FragsBox {
-  float x = 0.0f, y = 0.0f, width = 28.0f;
-  float top = 4.0f, bottom = 3.0f;  // heights of shirt and trousers
+  float x = 0.0f, y = 0.0f, width = 28.0f;  // or 40, with room for the brackets
+  float top = 4.0f, bottom = 3.0f;          // heights of shirt and trousers
 };
 void draw_frags(Painter& painter, const HudView& view, std::size_t player, const FragsBox& box, bool brackets);
 
@@ -35,11 +35,5 @@ void draw_rankings(Painter& painter, const HudView& view);
 // In the menu's canvas: time, secrets and kills at a level's end, and a finale's title.
 void draw_level_end(Painter& painter, const HudView& view);
 void draw_finale_title(Painter& painter);
-
-// A number in the large digits of gfx.wad, right-aligned in `digits` places of 24 pixels; what has more loses its
-// first.
-void draw_number(Painter& painter, float x, float y, int number, int digits, bool red);
-// A picture by name; what is missing is left out.
-void draw_named(Painter& painter, float x, float y, const std::string& name, const vec4& color = vec4(1.0f));
 
 }  // namespace fb::ui

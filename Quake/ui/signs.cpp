@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <string>
 
+#include "ui/named_pictures.h"
 #include "ui/overlays.h"
 #include "ui/painter.h"
-#include "ui/scoreboard.h"
 
 namespace fb::ui {
 namespace {

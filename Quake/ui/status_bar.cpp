@@ -16,7 +16,6 @@ namespace {
 // y of the bar and of the inventory's rows in the status bar's canvas.
 constexpr float kBarY = 24.0f, kInventoryY = 8.0f;
 constexpr int kLowArmor = 25, kLowHealth = 25, kLowAmmo = 10, kMostShown = 999;
-constexpr unsigned char kSmallZero = 18;
 
 // Fills a rectangle of the output with backtile, whatever its size in squares of 64 pixels from the output's corner.
 void tile(Painter& painter, const vec2& min, const vec2& max) {
@@ -90,10 +89,9 @@ void draw_bar(Painter& painter, const HudView& view, bool background_too) {
   draw_number(painter, 24.0f, kBarY, armor.points, 3, armor.red);
   draw_named(painter, 0.0f, kBarY, armor_picture(view));
   draw_face(painter, view);
-  const int health = view.stat(net::kStatHealth), ammo = view.stat(net::kStatAmmo);
-  draw_number(painter, 136.0f, kBarY, std::min(health, kMostShown), 3, health <= kLowHealth);
+  draw_health(painter, view, 136.0f, kBarY);
   draw_named(painter, 224.0f, kBarY, ammo_picture(view));
-  draw_number(painter, 248.0f, kBarY, std::min(ammo, kMostShown), 3, ammo <= kLowAmmo);
+  draw_ammo(painter, view, 248.0f, kBarY);
 }
 
 // The level's board in the bar's place, and all players in the middle.
@@ -139,12 +137,15 @@ void draw_wide_bar(scene::DrawList& list, Atlas& atlas, const HudView& view) {
 
 }  // namespace
 
-void draw_small_number(Painter& painter, float x, float y, int number) {
-  const std::string text = fmt::format("{:3}", std::clamp(number, 0, kMostShown));
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == ' ') continue;
-    painter.character(x + 8.0f * static_cast<float>(i), y, static_cast<unsigned char>(kSmallZero + text[i] - '0'));
-  }
+// Red where little is left.
+void draw_health(Painter& painter, const HudView& view, float x, float y) {
+  const int health = view.stat(net::kStatHealth);
+  draw_number(painter, x, y, std::min(health, kMostShown), 3, health <= kLowHealth);
+}
+
+void draw_ammo(Painter& painter, const HudView& view, float x, float y) {
+  const int ammo = view.stat(net::kStatAmmo);
+  draw_number(painter, x, y, std::min(ammo, kMostShown), 3, ammo <= kLowAmmo);
 }
 
 Armor armor_shown(const HudView& view) {

@@ -29,8 +29,7 @@ struct CornerBar {
   void draw_vitals() const {
     const float y = bottom - kMarginY - kBigRow;
     draw_named(painter, kMarginX, y, face_picture(view));
-    const int health = view.stat(net::kStatHealth);
-    draw_number(painter, kMarginX + 32.0f, y, std::min(health, 999), 3, health <= 25);
+    draw_health(painter, view, kMarginX + 32.0f, y);
     const Armor armor = armor_shown(view);
     if (armor.points <= 0) return;
     draw_number(painter, kMarginX + 32.0f, y - kBigRow, armor.points, 3, armor.red);
@@ -44,8 +43,7 @@ struct CornerBar {
       draw_named(painter, x, y, picture);
       x -= 32.0f;
     }
-    const int ammo = view.stat(net::kStatAmmo);
-    draw_number(painter, x - 48.0f, y, std::min(ammo, 999), 3, ammo <= 10);
+    ui::draw_ammo(painter, view, x - 48.0f, y);
   }
 
   // From the right edge, the lowest slot at the bottom; the weapon in hand comes out further.

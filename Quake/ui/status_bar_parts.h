@@ -3,6 +3,7 @@
 
 #include "ui/atlas.h"
 #include "ui/hud_view.h"
+#include "ui/named_pictures.h"
 #include "ui/painter.h"
 #include "ui/scoreboard.h"
 
@@ -15,8 +16,9 @@ inline vec4 background(const HudView& view) { return vec4(1.0f, 1.0f, 1.0f, view
 
 constexpr float kIconRow = 16.0f;  // height of a weapon's or an item's picture
 
-// A count of ammunition in three places of small digits, right-aligned.
-void draw_small_number(Painter& painter, float x, float y, int number);
+// Numbers of up to three digits, red where little is left.
+void draw_health(Painter& painter, const HudView& view, float x, float y);
+void draw_ammo(Painter& painter, const HudView& view, float x, float y);
 
 // The armour's number: with invulnerability it is 666.
 struct Armor {
