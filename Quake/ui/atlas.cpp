@@ -109,7 +109,7 @@ vec4 Atlas::color(int index) const {
   return vec4(vec3(rgb[0], rgb[1], rgb[2]) / 255.0f, 1.0f);
 }
 
-std::optional<formats::RgbaImage> Atlas::read_picture(const std::string& name, std::string& failure) const {
+std::optional<formats::RgbaImage> Atlas::read_picture(const std::string& name, std::string& failure) {
   const auto accept_indexed = [&](Result<formats::IndexedImage> image) -> std::optional<formats::RgbaImage> {
     if (image && palette_) return colored(*image, 255);
     failure = image ? fmt::format("{}: there is no palette to show it with", name) : image.error().message;
@@ -117,7 +117,8 @@ std::optional<formats::RgbaImage> Atlas::read_picture(const std::string& name, s
   };
   if (name.find('/') == name.npos) {
     if (wad_) return accept_indexed(wad_->picture(name));
-    failure = fmt::format("{}: there is no gfx.wad that could hold this picture", name);
+    if (!std::exchange(missed_wad_, true))
+      failure = fmt::format("{}: there is no gfx.wad that could hold this and the status bar's other pictures", name);
     return std::nullopt;
   }
   const auto data = files_ ? files_(name) : std::nullopt;

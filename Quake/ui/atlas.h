@@ -37,7 +37,7 @@ class Atlas {
   // The rectangle of a character's 8x8 glyph; codes are Quake's: 128 and more are gold.
   Picture glyph(unsigned char code) const;
   // A picture by name: "gfx/conback.lmp" is a file (lmp, png, tga, pcx), "ibar" a lump of gfx.wad. Palette index 255 is
-  // transparent. nullptr if there is none, after one message in the log.
+  // transparent. nullptr if there is none, after one message in the log (one for all lumps where there is no gfx.wad).
   const Picture* picture(std::string_view name);
   bool has_game_font() const { return game_font_; }
   // The palette's colour at this index (0 to 255), opaque; a grey without game data.
@@ -47,7 +47,8 @@ class Atlas {
   std::shared_ptr<const scene::DrawAtlas> image() const;
 
  private:
-  std::optional<formats::RgbaImage> read_picture(const std::string& name, std::string& failure) const;
+  // An empty `failure` is one that has been told.
+  std::optional<formats::RgbaImage> read_picture(const std::string& name, std::string& failure);
   // nullopt if the atlas is full.
   std::optional<Picture> add(const formats::RgbaImage& image);
   formats::RgbaImage colored(const formats::IndexedImage& image, int transparent) const;
@@ -55,7 +56,7 @@ class Atlas {
   FileLoader files_;
   std::optional<formats::Wad> wad_;
   std::optional<formats::Palette> palette_;
-  bool game_font_ = false;
+  bool game_font_ = false, missed_wad_ = false;
   std::map<std::string, std::optional<Picture>, std::less<>> pictures_;
 
   Picture font_;

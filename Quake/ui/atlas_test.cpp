@@ -5,7 +5,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <set>
+#include <string>
+#include <vector>
 
+#include "base/log.h"
 #include "fs/filesystem.h"
 
 namespace fb::ui {
@@ -158,6 +161,20 @@ TEST(Atlas, RealData) {
   EXPECT_EQ(atlas.picture("gfx/conback.lmp")->width, 320);
   ASSERT_NE(atlas.picture("sbar"), nullptr);
   EXPECT_EQ(atlas.picture("num_0")->width, 24);
+}
+
+TEST(Atlas, OneMessageForAMissingWadAndOneForEachMissingPicture) {
+  std::vector<std::string> said;
+  const int listener = add_log_listener([&](LogLevel, std::string_view line) { said.emplace_back(line); });
+  Atlas atlas;
+  for (int i = 0; i < 2; ++i) {
+    for (const char* name : {"sbar", "ibar", "num_0"}) EXPECT_EQ(atlas.picture(name), nullptr);
+    EXPECT_EQ(atlas.picture("gfx/pause.lmp"), nullptr);
+  }
+  remove_log_listener(listener);
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_NE(said[0].find("sbar: there is no gfx.wad"), std::string::npos);
+  EXPECT_NE(said[1].find("gfx/pause.lmp"), std::string::npos);
 }
 
 }  // namespace
