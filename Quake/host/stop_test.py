@@ -29,6 +29,13 @@ class Case:
     def wait_for(self, pattern, seconds=60):
         return self.running.wait_for(pattern, seconds * SLOW)
 
+    def wait_for_file(self, path, seconds=60):
+        """A frame's picture, say: by then its shaders are compiled, which no signal cuts short."""
+        until = time.monotonic() + seconds * SLOW
+        while not path.exists():
+            assert time.monotonic() < until and self.is_running(), f"{self.name}: there is no {path.name}"
+            time.sleep(0.1)
+
     def tell(self, number, seconds=AT_ONCE):
         """Sends the signal; the exit status, which comes in time."""
         start = time.monotonic()
@@ -79,9 +86,9 @@ def games(build, game, folder):
     def headless(name, *arguments):
         return Case(build, name, "fullbright", "-headless", "-seed", "1", *game, *arguments)
 
-    record = headless("a recording", "-size", "16x16", "+r_bounces", "0", "+record", "cut", "start")
+    record = headless("a recording", "-size", "16x16", "-capture", folder / "recorded", "+r_bounces", "0", "+record", "cut", "start")
     record.wait_for("^recording to")
-    time.sleep(2)
+    record.wait_for_file(folder / "recorded" / "frame_000001.png")
     record.is_stopped_by(signal.SIGTERM)
     demo = folder / "id1" / "cut.dem"
     assert demo.exists() and not demo.with_suffix(".dem.part").exists(), "the recording is not whole"
@@ -126,10 +133,7 @@ def laboratory(build, folder):
 def window(build, game, folder):
     case = Case(build, "a game in a window", "fullbright", "-size", "320x180", "-capture", folder / "shown", *game, "+map", "start")
     case.wait_for("^Server spawned")
-    until = time.monotonic() + 60 * SLOW
-    while not (folder / "shown" / "frame_000001.png").exists():  # by then its shaders are compiled
-        assert time.monotonic() < until and case.is_running(), "there are no pictures"
-        time.sleep(0.1)
+    case.wait_for_file(folder / "shown" / "frame_000001.png")
     config = folder / "id1" / "config.cfg"
     assert not config.exists()
     status = case.tell(signal.SIGTERM)
