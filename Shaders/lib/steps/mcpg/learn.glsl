@@ -69,15 +69,16 @@ vec3 hit_velocity(Hit hit, vec3 position) {
   return (position - previous_position(hit)) / max(frame.time - frame.prev_time, 1e-4);
 }
 
-// Folds the sample into the state of a transition, and stores it.
-void update_state(Vertex v, Transition t, vec3 hit_position, vec3 velocity, float score, float emitted, uint proposal) {
+// Folds the sample into the state of a transition, and stores it. `bent`: the light came by way of an interface, where a miss does
+// not tell that it is gone: waves send it elsewhere a unit further on.
+void update_state(Vertex v, Transition t, vec3 hit_position, vec3 velocity, bool bent, float score, float emitted, uint proposal) {
   GuideState s = t.state;
   vec3 expected = predicted_target(s);
   vec3 to_target = (s.count > 0u ? expected : hit_position) - v.position;
   if (!(dot(to_target, to_target) > 1e-6)) return;
   float scale = view_state(s, to_target, v.scatter).scale;
   bool seen = score > 0.0 && t.value >= 0.1 * s.weight * scale;
-  bool lost = is_lost(t, scale);
+  bool lost = !bent && is_lost(t, scale);
   if (seen) s.target = expected;
   s = update_guide_state(s, v.position, hit_position, t.value / scale, score > 0.0 ? emitted / score : 0.0,
                          guide.mc_alpha, float(guide.mc_count), guide.mc_in_world != 0);
@@ -107,6 +108,6 @@ void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout 
   bool accepted;
   if (GUIDE_BUCKET == 1u) accepted = paper_transition(v, g, p.direction, score, path.group_rng, rng, t);
   else accepted = bucket_transition(v, g, position, score, emitted, rng, t);
-  if (accepted) update_state(v, t, position, velocity, score, emitted, path.vertex);
+  if (accepted) update_state(v, t, position, velocity, incident.way.bent, score, emitted, path.vertex);
 }
 #endif
