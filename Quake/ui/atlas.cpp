@@ -86,7 +86,7 @@ Picture Atlas::glyph(unsigned char code) const {
   return {font_.x + code % 16 * kGlyphSize, font_.y + code / 16 * kGlyphSize, kGlyphSize, kGlyphSize};
 }
 
-const Picture* Atlas::picture(std::string_view name) {
+const Picture* Atlas::picture(std::string_view name, bool required) {
   auto known = pictures_.find(name);
   if (known == pictures_.end()) {
     std::optional<Picture> place;
@@ -96,10 +96,17 @@ const Picture* Atlas::picture(std::string_view name) {
       if (!place)
         failure = fmt::format("{}: no room for {}x{} pixels in the 2D atlas", name, image->width, image->height);
     }
-    if (!failure.empty()) log_warning("{}", failure);
+    if (!failure.empty() && required) log_warning("{}", failure);
     known = pictures_.emplace(std::string(name), place).first;
   }
   return known->second ? &*known->second : nullptr;
+}
+
+vec4 Atlas::color(int index) const {
+  index = std::clamp(index, 0, 255);
+  if (!palette_) return vec4(vec3(static_cast<float>(index) / 255.0f), 1.0f);
+  const auto& rgb = palette_->rgb[static_cast<std::size_t>(index)];
+  return vec4(vec3(rgb[0], rgb[1], rgb[2]) / 255.0f, 1.0f);
 }
 
 std::optional<formats::RgbaImage> Atlas::read_picture(const std::string& name, std::string& failure) const {

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "base/file_data.h"
+#include "base/maths.h"
 #include "formats/image.h"
 #include "formats/wad.h"
 #include "scene/draw_list.h"
@@ -36,9 +37,11 @@ class Atlas {
   // The rectangle of a character's 8x8 glyph; codes are Quake's: 128 and more are gold.
   Picture glyph(unsigned char code) const;
   // A picture by name: "gfx/conback.lmp" is a file (lmp, png, tga, pcx), "ibar" a lump of gfx.wad. Palette index 255 is
-  // transparent. nullptr if there is none, after one message in the log.
-  const Picture* picture(std::string_view name);
+  // transparent. nullptr if there is none, after one message in the log (unless there need not be one).
+  const Picture* picture(std::string_view name, bool required = true);
   bool has_game_font() const { return game_font_; }
+  // The palette's colour at this index (0 to 255), opaque; a grey without game data.
+  vec4 color(int index) const;
 
   // The current image, kept until something is added. Revisions of different atlases differ, too.
   std::shared_ptr<const scene::DrawAtlas> image() const;
