@@ -1,5 +1,5 @@
-// Names of other engines (Ironwail, vkQuake, FTEQW, DarkPlaces, ezQuake) that configurations of games and mods use beside
-// QuakeSpasm's. They exist without effect, so that such a configuration runs without a complaint about each.
+// Names of other engines (Ironwail, vkQuake, FTEQW, DarkPlaces, ezQuake) that configurations of games and mods use
+// beside QuakeSpasm's. They exist without effect, so that such a configuration runs without a complaint about each.
 #pragma once
 
 #include "console/console.h"

@@ -12,7 +12,8 @@ TEST(OtherEngines, TheirNamesAreNoUnknownCommands) {
   Console console;
   add_other_engines(console);
   console.execute("topcolor 11\nserverinfo dq 1\nif \"FTE\" isin $qt$version$qt then set generic fte\nvid_fsaamode 1");
-  for (const ScrollLine& line : console.scrollback().latest(100)) EXPECT_THAT(line.text, Not(HasSubstr("Unknown command")));
+  for (const ScrollLine& line : console.scrollback().latest(100))
+    EXPECT_THAT(line.text, Not(HasSubstr("Unknown command")));
   EXPECT_EQ(console.cvar("topcolor").string(), "11");
   EXPECT_FALSE(console.cvar("topcolor").has_effect());
   EXPECT_EQ(console.find_cvar("generic"), nullptr) << "what stands behind a condition is not run";

@@ -29,7 +29,8 @@ std::string_view first_entity(std::string_view text) {
 std::string plain_title(std::string_view message) {
   std::string title;
   for (std::size_t i = 0; i < message.size(); ++i) {
-    const bool line_break = message[i] == '\n' || (message[i] == '\\' && i + 1 < message.size() && message[i + 1] == 'n');
+    const bool line_break =
+        message[i] == '\n' || (message[i] == '\\' && i + 1 < message.size() && message[i + 1] == 'n');
     if (message[i] == '\\' && line_break) ++i;
     if (line_break)
       title += ' ';

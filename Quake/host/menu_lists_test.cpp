@@ -88,12 +88,14 @@ TEST_F(MenuLists, SavesOfAnotherGameAreNotListed) {
 
 TEST(MapList, ReadsTheTitleOfWorldspawnAlone) {
   const auto map = summarise_entities(
-      "{\n\"classname\" \"worldspawn\"\n\"message\" \"A {braced}\\nTitle\"\n}\n{\n\"classname\" \"info_player_start\"\n\"message\" \"no\"\n}\n");
+      "{\n\"classname\" \"worldspawn\"\n\"message\" \"A {braced}\\nTitle\"\n}\n{\n\"classname\" "
+      "\"info_player_start\"\n\"message\" \"no\"\n}\n");
   EXPECT_EQ(map.title, "A {braced} Title");
   EXPECT_TRUE(map.playable);
   EXPECT_FALSE(map.chooses_skill);
   EXPECT_TRUE(summarise_entities("{\"classname\" \"trigger_setskill\"}").chooses_skill);
-  for (const char* broken : {"", "{", "}", "{\"message\"}", "\"", "{{{"}) EXPECT_EQ(summarise_entities(broken).title, "");
+  for (const char* broken : {"", "{", "}", "{\"message\"}", "\"", "{{{"})
+    EXPECT_EQ(summarise_entities(broken).title, "");
 }
 
 TEST_F(MenuLists, MapsGetTheirTitlesAndBoxesAreLeftOut) {
@@ -101,8 +103,9 @@ TEST_F(MenuLists, MapsGetTheirTitlesAndBoxesAreLeftOut) {
   directory.put("base/id1/maps/b_box.bsp", map_text("{\"classname\" \"worldspawn\"}"));
   directory.put("base/id1/maps/broken.bsp", "no map at all");
   directory.put("base/id1/maps/short.bsp", "x");
-  directory.put("base/id1/maps/start.bsp", map_text("{\"message\" \"Hub\"}{\"classname\" \"info_player_start\"}{\"classname\" "
-                                                    "\"trigger_setskill\"}"));
+  directory.put("base/id1/maps/start.bsp",
+                map_text("{\"message\" \"Hub\"}{\"classname\" \"info_player_start\"}{\"classname\" "
+                         "\"trigger_setskill\"}"));
   const fs::FileSystem files = open();
   MapList list(files);
   EXPECT_FALSE(list.read_more()) << "nobody has asked for maps";
@@ -124,7 +127,8 @@ TEST_F(MenuLists, ModsAreFoldersWithGameData) {
   directory.put("user/mine/maps/a.bsp", "x");
   const fs::FileSystem files = open();
   std::vector<std::string> seen;
-  for (const auto& mod : list_mods(files)) seen.push_back(mod.directory + "|" + mod.description + (mod.active ? "|active" : ""));
+  for (const auto& mod : list_mods(files))
+    seen.push_back(mod.directory + "|" + mod.description + (mod.active ? "|active" : ""));
   EXPECT_THAT(seen, ElementsAre("id1||active", "ad|Arcane Dimensions", "mine|"));
 }
 

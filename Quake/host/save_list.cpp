@@ -43,7 +43,8 @@ ui::menu::SaveEntry describe_save(std::string_view name, std::string_view text) 
   entry.used = true;
   const std::string file = fmt::format("{}{}", name, kSaveExtension);
   if (text.size() > kMostSaveBytes) {
-    entry.failure = fmt::format("{}: a saved game of {} bytes; at most {} are taken", file, text.size(), kMostSaveBytes);
+    entry.failure =
+        fmt::format("{}: a saved game of {} bytes; at most {} are taken", file, text.size(), kMostSaveBytes);
     return entry;
   }
   const auto save = sv::parse_save(text, file);

@@ -12,6 +12,8 @@ namespace {
 
 constexpr int kKeyGrave = '`';
 constexpr std::size_t kPageLines = 8;
+// The pointer jumps to where it was when the game lets it go: that selects nothing.
+constexpr int kPointerFrames = 3;
 constexpr float kSteer = 0.6f;                            // of a stick's way
 constexpr double kSteerDelay = 0.4, kSteerRepeat = 0.12;  // seconds
 constexpr double kCenterPrintSeconds = 2.0;               // scr_centertime's default
@@ -185,6 +187,7 @@ void Screen::handle_menu_key(int key) {
     case platform::kKeyEnd:
       return menu_.press(Key::kEnd);
     case platform::kKeyMouse1:
+      menu_.point(pointer_.x, pointer_.y);
       return menu_.click();
     case platform::kKeyMouse2:
       return menu_.click(true);
@@ -219,11 +222,13 @@ void Screen::steer(const vec2& stick, double now) {
 void Screen::handle_menu(const platform::InputEvent& event) {
   using Kind = platform::InputEvent::Kind;
   if (event.kind == Kind::kText) {
-    if (event.text != "`" && event.text != "~") menu_.type(event.text);
+    if (!text_was_bound_ && event.text != "`" && event.text != "~") menu_.type(event.text);
   } else if (event.kind == Kind::kMouseMotion) {
-    menu_.point(event.x, event.y);
+    pointer_ = {event.x, event.y};
+    if (menu_frames_ >= kPointerFrames) menu_.point(pointer_.x, pointer_.y);
   } else if (event.kind == Kind::kKey && event.down) {
-    if (menu_.capturing())
+    text_was_bound_ = menu_.capturing();
+    if (text_was_bound_)
       menu_.bind(event.key == kKeyGrave || event.repeat ? platform::kKeyNone : event.key);
     else if (is_function_key(event.key))
       run_binding(event);
@@ -300,6 +305,7 @@ const scene::DrawList& Screen::draw(const cl::Hud& hud, bool game, uvec2 size, d
     message_.draw(painter, 8.0f * static_cast<float>(rows), now);
   }
   if (show_fps_.on()) ui::draw_fps(painter, rate_.value());
+  menu_frames_ = menu_.open() ? menu_frames_ + 1 : 0;
   menu_.update();
   menu_.draw(list_, atlas_, width, height, scenery(now));
   return list_;

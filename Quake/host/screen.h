@@ -72,8 +72,11 @@ class Screen {
   bool open_ = false;
   Behind behind_ = Behind::kNothing;
   std::size_t scrolled_up_ = 0;
-  ivec2 steered_{0};        // the direction of the stick in the last frame
-  double steer_again_ = 0;  // when it moves again
+  ivec2 steered_{0};             // the direction of the stick in the last frame
+  double steer_again_ = 0;       // when it moves again
+  vec2 pointer_{0.0f};           // output pixels
+  int menu_frames_ = 0;          // since the menu opened
+  bool text_was_bound_ = false;  // the last key was given to a command: its letter is no text
 };
 
 }  // namespace fb::host

@@ -129,8 +129,7 @@ void Gamepads::handle(const SDL_Event& event, std::vector<InputEvent>& to) {
 PadSticks Gamepads::sticks() const {
   PadSticks sticks;
   for (const auto& [id, pad] : pads_) {
-    sticks.left =
-        larger(sticks.left, vec2(pad.axes[SDL_CONTROLLER_AXIS_LEFTX], pad.axes[SDL_CONTROLLER_AXIS_LEFTY]));
+    sticks.left = larger(sticks.left, vec2(pad.axes[SDL_CONTROLLER_AXIS_LEFTX], pad.axes[SDL_CONTROLLER_AXIS_LEFTY]));
     sticks.right =
         larger(sticks.right, vec2(pad.axes[SDL_CONTROLLER_AXIS_RIGHTX], pad.axes[SDL_CONTROLLER_AXIS_RIGHTY]));
   }

@@ -1,4 +1,5 @@
-// The sticks of a game controller: what they do to the player's view and move. Cvars and their meaning are QuakeSpasm's.
+// The sticks of a game controller: what they do to the player's view and move. Cvars and their meaning are
+// QuakeSpasm's.
 #pragma once
 
 #include "base/maths.h"
@@ -12,18 +13,18 @@ struct Sticks {
 };
 
 // One row a cvar: member, name, default, least, most, help.
-#define FB_STICK_CVARS(X)                                                                                     \
-  X(enable, "joy_enable", 1.0f, 0.0f, 1.0f, "1: use game controllers")                                        \
-  X(dead_look, "joy_deadzone_look", 0.175f, 0.0f, 0.9f, "dead zone of the look stick")                        \
-  X(dead_move, "joy_deadzone_move", 0.175f, 0.0f, 0.9f, "dead zone of the move stick")                        \
-  X(dead_trigger, "joy_deadzone_trigger", 0.2f, 0.0f, 0.9f, "how far a trigger moves before it is pressed")   \
-  X(outer_look, "joy_outer_threshold_look", 0.02f, 0.0f, 0.5f, "outer dead zone of the look stick")           \
-  X(outer_move, "joy_outer_threshold_move", 0.02f, 0.0f, 0.5f, "outer dead zone of the move stick")           \
-  X(exponent_look, "joy_exponent", 2.0f, 0.5f, 8.0f, "response exponent of the look stick")                   \
-  X(exponent_move, "joy_exponent_move", 2.0f, 0.5f, 8.0f, "response exponent of the move stick")              \
+#define FB_STICK_CVARS(X)                                                                                           \
+  X(enable, "joy_enable", 1.0f, 0.0f, 1.0f, "1: use game controllers")                                              \
+  X(dead_look, "joy_deadzone_look", 0.175f, 0.0f, 0.9f, "dead zone of the look stick")                              \
+  X(dead_move, "joy_deadzone_move", 0.175f, 0.0f, 0.9f, "dead zone of the move stick")                              \
+  X(dead_trigger, "joy_deadzone_trigger", 0.2f, 0.0f, 0.9f, "how far a trigger moves before it is pressed")         \
+  X(outer_look, "joy_outer_threshold_look", 0.02f, 0.0f, 0.5f, "outer dead zone of the look stick")                 \
+  X(outer_move, "joy_outer_threshold_move", 0.02f, 0.0f, 0.5f, "outer dead zone of the move stick")                 \
+  X(exponent_look, "joy_exponent", 2.0f, 0.5f, 8.0f, "response exponent of the look stick")                         \
+  X(exponent_move, "joy_exponent_move", 2.0f, 0.5f, 8.0f, "response exponent of the move stick")                    \
   X(pitch_speed, "joy_sensitivity_pitch", 130.0f, 0.0f, 1000.0f, "pitch speed of the look stick, degrees a second") \
-  X(yaw_speed, "joy_sensitivity_yaw", 240.0f, 0.0f, 1000.0f, "yaw speed of the look stick, degrees a second") \
-  X(invert, "joy_invert", 0.0f, 0.0f, 1.0f, "1: invert the look stick's pitch")                               \
+  X(yaw_speed, "joy_sensitivity_yaw", 240.0f, 0.0f, 1000.0f, "yaw speed of the look stick, degrees a second")       \
+  X(invert, "joy_invert", 0.0f, 0.0f, 1.0f, "1: invert the look stick's pitch")                                     \
   X(swap, "joy_swapmovelook", 0.0f, 0.0f, 1.0f, "1: the left stick looks and the right one moves")
 
 struct StickSettings {

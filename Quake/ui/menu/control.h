@@ -37,8 +37,8 @@ struct Control {
   std::string at_fraction(double fraction) const;
 };
 
-// The control of a cvar. A cvar that has no limits is a toggle if its help begins with "0:" or "1:" and its default is 0
-// or 1; else its text is edited. The cvar must outlive the control.
+// The control of a cvar. A cvar that has no limits is a toggle if its help begins with "0:" or "1:" and its default is
+// 0 or 1; else its text is edited. The cvar must outlive the control.
 Control control_of(const con::Cvar& cvar);
 // A slider over a part of the cvar's range.
 Control slider_of(const con::Cvar& cvar, double min, double max, double step);

@@ -1,5 +1,5 @@
-// What the menus show of the rest of the program: saved games, maps, mods, servers. The host knows these; the menus know
-// no host.
+// What the menus show of the rest of the program: saved games, maps, mods, servers. The host knows these; the menus
+// know no host.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace fb::ui::menu {
 
 struct SaveEntry {
-  std::string name;     // for save and load: "s0"
+  std::string name;  // for save and load: "s0"
   bool used = false;
   std::string failure{};  // one sentence: why a file that exists cannot be read
   std::string place{};    // "The Slipgate Complex"
@@ -19,7 +19,7 @@ struct SaveEntry {
   double seconds = 0.0;
 };
 struct MapEntry {
-  std::string name, title;    // "e1m1", "The Slipgate Complex"
+  std::string name, title;     // "e1m1", "The Slipgate Complex"
   bool chooses_skill = false;  // it has places where the player chooses
 };
 struct ModEntry {

@@ -7,7 +7,8 @@ namespace fb::ui::menu {
 namespace {
 
 constexpr float kMostWidth = 420.0f, kMostHeight = 300.0f;
-constexpr float kTitleHeight = 34.0f, kHelpHeight = 40.0f, kPlaqueWidth = 56.0f, kIndent = 16.0f;
+constexpr float kTitleHeight = 34.0f, kHelpHeight = 40.0f, kShortHelpHeight = 22.0f, kPlaqueWidth = 56.0f,
+                kIndent = 16.0f;
 
 }  // namespace
 
@@ -18,8 +19,8 @@ int menu_scale(int output_width, int output_height, int wanted) {
 
 Box slider_box(const RowPlace& place) { return {place.value.x, place.value.y, 10.0f * kLetter, place.value.height}; }
 
-Layout lay_out(const Page& page, const std::vector<std::size_t>& shown, std::size_t cursor, std::size_t first, int width,
-               int height) {
+Layout lay_out(const Page& page, const std::vector<std::size_t>& shown, std::size_t cursor, std::size_t first,
+               int width, int height) {
   Layout layout;
   const auto total_width = static_cast<float>(width), total_height = static_cast<float>(height);
   const float needed = page.plaque ? static_cast<float>(kPageHeight) : kMostHeight;
@@ -28,7 +29,7 @@ Layout lay_out(const Page& page, const std::vector<std::size_t>& shown, std::siz
   layout.page.x = std::floor(0.5f * (total_width - layout.page.width));
   layout.page.y = std::floor(0.5f * (total_height - layout.page.height));
   layout.title_y = layout.page.y + 4.0f;
-  layout.help_y = layout.page.y + layout.page.height - kHelpHeight;
+  layout.help_y = layout.page.y + layout.page.height - (page.listed_rows > 0 ? kShortHelpHeight : kHelpHeight);
 
   const float left = layout.page.x + (page.plaque ? kPlaqueWidth : 0.0f);
   const float right = layout.page.x + layout.page.width;

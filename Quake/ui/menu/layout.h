@@ -25,16 +25,16 @@ struct RowPlace {
 struct Layout {
   Box page;
   float title_y = 0.0f, help_y = 0.0f;
-  std::vector<RowPlace> places;  // of the visible rows
-  std::size_t first = 0;         // index, in the list of shown rows, of the first visible small row
-  std::size_t room = 0;          // small rows that fit
+  std::vector<RowPlace> places;       // of the visible rows
+  std::size_t first = 0;              // index, in the list of shown rows, of the first visible small row
+  std::size_t room = 0;               // small rows that fit
   bool above = false, below = false;  // there are more
 };
 
-// `shown`: the rows that pass the filter, as indices of Page::rows. `cursor`: one of them, by its place in `shown`, kept
-// visible. `first`: where the list was scrolled to.
-Layout lay_out(const Page& page, const std::vector<std::size_t>& shown, std::size_t cursor, std::size_t first, int width,
-               int height);
+// `shown`: the rows that pass the filter, as indices of Page::rows. `cursor`: one of them, by its place in `shown`,
+// kept visible. `first`: where the list was scrolled to.
+Layout lay_out(const Page& page, const std::vector<std::size_t>& shown, std::size_t cursor, std::size_t first,
+               int width, int height);
 
 // Where a row's slider is: ten letters, of which the first and the last are its ends.
 Box slider_box(const RowPlace& place);

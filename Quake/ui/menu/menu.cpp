@@ -14,10 +14,7 @@ constexpr std::string_view kMoved = "misc/menu1.wav", kChosen = "misc/menu2.wav"
 }  // namespace
 
 Menu::Menu(con::Console& console, con::Bindings& bindings, Facts& facts)
-    : console_(console),
-      bindings_(bindings),
-      facts_(facts),
-      sources_{console, bindings, facts, form_} {
+    : console_(console), bindings_(bindings), facts_(facts), sources_{console, bindings, facts, form_} {
   register_commands();
 }
 
@@ -195,7 +192,8 @@ void Menu::press(Key key) {
     case Key::kRight: {
       const int direction = key == Key::kLeft ? -1 : 1;
       if (pictures > 0) {
-        shown.picture = (shown.picture + pictures + static_cast<std::size_t>(direction + static_cast<int>(pictures))) % pictures;
+        shown.picture =
+            (shown.picture + pictures + static_cast<std::size_t>(direction + static_cast<int>(pictures))) % pictures;
         return sound(kChosen);
       }
       if (row == nullptr || !row->enabled) return;

@@ -128,7 +128,7 @@ class Menu {
   Sources sources_;
   std::function<void(std::string_view)> sound_;
   std::function<void()> opened_;
-  std::vector<View> views_;  // the last is shown; empty: closed
+  std::vector<View> views_;                                  // the last is shown; empty: closed
   std::map<std::string, std::size_t, std::less<>> cursors_;  // where pages were left, by name
   std::optional<Question> question_;
   bool capturing_ = false, editing_ = false;

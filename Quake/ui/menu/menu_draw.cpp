@@ -12,9 +12,10 @@ namespace fb::ui::menu {
 namespace {
 
 const vec4 kWhite(1.0f), kDim(0.55f, 0.5f, 0.45f, 1.0f), kShade(0.0f, 0.0f, 0.0f, 0.6f);
-const vec4 kBehindSelected(1.0f, 0.8f, 0.4f, 0.16f), kSliderBack(0.3f, 0.24f, 0.18f, 1.0f), kKnob(1.0f, 0.8f, 0.4f, 1.0f);
-constexpr int kDots = 6;                                    // gfx/menudot1.lmp to 6
-constexpr unsigned char kCursor = 11, kArrow = 13;          // of Quake's character set
+const vec4 kBehindSelected(1.0f, 0.8f, 0.4f, 0.16f), kSliderBack(0.3f, 0.24f, 0.18f, 1.0f),
+    kKnob(1.0f, 0.8f, 0.4f, 1.0f);
+constexpr int kDots = 6;                            // gfx/menudot1.lmp to 6
+constexpr unsigned char kCursor = 11, kArrow = 13;  // of Quake's character set
 constexpr unsigned char kSliderLeft = 128, kSliderBar = 129, kSliderRight = 130, kSliderKnob = 131;
 constexpr std::size_t kHelpLines = 4;
 
@@ -28,7 +29,8 @@ void text(Painter& painter, float x, float y, std::string_view line, float width
 // Letters of twice the size, for names that have no picture.
 void large_text(Painter& painter, float x, float y, std::string_view line, bool gold) {
   for (const char c : line) {
-    const auto code = static_cast<unsigned char>(gold ? static_cast<unsigned char>(c) ^ 128u : static_cast<unsigned char>(c));
+    const auto code =
+        static_cast<unsigned char>(gold ? static_cast<unsigned char>(c) ^ 128u : static_cast<unsigned char>(c));
     if (c != ' ') painter.picture(x, y, 2 * kLetter, 2 * kLetter, painter.atlas().glyph(code));
     x += 2 * kLetter;
   }
@@ -67,7 +69,8 @@ void Menu::draw(scene::DrawList& list, Atlas& atlas, int width, int height, cons
     }
   }
   if (shown.page.plaque) {
-    if (const Picture* plaque = atlas.picture("gfx/qplaque.lmp", false)) painter.picture(page.x + 16.0f, page.y + 4.0f, *plaque);
+    if (const Picture* plaque = atlas.picture("gfx/qplaque.lmp", false))
+      painter.picture(page.x + 16.0f, page.y + 4.0f, *plaque);
   }
   draw_title(painter);
   const Picture* names = shown.page.list_picture.empty() ? nullptr : atlas.picture(shown.page.list_picture, false);
@@ -76,7 +79,8 @@ void Menu::draw(scene::DrawList& list, Atlas& atlas, int width, int height, cons
   for (const RowPlace& place : layout_.places) draw_row(painter, place, scenery);
   if (shown.shown.empty()) {
     const bool searched = !shown.filter.empty();
-    text(painter, page.x + 24.0f, page.y + 60.0f, searched ? "Nothing has these words." : shown.page.empty, page.width, true);
+    text(painter, page.x + 24.0f, page.y + 60.0f, searched ? "Nothing has these words." : shown.page.empty, page.width,
+         true);
   }
   draw_foot(painter);
   if (question_) draw_question(painter);
@@ -120,7 +124,8 @@ void Menu::draw_row(Painter& painter, const RowPlace& place, const Scenery& scen
       painter.character(place.box.x, y, '>');
   }
   const bool has_value = row.kind != Row::Kind::kHeading && (row.kind != Row::Kind::kAction || !row.value.empty());
-  const float label_width = (has_value ? place.value.x : place.box.x + place.box.width) - x - (has_value ? kLetter : 0.0f);
+  const float label_width =
+      (has_value ? place.value.x : place.box.x + place.box.width) - x - (has_value ? kLetter : 0.0f);
   text(painter, x, y, row.label, label_width, row.kind == Row::Kind::kHeading, row.enabled ? kWhite : kDim);
   draw_value(painter, row, place, scenery);
 }
@@ -139,7 +144,8 @@ void Menu::draw_value(Painter& painter, const Row& row, const RowPlace& place, c
       if (here && capturing_) name = "press key";
       const float left = x + half * static_cast<float>(column);
       if (here) painter.fill(left - 2.0f, place.value.y, half - 4.0f, place.value.height, kBehindSelected);
-      text(painter, left, y, name, here && capturing_ ? width : half - kLetter, here, column < keys.size() ? kWhite : kDim);
+      text(painter, left, y, name, here && capturing_ ? width : half - kLetter, here,
+           column < keys.size() ? kWhite : kDim);
       if (here && capturing_ && column == 0) break;
     }
     return;
@@ -158,7 +164,8 @@ void Menu::draw_value(Painter& painter, const Row& row, const RowPlace& place, c
   if (control.kind == Control::Kind::kSlider) {
     const Box slider = slider_box(place);
     draw_slider(painter, slider, static_cast<float>(control.fraction()));
-    return text(painter, slider.x + slider.width + kLetter, y, control.shown(), width - slider.width - kLetter, true, color);
+    return text(painter, slider.x + slider.width + kLetter, y, control.shown(), width - slider.width - kLetter, true,
+                color);
   }
   if (control.kind == Control::Kind::kColor) {
     // Players' colours are the palette's rows of 16; the first eight are dark first.
@@ -180,7 +187,8 @@ void Menu::draw_foot(Painter& painter) const {
   if (layout_.below) painter.character(right - kLetter, layout_.help_y - 9.0f, 'v');
   if (shown.page.searchable || !shown.page.search_page.empty()) {
     const std::string line = shown.filter.empty() ? "(type to search)" : "search: " + shown.filter + "_";
-    text(painter, left, page.y + 25.0f, line, right - left, !shown.filter.empty(), shown.filter.empty() ? kDim : kWhite);
+    text(painter, left, page.y + 25.0f, line, right - left, !shown.filter.empty(),
+         shown.filter.empty() ? kDim : kWhite);
   }
   const Row* row = selected();
   if (row == nullptr || row->help.empty()) return;

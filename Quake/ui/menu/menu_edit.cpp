@@ -146,7 +146,8 @@ void Menu::click(bool again) {
     const bool slides = row.kind == Row::Kind::kSetting && row.control->kind == Control::Kind::kSlider;
     const Box slider = slider_box(place);
     if (slides && row.enabled && slider.contains(pointer_x_, pointer_y_)) {
-      const float part = (pointer_x_ - slider.x - kLetter) / (slider.width - 2.0f * kLetter);
+      const float part =
+          (pointer_x_ - slider.x - 1.5f * kLetter) / (slider.width - 3.0f * kLetter);  // the knob's middle
       apply(*row.control, row.control->at_fraction(static_cast<double>(part)));
       return sound(kChangedSound);
     }

@@ -53,8 +53,8 @@ TEST_F(MenuTest, CommandsOpenPagesAndTogglemenuCloses) {
   EXPECT_EQ(menu.page_name(), "main");
   console.execute("togglemenu");
   EXPECT_FALSE(menu.open());
-  for (const char* command : {"menu_main", "menu_singleplayer", "menu_load", "menu_save", "menu_multiplayer", "menu_setup",
-                              "menu_options", "menu_keys", "menu_video", "menu_help", "menu_quit"}) {
+  for (const char* command : {"menu_main", "menu_singleplayer", "menu_load", "menu_save", "menu_multiplayer",
+                              "menu_setup", "menu_options", "menu_keys", "menu_video", "menu_help", "menu_quit"}) {
     menu.close();
     console.execute(command);
     EXPECT_TRUE(menu.open()) << command;
@@ -121,7 +121,8 @@ TEST_F(MenuTest, SeveralStartsAreListed) {
 }
 
 TEST_F(MenuTest, LoadListsPlaceKillsAndTime) {
-  facts.save_list = {{"s0", true, "", "The Hall", "3/22", 75.0}, {"s1"}, {"s2", true, "s2.sav: no version", "", "", 0.0}};
+  facts.save_list = {
+      {"s0", true, "", "The Hall", "3/22", 75.0}, {"s1"}, {"s2", true, "s2.sav: no version", "", "", 0.0}};
   menu.show("load");
   const std::string text = read();
   EXPECT_THAT(text, HasSubstr("The Hall"));
@@ -234,7 +235,8 @@ TEST_F(MenuTest, HostingAGame) {
   menu.press(Key::kRight);  // to cooperative
   EXPECT_THAT(read(), HasSubstr("cooperative"));
   choose("Begin game");
-  EXPECT_THAT(run(), ElementsAre("disconnect", "listen 0", "maxplayers 7", "listen 1", "deathmatch 0", "coop 1", "map dm1"));
+  EXPECT_THAT(run(),
+              ElementsAre("disconnect", "listen 0", "maxplayers 7", "listen 1", "deathmatch 0", "coop 1", "map dm1"));
   EXPECT_EQ(console.cvar("fraglimit").string(), "10");
 }
 

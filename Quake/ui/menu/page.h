@@ -23,12 +23,12 @@ struct Row {
 
   // kAction, in this order: where there is a question, all this happens once it is answered with yes.
   std::string question;
-  std::function<void()> choose;  // changes what other rows of the menu read
-  std::string command;           // console text
+  std::function<void()> choose;              // changes what other rows of the menu read
+  std::string command;                       // console text
   std::function<std::string()> command_now;  // or, where it depends on what was chosen meanwhile
-  std::string page;              // opened above this one
-  bool closes = false;           // the menu
-  bool goes_back = false;        // to the page before
+  std::string page;                          // opened above this one
+  bool closes = false;                       // the menu
+  bool goes_back = false;                    // to the page before
 
   std::optional<Control> control;  // kSetting
   std::string bound;               // kBinding: the command whose keys it shows and changes
@@ -41,13 +41,13 @@ struct Page {
   std::string list_picture;
   std::size_t listed_rows = 0;
   std::vector<Row> rows;
-  bool searchable = false;    // typing shows only the rows that hold every typed word
-  std::string search_page;    // typing opens this page, which is searchable
-  bool live = false;          // made anew when the facts change (Facts::revision)
-  bool plaque = true;         // the game's plaque at the left, where there is room
-  float value_column = 0.5f;  // where values begin, as a fraction of the page's width
+  bool searchable = false;            // typing shows only the rows that hold every typed word
+  std::string search_page;            // typing opens this page, which is searchable
+  bool live = false;                  // made anew when the facts change (Facts::revision)
+  bool plaque = true;                 // the game's plaque at the left, where there is room
+  float value_column = 0.5f;          // where values begin, as a fraction of the page's width
   std::vector<std::string> pictures;  // help: pages of pictures, turned with left and right
-  std::string empty;          // what is said where there is no row
+  std::string empty;                  // what is said where there is no row
 };
 
 // Whether every word of the filter is in the row's label, value or help, in any case.

@@ -5,8 +5,9 @@
 namespace fb::ui::menu {
 namespace {
 
-constexpr const char* kGroups[] = {"Controls", "Game pads", "Screen",  "Window and speed", "Picture", "Light",
-                                   "Denoiser", "Guiding",   "Sound",   "Game",             "Others",  "Other engines"};
+constexpr const char* kGroups[] = {"Controls", "Game pads", "Screen",   "Window and speed",
+                                   "Picture",  "Light",     "Denoiser", "Guiding",
+                                   "Sound",    "Game",      "Others",   "Other engines"};
 
 // The first row whose words begin the cvar's name says where it belongs.
 struct Prefix {
@@ -14,16 +15,16 @@ struct Prefix {
   int group;  // in kGroups
 };
 constexpr Prefix kPrefixes[] = {
-    {"joy_", 1},      {"cl_alwaysrun", 0}, {"cl_max", 0},  {"cl_min", 0},  {"cl_forward", 0}, {"cl_back", 0},
-    {"look", 0},      {"m_", 0},           {"in_", 0},     {"sens", 0},    {"fov", 2},        {"view", 2},
-    {"scr_", 2},      {"con_", 2},         {"cross", 2},   {"cl_bob", 2},  {"cl_roll", 2},    {"v_", 2},
-    {"chase_", 2},    {"gl_cshift", 2},    {"vid_", 3},    {"host_", 3},   {"r_cpu", 3},      {"r_frames", 3},
-    {"r_scale", 3},   {"sys_", 3},         {"r_mc_", 7},   {"r_guide", 7}, {"r_svgf", 6},     {"r_denoise", 6},
-    {"r_acc", 6},     {"r_taa", 6},        {"r_fxaa", 6},  {"r_emit", 5},  {"r_entlights", 5}, {"r_ambient", 5},
-    {"r_light", 5},   {"r_nee", 5},        {"r_bounces", 5}, {"r_spp", 5}, {"r_first_spp", 5}, {"r_estim", 5},
-    {"r_", 4},        {"gl_", 4},          {"gamma", 4},   {"contrast", 4}, {"volume", 8},    {"bgm", 8},
-    {"snd_", 8},      {"_snd", 8},         {"ambient_", 8}, {"nosound", 8}, {"s_", 8},        {"sv_", 9},
-    {"_cl_", 9},      {"cl_", 9},          {"host", 9},    {"net_", 9},    {"coop", 9},       {"death", 9}};
+    {"joy_", 1},    {"cl_alwaysrun", 0}, {"cl_max", 0},    {"cl_min", 0},   {"cl_forward", 0},  {"cl_back", 0},
+    {"look", 0},    {"m_", 0},           {"in_", 0},       {"sens", 0},     {"fov", 2},         {"view", 2},
+    {"scr_", 2},    {"con_", 2},         {"cross", 2},     {"cl_bob", 2},   {"cl_roll", 2},     {"v_", 2},
+    {"chase_", 2},  {"gl_cshift", 2},    {"vid_", 3},      {"host_", 3},    {"r_cpu", 3},       {"r_frames", 3},
+    {"r_scale", 3}, {"sys_", 3},         {"r_mc_", 7},     {"r_guide", 7},  {"r_svgf", 6},      {"r_denoise", 6},
+    {"r_acc", 6},   {"r_taa", 6},        {"r_fxaa", 6},    {"r_emit", 5},   {"r_entlights", 5}, {"r_ambient", 5},
+    {"r_light", 5}, {"r_nee", 5},        {"r_bounces", 5}, {"r_spp", 5},    {"r_first_spp", 5}, {"r_estim", 5},
+    {"r_", 4},      {"gl_", 4},          {"gamma", 4},     {"contrast", 4}, {"volume", 8},      {"bgm", 8},
+    {"snd_", 8},    {"_snd", 8},         {"ambient_", 8},  {"nosound", 8},  {"s_", 8},          {"sv_", 9},
+    {"_cl_", 9},    {"cl_", 9},          {"host", 9},      {"net_", 9},     {"coop", 9},        {"death", 9}};
 constexpr int kOthers = 10, kOtherEngines = 11;
 
 std::vector<PageInfo> make_list() {
@@ -69,9 +70,8 @@ std::vector<PageInfo> make_list() {
 
 std::vector<const con::Cvar*> archived(const con::Console& console) {
   std::vector<const con::Cvar*> list = console.cvars();
-  std::erase_if(list, [](const con::Cvar* cvar) {
-    return !cvar->archived() || (cvar->spec().flags & con::kCvarRom) != 0;
-  });
+  std::erase_if(list,
+                [](const con::Cvar* cvar) { return !cvar->archived() || (cvar->spec().flags & con::kCvarRom) != 0; });
   return list;
 }
 

@@ -50,24 +50,24 @@ Row setting_row(const con::Cvar& cvar, std::string label = {});
 Row setting_row(const con::Cvar& cvar, std::string label, Control control);
 
 // Makers, by file.
-Page main_page(const Sources& sources);           // pages_main.cpp
+Page main_page(const Sources& sources);  // pages_main.cpp
 Page single_player_page(const Sources& sources);
 Page new_game_page(const Sources& sources);
 Page help_page(const Sources& sources);
 Page credits_page(const Sources& sources);
 Page quit_page(const Sources& sources);
-Page load_page(const Sources& sources);           // pages_lists.cpp
+Page load_page(const Sources& sources);  // pages_lists.cpp
 Page save_page(const Sources& sources);
 Page maps_page(const Sources& sources);
 Page demos_page(const Sources& sources);
 Page mods_page(const Sources& sources);
-Page options_page(const Sources& sources);        // pages_options.cpp
+Page options_page(const Sources& sources);  // pages_options.cpp
 Page video_page(const Sources& sources);
 Page sound_page(const Sources& sources);
 Page settings_page(const Sources& sources);
 Page all_settings_page(const Sources& sources);
-Page keys_page(const Sources& sources);           // pages_keys.cpp
-Page multiplayer_page(const Sources& sources);    // pages_multiplayer.cpp
+Page keys_page(const Sources& sources);         // pages_keys.cpp
+Page multiplayer_page(const Sources& sources);  // pages_multiplayer.cpp
 Page join_page(const Sources& sources);
 Page host_page(const Sources& sources);
 Page host_map_page(const Sources& sources);

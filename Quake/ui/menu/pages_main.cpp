@@ -150,7 +150,7 @@ Page quit_page(const Sources&) {
   Page page;
   page.title = "Quit";
   page.plaque = true;
-  page.rows = {heading("Leave the game? What is not saved is lost."), heading("")};
+  page.rows = {heading("Leave the game?"), heading("What is not saved is lost."), heading("")};
   page.rows.push_back(action("Yes, quit", "quit"));
   Row stay;
   stay.label = "No, stay";

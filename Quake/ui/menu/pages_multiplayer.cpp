@@ -43,9 +43,7 @@ Row color_row(const con::Console& console, bool shirt) {
   Control control;
   control.kind = Control::Kind::kColor;
   control.max = kMostColor;
-  control.read = [&colors, shirt] {
-    return std::to_string(shirt ? colors.integer() / 16 : colors.integer() % 16);
-  };
+  control.read = [&colors, shirt] { return std::to_string(shirt ? colors.integer() / 16 : colors.integer() % 16); };
   control.command = [&colors, shirt](std::string_view value) {
     const int other = shirt ? colors.integer() % 16 : colors.integer() / 16;
     return shirt ? fmt::format("color {} {}", value, other) : fmt::format("color {} {}", other, value);
@@ -137,8 +135,8 @@ Page host_page(const Sources& sources) {
       [&form](std::string_view value) { form.coop = value == "1"; });
   kind.control->choices = {{"1", "cooperative"}, {"0", "deathmatch"}};
   page.rows.push_back(std::move(kind));
-  page.rows.push_back(cvar_row(console, "teamplay", "Teamplay",
-                               {{"0", "off"}, {"1", "no friendly fire"}, {"2", "friendly fire"}}));
+  page.rows.push_back(
+      cvar_row(console, "teamplay", "Teamplay", {{"0", "off"}, {"1", "no friendly fire"}, {"2", "friendly fire"}}));
   page.rows.push_back(skill_row(console));
   std::vector<Control::Choice> frags{{"0", "none"}}, minutes{{"0", "none"}};
   for (int i = 1; i <= 10; ++i) frags.push_back({std::to_string(10 * i), std::to_string(10 * i)});

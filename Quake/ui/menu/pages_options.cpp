@@ -80,7 +80,7 @@ Page options_page(const Sources& sources) {
   add_toggle(page, console, "lookspring", "Lookspring");
   add_toggle(page, console, "lookstrafe", "Lookstrafe");
   add_toggle(page, console, "joy_enable", "Use game pad");
-  page.value_column = 0.58f;
+  page.value_column = 0.5f;
   return page;
 }
 
@@ -111,8 +111,9 @@ Page video_page(const Sources& sources) {
   add_toggle(page, console, "vid_fullscreen", "Full screen");
   page.rows.push_back(action("Apply", "vid_restart", "changes the window now"));
   page.rows.push_back(heading(""));
-  for (const char* name : {"r_scale", "r_cpu_pixels", "r_spp", "r_bounces", "r_denoise", "r_taa", "r_fxaa", "r_fog_scale",
-                           "r_water", "host_maxfps", "r_frames_ahead", "vid_vsync", "scr_showfps", "scr_menuscale"}) {
+  for (const char* name :
+       {"r_scale", "r_cpu_pixels", "r_spp", "r_bounces", "r_denoise", "r_taa", "r_fxaa", "r_fog_scale", "r_water",
+        "host_maxfps", "r_frames_ahead", "vid_vsync", "scr_showfps", "scr_menuscale"}) {
     const con::Cvar* cvar = console.find_cvar(name);
     if (cvar && cvar->has_effect()) page.rows.push_back(setting_row(*cvar));
   }

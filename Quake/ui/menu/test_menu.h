@@ -33,7 +33,9 @@ struct TestFacts final : Facts {
   bool searching_servers() const override { return searching; }
   std::vector<uvec2> video_sizes() override { return {{640, 480}, {1280, 720}}; }
   bool mouse_look() const override { return looks; }
-  std::string key_name(int key) const override { return key == 200 ? "MOUSE1" : std::string(1, static_cast<char>(key)); }
+  std::string key_name(int key) const override {
+    return key == 200 ? "MOUSE1" : std::string(1, static_cast<char>(key));
+  }
   std::string version() const override { return "fullbright 1"; }
   std::uint64_t revision() const override { return changes; }
 };
@@ -53,8 +55,8 @@ class MenuTest : public testing::Test {
     console.add_cvar({"r_spp", "1", "samples of a pixel", con::kCvarArchive, 1.0f, 64.0f, true});
     console.add_cvar("lookspring", "0", "1: the view levels itself", con::kCvarArchive);
     // What pages run is written down instead.
-    for (const char* name : {"map", "save", "load", "quit", "disconnect", "maxplayers", "listen", "deathmatch", "coop", "game",
-                             "playdemo", "connect", "slist", "name", "color", "vid_restart"}) {
+    for (const char* name : {"map", "save", "load", "quit", "disconnect", "maxplayers", "listen", "deathmatch", "coop",
+                             "game", "playdemo", "connect", "slist", "name", "color", "vid_restart"}) {
       console.add_command(name, "", [this](const con::Args& args) { ran.push_back(args.joined(0)); });
     }
   }
