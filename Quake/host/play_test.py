@@ -56,7 +56,7 @@ class Player:
 
     def point(self, x, y, button=None):
         """Moves the pointer to a place of the window's contents, and clicks."""
-        self.tool("mousemove", "--sync", "--window", self.window, str(int(x)), str(int(y)))
+        self.tool("mousemove", "--window", self.window, str(int(x)), str(int(y)))
         self.frames()
         if button:
             self.tool("click", str(button))

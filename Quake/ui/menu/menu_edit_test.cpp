@@ -183,10 +183,10 @@ TEST_F(MenuTest, TheMouseMovesSliders) {
   menu.show("settings/Sound");
   read();
   // The first row is at 34; values begin in the middle.
-  menu.point(160.0f + 8.0f + 1.0f, 39.0f);
+  menu.point(176.0f + 8.0f + 1.0f, 39.0f);
   menu.click();
   EXPECT_EQ(console.cvar("volume").string(), "0");
-  menu.point(160.0f + 72.0f - 1.0f, 39.0f);
+  menu.point(176.0f + 72.0f - 1.0f, 39.0f);
   menu.click();
   EXPECT_EQ(console.cvar("volume").string(), "1");
 }

@@ -61,6 +61,7 @@ std::vector<PageInfo> make_list() {
                       page.title = group;
                       page.plaque = false;
                       page.searchable = true;
+                      page.value_column = 0.56f;
                       page.rows = setting_rows(sources.console, group);
                       return page;
                     }});

@@ -133,6 +133,7 @@ Page help_page(const Sources&) {
 Page credits_page(const Sources& sources) {
   Page page;
   page.title = "Credits";
+  page.plaque = false;
   page.rows = {heading(sources.facts.version()),
                heading(""),
                heading("A Quake engine that traces light."),

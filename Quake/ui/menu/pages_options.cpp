@@ -142,7 +142,7 @@ Page sound_page(const Sources& sources) {
 Page settings_page(const Sources& sources) {
   Page page;
   page.title = "Settings";
-  page.title_picture = "gfx/p_option.lmp";
+  page.plaque = false;
   page.search_page = "settings/all";
   page.rows.push_back(link("All, to search by typing", "settings/all"));
   page.rows.push_back(heading(""));
@@ -160,6 +160,7 @@ Page all_settings_page(const Sources& sources) {
   page.title = "Settings";
   page.plaque = false;
   page.searchable = true;
+  page.value_column = 0.56f;
   page.rows = setting_rows(sources.console, "");
   return page;
 }
