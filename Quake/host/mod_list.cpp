@@ -56,7 +56,7 @@ std::vector<ui::menu::ModEntry> list_mods(const fs::FileSystem& files) {
   }
   std::vector<ui::menu::ModEntry> mods;
   for (auto& [name, description] : found) mods.push_back({name, std::move(description), name == files.game()});
-  std::ranges::stable_partition(mods, [](const ui::menu::ModEntry& mod) { return mod.directory == "id1"; });
+  std::stable_partition(mods.begin(), mods.end(), [](const ui::menu::ModEntry& mod) { return mod.directory == "id1"; });
   return mods;
 }
 

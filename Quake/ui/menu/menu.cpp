@@ -87,6 +87,7 @@ void Menu::push(std::string_view name) {
   View made = make_view(*info);
   if (const auto found = cursors_.find(name); found != cursors_.end()) made.cursor = found->second;
   filter_rows(made);
+  if (!made.page.opening.empty()) console_.append(made.page.opening + "\n");
   views_.push_back(std::move(made));
   revision_ = facts_.revision();
   column_ = 0;

@@ -243,6 +243,7 @@ TEST_F(MenuTest, HostingAGame) {
 TEST_F(MenuTest, JoiningAGame) {
   facts.server_list = {{"a server", "dm3", "192.0.2.1:26000", 2, 8, true}, {"old", "dm1", "192.0.2.2", 0, 4, false}};
   menu.show("multiplayer/join");
+  EXPECT_THAT(run(), ElementsAre("slist")) << "the page looks for servers when it opens";
   const std::string text = read();
   EXPECT_THAT(text, HasSubstr("dm3"));
   EXPECT_THAT(text, HasSubstr("2/8"));

@@ -48,6 +48,7 @@ struct Page {
   float value_column = 0.5f;          // where values begin, as a fraction of the page's width
   std::vector<std::string> pictures;  // help: pages of pictures, turned with left and right
   std::string empty;                  // what is said where there is no row
+  std::string opening;                // console text that runs when the page is opened
 };
 
 // Whether every word of the filter is in the row's label, value or help, in any case.

@@ -74,6 +74,7 @@ Page multiplayer_page(const Sources&) {
 Page join_page(const Sources& sources) {
   Page page;
   page.title = "Join a Game";
+  page.opening = "slist";
   page.title_picture = "gfx/p_multi.lmp";
   page.plaque = false;
   page.live = true;
