@@ -47,7 +47,8 @@ Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
     : options_(options),
       engine_(std::move(engine)),
       facts_(*engine_),
-      screen_(engine_->console(), engine_->files().loader(), facts_) {
+      keys_(engine_->console(), facts_),
+      screen_(engine_->console(), engine_->files().loader(), keys_) {
   facts_.set_display_size([this] { return window_ ? window_->display_size() : uvec2(0); });
 }
 Game::~Game() {
@@ -209,8 +210,8 @@ void Game::open_first_menu() {
   if (frames_without_game_ < 0 || !window_) return;
   if (engine_->busy())
     frames_without_game_ = engine_->playing() ? -1 : 0;
-  else if (++frames_without_game_ == kFrames && !screen_.console_open())
-    screen_.menu().show("main");
+  else if (++frames_without_game_ == kFrames && !keys_.console_open())
+    keys_.menu().show("main");
 }
 
 Status Game::write_screenshot(const std::string& name) {
@@ -234,9 +235,9 @@ void Game::handle_events() {
   for (const platform::InputEvent& event : window_->poll_events()) {
     using Kind = platform::InputEvent::Kind;
     if (event.kind == Kind::kQuit) quit_ = true;
-    if (event.kind == Kind::kMouseMotion && window_->mouse_grabbed() && !screen_.menu_open())
+    if (event.kind == Kind::kMouseMotion && window_->mouse_grabbed() && !keys_.menu_open())
       mouse_ += vec2(static_cast<float>(event.dx), static_cast<float>(event.dy));
-    screen_.handle(event);
+    keys_.handle(event);
     if (event.kind == Kind::kResize) fit_to_window();
   }
   follow_focus();
@@ -247,24 +248,24 @@ void Game::handle_events() {
 void Game::follow_focus() {
   const cl::Client& client = engine_->client();
   const bool in_game = client.connected() && client.active();
-  if (in_game && !was_in_game_) screen_.close_all();
+  if (in_game && !was_in_game_) keys_.close_all();
   was_in_game_ = in_game;
-  screen_.set_behind(in_game           ? Screen::Behind::kGame
-                     : client.active() ? Screen::Behind::kDemo
-                                       : Screen::Behind::kNothing);
-  if (screen_.menu_open()) facts_.update();
-  const bool grab = options_.mouse && in_game && !screen_.console_open() && !screen_.menu_open() && window_->focused();
+  keys_.set_behind(in_game           ? KeyRouter::Behind::kGame
+                   : client.active() ? KeyRouter::Behind::kDemo
+                                     : KeyRouter::Behind::kNothing);
+  if (keys_.menu_open()) facts_.update();
+  const bool grab = options_.mouse && in_game && !keys_.console_open() && !keys_.menu_open() && window_->focused();
   if (grab != window_->mouse_grabbed()) window_->grab_mouse(grab);
-  engine_->server().hold(in_game && screen_.holds_game());
+  engine_->server().hold(in_game && keys_.holds_game());
 }
 
 void Game::follow_gamepads() {
   const con::Console& console = engine_->console();
   window_->use_gamepads(options_.gamepads && console.cvar("joy_enable").on(),
                         console.cvar("joy_deadzone_trigger").value());
-  const platform::PadSticks sticks = screen_.holds_game() ? platform::PadSticks() : window_->pad_sticks();
+  const platform::PadSticks sticks = keys_.holds_game() ? platform::PadSticks() : window_->pad_sticks();
   engine_->client().set_sticks({sticks.left, sticks.right});
-  screen_.steer(window_->pad_sticks().left, platform::now_seconds());
+  keys_.steer(window_->pad_sticks().left, platform::now_seconds());
 }
 
 // Waits if frames are faster than allowed: in a window, and on another machine's server, where time is real.

@@ -12,6 +12,7 @@
 #include "gpu/swapchain.h"
 #include "host/engine.h"
 #include "host/frame_drawer.h"
+#include "host/key_router.h"
 #include "host/menu_facts.h"
 #include "host/options.h"
 #include "host/pass_report.h"
@@ -57,6 +58,7 @@ class Game {
   GameOptions options_;
   std::unique_ptr<Engine> engine_;
   MenuFacts facts_;
+  KeyRouter keys_;
   Screen screen_;
   std::unique_ptr<platform::Window> window_;
   std::unique_ptr<gpu::Device> device_;

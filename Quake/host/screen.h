@@ -1,82 +1,34 @@
-// The 2D overlays of the picture, and the routing of keys: to the menu, to the message or the console that is typed, or
-// to the bindings. QuakeSpasm's rules say who has the keys.
+// The 2D overlays of the picture: messages, console, menu.
 #pragma once
 
-#include <functional>
 #include <string>
-#include <vector>
 
 #include "client/client.h"
-#include "console/bindings.h"
 #include "console/console.h"
-#include "console/input_line.h"
-#include "platform/input_event.h"
+#include "host/key_router.h"
 #include "scene/draw_list.h"
 #include "ui/atlas.h"
-#include "ui/menu/menu.h"
-#include "ui/message_line.h"
 #include "ui/overlays.h"
 
 namespace fb::host {
 
 class Screen {
  public:
-  // What is behind the overlays.
-  enum class Behind {
-    kNothing,  // the console fills the picture and is typed at
-    kDemo,     // keys that print open the menu
-    kGame,
-  };
-
-  // Registers scr_showfps, toggleconsole, messagemode, messagemode2, the menus' commands and the bindings. Console and
-  // facts must outlive it.
-  Screen(con::Console& console, FileLoader files, ui::menu::Facts& facts);
-
-  // Handles a key, text, motion or focus event; ignores others.
-  void handle(const platform::InputEvent& event);
-  bool console_open() const { return open_; }
-  bool menu_open() const { return menu_.open(); }
-  // Whether a game of one player waits: all keys go elsewhere.
-  bool holds_game() const { return open_ || menu_.open() || message_.open(); }
-  // A game has begun: the console and the menu give way.
-  void close_all();
-  void set_behind(Behind behind);
-  // A stick moves in the menu as the arrow keys do: at once, then ever again while it is held. -1 to 1, down is
-  // positive.
-  void steer(const vec2& stick, double now);
-  ui::menu::Menu& menu() { return menu_; }
+  // Registers scr_showfps. Console and keys must outlive it.
+  Screen(con::Console& console, FileLoader files, KeyRouter& keys);
 
   // The draw list of this frame. `game`: whether there is a world behind it; without one the console fills the picture.
   const scene::DrawList& draw(const cl::Hud& hud, bool game, uvec2 size, double now);
 
  private:
-  void register_commands();
-  void toggle_console();
-  void escape();
-  void handle_menu(const platform::InputEvent& event);
-  void handle_menu_key(int key);
-  void run_binding(const platform::InputEvent& event);
-  void type(int key);
-  void type_message(int key);
-  ui::menu::Scenery scenery(double now) const;
+  void draw_menu(uvec2 size, double now);
 
   con::Console& console_;
-  con::Bindings bindings_;
-  con::InputLine input_;
+  KeyRouter& keys_;
   con::Cvar& show_fps_;
   ui::Atlas atlas_;
   ui::FrameRate rate_;
-  ui::MessageLine message_;
-  ui::menu::Menu menu_;
   scene::DrawList list_;
-  bool open_ = false;
-  Behind behind_ = Behind::kNothing;
-  std::size_t scrolled_up_ = 0;
-  ivec2 steered_{0};             // the direction of the stick in the last frame
-  double steer_again_ = 0;       // when it moves again
-  vec2 pointer_{0.0f};           // output pixels
-  int menu_frames_ = 0;          // since the menu opened
-  bool text_was_bound_ = false;  // the last key was given to a command: its letter is no text
 };
 
 }  // namespace fb::host
