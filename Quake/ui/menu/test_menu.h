@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -67,7 +68,7 @@ class MenuTest : public testing::Test {
     console.execute();
     return ran;
   }
-  // The text of the picture's rows of letters, at any place: each row of the page is read where the layout puts it.
+  // The picture's lines of text.
   std::string read() {
     scene::DrawList list;
     menu.draw(list, atlas, kWidth, kHeight, {.time = 0.3});
@@ -79,16 +80,21 @@ class MenuTest : public testing::Test {
     for (scene::DrawQuad& quad : list.quads)
       if (quad.uv_min == quad.uv_max) quad.color = vec4(0.0f, 0.0f, 0.0f, 1.0f);
     raster.draw(list);
-    for (int y = 0; y < kHeight - 8; ++y) {
-      for (int left = 0; left < 8; ++left) {
-        std::string row;
-        for (int x = left; x + 8 <= kWidth; x += 8) {
-          const unsigned char code = raster.character(atlas, x, y);
-          row += code == 0 ? '\1' : static_cast<char>(code);
-        }
-        const bool has_word = std::ranges::any_of(row, [](char c) { return c > ' '; });
-        if (has_word) text += row + "\n";
+    // The list says where letters are, the picture which: lines from the top, each from the left.
+    std::map<int, std::map<int, char>> letters;
+    for (const scene::DrawQuad& quad : list.quads) {
+      if (quad.uv_min == quad.uv_max || quad.max - quad.min != vec2(8.0f)) continue;
+      const ivec2 at(quad.min);
+      const unsigned char code = raster.character(atlas, at.x, at.y);
+      letters[at.y][at.x] = code == 0 ? '?' : static_cast<char>(code);
+    }
+    for (const auto& [y, line] : letters) {
+      int end = 0;
+      for (const auto& [x, letter] : line) {
+        text += std::string(static_cast<std::size_t>(std::max(0, (x - end) / 8)), ' ') + letter;
+        end = x + 8;
       }
+      text += '\n';
     }
     return text;
   }
