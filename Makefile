@@ -27,8 +27,8 @@ test: ## build everything and run every test
 demo: all ## play a recorded demo headless through the path tracer; QUAKE_DIR=... uses other data than the base game's
 	@Misc/demo.sh
 
-play: all ## play in a window: the base game, or the data in QUAKE_DIR
-	build/fullbright -basedir "$(or $(QUAKE_DIR),build/game)" +map start
+play: all ## play in a window: the base game, or the data in QUAKE_DIR; Escape opens the menu
+	build/fullbright -basedir "$(or $(QUAKE_DIR),build/game)"
 
 bench: ## run the benchmarks on this machine
 	@$(DEPS) bench

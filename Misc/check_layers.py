@@ -43,6 +43,7 @@ SUBFOLDERS = {
     "progs": ["", "builtins"],
     "server": ["simulation", "clients", "builtins", ""],
     "scene": ["", "library", "in_code"],
+    "ui": ["", "menu"],
     "client": ["effects", "session", "input", "sources", ""],
     "lab": ["", "compare", "ztest", "bench", "judge"],
 }

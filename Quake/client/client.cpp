@@ -228,6 +228,8 @@ void Client::disconnect() { impl_->disconnect(); }
 bool Client::connected() const { return impl_->link() != nullptr; }
 bool Client::connecting() const { return impl_->asked() != nullptr; }
 bool Client::recording() const { return impl_->recorder.has_value(); }
+void Client::set_sticks(const Sticks& sticks) { impl_->sticks = sticks; }
+bool Client::mouse_looks() const { return impl_->buttons.mouse_look.down(); }
 void Client::set_in_step(bool in_step) { impl_->in_step = in_step; }
 void Client::look(double seconds, const vec2& mouse) { impl_->look(seconds, mouse); }
 void Client::send() { impl_->send(); }

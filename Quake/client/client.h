@@ -23,6 +23,7 @@
 #include "base/file_data.h"
 #include "base/maths.h"
 #include "base/result.h"
+#include "client/input/sticks.h"
 #include "client/session/hud.h"
 #include "client/sources/demo_mode.h"
 #include "scene/library/library.h"
@@ -87,11 +88,14 @@ class Client {
   bool connected() const;   // to a server, be it in the midst of signing on
   bool connecting() const;  // still asking
   bool recording() const;
+  bool mouse_looks() const;  // +mlook is down
   // The local server runs once a frame, so the client shows its latest word instead of going there over a tick.
   void set_in_step(bool in_step);
 
   // Turns the view by keys and by the mouse's counts (to the right, downwards) in a frame of `seconds`.
   void look(double seconds, const vec2& mouse = vec2(0.0f));
+  // Where a game controller's sticks are from now on; look() turns the view by them, too.
+  void set_sticks(const Sticks& sticks);
   // Tells the server what the player wants to do, and commands that wait. At each tick of the server's.
   void send();
 

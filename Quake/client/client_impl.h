@@ -103,6 +103,8 @@ struct Client::Impl {
   Buttons buttons;
   InputSettings input;
   UserMove mouse_move;  // of the frames since the last tick
+  Sticks sticks;
+  StickSettings stick_settings;
   float last_forward = 0.0f;
   vec2 last_mouse{0.0f};
   PitchDrift drift;

@@ -191,7 +191,10 @@ void Client::Impl::send() {
   if (!server) return;
   const ClientState& state = session.state;
   if (state.signon == kSignons && !session.reconnect) {
-    const net::clc::Move move = make_move(buttons, input, mouse_move, state.view_angles, state.message_times[0]);
+    UserMove pending = stick_move(sticks, stick_settings, input, runs(buttons, input));
+    pending.forward += mouse_move.forward;
+    pending.side += mouse_move.side;
+    const net::clc::Move move = make_move(buttons, input, pending, state.view_angles, state.message_times[0]);
     last_forward = static_cast<float>(move.forward);
     server->send_move(move, state.protocol, clock());
   }

@@ -15,6 +15,7 @@ int key_of(const con::Args& args) { return args.size() > 1 ? args.integer(1) : B
 
 void Client::Impl::register_input_commands() {
   register_input_cvars(console);
+  register_stick_cvars(console);
   const auto add = [this](const std::string& name, Button& button, const char* help) {
     console.add_command("+" + name, fmt::format("+{}: {} until -{}", name, help, name),
                         [&button](const con::Args& args) {
@@ -43,12 +44,14 @@ void Client::Impl::register_input_commands() {
 
 void Client::Impl::look(double seconds, const vec2& mouse) {
   input = read_input_settings(console);
+  stick_settings = read_stick_settings(console);
   const vec2 counts = input.mouse_filter != 0.0f ? 0.5f * (mouse + last_mouse) : mouse;
   last_mouse = mouse;
   ClientState& state = session.state;
   if (!link() || state.signon != kSignons) return;
   if (adjust_angles(buttons, input, seconds, state.view_angles)) drift.stop(state.time);
   if (apply_mouse(buttons, input, counts, state.view_angles, mouse_move)) drift.stop(state.time);
+  if (apply_look_stick(sticks, stick_settings, input, seconds, state.view_angles)) drift.stop(state.time);
 }
 
 void Client::Impl::drift_pitch(double seconds) {

@@ -1,5 +1,6 @@
 #include "console/bindings.h"
 
+#include <set>
 #include <utility>
 
 #include "base/log.h"
@@ -52,6 +53,20 @@ const std::string& Bindings::command(int key) const {
   static const std::string none;
   const auto found = commands_.find(key);
   return found == commands_.end() ? none : found->second;
+}
+
+std::vector<int> Bindings::keys_of(std::string_view command) const {
+  std::vector<int> keys;
+  for (const auto& [key, text] : commands_) {
+    if (same_name(text, command)) keys.push_back(key);
+  }
+  return keys;
+}
+
+std::vector<std::string> Bindings::bound_commands() const {
+  std::set<std::string> commands;
+  for (const auto& [key, text] : commands_) commands.insert(text);
+  return {commands.begin(), commands.end()};
 }
 
 void Bindings::key_event(int key, bool down) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "console/console.h"
 
@@ -23,6 +24,9 @@ class Bindings {
 
   void bind(int key, std::string command);  // an empty command unbinds
   const std::string& command(int key) const;
+  // The keys of a command, by their number, and all commands that have a key, each once.
+  std::vector<int> keys_of(std::string_view command) const;
+  std::vector<std::string> bound_commands() const;
 
   // Appends the key's command to the buffer. A command "+name" is a button: it gets "+name <key>" when the key goes
   // down and "-name <key>" when it comes up, so that two keys for one button can be told apart. Do not pass key

@@ -84,7 +84,9 @@ void Console::add_builtins() {
   add_command("find", "find <text>: the same as apropos", apropos);
 
   add_command("help", "help <name>: explain a command or cvar", [this](const Args& args) {
-    if (args.size() != 2) {
+    if (args.size() == 1 && has_command("menu_help")) {  // as QuakeSpasm's key F1
+      insert("menu_help\n");
+    } else if (args.size() != 2) {
       log_info("help <name> : explain a command or cvar; cmdlist, cvarlist and apropos <text> find names");
     } else if (const auto command = commands_.find(args[1]); command != commands_.end()) {
       log_info("{}", command->second.help);

@@ -6,7 +6,7 @@ namespace fb::con {
 namespace {
 
 constexpr const char* kSound = "there is no sound yet";
-constexpr const char* kPad = "there are no game controllers yet";
+constexpr const char* kPad = "a dedicated server has no game controllers";
 constexpr const char* kHud = "this program draws no screen";
 constexpr const char* kConsole = "the look of the console cannot be changed yet";
 constexpr const char* kTracer = "the path tracer has no such feature";
@@ -37,7 +37,8 @@ constexpr Row kRows[] = {
     {"snd_show", "0", false, "1: list the sounds that play", kSound},
     {"sndspeed", "11025", false, "rate of loaded sounds, Hz", kSound},
     {"volume", "0.7", true, "volume of sounds", kSound},
-    {"joy_deadzone", "0.175", true, "dead zone of both sticks (QuakeSpasm up to 0.95)", kPad},
+    {"joy_deadzone", "0.175", true, "dead zone of both sticks (QuakeSpasm up to 0.95)",
+     "joy_deadzone_look and joy_deadzone_move have taken its place"},
     {"joy_deadzone_look", "0.175", true, "dead zone of the look stick", kPad},
     {"joy_deadzone_move", "0.175", true, "dead zone of the move stick", kPad},
     {"joy_deadzone_trigger", "0.2", true, "dead zone of the triggers", kPad},

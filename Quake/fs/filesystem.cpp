@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 #include <mutex>
@@ -293,6 +294,22 @@ Result<FileData> FileSystem::load(std::string_view name) const {
         Error{fmt::format("{}: no such file in the game's directories and paks", name)});
   }
   return hit->entry != nullptr ? hit->place->pak->read(*hit->entry) : read_whole_file(hit->path);
+}
+
+Result<FileData> FileSystem::load_part(std::string_view name, std::uint64_t offset, std::uint64_t most) const {
+  const auto hit = impl_->locate(name);
+  if (!hit) return Error{fmt::format("{}: no such file in the game's directories and paks", name)};
+  if (hit->entry != nullptr) {
+    PakEntry part = *hit->entry;
+    const std::uint64_t skipped = std::min<std::uint64_t>(offset, part.size);
+    part.offset += skipped;
+    part.size = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, part.size - skipped));
+    return hit->place->pak->read(part);
+  }
+  const auto file = RandomAccessFile::open(hit->path);
+  if (!file) return file.error();
+  const std::uint64_t skipped = std::min(offset, file->size());
+  return file->read(skipped, std::min(most, file->size() - skipped));
 }
 
 std::optional<FileData> FileSystem::read(std::string_view name) const {

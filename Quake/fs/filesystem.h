@@ -47,6 +47,8 @@ class FileSystem {
   std::optional<FileData> read(std::string_view name) const;
   // The same, with the cause of a failure.
   Result<FileData> load(std::string_view name) const;
+  // Bytes of the file from `offset` on, at most `most`, without reading the rest: headers of many files.
+  Result<FileData> load_part(std::string_view name, std::uint64_t offset, std::uint64_t most) const;
   // Searches only the last gamedir's loose files, the user's before the base directory's: files that the game has
   // written itself (saves). Nullopt as above.
   std::optional<FileData> read_own(std::string_view name) const;

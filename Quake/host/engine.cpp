@@ -6,6 +6,7 @@
 #include <random>
 
 #include "base/log.h"
+#include "console/other_engines.h"
 #include "console/quakespasm_cvars.h"
 #include "fs/path.h"
 #include "render/settings.h"
@@ -32,7 +33,7 @@ Result<std::unique_ptr<Engine>> Engine::create(const std::vector<std::string>& a
   if (!files) return files.error();
   std::unique_ptr<Engine> engine(new Engine(std::move(*files), wanted, arguments));
   if (wanted.server && (wanted.dedicated || wanted.max_clients > 1)) {
-    if (auto status = engine->listen(wanted); !status) {
+    if (auto status = engine->listen(); !status) {
       if (wanted.dedicated) return status.error();
       log_error("{}; nobody can join", status.error().message);
     }
@@ -45,18 +46,24 @@ Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::ve
       library_(files_.loader(), [this](std::string_view path) { return files_.game_index_of(path); }),
       rng_(options.seed),
       network_(net::system_network(options.network)),
-      server_list_(console_, *network_) {
+      server_list_(console_, *network_),
+      port_(options.port),
+      network_on_(options.network.any()) {
   if (options.console_log) open_log();
   if (options.console_kilobytes) console_.scrollback().set_max_bytes(std::size_t{*options.console_kilobytes} * 1024);
   console_.set_file_loader(files_.loader());
   console_.add_cvar({"net_messagetimeout", "300", "seconds without a packet after which a new connection times out",
                      con::kCvarPlain, 1.0f, 86400.0f});
   register_time_cvars(console_);
-  if (options.server) make_server(options);
+  if (options.server) {
+    make_server(options);
+    register_listen();
+  }
   if (options.client) make_client();
   console_.add_cvar("cmdline", fmt::format("{}", fmt::join(arguments, " ")), "the program's command line",
                     con::kCvarRom);
   con::add_quakespasm_cvars(console_);
+  con::add_other_engines(console_);
   if (options.protocol && options.server) console_.set("sv_protocol", std::to_string(*options.protocol));
   if (options.particles && options.client) client_->set_particle_limit(*options.particles);
 }
@@ -112,13 +119,14 @@ void Engine::make_client() {
   server_->set_local_start([this] { console_.fail_unless(client_->connect("local")); });
 }
 
-Status Engine::listen(const EngineOptions& options) {
-  if (!options.network.any()) {
+Status Engine::listen() {
+  if (listener_) return ok_status();
+  if (!network_on_) {
     log_info("Nobody can join: the command line has switched the network off.");
     return ok_status();
   }
   auto opened = net::DatagramListener::open(
-      *network_, options.port, [this] { return server_->clients().status(now_); }, std::random_device{}());
+      *network_, port_, [this] { return server_->clients().status(now_); }, std::random_device{}());
   if (!opened) return opened.error();
   listener_ = std::move(*opened);
   server_->clients().add_listener(*listener_);
@@ -129,6 +137,21 @@ Status Engine::listen(const EngineOptions& options) {
 void Engine::set_loading(const std::function<void()>& loading) {
   if (server_) server_->set_loading(loading);
   if (client_) client_->set_loading(loading);
+}
+
+void Engine::stop_listening() {
+  if (!listener_) return;
+  server_->clients().remove_listener(*listener_);
+  listener_.reset();
+}
+
+void Engine::register_listen() {
+  console_.add_command("listen", "listen [0|1]: whether others may join over the network; maxplayers sets how many",
+                       [this](const con::Args& args) {
+                         if (args.size() != 2) return log_info("listen is {}", listener_ ? 1 : 0);
+                         if (args.integer(1) == 0) return stop_listening();
+                         console_.fail_unless(listen());
+                       });
 }
 
 void Engine::queue_configuration(const std::vector<std::string>& arguments) {

@@ -60,6 +60,8 @@ class Engine {
   ui::Rules rules() const;
   // Only if the options ask for one.
   cl::Client& client() { return *client_; }
+  const cl::Client& client() const { return *client_; }
+  const ServerList& server_list() const { return server_list_; }
   sv::Server& server() { return *server_; }
 
   // Called before a level is loaded, which takes a while.
@@ -86,7 +88,9 @@ class Engine {
   void open_log();
   void make_server(const EngineOptions& options);
   void make_client();
-  Status listen(const EngineOptions& options);
+  Status listen();
+  void stop_listening();
+  void register_listen();
 
   fs::FileSystem files_;
   std::unique_ptr<ConsoleLog> log_;
@@ -99,6 +103,8 @@ class Engine {
   std::unique_ptr<net::DatagramListener> listener_;
   std::unique_ptr<sv::Server> server_;
   std::unique_ptr<cl::Client> client_;  // destroyed before the server
+  std::uint16_t port_;
+  bool network_on_;  // not switched off by the command line
   double now_ = 0.0;
   bool ticked_ = true;
 };

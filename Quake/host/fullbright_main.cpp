@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/stop.h"
@@ -17,7 +18,8 @@ namespace {
 
 constexpr const char* kProgram = "fullbright";
 
-int run_program(const std::vector<std::string>& arguments) {
+// `next_start`: the arguments with which the program begins anew, if it does.
+int run_once(const std::vector<std::string>& arguments, std::vector<std::string>& next_start) {
   const auto options = parse_game_options(with_base_game(arguments));
   if (!options) {
     fmt::print(stderr, "fullbright: {}\n", options.error().message);
@@ -43,7 +45,19 @@ int run_program(const std::vector<std::string>& arguments) {
     fmt::print(stderr, "fullbright: {}\n", game.error().message);
     return 1;
   }
-  return (*game)->run();
+  const int status = (*game)->run();
+  if (!(*game)->next_start()) return status;
+  next_start = *(*game)->next_start();
+  return status;
+}
+
+int run_program(std::vector<std::string> arguments) {
+  while (true) {
+    std::vector<std::string> next_start;
+    const int status = run_once(arguments, next_start);
+    if (next_start.empty() || stop_wanted()) return status;
+    arguments = std::move(next_start);
+  }
 }
 
 }  // namespace

@@ -22,6 +22,12 @@ constexpr uvec2 kWindowSize{1280, 720}, kHeadlessSize{640, 360};
 constexpr double kLongestLoading = 60.0, kLongestLeaving = 0.5;  // seconds that a plaque stays where no level comes
 
 void register_host_cvars(con::Console& console) {
+  console.add_cvar({"vid_width", std::to_string(kWindowSize.x), "width of the window, pixels; vid_restart applies it",
+                    con::kCvarArchive, 320.0f, static_cast<float>(kLargestSide), true});
+  console.add_cvar({"vid_height", std::to_string(kWindowSize.y), "height of the window, pixels; vid_restart applies it",
+                    con::kCvarArchive, 200.0f, static_cast<float>(kLargestSide), true});
+  console.add_cvar({"vid_fullscreen", "0", "1: full screen, in the display's mode; vid_restart applies it",
+                    con::kCvarArchive, 0.0f, 1.0f, true});
   console.add_cvar(
       {"vid_vsync", "0", "vertical sync; takes effect at the next start", con::kCvarArchive, 0.0f, 1.0f, true});
   console.add_cvar({"r_cpu_pixels", "129600",
@@ -41,7 +47,11 @@ void register_host_cvars(con::Console& console) {
 Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
     : options_(options),
       engine_(std::move(engine)),
-      screen_(engine_->console(), engine_->files().loader(), engine_->rules()) {}
+      facts_(*engine_),
+      keys_(engine_->console(), facts_),
+      screen_(engine_->console(), engine_->files().loader(), keys_, engine_->rules()) {
+  facts_.set_display_size([this] { return window_ ? window_->display_size() : uvec2(0); });
+}
 Game::~Game() {
   set_reproduction_hint(nullptr);
   if (renderer_) renderer_->set_finished(nullptr);
@@ -147,9 +157,10 @@ void Game::register_commands() {
     console.add_command("startdemos", "startdemos: no effect without a window: the loop would never end",
                         [](const con::Args&) {});
   }
-  // QuakeSpasm's config.cfg ends with vid_restart.
-  console.add_command("vid_restart", "vid_restart: no effect: the command line sets up the window",
-                      [](const con::Args&) {});
+  console.add_command("vid_restart", "vid_restart: apply vid_width, vid_height and vid_fullscreen to the window",
+                      [this](const con::Args&) { video_asked_ = true; });
+  console.add_command("game", "game [folder]: show the game folder, or play another: the program starts anew with it",
+                      [this](const con::Args& args) { change_game(args); });
   console.add_command("viewmap", "viewmap <map>: show a map from its first player start, without starting a game",
                       [this](const con::Args& args) {
                         if (args.size() != 2) {
@@ -174,6 +185,46 @@ std::vector<std::uint32_t> Game::read_picture() const {
   return pixels;
 }
 
+// Everything that was read from the former folder is let go with it.
+void Game::change_game(const con::Args& args) {
+  if (args.size() < 2) return log_info("\"game\" is \"{}\"", engine_->files().game());
+  const std::string& folder = args[1];
+  const fs::FsOptions& files = engine_->files().options();
+  const auto user = files.user_dir ? *files.user_dir : fs::default_user_dir();
+  std::error_code code;
+  const bool is_name = folder.find_first_of("/\\:") == folder.npos && folder != "." && folder != "..";
+  const bool exists = is_name && (std::filesystem::is_directory(files.base_dir / folder, code) ||
+                                  (!user.empty() && std::filesystem::is_directory(user / folder, code)));
+  if (!exists) return engine_->console().fail(fmt::format("game {}: there is no such game folder", folder));
+  next_start_ = with_game(options_.arguments, folder);
+  quit_ = true;
+  engine_->console().forget_commands();
+}
+
+// A size on the command line stands until vid_restart asks for another.
+void Game::apply_video() {
+  if (!configured_) {
+    configured_ = engine_->console().buffer_empty();
+    video_asked_ = configured_ && options_.size.x == 0 && !options_.fullscreen;
+  }
+  if (!window_ || !std::exchange(video_asked_, false)) return;
+  const con::Console& console = engine_->console();
+  const bool fullscreen = console.cvar("vid_fullscreen").on();
+  const uvec2 size(console.cvar("vid_width").integer(), console.cvar("vid_height").integer());
+  if (fullscreen != window_->fullscreen()) window_->set_fullscreen(fullscreen);
+  if (!fullscreen && size != window_->pixel_size()) window_->resize(size.x, size.y);
+}
+
+// Where the start leads to no game and no demo, the menu shows what to do.
+void Game::open_first_menu() {
+  constexpr int kFrames = 3;
+  if (frames_without_game_ < 0 || !window_) return;
+  if (engine_->busy())
+    frames_without_game_ = engine_->playing() ? -1 : 0;
+  else if (++frames_without_game_ == kFrames && !keys_.console_open())
+    keys_.menu().show("main");
+}
+
 Status Game::write_screenshot(const std::string& name) {
   const uvec2 size = renderer_->output_size();
   const auto path = engine_->files().write_path("screenshots/" + name);
@@ -191,23 +242,37 @@ void Game::handle_events() {
   for (const platform::InputEvent& event : window_->poll_events()) {
     using Kind = platform::InputEvent::Kind;
     if (event.kind == Kind::kQuit) quit_ = true;
-    if (event.kind == Kind::kMouseMotion && window_->mouse_grabbed())
+    if (event.kind == Kind::kMouseMotion && window_->mouse_grabbed() && !keys_.menu_open())
       mouse_ += vec2(static_cast<float>(event.dx), static_cast<float>(event.dy));
-    screen_.handle(event);
+    keys_.handle(event);
     if (event.kind == Kind::kResize) fit_to_window();
   }
   follow_focus();
+  follow_gamepads();
 }
 
-// During play the game has the mouse. While the console is open, time stops in a single-player game.
+// During play the game has the mouse. While keys go elsewhere, time stops in a single-player game.
 void Game::follow_focus() {
   const cl::Client& client = engine_->client();
   const bool in_game = client.connected() && client.active();
-  if (in_game && !was_in_game_) screen_.close_console();
+  if (in_game && !was_in_game_) keys_.close_all();
   was_in_game_ = in_game;
-  const bool grab = options_.mouse && in_game && !screen_.console_open() && window_->focused();
+  keys_.set_behind(in_game           ? KeyRouter::Behind::kGame
+                   : client.active() ? KeyRouter::Behind::kDemo
+                                     : KeyRouter::Behind::kNothing);
+  if (keys_.menu_open()) facts_.update();
+  const bool grab = options_.mouse && in_game && !keys_.console_open() && !keys_.menu_open() && window_->focused();
   if (grab != window_->mouse_grabbed()) window_->grab_mouse(grab);
-  engine_->server().hold(in_game && screen_.console_open());
+  engine_->server().hold(in_game && keys_.holds_game());
+}
+
+void Game::follow_gamepads() {
+  const con::Console& console = engine_->console();
+  window_->use_gamepads(options_.gamepads && console.cvar("joy_enable").on(),
+                        console.cvar("joy_deadzone_trigger").value());
+  const platform::PadSticks sticks = keys_.holds_game() ? platform::PadSticks() : window_->pad_sticks();
+  engine_->client().set_sticks({sticks.left, sticks.right});
+  keys_.steer(window_->pad_sticks().left, platform::now_seconds());
 }
 
 // Waits if frames are faster than allowed: in a window, and on another machine's server, where time is real.
@@ -338,6 +403,8 @@ bool Game::frame() {
   input_time_ = platform::now_seconds();
   engine_->execute_commands(platform::now_seconds());
   if (quit_ || stop_wanted()) return false;
+  apply_video();
+  open_first_menu();
   const double passed = seconds_passed();
   engine_->frame(timer_.plan(passed, read_time_settings(engine_->console())), mouse_, platform::now_seconds());
   report_timing();

@@ -12,6 +12,8 @@
 #include "gpu/swapchain.h"
 #include "host/engine.h"
 #include "host/frame_drawer.h"
+#include "host/key_router.h"
+#include "host/menu_facts.h"
 #include "host/options.h"
 #include "host/pass_report.h"
 #include "host/screen.h"
@@ -27,6 +29,8 @@ class Game {
   // Runs until `quit`; headless also until there is nothing left to do. Returns the exit status. Running out of memory
   // ends a game or a demo; if nothing is played, std::bad_alloc is thrown.
   int run();
+  // The command line of the program's next start, with another game folder, if `game` has asked for one.
+  const std::optional<std::vector<std::string>>& next_start() const { return next_start_; }
 
  private:
   Game(const GameOptions& options, std::unique_ptr<Engine> engine);
@@ -34,8 +38,12 @@ class Game {
   Status open_swapchain();
   void fit_to_window();
   void register_commands();
+  void change_game(const con::Args& args);
+  void apply_video();
+  void open_first_menu();
   void handle_events();
   void follow_focus();
+  void follow_gamepads();
   double seconds_passed();
   render::RenderSettings settings() const;
   bool frame();
@@ -52,6 +60,8 @@ class Game {
 
   GameOptions options_;
   std::unique_ptr<Engine> engine_;
+  MenuFacts facts_;
+  KeyRouter keys_;
   Screen screen_;
   std::unique_ptr<platform::Window> window_;
   std::unique_ptr<gpu::Device> device_;
@@ -60,7 +70,11 @@ class Game {
   std::optional<FrameDrawer> drawer_;
   scene::FrameSnapshot snapshot_;
   PassReport pass_report_;
+  std::optional<std::vector<std::string>> next_start_;
   bool quit_ = false, was_timing_ = false;
+  bool configured_ = false;   // the configuration has been executed
+  bool video_asked_ = false;  // vid_restart
+  int frames_without_game_ = 0;
   int exit_status_ = 0;
   double last_time_ = 0;
   FrameTimer timer_;

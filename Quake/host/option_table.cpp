@@ -92,12 +92,11 @@ Status flag(GameOptions& options, const std::string&) {
 
 // Why an option has no effect. -help lists options with the same reason together.
 constexpr const char* kSound = "there is no sound yet";
-constexpr const char* kJoystick = "there are no game controllers yet";
 constexpr const char* kMemory = "memory is allocated as needed";
 constexpr const char* kDisplay = "full screen keeps the display's mode, and the path tracer does its own anti-aliasing";
 constexpr const char* kOpenGl = "there is no OpenGL renderer";
 constexpr const char* kStores = "the game data is in -basedir";
-constexpr const char* kLooks = "there are no menus and no status bar yet";
+constexpr const char* kLooks = "there is no other look to choose";
 constexpr const char* kNothing = "there is no such feature to switch";
 
 constexpr Option kOptions[] = {
@@ -120,6 +119,7 @@ constexpr Option kOptions[] = {
     {"-fullscreen", "", flag<&GameOptions::fullscreen>, "full screen"},
     {"-window", "", flag<&GameOptions::fullscreen, false>, "a window (the default)"},
     {"-nomouse", "", flag<&GameOptions::mouse, false>, "do not use the mouse"},
+    {"-nojoy", "", flag<&GameOptions::gamepads, false>, "do not use game controllers"},
     {"-device", "NAME",
      [](GameOptions& o, const std::string& v) {
        o.device = v;
@@ -198,7 +198,6 @@ constexpr Option kOptions[] = {
     {"-noextmusic", "", nullptr, kSound},
     {"-nocdaudio", "", nullptr, kSound},
     {"-cddev", "X", nullptr, kSound},
-    {"-nojoy", "", nullptr, kJoystick},
     {"-heapsize", "N", nullptr, kMemory},
     {"-zone", "N", nullptr, kMemory},
     {"-mem", "N", nullptr, kMemory},

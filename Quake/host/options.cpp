@@ -146,6 +146,28 @@ Result<uvec2> parse_size(const std::string& text) {
 
 Result<GameOptions> parse_game_options(const std::vector<std::string>& arguments) { return Parser(arguments).parse(); }
 
+std::vector<std::string> with_game(const std::vector<std::string>& arguments, const std::string& folder) {
+  constexpr std::string_view kPacks[] = {"-hipnotic", "-rogue", "-quoth"};
+  std::vector<std::string> kept;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (begins_command(arguments[i])) {
+      while (i + 1 < arguments.size() && !begins_command(arguments[i + 1]) &&
+             (!begins_option(arguments[i + 1]) || is_negative_number(arguments[i + 1])))
+        ++i;
+    } else if (arguments[i] == "-game") {
+      ++i;
+    } else if (std::ranges::find(kPacks, arguments[i]) == std::end(kPacks)) {
+      kept.push_back(arguments[i]);
+    }
+  }
+  if (std::ranges::find(kPacks, "-" + folder) != std::end(kPacks)) {
+    kept.push_back("-" + folder);
+  } else if (folder != "id1") {
+    kept.insert(kept.end(), {"-game", folder});
+  }
+  return kept;
+}
+
 std::string version_text() { return "fullbright " FULLBRIGHT_VERSION; }
 
 std::string game_help() {

@@ -15,7 +15,7 @@ namespace fb::host {
 struct GameOptions {
   bool help = false, version = false, list_devices = false;
   bool headless = false, fullscreen = false, validation = false;
-  bool mouse = true;
+  bool mouse = true, gamepads = true;
   bool console_log = false;  // -condebug
   std::string device;        // part of a name, or an index
   uvec2 size{0, 0};          // 0: the window's default
@@ -38,6 +38,8 @@ Result<GameOptions> parse_game_options(const std::vector<std::string>& arguments
 constexpr std::uint32_t kLargestSide = 16384;  // of the picture, pixels
 // Parses a size such as "640x360"; each side 1..kLargestSide.
 Result<uvec2> parse_size(const std::string& text);
+// The command line that plays this game folder in place of the -game folders and mission packs, without its commands.
+std::vector<std::string> with_game(const std::vector<std::string>& arguments, const std::string& folder);
 std::string game_help();
 std::string version_text();
 

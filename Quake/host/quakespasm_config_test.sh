@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A config.cfg that Debian's quakespasm wrote runs here without a word: quakespasm_config_test.sh BUILD_DIR. Its own
-# cvarlist must name nothing that is not here either. Exits with 77 where something that it needs is absent, having said
+# cvarlist must name nothing that is not here either, and LibreQuake's default.cfg, which is written for several
+# engines, runs without unknown commands. Exits with 77 where something that it needs is absent, having said
 # what.
 set -uo pipefail
 build=$1
@@ -43,6 +44,13 @@ cp "$work/names" "$work/base/$game/names.cfg"
 ours +exec names.cfg +quit >"$work/ours.log" 2>&1 || failures=1
 if grep -n 'Unknown command' "$work/ours.log"; then
   echo "FAILED: all of quakespasm's cvars are here"
+  failures=1
+fi
+# The game's own quake.rc and default.cfg, which name things of several engines.
+timeout 120 "$build/fullbright" -basedir "$data" -userdir "$work/user" -headless -size 16x16 +lq_toggle_style +quit >"$work/ours.log" 2>&1 || failures=1
+grep -q '^execing default.cfg' "$work/ours.log" || { echo "FAILED: the game's default.cfg runs"; failures=1; }
+if grep -n "Unknown command\|valid key" "$work/ours.log"; then
+  echo "FAILED: the game's own configuration runs without unknown commands"
   failures=1
 fi
 ((failures)) && { tail -50 "$work/ours.log"; exit 1; }

@@ -1,15 +1,11 @@
-// What lies over the picture (status bar, messages, console), and the routing of keys: typing while the console is
-// open, bindings otherwise.
+// What lies over the picture: status bar, messages, console, menu.
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "client/client.h"
-#include "console/bindings.h"
 #include "console/console.h"
-#include "console/input_line.h"
-#include "platform/input_event.h"
+#include "host/key_router.h"
 #include "scene/draw_list.h"
 #include "ui/atlas.h"
 #include "ui/hud_view.h"
@@ -20,13 +16,8 @@ namespace fb::host {
 
 class Screen {
  public:
-  // Registers the screen's cvars (ui/hud_settings.h), +showscores, toggleconsole and the bindings.
-  Screen(con::Console& console, FileLoader files, ui::Rules rules);
-
-  // Handles a key, text or focus event; ignores others.
-  void handle(const platform::InputEvent& event);
-  bool console_open() const { return open_; }
-  void close_console();
+  // Registers the screen's cvars (ui/hud_settings.h) and +showscores. Console and keys must outlive it.
+  Screen(con::Console& console, FileLoader files, KeyRouter& keys, ui::Rules rules);
 
   // A moment of the screen.
   struct Moment {
@@ -41,23 +32,19 @@ class Screen {
   const scene::DrawList& draw_loading(const cl::Client& client, uvec2 size);
 
  private:
-  void type(const platform::InputEvent& event);
   ui::HudView view_of(const cl::Client& client, uvec2 size) const;
   void draw_console(const ui::HudView& view, bool game, bool lines_too);
+  void draw_menu(uvec2 size, double now);
 
   con::Console& console_;
-  con::Bindings bindings_;
-  con::InputLine input_;
+  KeyRouter& keys_;
   const ui::Rules rules_;
   ui::Atlas atlas_;
   ui::FrameRate rate_;
   ui::SpeedReading speed_;
   ui::SlowFrames slow_;
   scene::DrawList list_;
-  bool open_ = false;
   bool show_scores_ = false;
-  bool in_game_ = false;  // in the last frame; without a game all typing goes to the console
-  std::size_t scrolled_up_ = 0;
 };
 
 }  // namespace fb::host

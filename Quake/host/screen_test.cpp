@@ -9,6 +9,8 @@
 
 #include "base/test_directory.h"
 #include "host/engine.h"
+#include "host/key_router.h"
+#include "host/menu_facts.h"
 
 namespace fb::host {
 namespace {
@@ -43,7 +45,9 @@ TEST_F(ScreenTest, RulesAreThoseOfTheMissionPackThatIsPlayed) {
 TEST_F(ScreenTest, WithoutAGameTheConsoleFillsThePictureUnlessItsLinesAreLeftOut) {
   const auto made = engine({});
   ASSERT_NE(made, nullptr);
-  Screen screen(made->console(), made->files().loader(), made->rules());
+  MenuFacts facts(*made);
+  KeyRouter keys(made->console(), facts);
+  Screen screen(made->console(), made->files().loader(), keys, made->rules());
   made->console().execute("echo a line");
   Screen::Moment moment{{640, 400}, 1.0, 0.01, false};
   EXPECT_TRUE(screen.draw(made->client(), moment).quads.empty());

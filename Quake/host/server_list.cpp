@@ -7,17 +7,13 @@
 #include "base/log.h"
 
 namespace fb::host {
-namespace {
 
-// Keeps the printable ASCII characters of untrusted text.
-std::string plain(const std::string& text) {
+std::string plain_text(std::string_view text) {
   std::string letters;
   for (const char c : text)
     if (c >= ' ' && c <= '~') letters.push_back(c);
   return letters;
 }
-
-}  // namespace
 
 ServerList::ServerList(con::Console& console, net::Network& network) : network_(network) {
   console.add_command("slist", "slist [address ...]: list the servers on the local network, or at these addresses",
@@ -40,7 +36,8 @@ Status ServerList::begin(const con::Args& args) {
 
 void ServerList::poll(double now) {
   if (!search_ || search_->poll(now)) return;
-  log_info("{}", server_table(search_->found()));
+  found_ = search_->found();
+  log_info("{}", server_table(found_));
   search_.reset();
 }
 
@@ -48,8 +45,8 @@ std::string server_table(const std::vector<net::FoundServer>& servers) {
   if (servers.empty()) return "No Quake servers found.";
   std::string table = "Server          Map             Users\n--------------- --------------- -----\n";
   for (const net::FoundServer& server : servers) {
-    table += fmt::format("{:<15.15} {:<15.15} {:2}/{:2}  {}{}\n", plain(server.name), plain(server.map), server.players,
-                         server.max_players, server.address.to_string(),
+    table += fmt::format("{:<15.15} {:<15.15} {:2}/{:2}  {}{}\n", plain_text(server.name), plain_text(server.map),
+                         server.players, server.max_players, server.address.to_string(),
                          server.compatible ? "" : " (speaks another version)");
   }
   return table + "== end list ==";

@@ -51,7 +51,7 @@ enum Key : int {
   kKeyMouse1 = 200,  // left
   kKeyMouse2,        // right
   kKeyMouse3,        // middle
-  // Keys of joysticks and game controllers have only names yet, so that configurations keep their bindings.
+  // Joysticks that are no game controllers have only names, so that configurations keep their bindings.
   kKeyJoy1 = 203,  // to JOY4
   kKeyAux1 = 207,  // to AUX32
   kKeyWheelUp = 239,
@@ -68,6 +68,7 @@ enum Key : int {
   kKeyYButton,
   kKeyLeftTrigger,
   kKeyRightTrigger,
+  kKeyPrintScreen = 254,
   kKeyPause = 255,
 };
 

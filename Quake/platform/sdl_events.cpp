@@ -66,6 +66,7 @@ constexpr Place kPlaces[] = {{SDL_SCANCODE_TAB, kKeyTab},
                              {SDL_SCANCODE_RALT, kKeyAlt},
                              {SDL_SCANCODE_LGUI, kKeyCommand},
                              {SDL_SCANCODE_RGUI, kKeyCommand},
+                             {SDL_SCANCODE_PRINTSCREEN, kKeyPrintScreen},
                              {SDL_SCANCODE_PAUSE, kKeyPause}};
 
 int key_from_button(Uint8 button) {
@@ -146,6 +147,8 @@ void translate_event(const SDL_Event& event, std::vector<InputEvent>& to) {
       made.kind = InputEvent::Kind::kMouseMotion;
       made.dx = event.motion.xrel;
       made.dy = event.motion.yrel;
+      made.x = static_cast<float>(event.motion.x);
+      made.y = static_cast<float>(event.motion.y);
       to.push_back(made);
       break;
     case SDL_TEXTINPUT:

@@ -12,7 +12,8 @@ namespace fb::platform {
 // The key at a position of the keyboard; kKeyNone if Quake has no key there.
 int key_from_scancode(SDL_Scancode code);
 
-// Appends the event's meaning, which may be none or several events. Resizes come without a size: the window sets it.
+// Appends the event's meaning, which may be none or several events. Resizes come without a size, and the pointer's
+// place in the window's units: the window sets and converts them.
 void translate_event(const SDL_Event& event, std::vector<InputEvent>& to);
 
 }  // namespace fb::platform

@@ -1,6 +1,8 @@
 #include "platform/window.h"
 
+#ifndef SDL_MAIN_HANDLED
 #define SDL_MAIN_HANDLED  // SDL must not replace main()
+#endif
 #include <SDL.h>
 #include <SDL_vulkan.h>
 
@@ -9,6 +11,7 @@
 #include <utility>
 
 #include "base/log.h"
+#include "platform/sdl_gamepads.h"
 #include "platform/sdl_events.h"
 
 namespace fb::platform {
@@ -18,9 +21,11 @@ struct Window::Impl {
   SDL_Window* window = nullptr;
   std::vector<const char*> extensions;
   bool grabbed = false;
+  Gamepads pads;
 };
 
 Window::Impl::~Impl() {
+  pads.use(false);
   if (window) SDL_DestroyWindow(window);
   SDL_QuitSubSystem(SDL_INIT_VIDEO);
 }
@@ -73,6 +78,22 @@ void Window::resize(std::uint32_t width, std::uint32_t height) {
   SDL_SetWindowSize(impl_->window, static_cast<int>(width), static_cast<int>(height));
 }
 
+void Window::set_fullscreen(bool fullscreen) {
+  if (SDL_SetWindowFullscreen(impl_->window, fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0) != 0)
+    log_warning("the window cannot be made {} ({})", fullscreen ? "full screen" : "a window", SDL_GetError());
+}
+
+bool Window::fullscreen() const {
+  return (SDL_GetWindowFlags(impl_->window) & SDL_WINDOW_FULLSCREEN_DESKTOP) == SDL_WINDOW_FULLSCREEN_DESKTOP;
+}
+
+uvec2 Window::display_size() const {
+  SDL_DisplayMode mode;
+  const int display = SDL_GetWindowDisplayIndex(impl_->window);
+  if (display < 0 || SDL_GetDesktopDisplayMode(display, &mode) != 0) return uvec2(0);
+  return uvec2(static_cast<unsigned>(mode.w), static_cast<unsigned>(mode.h));
+}
+
 void Window::grab_mouse(bool grab) {
   if (grab == impl_->grabbed) return;
   impl_->grabbed = grab;
@@ -85,17 +106,33 @@ bool Window::mouse_grabbed() const { return impl_->grabbed; }
 
 void Window::set_text_input(bool on) { on ? SDL_StartTextInput() : SDL_StopTextInput(); }
 
+void Window::use_gamepads(bool on, float trigger_threshold) {
+  impl_->pads.set_trigger_threshold(trigger_threshold);
+  impl_->pads.use(on);
+}
+
+PadSticks Window::pad_sticks() const { return impl_->pads.sticks(); }
+
 std::vector<InputEvent> Window::poll_events() {
   std::vector<InputEvent> events;
   SDL_Event event;
   while (SDL_PollEvent(&event)) {
     const std::size_t first = events.size();
     translate_event(event, events);
+    impl_->pads.handle(event, events);
     for (std::size_t i = first; i < events.size(); ++i) {
-      if (events[i].kind != InputEvent::Kind::kResize) continue;
-      const uvec2 size = pixel_size();
-      events[i].width = size.x;
-      events[i].height = size.y;
+      if (events[i].kind == InputEvent::Kind::kResize) {
+        const uvec2 size = pixel_size();
+        events[i].width = size.x;
+        events[i].height = size.y;
+      } else if (events[i].kind == InputEvent::Kind::kMouseMotion) {
+        int width = 0, height = 0;
+        SDL_GetWindowSize(impl_->window, &width, &height);
+        if (width <= 0 || height <= 0) continue;
+        const vec2 pixels(pixel_size());
+        events[i].x *= pixels.x / static_cast<float>(width);
+        events[i].y *= pixels.y / static_cast<float>(height);
+      }
     }
   }
   return events;

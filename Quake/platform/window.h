@@ -11,6 +11,7 @@
 
 #include "base/maths.h"
 #include "base/result.h"
+#include "platform/gamepad.h"
 #include "platform/input_event.h"
 
 namespace fb::platform {
@@ -39,11 +40,22 @@ class Window {
   uvec2 pixel_size() const;
   bool focused() const;
   void resize(std::uint32_t width, std::uint32_t height);
+  // Full screen keeps the display's mode.
+  void set_fullscreen(bool fullscreen);
+  bool fullscreen() const;
+  // The size of the display that the window is on, in the window system's units; 0, 0 if it is not known.
+  uvec2 display_size() const;
   // Hides the pointer and keeps it inside the window; motion then comes in mouse counts, without limit.
   void grab_mouse(bool grab);
   bool mouse_grabbed() const;
   // Whether keys also produce text (InputEvent::Kind::kText); off at first.
   void set_text_input(bool on);
+
+  // Game controllers: their buttons come as keys, by QuakeSpasm's names; triggers too, once they have moved by this
+  // part of their way. Off at first; one that is plugged in later is found.
+  void use_gamepads(bool on, float trigger_threshold);
+  // The sticks of the controllers, the largest deflection of each: -1 to 1, to the right and downwards.
+  PadSticks pad_sticks() const;
 
   // All events since the last call.
   std::vector<InputEvent> poll_events();

@@ -70,6 +70,8 @@ class Server {
   Status restart();                           // the level again, with what players came with
   Status save(std::string_view name);         // NAME.sav; single player only
   Status load(std::string_view name);
+  // Why the game cannot be saved now; nothing if it can.
+  std::optional<Error> reason_not_to_save();
   // Ends the game: everybody is dropped. Nothing happens where there is none.
   void shutdown();
 

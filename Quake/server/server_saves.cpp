@@ -23,19 +23,6 @@ Result<std::string> save_file_name(std::string_view typed) {
   return fs::ends_with_ignoring_case(*name, ".sav") ? *name : *name + ".sav";
 }
 
-// Why this is no moment to save, or nothing.
-std::optional<Error> reason_not_to_save(Server& server) {
-  if (!server.active()) return Error{"no game runs here that could be saved"};
-  if (server.max_clients() != 1) return Error{"a game for several players cannot be saved"};
-  Level& level = *server.level();
-  const auto intermission = level.vm->program().global<float>("intermission_running");
-  if (level.vm->get(intermission) != 0.0f) return Error{"the game cannot be saved during the intermission"};
-  const ServerClient& player = server.clients()[0];
-  if (player.active() && player.spawned() && level.edict(player.edict_id()).get(fields::health) <= 0.0f)
-    return Error{"a game with a dead player cannot be saved"};
-  return std::nullopt;
-}
-
 // Reads the whole save into a machine that nobody sees, so that nothing can go wrong with it afterwards.
 Status rehearse(const SaveGame& save, const LoadedMap& map, std::uint32_t max_edicts, std::string_view name) {
   auto vm = progs::Vm::create(map.program, {}, {.max_edicts = max_edicts});
@@ -46,10 +33,21 @@ Status rehearse(const SaveGame& save, const LoadedMap& map, std::uint32_t max_ed
 
 }  // namespace
 
+std::optional<Error> Server::reason_not_to_save() {
+  if (!active()) return Error{"no game runs here that could be saved"};
+  if (max_clients() != 1) return Error{"a game for several players cannot be saved"};
+  const auto intermission = level_->vm->program().global<float>("intermission_running");
+  if (level_->vm->get(intermission) != 0.0f) return Error{"the game cannot be saved during the intermission"};
+  const ServerClient& player = clients()[0];
+  if (player.active() && player.spawned() && level_->edict(player.edict_id()).get(fields::health) <= 0.0f)
+    return Error{"a game with a dead player cannot be saved"};
+  return std::nullopt;
+}
+
 Status Server::save(std::string_view typed) {
   const auto name = save_file_name(typed);
   if (!name) return name.error();
-  if (auto reason = reason_not_to_save(*this)) return *reason;
+  if (auto reason = reason_not_to_save()) return *reason;
   if (!services_.write_file) return Error{fmt::format("{}: there is nowhere to save to", *name)};
   const std::string text = write_save(*level_, (*clients_)[0].spawn_parms, skill_);
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());

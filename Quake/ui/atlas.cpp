@@ -86,7 +86,7 @@ Picture Atlas::glyph(unsigned char code) const {
   return {font_.x + code % 16 * kGlyphSize, font_.y + code / 16 * kGlyphSize, kGlyphSize, kGlyphSize};
 }
 
-const Picture* Atlas::picture(std::string_view name) {
+const Picture* Atlas::picture(std::string_view name, bool required) {
   auto known = pictures_.find(name);
   if (known == pictures_.end()) {
     std::optional<Picture> place;
@@ -96,7 +96,7 @@ const Picture* Atlas::picture(std::string_view name) {
       if (!place)
         failure = fmt::format("{}: no room for {}x{} pixels in the 2D atlas", name, image->width, image->height);
     }
-    if (!failure.empty()) log_warning("{}", failure);
+    if (!failure.empty() && required) log_warning("{}", failure);
     known = pictures_.emplace(std::string(name), place).first;
   }
   return known->second ? &*known->second : nullptr;

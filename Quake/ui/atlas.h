@@ -37,8 +37,9 @@ class Atlas {
   // The rectangle of a character's 8x8 glyph; codes are Quake's: 128 and more are gold.
   Picture glyph(unsigned char code) const;
   // A picture by name: "gfx/conback.lmp" is a file (lmp, png, tga, pcx), "ibar" a lump of gfx.wad. Palette index 255 is
-  // transparent. nullptr if there is none, after one message in the log (one for all lumps where there is no gfx.wad).
-  const Picture* picture(std::string_view name);
+  // transparent. nullptr if there is none, after one message in the log (one for all lumps where there is no gfx.wad;
+  // none where there need not be one).
+  const Picture* picture(std::string_view name, bool required = true);
   bool has_game_font() const { return game_font_; }
   // The palette's colour at this index (0 to 255), opaque; a grey without game data.
   vec4 color(int index) const;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,8 +21,10 @@ class Raster {
 
   void draw(const scene::DrawList& list) {
     for (const scene::DrawQuad& quad : list.quads) {
-      for (int y = 0; y < height_; ++y) {
-        for (int x = 0; x < width_; ++x) draw_pixel(list, quad, x, y);
+      const int right = std::min(width_, static_cast<int>(quad.max.x) + 1);
+      const int bottom = std::min(height_, static_cast<int>(quad.max.y) + 1);
+      for (int y = std::max(0, static_cast<int>(quad.min.y)); y < bottom; ++y) {
+        for (int x = std::max(0, static_cast<int>(quad.min.x)); x < right; ++x) draw_pixel(list, quad, x, y);
       }
     }
   }

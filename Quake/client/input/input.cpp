@@ -18,10 +18,6 @@ float whole_yaw(float degrees) {
   return static_cast<float>((360.0 / 65536.0) * static_cast<double>(static_cast<int>(steps) & 65535));
 }
 
-bool runs(const Buttons& buttons, const InputSettings& settings) {
-  return buttons.speed.down() != (settings.always_run != 0.0f);
-}
-
 void clamp_pitch(const InputSettings& settings, vec3& view_angles) {
   view_angles.x = std::max(std::min(view_angles.x, settings.max_pitch), settings.min_pitch);
 }
@@ -73,6 +69,10 @@ bool Button::take_press() {
   const bool result = down_ || went_down_;
   went_down_ = false;
   return result;
+}
+
+bool runs(const Buttons& buttons, const InputSettings& settings) {
+  return buttons.speed.down() != (settings.always_run != 0.0f);
 }
 
 void register_input_cvars(con::Console& console) {

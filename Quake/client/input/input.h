@@ -103,6 +103,9 @@ struct InputSettings {
 void register_input_cvars(con::Console& console);
 InputSettings read_input_settings(const con::Console& console);
 
+// Whether the player runs: by +speed and cl_alwaysrun.
+bool runs(const Buttons& buttons, const InputSettings& settings);
+
 // How fast the player wants to go: units a second along the view's axes.
 struct UserMove {
   float forward = 0.0f, side = 0.0f, up = 0.0f;

@@ -1,0 +1,274 @@
+#include "host/key_router.h"
+
+#include <algorithm>
+
+#include "platform/keys.h"
+
+namespace fb::host {
+namespace {
+
+constexpr int kKeyGrave = '`';
+constexpr std::size_t kPageLines = 8;
+// The pointer jumps to where it was when the game lets it go: that selects nothing.
+constexpr int kPointerFrames = 3;
+constexpr float kSteer = 0.6f;                            // of a stick's way
+constexpr double kSteerDelay = 0.4, kSteerRepeat = 0.12;  // seconds
+
+// Edits a typed line; false if the key is none that edits.
+bool edit_line(con::InputLine& line, int key) {
+  switch (key) {
+    case platform::kKeyBackspace:
+      line.erase_before();
+      return true;
+    case platform::kKeyDelete:
+      line.erase_at();
+      return true;
+    case platform::kKeyLeftArrow:
+      line.move(-1);
+      return true;
+    case platform::kKeyRightArrow:
+      line.move(1);
+      return true;
+    case platform::kKeyHome:
+      line.home();
+      return true;
+    case platform::kKeyEnd:
+      line.end();
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool is_function_key(int key) { return key >= platform::kKeyF1 && key <= platform::kKeyF12; }
+// Keys that open the menu over a demo.
+bool starts_typing(int key) {
+  return key == platform::kKeyEnter || key == platform::kKeypadEnter || key == platform::kKeyBackspace ||
+         (key >= platform::kKeySpace && key < platform::kKeyBackspace && key != kKeyGrave);
+}
+
+}  // namespace
+
+KeyRouter::KeyRouter(con::Console& console, ui::menu::Facts& facts)
+    : console_(console),
+      bindings_(
+          console, [](std::string_view name) { return platform::key_from_name(name); },
+          [](int key) { return platform::key_name(key); }),
+      menu_(console, bindings_, facts) {
+  register_commands();
+  bindings_.bind(kKeyGrave, "toggleconsole");
+}
+
+void KeyRouter::register_commands() {
+  console_.add_command("toggleconsole", "toggleconsole: open or close the console",
+                       [this](const con::Args&) { toggle_console(); });
+  const auto begin_message = [this](bool to_team) {
+    if (behind_ != Behind::kGame) return;
+    bindings_.release_all();
+    message_.begin(to_team);
+  };
+  console_.add_command("messagemode", "messagemode: type a message to all players",
+                       [begin_message](const con::Args&) { begin_message(false); });
+  console_.add_command("messagemode2", "messagemode2: type a message to your team",
+                       [begin_message](const con::Args&) { begin_message(true); });
+  menu_.set_opened([this] {
+    open_ = false;
+    message_.close();
+    bindings_.release_all();
+  });
+}
+
+void KeyRouter::close_all() {
+  open_ = false;
+  message_.close();
+  menu_.close();
+}
+
+void KeyRouter::set_behind(Behind behind) {
+  behind_ = behind;
+  if (behind != Behind::kGame) message_.close();
+}
+
+// Without a game the console that closes leaves the main menu.
+void KeyRouter::toggle_console() {
+  bindings_.release_all();
+  message_.close();
+  menu_.close();
+  open_ = !open_;
+  if (!open_ && behind_ == Behind::kNothing) menu_.show("main");
+}
+
+void KeyRouter::escape() {
+  if (menu_.capturing() || menu_.open())
+    menu_.press(ui::menu::Key::kBack);
+  else if (message_.open())
+    message_.close();
+  else if (open_)
+    toggle_console();
+  else
+    menu_.show("main");
+}
+
+void KeyRouter::type(int key) {
+  if (edit_line(input_, key)) return;
+  switch (key) {
+    case platform::kKeyEnter:
+    case platform::kKeypadEnter:
+      input_.enter(console_);
+      scrolled_up_ = 0;
+      break;
+    case platform::kKeyTab:
+      input_.complete(console_);
+      break;
+    case platform::kKeyUpArrow:
+      input_.recall(1);
+      break;
+    case platform::kKeyDownArrow:
+      input_.recall(-1);
+      break;
+    case platform::kKeyPageUp:
+    case platform::kKeyWheelUp:
+      scrolled_up_ += kPageLines;
+      break;
+    case platform::kKeyPageDown:
+    case platform::kKeyWheelDown:
+      scrolled_up_ -= std::min(scrolled_up_, kPageLines);
+      break;
+    default:
+      break;
+  }
+  scrolled_up_ = std::min(scrolled_up_, console_.scrollback().size());
+}
+
+void KeyRouter::type_message(int key) {
+  if (key == platform::kKeyEnter || key == platform::kKeypadEnter)
+    console_.append(message_.send());
+  else
+    edit_line(message_.input(), key);
+}
+
+void KeyRouter::handle_menu_key(int key) {
+  using ui::menu::Key;
+  switch (key) {
+    case platform::kKeyUpArrow:
+      return menu_.press(Key::kUp);
+    case platform::kKeyDownArrow:
+      return menu_.press(Key::kDown);
+    case platform::kKeyLeftArrow:
+      return menu_.press(Key::kLeft);
+    case platform::kKeyRightArrow:
+      return menu_.press(Key::kRight);
+    case platform::kKeyEnter:
+    case platform::kKeypadEnter:
+    case platform::kKeyAButton:
+      return menu_.press(Key::kEnter);
+    case platform::kKeyBButton:
+      return menu_.press(Key::kBack);
+    case platform::kKeyDelete:
+    case platform::kKeyMouse3:
+    case platform::kKeyYButton:
+      return menu_.press(Key::kDelete);
+    case platform::kKeyBackspace:
+      return menu_.press(Key::kErase);
+    case platform::kKeyPageUp:
+    case platform::kKeyLeftShoulder:
+      return menu_.press(Key::kPageUp);
+    case platform::kKeyPageDown:
+    case platform::kKeyRightShoulder:
+      return menu_.press(Key::kPageDown);
+    case platform::kKeyHome:
+      return menu_.press(Key::kHome);
+    case platform::kKeyEnd:
+      return menu_.press(Key::kEnd);
+    case platform::kKeyMouse1:
+      menu_.point(pointer_.x, pointer_.y);
+      return menu_.click();
+    case platform::kKeyMouse2:
+      return menu_.click(true);
+    case platform::kKeyWheelUp:
+      return menu_.wheel(-1);
+    case platform::kKeyWheelDown:
+      return menu_.wheel(1);
+    default:
+      return;
+  }
+}
+
+void KeyRouter::steer(const vec2& stick, double now) {
+  const ivec2 direction(stick.x > kSteer    ? 1
+                        : stick.x < -kSteer ? -1
+                                            : 0,
+                        stick.y > kSteer    ? 1
+                        : stick.y < -kSteer ? -1
+                                            : 0);
+  const bool fresh = direction != steered_;
+  if (fresh) steer_again_ = now + kSteerDelay;
+  steered_ = direction;
+  if (!menu_.open() || direction == ivec2(0) || (!fresh && now < steer_again_)) return;
+  if (!fresh) steer_again_ = now + kSteerRepeat;
+  using ui::menu::Key;
+  if (direction.y != 0)
+    menu_.press(direction.y > 0 ? Key::kDown : Key::kUp);
+  else
+    menu_.press(direction.x > 0 ? Key::kRight : Key::kLeft);
+}
+
+void KeyRouter::handle_menu(const platform::InputEvent& event) {
+  using Kind = platform::InputEvent::Kind;
+  if (event.kind == Kind::kText) {
+    if (!text_was_bound_ && event.text != "`" && event.text != "~") menu_.type(event.text);
+  } else if (event.kind == Kind::kMouseMotion) {
+    pointer_ = {event.x, event.y};
+    if (menu_frames_ >= kPointerFrames) menu_.point(pointer_.x, pointer_.y);
+  } else if (event.kind == Kind::kKey && event.down) {
+    text_was_bound_ = menu_.capturing();
+    if (text_was_bound_)
+      menu_.bind(event.key == kKeyGrave || event.repeat ? platform::kKeyNone : event.key);
+    else if (is_function_key(event.key))
+      run_binding(event);
+    else
+      handle_menu_key(event.key);
+  }
+}
+
+// The key that quits asks first; the command does not.
+void KeyRouter::run_binding(const platform::InputEvent& event) {
+  if (event.repeat) return;
+  if (event.down && con::same_name(bindings_.command(event.key), "quit")) return console_.append("menu_quit\n");
+  bindings_.key_event(event.key, event.down);
+}
+
+void KeyRouter::handle(const platform::InputEvent& event) {
+  using Kind = platform::InputEvent::Kind;
+  if (event.kind == Kind::kFocus && !event.focused) bindings_.release_all();
+  const bool is_key = event.kind == Kind::kKey;
+  if (is_key && event.key == platform::kKeyEscape) {
+    if (event.down && !event.repeat) escape();
+    return;
+  }
+  if (is_key && event.key == kKeyGrave && !menu_.capturing() && !message_.open()) {
+    if (event.down && !event.repeat) toggle_console();
+    return;
+  }
+  // A button that was pressed before lets go wherever the keys go now.
+  if (is_key && !event.down) return bindings_.key_event(event.key, false);
+  if (menu_.open()) return handle_menu(event);
+  if (message_.open()) {
+    if (event.kind == Kind::kText) message_.input().insert(event.text);
+    if (is_key) type_message(event.key);
+    return;
+  }
+  const bool typing = open_ || behind_ == Behind::kNothing;
+  if (event.kind == Kind::kText && typing && event.text != "`" && event.text != "~") input_.insert(event.text);
+  if (!is_key) return;
+  if (typing && !is_function_key(event.key)) return type(event.key);
+  if (behind_ == Behind::kDemo && starts_typing(event.key) && !event.repeat) return menu_.show("main");
+  run_binding(event);
+}
+
+void KeyRouter::begin_frame() {
+  menu_frames_ = menu_.open() ? menu_frames_ + 1 : 0;
+  menu_.update();
+}
+
+}  // namespace fb::host

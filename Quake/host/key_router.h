@@ -1,0 +1,75 @@
+// Who has the keys: the menu, the message or the console that is typed, or the bindings. QuakeSpasm's rules say so.
+#pragma once
+
+#include <string>
+
+#include "console/bindings.h"
+#include "console/console.h"
+#include "console/input_line.h"
+#include "platform/input_event.h"
+#include "ui/menu/menu.h"
+#include "ui/message_line.h"
+
+namespace fb::host {
+
+class KeyRouter {
+ public:
+  // What is behind the menu and the console.
+  enum class Behind {
+    kNothing,  // the console fills the picture and is typed at
+    kDemo,     // keys that print open the menu
+    kGame,
+  };
+
+  // Registers toggleconsole, messagemode, messagemode2, the menus' commands and the bindings. Console and facts must
+  // outlive it.
+  KeyRouter(con::Console& console, ui::menu::Facts& facts);
+
+  // Handles a key, text, motion or focus event; ignores others.
+  void handle(const platform::InputEvent& event);
+  bool console_open() const { return open_; }
+  bool menu_open() const { return menu_.open(); }
+  // Whether a game of one player waits: all keys go elsewhere.
+  bool holds_game() const { return open_ || menu_.open() || message_.open(); }
+  // A game has begun: the console and the menu give way.
+  void close_all();
+  void set_behind(Behind behind);
+  // A stick moves in the menu as the arrow keys do: at once, then ever again while it is held. -1 to 1, down is
+  // positive.
+  void steer(const vec2& stick, double now);
+  ui::menu::Menu& menu() { return menu_; }
+
+  // Once a frame, before the menu is drawn.
+  void begin_frame();
+
+  // What is drawn of it.
+  const con::InputLine& console_line() const { return input_; }
+  std::size_t scrolled_up() const { return scrolled_up_; }  // lines of the console
+  const ui::MessageLine& message() const { return message_; }
+
+ private:
+  void register_commands();
+  void toggle_console();
+  void escape();
+  void handle_menu(const platform::InputEvent& event);
+  void handle_menu_key(int key);
+  void run_binding(const platform::InputEvent& event);
+  void type(int key);
+  void type_message(int key);
+
+  con::Console& console_;
+  con::Bindings bindings_;
+  con::InputLine input_;
+  ui::MessageLine message_;
+  ui::menu::Menu menu_;
+  bool open_ = false;
+  Behind behind_ = Behind::kNothing;
+  std::size_t scrolled_up_ = 0;
+  ivec2 steered_{0};             // the direction of the stick in the last frame
+  double steer_again_ = 0;       // when it moves again
+  vec2 pointer_{0.0f};           // output pixels
+  int menu_frames_ = 0;          // since the menu opened
+  bool text_was_bound_ = false;  // the last key was given to a command: its letter is no text
+};
+
+}  // namespace fb::host

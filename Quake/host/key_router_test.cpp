@@ -1,0 +1,162 @@
+// Who has the keys: the menu, the message that is typed, the console or the bindings.
+#include "host/key_router.h"
+
+#include <gmock/gmock.h>
+
+#include "platform/keys.h"
+#include "ui/menu/test_menu.h"
+
+namespace fb::host {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using Behind = KeyRouter::Behind;
+
+class KeyRouterTest : public testing::Test {
+ protected:
+  KeyRouterTest() {
+    console.add_cvar({"skill", "1", "", con::kCvarPlain, 0.0f, 3.0f, true});
+    console.add_cvar("m_pitch", "0.022", "");
+    for (const char* name : {"quit", "say", "say_team", "+forward", "-forward", "impulse"})
+      console.add_command(name, "", [this](const con::Args& args) { ran.push_back(args.joined(0)); });
+    console.execute("bind w +forward; bind F10 quit; bind t messagemode; bind y messagemode2; bind 2 \"impulse 2\"");
+    keys.set_behind(Behind::kGame);
+  }
+  void key(int number, bool down = true) {
+    platform::InputEvent event;
+    event.kind = platform::InputEvent::Kind::kKey;
+    event.key = number;
+    event.down = down;
+    keys.handle(event);
+  }
+  // A key and its letter, as they come from a keyboard.
+  void press(int number) {
+    key(number);
+    if (number >= ' ' && number < 127) text(std::string(1, static_cast<char>(number)));
+    key(number, false);
+    console.execute();
+  }
+  void text(const std::string& typed) {
+    platform::InputEvent event;
+    event.kind = platform::InputEvent::Kind::kText;
+    event.text = typed;
+    keys.handle(event);
+  }
+
+  con::Console console;
+  ui::menu::TestFacts facts;
+  KeyRouter keys{console, facts};
+  std::vector<std::string> ran;
+};
+
+TEST_F(KeyRouterTest, EscapeOpensTheMenuAndLeadsBackToTheGame) {
+  press(platform::kKeyEscape);
+  EXPECT_TRUE(keys.menu_open());
+  EXPECT_TRUE(keys.holds_game());
+  press('w');
+  EXPECT_THAT(ran, IsEmpty()) << "the menu has the keys";
+  press(platform::kKeyEscape);
+  EXPECT_FALSE(keys.holds_game());
+  press('w');
+  EXPECT_THAT(ran, ElementsAre("+forward 119", "-forward 119"));
+}
+
+TEST_F(KeyRouterTest, ButtonsAreReleasedWhenTheMenuOpens) {
+  key('w');
+  console.execute();
+  press(platform::kKeyEscape);
+  EXPECT_THAT(ran, ElementsAre("+forward 119", "-forward 119"));
+}
+
+TEST_F(KeyRouterTest, EscapeClosesTheConsole) {
+  press('`');
+  EXPECT_TRUE(keys.console_open());
+  press(platform::kKeyEscape);
+  EXPECT_FALSE(keys.console_open());
+  EXPECT_FALSE(keys.menu_open());
+}
+
+TEST_F(KeyRouterTest, WithoutAGameThereIsAlwaysAWay) {
+  keys.set_behind(Behind::kNothing);
+  text("say hello");
+  press(platform::kKeyEnter);
+  EXPECT_THAT(ran, ElementsAre("say hello")) << "the console is typed at";
+  press(platform::kKeyEscape);
+  EXPECT_TRUE(keys.menu_open());
+  press(platform::kKeyEscape);
+  EXPECT_FALSE(keys.menu_open());
+  press('`');
+  press('`');
+  EXPECT_TRUE(keys.menu_open()) << "a console that closes leaves the menu";
+}
+
+TEST_F(KeyRouterTest, OverADemoKeysOpenTheMenu) {
+  keys.set_behind(Behind::kDemo);
+  press('2');
+  EXPECT_TRUE(keys.menu_open());
+  EXPECT_THAT(ran, IsEmpty());
+  keys.close_all();
+  press(platform::kKeyTab);
+  EXPECT_FALSE(keys.menu_open());
+  press('`');
+  EXPECT_TRUE(keys.console_open());
+}
+
+TEST_F(KeyRouterTest, MessagesAreTypedAndSent) {
+  press('t');
+  EXPECT_TRUE(keys.holds_game());
+  for (const char c : std::string("2 w`")) press(c);
+  press(platform::kKeyBackspace);
+  press(platform::kKeyEnter);
+  EXPECT_THAT(ran, ElementsAre("say 2 w"));
+  EXPECT_FALSE(keys.holds_game());
+  ran.clear();
+  press('y');
+  text("go");
+  press(platform::kKeyEscape);
+  EXPECT_THAT(ran, IsEmpty());
+  EXPECT_FALSE(keys.menu_open()) << "Escape ends the message alone";
+  press('y');
+  text("go");
+  press(platform::kKeyEnter);
+  EXPECT_THAT(ran, ElementsAre("say_team go"));
+}
+
+TEST_F(KeyRouterTest, AKeyThatQuitsAsks) {
+  press(platform::kKeyF1 + 9);
+  EXPECT_THAT(ran, IsEmpty());
+  EXPECT_EQ(keys.menu().page_name(), "quit");
+  press(platform::kKeyEnter);
+  EXPECT_THAT(ran, ElementsAre("quit"));
+  console.execute("quit");
+  EXPECT_EQ(ran.size(), 2u) << "the command does not ask";
+}
+
+TEST_F(KeyRouterTest, AKeyThatIsBoundIsNoSearch) {
+  console.execute("menu_keys");
+  press(platform::kKeyEnter);
+  EXPECT_TRUE(keys.menu().capturing());
+  press('i');
+  EXPECT_EQ(keys.menu().filter(), "");
+  press('j');
+  EXPECT_EQ(keys.menu().filter(), "j") << "the next letter searches";
+  console.execute("bind i");
+  EXPECT_EQ(console.scrollback().latest(1)[0].text, "\"i\" = \"+forward\"");
+}
+
+TEST_F(KeyRouterTest, AStickMovesStepByStep) {
+  console.execute("menu_main");
+  keys.steer({0.0f, 0.9f}, 10.0);
+  keys.steer({0.0f, 0.9f}, 10.1);
+  EXPECT_EQ(keys.menu().selected()->label, "Multiplayer");
+  keys.steer({0.0f, 0.9f}, 10.5);
+  keys.steer({0.0f, 0.9f}, 10.55);
+  EXPECT_EQ(keys.menu().selected()->label, "Options") << "it repeats while it is held";
+  keys.steer({0.0f, 0.0f}, 10.6);
+  keys.steer({0.0f, -0.9f}, 10.7);
+  EXPECT_EQ(keys.menu().selected()->label, "Multiplayer");
+}
+
+}  // namespace
+}  // namespace fb::host

@@ -1,0 +1,47 @@
+// What the menus are told of the engine.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host/engine.h"
+#include "host/map_list.h"
+#include "ui/menu/facts.h"
+
+namespace fb::host {
+
+class MenuFacts final : public ui::menu::Facts {
+ public:
+  // The engine must outlive it.
+  explicit MenuFacts(Engine& engine) : engine_(engine), maps_(engine.files()) {}
+  void set_display_size(std::function<uvec2()> size) { display_size_ = std::move(size); }
+  // Once a frame while the menu is open: reads a few more titles, notes what servers have answered.
+  void update();
+
+  bool in_game() const override;
+  std::string reason_not_to_save() const override;
+  std::vector<ui::menu::SaveEntry> saves() override;
+  std::vector<ui::menu::MapEntry> maps() override { return maps_.maps(); }
+  std::vector<ui::menu::MapEntry> start_maps() override { return maps_.start_maps(); }
+  std::vector<std::string> demos() override;
+  std::vector<ui::menu::ModEntry> mods() override;
+  std::vector<ui::menu::ServerEntry> servers() override;
+  bool searching_servers() const override { return engine_.server_list().searching(); }
+  std::vector<uvec2> video_sizes() override;
+  bool mouse_look() const override { return engine_.client().mouse_looks(); }
+  std::string key_name(int key) const override;
+  std::string version() const override;
+  std::uint64_t revision() const override { return revision_; }
+
+ private:
+  Engine& engine_;
+  MapList maps_;
+  std::function<uvec2()> display_size_;
+  std::uint64_t revision_ = 1;
+  std::size_t servers_ = 0;
+  bool searching_ = false;
+};
+
+}  // namespace fb::host

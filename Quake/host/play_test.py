@@ -1,0 +1,223 @@
+#!/usr/bin/env python3
+"""A player at the window: play_test.py BUILD_DIR [--pictures DIR]. The base game is played with a real keyboard and a real
+mouse (xdotool): a new game from the menu, a setting, a key, a save, quitting, and a second start that has kept it all;
+then the same rows by mouse alone. It has an X server of its own, since a window that others open would take the keys. Skipped,
+saying so, without Xvfb, xdotool, the base game or a Vulkan device."""
+import argparse
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+from network_game_test import SKIPPED, Program
+
+SLOW = float(os.environ.get("FULLBRIGHT_TEST_SLOWNESS", "1"))
+WIDTH, HEIGHT = 640, 360
+PAGE = ((WIDTH - 320) // 2, (HEIGHT - 200) // 2)  # of a page with a plaque, at scale 1
+
+
+class Player:
+    """The program in a window, with somebody before it."""
+
+    def __init__(self, build, folder, pictures, *commands):
+        game = build / "game"
+        self.pictures = pictures
+        self.running = Program("the game", [build / "fullbright", "-basedir", game, "-userdir", folder, "-seed", "1", "-nolan",
+                                            "-size", f"{WIDTH}x{HEIGHT}", "+r_cpu_pixels", "4096", "+r_estimator", "pt", "+r_denoise", "0", "+host_speeds", "1", *commands])
+        self.said = 0  # lines that says() has gone past
+        window = self.tool("search", "--sync", "--name", "^Fullbright$")
+        self.window = window.split()[0]
+        self.says("^Playing demo", 60)
+        self.tool("windowfocus", "--sync", self.window)
+        self.frames(4)
+        self.says("^FULLBRIGHT SERVER")  # the demo's
+
+    def tool(self, *words):
+        return subprocess.run(["xdotool", *words], check=True, capture_output=True, text=True, timeout=60 * SLOW).stdout
+
+    def frames(self, count=2):
+        """Waits until so many are drawn: the second one has seen what was pressed before."""
+        self.running.catch_up()
+        for _ in range(count):
+            self.running.wait_for(" ms, host", 60 * SLOW)
+
+    def keys(self, *names):
+        for name in names:
+            self.tool("key", name)
+            self.frames()
+
+    def type(self, text):
+        self.tool("type", "--delay", "20", text)
+        self.frames()
+
+    def point(self, x, y, button=None):
+        """Moves the pointer to a place of the window's contents, and clicks."""
+        self.tool("mousemove", "--window", self.window, str(int(x)), str(int(y)))
+        self.frames()
+        if button:
+            self.tool("click", str(button))
+            self.frames()
+
+    def row(self, large, small=None):
+        """The middle of a page's row: of the listed ones, or of the small ones behind so many listed."""
+        y = PAGE[1] + 34 + 20 * large + (10 if small is None else 4 * (large > 0) + 10 * small + 5)
+        return PAGE[0] + 100, y
+
+    def says(self, pattern, seconds=30):
+        lines = self.running.lines
+        for number in range(self.said, len(lines)):
+            if re.search(pattern, lines[number]):
+                self.said = number + 1
+                return lines[number]
+        self.running.wait_for(pattern, seconds * SLOW)
+        self.said = len(lines)
+        return lines[-1]
+
+    def show(self, name):
+        if self.pictures:
+            subprocess.run(["import", "-silent", "-window", self.window, self.pictures / f"{name}.png"], check=True)
+
+    def ends(self):
+        status = self.running.process.wait(20 * SLOW)
+        assert status == 0, f"status {status}"
+
+
+def by_keyboard(build, folder, pictures):
+    config = folder / "id1" / "config.cfg"
+    player = Player(build, folder, pictures)
+    player.show("01_start")
+    player.keys("Escape")
+    player.show("02_main")
+    player.keys("Return")  # single player
+    player.show("03_single")
+    player.keys("Return")  # new game
+    player.show("04_new")
+    if "trigger_setskill" not in start_map(build):
+        player.keys("Down", "Return")
+    player.says("Server spawned|entered the game")
+    player.frames(6)
+    player.show("05_game")
+    player.keys("Escape", "Down", "Down", "Return")  # options
+    player.keys(*["Down"] * 8, "Right", "Right")  # mouse speed: 3 to 4
+    player.show("06_options")
+    player.keys("Up", "Up", "Up", "Up", "Up", "Up", "Up", "Up", "Return")  # keys
+    player.keys("Return")
+    player.show("07_capture")
+    player.keys("i")
+    player.show("08_keys")
+    player.keys("Escape", "Down", "Down", "Down", "Return")
+    player.type("volum")
+    player.show("09_search")
+    player.keys("Escape", "Escape", "Escape", "Escape", "Escape")
+    player.keys("F2", "Return")  # save in the first slot
+    player.says("saved as s0")
+    player.keys("F2")
+    player.show("10_saves")
+    player.keys("Escape", "Escape", "Escape")
+    player.keys("F10")
+    player.show("11_quit")
+    player.tool("key", "Return")
+    player.ends()
+    text = config.read_text()
+    assert 'bind "i" "+forward"' in text, text
+    assert 'sensitivity "4"' in text, text
+    assert (folder / "id1" / "s0.sav").exists()
+
+    player = Player(build, folder, pictures)
+    player.keys("F3", "Return")  # load
+    player.says("^FULLBRIGHT SERVER")
+    player.frames(6)
+    player.keys("grave")
+    player.type("sensitivity")
+    player.keys("Return")
+    player.says('"sensitivity" is "4"')
+    player.type("bind i")
+    player.keys("Return")
+    player.says('"i" = "\\+forward"')
+    player.show("12_console")
+    player.keys("Escape", "t")
+    player.type("hello")
+    player.show("13_message")
+    player.keys("Return")
+    player.says("hello")
+    player.keys("F10")
+    player.tool("key", "Return")
+    player.ends()
+
+
+def by_mouse(build, folder, pictures):
+    """With keys for nothing but the first look at the menu."""
+    player = Player(build, folder, pictures)
+    player.keys("Escape")
+    player.point(*player.row(0), 1)  # single player
+    player.point(*player.row(0), 1)  # new game
+    if "trigger_setskill" not in start_map(build):
+        player.point(*player.row(1), 1)
+    player.says("Server spawned|entered the game")
+    player.frames(6)
+    player.keys("Escape")
+    player.point(*player.row(2), 1)  # options
+    x, y = player.row(0, 8)  # mouse speed: the slider's end
+    player.point(PAGE[0] + 184 + 71, y, 1)
+    player.show("20_mouse_options")
+    player.point(x, y, 3)  # the other button goes back
+    player.point(*player.row(4), 1)  # quit
+    player.show("21_mouse_quit")
+    player.point(*player.row(0, 3))
+    player.tool("click", "1")
+    player.ends()
+    text = (folder / "id1" / "config.cfg").read_text()
+    assert 'sensitivity "11"' in text, text
+
+
+class Display:
+    """An X server of the test's own while it lives."""
+
+    def __enter__(self):
+        reading, writing = os.pipe()
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x720x24", "-noreset"],
+                                       pass_fds=[writing], stderr=subprocess.DEVNULL)
+        os.close(writing)
+        with os.fdopen(reading) as pipe:
+            os.environ["DISPLAY"] = ":" + pipe.readline().strip()
+        return self
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait()
+
+
+def start_map(build):
+    return (build / "game" / "id1" / "maps" / "start.bsp").read_bytes().decode("latin-1")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--pictures", type=pathlib.Path)
+    arguments = parser.parse_args()
+    build = arguments.build.resolve()
+    wanting = [what for what, there in (
+        ("Xvfb", shutil.which("Xvfb")), ("xdotool", shutil.which("xdotool")),
+        ("the base game", (build / "game" / "id1" / "progs.dat").exists()),
+        ("a Vulkan device", subprocess.run([build / "fullbright", "-listdevices"], capture_output=True).returncode == 0)) if not there]
+    if wanting:
+        print("skipped for want of " + ", ".join(wanting))
+        return SKIPPED
+    if arguments.pictures:
+        arguments.pictures.mkdir(parents=True, exist_ok=True)
+    with Display():
+        for play in (by_keyboard, by_mouse):
+            start = time.monotonic()
+            with tempfile.TemporaryDirectory() as name:
+                play(build, pathlib.Path(name), arguments.pictures)
+            print(f"{play.__name__}: {time.monotonic() - start:.0f} s", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

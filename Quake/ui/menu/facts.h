@@ -1,0 +1,60 @@
+// What the menus show of the rest of the program: saved games, maps, mods, servers. The host knows these; the menus
+// know no host.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/maths.h"
+
+namespace fb::ui::menu {
+
+struct SaveEntry {
+  std::string name;  // for save and load: "s0"
+  bool used = false;
+  std::string failure{};  // one sentence: why a file that exists cannot be read
+  std::string place{};    // "The Slipgate Complex"
+  std::string kills{};    // "3/22"
+  double seconds = 0.0;
+};
+struct MapEntry {
+  std::string name, title;     // "e1m1", "The Slipgate Complex"
+  bool chooses_skill = false;  // it has places where the player chooses
+};
+struct ModEntry {
+  std::string directory, description;
+  bool active = false;
+};
+struct ServerEntry {
+  std::string name, map, address;
+  int players = 0, max_players = 0;
+  bool compatible = true;
+};
+
+class Facts {
+ public:
+  virtual ~Facts() = default;
+  // Whether there is a game of the player's own that would be lost.
+  virtual bool in_game() const = 0;
+  // Why the game cannot be saved now; empty if it can.
+  virtual std::string reason_not_to_save() const = 0;
+  virtual std::vector<SaveEntry> saves() = 0;  // 20 slots, s0 to s19, then other saves
+  // All maps that can be played; their titles may come later, with another revision.
+  virtual std::vector<MapEntry> maps() = 0;
+  // Those among them where a game begins: "start" and what a mod calls so. Complete at once.
+  virtual std::vector<MapEntry> start_maps() = 0;
+  virtual std::vector<std::string> demos() = 0;
+  virtual std::vector<ModEntry> mods() = 0;
+  virtual std::vector<ServerEntry> servers() = 0;
+  virtual bool searching_servers() const = 0;
+  // Sizes that a window may have here.
+  virtual std::vector<uvec2> video_sizes() = 0;
+  virtual bool mouse_look() const = 0;  // +mlook is down
+  virtual std::string key_name(int key) const = 0;
+  virtual std::string version() const = 0;
+  // Changes when one of the lists has changed.
+  virtual std::uint64_t revision() const = 0;
+};
+
+}  // namespace fb::ui::menu

@@ -1,0 +1,118 @@
+// Pages that list what there is: saved games, maps, demos, mods.
+#include <fmt/format.h>
+
+#include "ui/menu/pages.h"
+#include "ui/menu/rows.h"
+
+namespace fb::ui::menu {
+namespace {
+
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<long long>(seconds < 0.0 || seconds > 1e9 ? 0.0 : seconds);
+  return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+Row save_row(const SaveEntry& save) {
+  Row row;
+  row.label = !save.failure.empty() ? "(cannot be read)" : save.used ? save.place : "- empty -";
+  if (save.used && save.failure.empty()) row.value = fmt::format("{:>7}{:>7}", save.kills, clock_text(save.seconds));
+  row.help = save.failure.empty() ? save.name + ".sav" : save.failure;
+  return row;
+}
+
+Page saves_page(const char* title, const char* picture) {
+  Page page;
+  page.title = title;
+  page.title_picture = picture;
+  page.plaque = false;
+  page.value_column = 0.65f;
+  page.live = true;
+  return page;
+}
+
+}  // namespace
+
+Page load_page(const Sources& sources) {
+  Page page = saves_page("Load", "gfx/p_load.lmp");
+  for (const SaveEntry& save : sources.facts.saves()) {
+    Row row = save_row(save);
+    row.enabled = save.used && save.failure.empty();
+    row.command = fmt::format("disconnect; maxplayers 1; load {}", con::in_quotes(save.name));
+    row.closes = true;
+    page.rows.push_back(std::move(row));
+  }
+  return page;
+}
+
+Page save_page(const Sources& sources) {
+  Page page = saves_page("Save", "gfx/p_save.lmp");
+  if (const std::string reason = sources.facts.reason_not_to_save(); !reason.empty()) {
+    page.rows.push_back(heading(reason));
+    return page;
+  }
+  for (const SaveEntry& save : sources.facts.saves()) {
+    Row row = save_row(save);
+    row.command = fmt::format("save {}", con::in_quotes(save.name));
+    row.closes = true;
+    if (save.used) row.question = "Write over this saved game?";
+    page.rows.push_back(std::move(row));
+  }
+  return page;
+}
+
+Page maps_page(const Sources& sources) {
+  Page page;
+  page.title = "Maps";
+  page.plaque = false;
+  page.searchable = true;
+  page.live = true;
+  page.value_column = 0.4f;
+  page.empty = "There are no maps.";
+  const bool in_game = sources.facts.in_game();
+  for (const MapEntry& map : sources.facts.maps()) {
+    Row row = action(map.name, new_game_command(map.name));
+    row.value = map.title;
+    row.closes = true;
+    if (in_game) row.question = "Leave this game and begin a new one?";
+    page.rows.push_back(std::move(row));
+  }
+  return page;
+}
+
+Page demos_page(const Sources& sources) {
+  Page page;
+  page.title = "Demos";
+  page.plaque = false;
+  page.searchable = true;
+  page.empty = "There are no demos.";
+  const bool in_game = sources.facts.in_game();
+  for (const std::string& name : sources.facts.demos()) {
+    Row row = action(name, "playdemo " + con::in_quotes(name));
+    row.closes = true;
+    if (in_game) row.question = "Leave this game for the demo?";
+    page.rows.push_back(std::move(row));
+  }
+  return page;
+}
+
+Page mods_page(const Sources& sources) {
+  Page page;
+  page.title = "Mods";
+  page.plaque = false;
+  page.searchable = true;
+  page.value_column = 0.4f;
+  page.empty = "There are no other game folders.";
+  const bool in_game = sources.facts.in_game();
+  for (const ModEntry& mod : sources.facts.mods()) {
+    Row row = action(mod.directory, "game " + con::in_quotes(mod.directory));
+    row.value = mod.active ? "(is played)" : mod.description;
+    row.help = mod.description;
+    row.closes = true;
+    row.enabled = !mod.active;
+    if (in_game) row.question = "Leave this game? The program starts again.";
+    page.rows.push_back(std::move(row));
+  }
+  return page;
+}
+
+}  // namespace fb::ui::menu

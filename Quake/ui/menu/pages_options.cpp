@@ -1,0 +1,168 @@
+// Options: the well-known page, video, sound, and every other setting.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "ui/menu/pages.h"
+#include "ui/menu/rows.h"
+
+namespace fb::ui::menu {
+namespace {
+
+// Adds a slider for a cvar, if there is one that has an effect.
+void add_slider(Page& page, const con::Console& console, const char* name, const char* label, double min, double max,
+                double step) {
+  const con::Cvar* cvar = console.find_cvar(name);
+  if (cvar && cvar->has_effect()) page.rows.push_back(setting_row(*cvar, label, slider_of(*cvar, min, max, step)));
+}
+
+void add_toggle(Page& page, const con::Console& console, const char* name, const char* label) {
+  const con::Cvar* cvar = console.find_cvar(name);
+  if (cvar && cvar->has_effect()) page.rows.push_back(setting_row(*cvar, label, toggle_of(*cvar)));
+}
+
+// The sign of m_pitch.
+Row invert_row(const con::Cvar& pitch) {
+  Control control;
+  control.kind = Control::Kind::kToggle;
+  control.read = [&pitch] { return std::string(pitch.value() < 0.0f ? "1" : "0"); };
+  control.command = [&pitch](std::string_view value) {
+    const float size = std::abs(pitch.value());
+    return fmt::format("m_pitch {}", con::number_text(value == "0" ? size : -size));
+  };
+  control.default_value = "0";
+  Row row = setting_row(pitch, "Invert mouse", std::move(control));
+  row.help = "m_pitch: the mouse's motion away from you looks down instead of up\ndefault off";
+  return row;
+}
+
+// Mouse look is a button that is held down.
+Row mouse_look_row(const Facts& facts) {
+  Row row;
+  row.kind = Row::Kind::kSetting;
+  row.label = "Mouse look";
+  row.help = "+mlook: the mouse looks up and down\ndefault on";
+  Control control;
+  control.kind = Control::Kind::kToggle;
+  control.read = [&facts] { return std::string(facts.mouse_look() ? "1" : "0"); };
+  control.command = [](std::string_view value) { return std::string(value == "0" ? "-mlook" : "+mlook"); };
+  control.default_value = "1";
+  row.control = std::move(control);
+  return row;
+}
+
+bool is_archived_or_sound(const con::Cvar& cvar) { return cvar.archived() || setting_group(cvar) == "Sound"; }
+
+}  // namespace
+
+Page options_page(const Sources& sources) {
+  const con::Console& console = sources.console;
+  Page page;
+  page.title = "Options";
+  page.title_picture = "gfx/p_option.lmp";
+  page.rows = {link("Keys", "keys"), link("Video", "video"), link("Sound", "sound"),
+               link("All settings", "settings", "every setting that is kept, by groups; type to search"),
+               action("Go to console", "toggleconsole")};
+  page.rows.back().closes = true;
+  Row reset = action("Reset to defaults", "exec default.cfg; resetcfg");
+  reset.question = "Set all keys and settings to their defaults?";
+  page.rows.push_back(std::move(reset));
+  add_slider(page, console, "viewsize", "Screen size", 30, 120, 10);
+  add_slider(page, console, "r_exposure", "Brightness", 0.2, 3, 0.1);
+  add_slider(page, console, "sensitivity", "Mouse speed", 1, 11, 0.5);
+  add_slider(page, console, "volume", "Sound volume", 0, 1, 0.1);
+  add_slider(page, console, "bgmvolume", "Music volume", 0, 1, 0.1);
+  add_slider(page, console, "fov", "Field of view", 50, 130, 5);
+  add_toggle(page, console, "cl_alwaysrun", "Always run");
+  if (const con::Cvar* pitch = console.find_cvar("m_pitch")) page.rows.push_back(invert_row(*pitch));
+  page.rows.push_back(mouse_look_row(sources.facts));
+  add_toggle(page, console, "lookspring", "Lookspring");
+  add_toggle(page, console, "lookstrafe", "Lookstrafe");
+  add_toggle(page, console, "joy_enable", "Use game pad");
+  page.value_column = 0.5f;
+  return page;
+}
+
+Page video_page(const Sources& sources) {
+  const con::Console& console = sources.console;
+  Page page;
+  page.title = "Video";
+  page.title_picture = "gfx/vidmodes.lmp";
+  page.plaque = false;
+  const con::Cvar* width = console.find_cvar("vid_width");
+  const con::Cvar* height = console.find_cvar("vid_height");
+  if (width && height && width->has_effect()) {
+    Control control;
+    control.kind = Control::Kind::kChoice;
+    control.read = [width, height] { return fmt::format("{} {}", width->string(), height->string()); };
+    control.command = [](std::string_view value) {
+      const std::string size(value);
+      const std::size_t space = size.find(' ');
+      return fmt::format("vid_width {}; vid_height {}", size.substr(0, space), size.substr(space + 1));
+    };
+    for (const uvec2& size : sources.facts.video_sizes())
+      control.choices.push_back({fmt::format("{} {}", size.x, size.y), fmt::format("{}x{}", size.x, size.y)});
+    control.default_value = fmt::format("{} {}", width->default_string(), height->default_string());
+    Row row = setting_row(*width, "Window size", std::move(control));
+    row.help = "vid_width, vid_height: size of the window, pixels; applied below";
+    page.rows.push_back(std::move(row));
+  }
+  add_toggle(page, console, "vid_fullscreen", "Full screen");
+  page.rows.push_back(action("Apply", "vid_restart", "changes the window now"));
+  page.rows.push_back(heading(""));
+  for (const char* name :
+       {"r_scale", "r_cpu_pixels", "r_spp", "r_bounces", "r_denoise", "r_taa", "r_fxaa", "r_fog_scale", "r_water",
+        "host_maxfps", "r_frames_ahead", "vid_vsync", "scr_showfps", "scr_menuscale"}) {
+    const con::Cvar* cvar = console.find_cvar(name);
+    if (cvar && cvar->has_effect()) page.rows.push_back(setting_row(*cvar));
+  }
+  page.rows.push_back(link("More of the picture", "settings/Picture"));
+  page.value_column = 0.52f;
+  return page;
+}
+
+Page sound_page(const Sources& sources) {
+  const con::Console& console = sources.console;
+  Page page;
+  page.title = "Sound";
+  page.plaque = false;
+  page.value_column = 0.58f;
+  for (const con::Cvar* cvar : console.cvars()) {
+    if (!is_archived_or_sound(*cvar)) continue;
+    const bool volume = cvar->name() == "volume" || cvar->name() == "bgmvolume";
+    const std::string label = cvar->name() == "volume" ? "Sound volume" : volume ? "Music volume" : "";
+    if (setting_group(*cvar) == "Sound" && cvar->has_effect())
+      page.rows.push_back(volume ? setting_row(*cvar, label, slider_of(*cvar, 0, 1, 0.1)) : setting_row(*cvar));
+  }
+  page.empty = "There is no sound.";
+  return page;
+}
+
+Page settings_page(const Sources& sources) {
+  Page page;
+  page.title = "Settings";
+  page.plaque = false;
+  page.search_page = "settings/all";
+  page.rows.push_back(link("All, to search by typing", "settings/all"));
+  page.rows.push_back(heading(""));
+  for (const std::string& group : setting_groups(sources.console)) {
+    Row row = link(group, "settings/" + group);
+    row.value = std::to_string(setting_rows(sources.console, group).size());
+    page.rows.push_back(std::move(row));
+  }
+  page.value_column = 0.7f;
+  return page;
+}
+
+Page all_settings_page(const Sources& sources) {
+  Page page;
+  page.title = "Settings";
+  page.plaque = false;
+  page.searchable = true;
+  page.value_column = 0.56f;
+  page.rows = setting_rows(sources.console, "");
+  return page;
+}
+
+}  // namespace fb::ui::menu
