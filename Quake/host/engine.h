@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "audio/sound_system.h"
 #include "base/result.h"
 #include "base/rng.h"
 #include "client/client.h"
@@ -56,6 +57,7 @@ class Engine {
   scene::ModelLibrary& library() { return library_; }
   // Only if the options ask for one.
   cl::Client& client() { return *client_; }
+  audio::SoundSystem& sound() { return *sound_; }  // of what the client hears; silent until somebody starts it
   sv::Server& server() { return *server_; }
 
   // Queues the commands that configure a game, as Quake does: quake.rc, or the same steps if there is none; they
@@ -92,7 +94,8 @@ class Engine {
   net::LoopbackListener loopback_;
   std::unique_ptr<net::DatagramListener> listener_;
   std::unique_ptr<sv::Server> server_;
-  std::unique_ptr<cl::Client> client_;  // destroyed before the server
+  std::unique_ptr<audio::SoundSystem> sound_;
+  std::unique_ptr<cl::Client> client_;  // destroyed before the server and the sound
   double now_ = 0.0;
   bool ticked_ = true;
 };

@@ -38,7 +38,10 @@ void register_host_cvars(con::Console& console) {
 }  // namespace
 
 Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
-    : options_(options), engine_(std::move(engine)), screen_(engine_->console(), engine_->files().loader()) {}
+    : options_(options),
+      engine_(std::move(engine)),
+      sound_(*engine_),
+      screen_(engine_->console(), engine_->files().loader()) {}
 Game::~Game() {
   set_reproduction_hint(nullptr);
   if (renderer_) renderer_->set_finished(nullptr);
@@ -66,6 +69,7 @@ Result<std::unique_ptr<Game>> Game::create(const GameOptions& options) {
   game->engine_->queue_configuration(options.arguments);
 
   if (auto status = game->open_device(); !status) return status.error();
+  if (auto status = game->sound_.open(options); !status) return status.error();
   return game;
 }
 
@@ -222,11 +226,15 @@ void Game::capture(std::uint64_t frame, uvec2 size) {
   if (options_.capture.empty() || frame % options_.capture_every != 0) return;
   const std::string path = fmt::format("{}/frame_{:06}.png", options_.capture, frame);
   std::vector<std::uint32_t> pixels = renderer_->read().output();
-  if (const auto status = lab::write_png(path, size.x, size.y, pixels); !status) {
-    log_error("{}", status.error().message);
-    quit_ = true;
-    exit_status_ = 1;
-  }
+  end_unless(lab::write_png(path, size.x, size.y, pixels));
+}
+
+// A recording that cannot go on ends the program.
+void Game::end_unless(const Status& status) {
+  if (status) return;
+  log_error("{}", status.error().message);
+  quit_ = true;
+  exit_status_ = 1;
 }
 
 render::RenderSettings Game::settings() const {
@@ -307,7 +315,11 @@ bool Game::frame() {
   const double passed = seconds_passed();
   engine_->frame(timer_.plan(passed, read_time_settings(engine_->console())), mouse_, platform::now_seconds());
   report_timing();
-  if (!draw_frame()) renderer_->finish();
+  sound_.update(!window_ || window_->focused());
+  if (draw_frame())
+    end_unless(sound_.record());
+  else
+    renderer_->finish();
   return !options_.headless || engine_->busy();
 }
 
@@ -327,6 +339,7 @@ int Game::run() {
   }
   renderer_->finish();
   engine_->client().disconnect();  // ends a recording, which may fail, too
+  end_unless(sound_.finish());
   if (options_.headless && engine_->went_wrong()) exit_status_ = 1;
   if (window_) save_config();
   return exit_status_;

@@ -12,6 +12,7 @@
 #include "gpu/swapchain.h"
 #include "host/engine.h"
 #include "host/frame_drawer.h"
+#include "host/game_sound.h"
 #include "host/options.h"
 #include "host/pass_report.h"
 #include "host/screen.h"
@@ -43,12 +44,14 @@ class Game {
   bool draws_ahead() const;
   void show_drawn();
   void capture(std::uint64_t frame, uvec2 size);
+  void end_unless(const Status& status);
   Status write_screenshot(const std::string& name);
   void report_timing();
   void save_config();
 
   GameOptions options_;
   std::unique_ptr<Engine> engine_;
+  GameSound sound_;
   Screen screen_;
   std::unique_ptr<platform::Window> window_;
   std::unique_ptr<gpu::Device> device_;
