@@ -10,10 +10,10 @@
 namespace fb::platform {
 namespace {
 
-// About 23 ms at every rate.
+// About 21 ms at every rate.
 Uint16 period_of(std::uint32_t rate) {
   Uint16 frames = 256;
-  while (frames < 8192 && static_cast<std::uint32_t>(frames) * 43 < rate) frames = static_cast<Uint16>(frames * 2);
+  while (frames < 8192 && static_cast<std::uint32_t>(frames) * 48 < rate) frames = static_cast<Uint16>(frames * 2);
   return frames;
 }
 
