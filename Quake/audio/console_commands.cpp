@@ -64,11 +64,12 @@ void SoundSystem::register_commands() {
   add("music_pause", "music_pause: pause the music", [this](const con::Args&) { music_.pause_by_player(true); });
   add("music_resume", "music_resume: go on with the music",
       [this](const con::Args&) { music_.pause_by_player(false); });
-  add("music_loop", "music_loop [on|off|toggle]: whether music begins anew when it is over", [this](const con::Args& args) {
-    if (args[1] == "on" || args[1] == "off" || args[1] == "toggle")
-      music_.set_looping(args[1] == "toggle" ? !music_.looping() : args[1] == "on");
-    log_info("Music {}.", music_.looping() ? "begins anew when it is over" : "plays once");
-  });
+  add("music_loop", "music_loop [on|off|toggle]: whether music begins anew when it is over",
+      [this](const con::Args& args) {
+        if (args[1] == "on" || args[1] == "off" || args[1] == "toggle")
+          music_.set_looping(args[1] == "toggle" ? !music_.looping() : args[1] == "on");
+        log_info("Music {}.", music_.looping() ? "begins anew when it is over" : "plays once");
+      });
   add("cd", "cd <play N|loop N|stop|pause|resume|info|on|off>: Quake's commands for a disc, here for music files",
       [this](const con::Args& args) { cd_command(args); });
 }
@@ -96,8 +97,8 @@ void SoundSystem::print_info() const {
   const Figures figures = this->figures();
   const std::uint32_t rate = samples_.format().rate;
   log_info("{}: stereo, {} Hz", output_name_, rate);
-  log_info("{:.2f} s mixed, {} late, longest wait between two mixes {:.1f} ms", static_cast<double>(figures.frames) / rate,
-           figures.late, 1e3 * figures.longest_wait);
+  log_info("{:.2f} s mixed, {} late, longest wait between two mixes {:.1f} ms",
+           static_cast<double>(figures.frames) / rate, figures.late, 1e3 * figures.longest_wait);
   if (const std::string playing = music_.playing(); !playing.empty())
     log_info("{}{}, {} frames late", playing, music_.paused() ? " (paused)" : "", figures.music_late);
 }

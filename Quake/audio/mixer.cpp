@@ -12,7 +12,9 @@ constexpr float kToUnit = 1.0f / 32768.0f;
 constexpr float kFilterRate = 44100.0f;  // at which kUnderwaterBase is given
 constexpr float kMuteFade = 100.0f;      // a second: fast, without a click
 
-float towards(float from, float to, float step) { return from < to ? std::min(to, from + step) : std::max(to, from - step); }
+float towards(float from, float to, float step) {
+  return from < to ? std::min(to, from + step) : std::max(to, from - step);
+}
 
 }  // namespace
 
@@ -42,7 +44,8 @@ void Mixer::mix_block(std::span<float> sum) {
   muffle(sum);
   add_music(sum);
   const float before = audible_;
-  audible_ = towards(audible_, scene_.muted ? 0.0f : 1.0f, kMuteFade * static_cast<float>(frames) / static_cast<float>(rate_));
+  audible_ =
+      towards(audible_, scene_.muted ? 0.0f : 1.0f, kMuteFade * static_cast<float>(frames) / static_cast<float>(rate_));
   for (std::size_t i = 0; i < frames; ++i) {
     const float gain = before + (audible_ - before) * static_cast<float>(i) / static_cast<float>(frames);
     sum[2 * i] = gain * std::clamp(sum[2 * i], -1.0f, 1.0f);
@@ -95,8 +98,8 @@ void Mixer::fade_ambients(std::size_t frames) {
 void Mixer::muffle(std::span<float> sum) {
   const std::size_t frames = sum.size() / 2;
   if (frames == 0) return;
-  underwater_ = towards(underwater_, scene_.underwater,
-                        kUnderwaterFade * static_cast<float>(frames) / static_cast<float>(rate_));
+  underwater_ =
+      towards(underwater_, scene_.underwater, kUnderwaterFade * static_cast<float>(frames) / static_cast<float>(rate_));
   if (underwater_ == 0.0f) {
     muffled_ = {sum[sum.size() - 2], sum[sum.size() - 1]};
     return;

@@ -23,13 +23,13 @@
 
 namespace fb::audio {
 
-constexpr float kClipDistance = 1000.0f;           // units: where a sound of attenuation 1 ends
-constexpr std::size_t kDynamicChannels = 128;      // QuakeSpasm's
-constexpr std::size_t kMostLoops = 4096;           // sources of loops in a level
-constexpr float kHeadroom = 0.5f;                  // of sounds and of music
-constexpr float kIdenticalSoundSpread = 0.1f;      // seconds: see Mixer::start
-constexpr float kUnderwaterFade = 4.0f;            // of the filter's strength, a second
-constexpr float kUnderwaterBase = 12.0f;           // strength 1: each frame at 44.1 kHz goes 1/12 of the way
+constexpr float kClipDistance = 1000.0f;       // units: where a sound of attenuation 1 ends
+constexpr std::size_t kDynamicChannels = 128;  // QuakeSpasm's
+constexpr std::size_t kMostLoops = 4096;       // sources of loops in a level
+constexpr float kHeadroom = 0.5f;              // of sounds and of music
+constexpr float kIdenticalSoundSpread = 0.1f;  // seconds: see Mixer::start
+constexpr float kUnderwaterFade = 4.0f;        // of the filter's strength, a second
+constexpr float kUnderwaterBase = 12.0f;       // strength 1: each frame at 44.1 kHz goes 1/12 of the way
 
 struct Gains {
   float left = 0.0f, right = 0.0f;
@@ -103,8 +103,8 @@ class Mixer {
   command::Scene scene_;
   std::array<Channel, kDynamicChannels> channels_;
   std::array<Ambient, kAmbients> ambients_;
-  std::vector<Voice> loops_;      // room for kMostLoops from the start
-  std::vector<Source> sources_;   // the same
+  std::vector<Voice> loops_;     // room for kMostLoops from the start
+  std::vector<Source> sources_;  // the same
   std::shared_ptr<MusicStream> music_;
   std::array<float, 2 * kBlock> music_block_{};
   float underwater_ = 0.0f, audible_ = 1.0f;

@@ -13,14 +13,14 @@
 namespace fb::audio {
 namespace {
 
-using test::constant;
-using test::sample_of;
 using command::Ambients;
 using command::Loop;
 using command::Scene;
 using command::Start;
 using command::Stop;
 using command::StopAll;
+using test::constant;
+using test::sample_of;
 
 constexpr std::uint32_t kRate = 44100;
 constexpr int kPlayer = 1;

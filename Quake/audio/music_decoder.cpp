@@ -60,7 +60,8 @@ class SoundFileDecoder final : public MusicDecoder {
   explicit SoundFileDecoder(FileData data) : data_(std::move(data)) {}
 
   std::size_t read_frames(float* to, std::size_t frames) {
-    return static_cast<std::size_t>(std::max<sf_count_t>(0, sf_readf_float(file_, to, static_cast<sf_count_t>(frames))));
+    return static_cast<std::size_t>(
+        std::max<sf_count_t>(0, sf_readf_float(file_, to, static_cast<sf_count_t>(frames))));
   }
 
   static SoundFileDecoder& self(void* user) { return *static_cast<SoundFileDecoder*>(user); }

@@ -34,8 +34,8 @@ class MusicDecoder {
 // The extensions of music files, in the order in which they are looked for.
 std::span<const std::string_view> music_extensions();
 
-// `name` is that of the file, by whose extension a module is known; `rate` is what modules are played at. Fails with the
-// file's name and the library's reason.
+// `name` is that of the file, by whose extension a module is known; `rate` is what modules are played at. Fails with
+// the file's name and the library's reason.
 Result<std::unique_ptr<MusicDecoder>> open_music(FileData data, const std::string& name, std::uint32_t rate);
 
 }  // namespace fb::audio

@@ -1,6 +1,6 @@
-// A piece of music that plays: decoded and brought to the mixing rate on a thread of its own, two seconds ahead, so that
-// neither a slow frame of the game nor a slow file makes it stutter. Without the thread, for recordings, it is decoded
-// when it is read, and the same reads give the same frames.
+// A piece of music that plays: decoded and brought to the mixing rate on a thread of its own, two seconds ahead, so
+// that neither a slow frame of the game nor a slow file makes it stutter. Without the thread, for recordings, it is
+// decoded when it is read, and the same reads give the same frames.
 #pragma once
 
 #include <atomic>

@@ -51,7 +51,8 @@ Bytes module_file() {
   w.text("tone", 20);
   const auto sample = [&](std::uint32_t words) {
     w.text("", 22);
-    for (const std::uint32_t value : {words >> 8u, words & 0xffu, 0u, 64u, 0u, 0u, words >> 8u, words & 0xffu}) w.u8(value);
+    for (const std::uint32_t value : {words >> 8u, words & 0xffu, 0u, 64u, 0u, 0u, words >> 8u, words & 0xffu})
+      w.u8(value);
   };
   sample(16);
   for (int i = 1; i < 31; ++i) sample(i == 1 ? 0 : 0);
@@ -61,8 +62,8 @@ Bytes module_file() {
   w.text("M.K.", 4);
   for (std::uint32_t row = 0; row < 64; ++row)
     for (std::uint32_t channel = 0; channel < 4; ++channel)
-      for (const std::uint32_t value : {row + channel == 0 ? 1u : 0u, row + channel == 0 ? 0xacu : 0u,
-                                        row + channel == 0 ? 0x10u : 0u, 0u})
+      for (const std::uint32_t value :
+           {row + channel == 0 ? 1u : 0u, row + channel == 0 ? 0xacu : 0u, row + channel == 0 ? 0x10u : 0u, 0u})
         w.u8(value);
   for (int i = 0; i < 32; ++i) w.u8(i < 16 ? 100u : 156u);
   return w.out;
@@ -134,14 +135,14 @@ TEST(Music, DamagedFilesNameThemselvesAndTheCause) {
                            SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III}) {
     const Bytes whole = music_file(format, 44100);
     for (int trial = 0; trial < 20; ++trial) {
-      Bytes bad(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(rng.below(static_cast<std::uint32_t>(whole.size()))));
+      Bytes bad(whole.begin(),
+                whole.begin() + static_cast<std::ptrdiff_t>(rng.below(static_cast<std::uint32_t>(whole.size()))));
       for (int i = 0; i < 8 && !bad.empty(); ++i)
         bad[rng.below(static_cast<std::uint32_t>(bad.size()))] = static_cast<std::uint8_t>(rng.next());
       auto decoder = open_music(bad, "music/a.x", 44100);
       if (!decoder.ok()) continue;
       std::vector<float> frames(8192);
-      for (int i = 0; i < 100 && (*decoder)->read(frames) > 0; ++i) {
-      }
+      for (int i = 0; i < 100 && (*decoder)->read(frames) > 0; ++i) {}
     }
   }
 }
@@ -203,7 +204,8 @@ TEST(MusicStream, IsDecodedAheadOnItsThread) {
 class PlayerTest : public ::testing::Test {
  protected:
   MusicPlayer player(FileRank rank = {}) {
-    return MusicPlayer(files_.loader(), std::move(rank), [this](std::shared_ptr<MusicStream> s) { sent_ = std::move(s); });
+    return MusicPlayer(files_.loader(), std::move(rank),
+                       [this](std::shared_ptr<MusicStream> s) { sent_ = std::move(s); });
   }
   Bytes tone_ = music_file(SF_FORMAT_WAV | SF_FORMAT_PCM_16, 22050);
   test::Files files_;

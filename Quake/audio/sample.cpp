@@ -17,7 +17,8 @@ constexpr std::uint64_t kMostFrames = std::uint64_t{1} << 26u;
 
 std::int16_t to_sixteen_bits(float value, bool eight_bits) {
   const float step = eight_bits ? 256.0f : 1.0f;
-  return static_cast<std::int16_t>(std::clamp(std::rint(value / step) * step, -32768.0f, eight_bits ? 32512.0f : 32767.0f));
+  return static_cast<std::int16_t>(
+      std::clamp(std::rint(value / step) * step, -32768.0f, eight_bits ? 32512.0f : 32767.0f));
 }
 
 }  // namespace
@@ -31,8 +32,8 @@ Result<SamplePtr> make_sample(const formats::Wav& wav, const std::string& name, 
   sample->bits = format.eight_bits ? 8 : wav.bits;
   sample->rate = wav.rate;
   const std::vector<float> samples(wav.samples.begin(), wav.samples.end());
-  const std::vector<float> resampled = resample(samples, wav.rate, format.rate, format.quality,
-                                                wav.loop_start.value_or(samples.size()), format.held);
+  const std::vector<float> resampled =
+      resample(samples, wav.rate, format.rate, format.quality, wav.loop_start.value_or(samples.size()), format.held);
   sample->frames.reserve(resampled.size());
   for (const float value : resampled) sample->frames.push_back(to_sixteen_bits(value, format.eight_bits));
   if (wav.loop_start) {

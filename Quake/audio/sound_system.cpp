@@ -13,8 +13,8 @@
 namespace fb::audio {
 namespace {
 
-constexpr std::size_t kQueueSize = 1024;     // commands
-constexpr float kFilteredSpeed = 11025.0f;   // sndspeed at which sounds are filtered
+constexpr std::size_t kQueueSize = 1024;    // commands
+constexpr float kFilteredSpeed = 11025.0f;  // sndspeed at which sounds are filtered
 constexpr std::array<const char*, kAmbients> kAmbientSounds = {"ambience/water1.wav", "ambience/wind2.wav", nullptr,
                                                                nullptr};
 constexpr float kLeastAmbient = 8.0f / 255.0f;  // softer ones are silent

@@ -17,7 +17,7 @@ constexpr std::uint32_t tag(const char (&text)[5]) {
 }
 
 constexpr std::uint16_t kPcm = 1, kExtensible = 0xfffe;
-constexpr std::size_t kCueSample = 4 + 20;                // of the first point: behind their number and five fields
+constexpr std::size_t kCueSample = 4 + 20;  // of the first point: behind their number and five fields
 constexpr std::size_t kExtensibleSize = 40, kSubformat = 24;
 
 struct Chunk {

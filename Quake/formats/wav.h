@@ -1,7 +1,7 @@
-// Wave files as Quake plays them: RIFF/WAVE, PCM of 8 or 16 bits, and the loop that its chunks describe. A `cue ` chunk's
-// first point is the sample at which the loop begins. An `ltxt` of purpose "mark", in a `LIST` of kind "adtl" behind
-// the cue, holds the loop's length in samples; without one the loop ends with the data. After parsing there is at least
-// one sample, the rate is within kLowestRate and kHighestRate, and the loop begins before the last sample.
+// Wave files as Quake plays them: RIFF/WAVE, PCM of 8 or 16 bits, and the loop that its chunks describe. A `cue `
+// chunk's first point is the sample at which the loop begins. An `ltxt` of purpose "mark", in a `LIST` of kind "adtl"
+// behind the cue, holds the loop's length in samples; without one the loop ends with the data. After parsing there is
+// at least one sample, the rate is within kLowestRate and kHighestRate, and the loop begins before the last sample.
 #pragma once
 
 #include <cstdint>

@@ -102,7 +102,8 @@ TEST(Waves, RefusedWhenCut) { testing::expect_refused_when_cut(kWaveAttempt, wri
 TEST(Waves, SoundWhenDamaged) {
   for (const std::uint32_t bits : {8u, 16u}) {
     testing::expect_sound_when_damaged(
-        kWaveAttempt, write_wav({.channels = 2, .bits = bits, .cue = 1, .marked = 2, .odd_chunk = true}), "sound/x.wav");
+        kWaveAttempt, write_wav({.channels = 2, .bits = bits, .cue = 1, .marked = 2, .odd_chunk = true}),
+        "sound/x.wav");
   }
 }
 

@@ -17,8 +17,8 @@ class AudioDevice {
   // Fills frames, interleaved left and right, from -1 to 1. Called on the device's thread; must not wait for another.
   using Fill = std::function<void(std::span<float> stereo)>;
 
-  // Opens the default device of SDL's driver (environment variable SDL_AUDIODRIVER), without beginning to play. It plays
-  // at this rate; where the hardware has another, SDL converts. Fails if there is none.
+  // Opens the default device of SDL's driver (environment variable SDL_AUDIODRIVER), without beginning to play. It
+  // plays at this rate; where the hardware has another, SDL converts. Fails if there is none.
   static Result<std::unique_ptr<AudioDevice>> open(std::uint32_t rate, Fill fill);
   // Once destroyed, it does not call `fill` any more.
   ~AudioDevice();
@@ -26,8 +26,8 @@ class AudioDevice {
   AudioDevice& operator=(const AudioDevice&) = delete;
 
   void play();
-  std::uint32_t rate() const { return rate_; }         // Hz
-  std::size_t period() const { return period_; }       // frames that are asked for at a time
+  std::uint32_t rate() const { return rate_; }           // Hz
+  std::size_t period() const { return period_; }         // frames that are asked for at a time
   const std::string& driver() const { return driver_; }  // "pulseaudio", "dummy"
 
  private:

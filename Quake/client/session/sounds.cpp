@@ -74,9 +74,8 @@ void apply_stop_sound(Session& session, const net::svc::StopSound& message) {
 void apply_static_sound(Session& session, const net::svc::SpawnStaticSound& message) {
   const std::string name = sound_name(session, message.sound);
   if (name.empty()) return;
-  tell(session,
-       scene::SoundLoop{name, message.origin, static_cast<float>(message.volume) / kFullVolume,
-                        static_cast<float>(message.attenuation) / kAttenuationUnit});
+  tell(session, scene::SoundLoop{name, message.origin, static_cast<float>(message.volume) / kFullVolume,
+                                 static_cast<float>(message.attenuation) / kAttenuationUnit});
 }
 
 void apply_track(Session& session, const net::svc::CdTrack& message) {
