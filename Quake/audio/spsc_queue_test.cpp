@@ -54,7 +54,7 @@ TEST(SpscQueue, SpansWrapAround) {
 
 // Each item is a pointer that counts its owners: one that is lost, doubled or torn shows.
 TEST(SpscQueue, TwoThreads) {
-  constexpr std::uint64_t kItems = 300000;
+  constexpr std::uint64_t kItems = 40000;
   struct Item {
     std::uint64_t number = 0, twice = 0;
     std::shared_ptr<std::uint64_t> shared;
