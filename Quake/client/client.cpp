@@ -11,6 +11,7 @@
 #include "client/client_impl.h"
 #include "client/session/interpolate.h"
 #include "client/session/parse.h"
+#include "client/session/sounds.h"
 #include "client/sources/map_view.h"
 
 namespace fb::cl {
@@ -87,6 +88,8 @@ Status Client::Impl::start(FileData data, std::string_view name, DemoMode mode) 
   session.clear();
   session.state.message_view_angles = {};
   session.rng = Rng(0x66756c6c62726967ull);
+  session.sound_rng = Rng(Session::kSoundSeed);
+  session.forced_track = opened->cd_track();
   session.effects.particles = ParticleSystem(session.effects.particles.capacity());
   view = {};
   view_memory = {};
@@ -106,6 +109,8 @@ void Client::Impl::end_demo(std::optional<Error> why) {
   source = NoSource{};
   session.state.signon = 0;
   session.state.hud.intermission = Intermission::kNone;
+  session.forced_track = -1;
+  end_sounds(session);
   snapshots.forget();
   if (why) {
     log_error("{}", why->message);
@@ -176,6 +181,7 @@ void Client::Impl::advance(double seconds) {
   if (asked()) poll_attempt();
   ClientState& state = session.state;
   ++session.frame;
+  frame_seconds = seconds;
   if (shows_map()) {
     state.old_time = state.time;
     state.time += seconds;
@@ -282,6 +288,16 @@ void Client::build_snapshot(scene::FrameSnapshot& snapshot) {
   const SnapshotInput input{i.session, i.view,     i.library, i.active() ? i.world() : nullptr, i.camera, i.width,
                             i.height,  i.active(), i.sky};
   i.snapshots.build(input, snapshot);
+}
+
+void Client::set_sound_listener(scene::SoundListener listener) { impl_->session.sound_listener = std::move(listener); }
+scene::SoundScene Client::sound_scene() const {
+  const Impl& i = *impl_;
+  const vec3& origin = i.camera ? i.camera->position : i.view.origin;
+  const vec3& angles = i.camera ? i.camera->angles : i.view.angles;
+  scene::SoundScene scene = cl::sound_scene(i.session, origin, angles, i.active() ? i.library.map() : nullptr);
+  scene.seconds = i.frame_seconds;
+  return scene;
 }
 
 const Hud& Client::hud() const { return impl_->session.state.hud; }

@@ -28,6 +28,7 @@
 #include "client/sources/demo_mode.h"
 #include "scene/library/library.h"
 #include "scene/snapshot.h"
+#include "scene/sounds.h"
 
 namespace fb::con {
 class Console;
@@ -114,6 +115,11 @@ class Client {
   // Everything there is to see now, and where it was in the snapshot before. Two builds without an advance() between
   // them give the same.
   void build_snapshot(scene::FrameSnapshot& snapshot);
+
+  // Who is told what there is to hear, as it happens (also of a level's end, in which everything falls silent).
+  void set_sound_listener(scene::SoundListener listener);
+  // From where it is heard now, and what sounds around there.
+  scene::SoundScene sound_scene() const;
 
   const Hud& hud() const;
   MusicTracks music() const;

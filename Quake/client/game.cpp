@@ -7,6 +7,7 @@
 #include "base/log.h"
 #include "client/client_impl.h"
 #include "client/session/parse.h"
+#include "client/session/sounds.h"
 #include "console/console.h"
 
 namespace fb::cl {
@@ -161,6 +162,8 @@ void Client::Impl::leave_game(std::optional<Error> why) {
   source = NoSource{};
   head.clear();
   session.command = nullptr;
+  session.forced_track = -1;
+  end_sounds(session);
   session.state.signon = 0;
   session.state.hud.intermission = Intermission::kNone;
   snapshots.forget();

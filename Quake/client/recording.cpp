@@ -49,6 +49,7 @@ void Client::Impl::record(const con::Args& args) {
   const bool replaces = std::filesystem::exists(*path, ignored);
   log_info("recording to {}{}", path->string(), replaces ? ", which will be replaced when the recording ends" : "");
   recorder.emplace(std::move(*started));
+  session.forced_track = *track;
   if (args.size() == 2 && link()) record_game_so_far();
 }
 
@@ -101,6 +102,7 @@ void Client::Impl::stop_recording() {
   else
     console.fail_unless(status);
   recorder.reset();
+  session.forced_track = -1;
 }
 
 }  // namespace fb::cl

@@ -5,7 +5,8 @@
 namespace fb::con {
 namespace {
 
-constexpr const char* kSound = "there is no sound yet";
+constexpr const char* kSound = "a dedicated server is silent";
+constexpr const char* kMixing = "sound is mixed on a thread of its own";
 constexpr const char* kPad = "a dedicated server has no game controllers";
 constexpr const char* kHud = "this program draws no screen";
 constexpr const char* kConsole = "the look of the console cannot be changed yet";
@@ -23,7 +24,7 @@ struct Row {
   const char* why;  // there is no effect
 };
 constexpr Row kRows[] = {
-    {"_snd_mixahead", "0.1", true, "seconds of sound mixed ahead", kSound},
+    {"_snd_mixahead", "0.1", true, "seconds of sound mixed ahead", kMixing},
     {"ambient_fade", "100", false, "fade-in speed of ambient sounds of liquids and sky", kSound},
     {"ambient_level", "0.3", false, "volume of ambient sounds of liquids and sky", kSound},
     {"bgm_extmusic", "1", true, "1: music from files instead of a disc", kSound},
@@ -33,8 +34,8 @@ constexpr Row kRows[] = {
     {"loadas8bit", "0", false, "1: keep sounds in 8 bits", kSound},
     {"snd_filterquality", "1", false, "quality of sound resampling", kSound},
     {"snd_mixspeed", "44100", false, "mixing rate, Hz", kSound},
-    {"snd_noextraupdate", "0", false, "1: do not mix sound while a frame is drawn", kSound},
-    {"snd_show", "0", false, "1: list the sounds that play", kSound},
+    {"snd_noextraupdate", "0", false, "1: do not mix sound while a frame is drawn", kMixing},
+    {"snd_show", "0", false, "1: list the sounds that play", kDiagnosis},
     {"sndspeed", "11025", false, "rate of loaded sounds, Hz", kSound},
     {"volume", "0.7", true, "volume of sounds", kSound},
     {"joy_deadzone", "0.175", true, "dead zone of both sticks (QuakeSpasm up to 0.95)",

@@ -13,6 +13,7 @@
 #include "formats/image.h"
 #include "formats/mdl.h"
 #include "formats/spr.h"
+#include "formats/wav.h"
 
 namespace fb::formats::testing {
 
@@ -44,6 +45,14 @@ inline std::string broken_image(const RgbaImage& image) {
   }
   const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   return pixels <= kMaxImagePixels && image.rgba.size() == 4 * pixels ? "" : "number of pixels";
+}
+
+inline std::string broken(const Wav& wav) {
+  if (wav.samples.empty()) return "no samples";
+  if (wav.rate < kLowestRate || wav.rate > kHighestRate) return "a rate that is not played";
+  if (wav.bits != 8 && wav.bits != 16) return "bits";
+  if (wav.loop_start && *wav.loop_start >= wav.samples.size()) return "a loop that begins behind the last sample";
+  return "";
 }
 
 inline std::string broken(const Spr& spr) {

@@ -11,6 +11,7 @@
 #include "formats/test_files.h"
 #include "formats/test_images.h"
 #include "formats/test_models.h"
+#include "formats/test_waves.h"
 
 namespace fb::formats::testing {
 namespace {
@@ -82,12 +83,19 @@ void add_demo_seeds(std::vector<Seed>& seeds) {
   seeds.push_back({"fuzz_dem", "one", one});
 }
 
+void add_sound_seeds(std::vector<Seed>& seeds) {
+  seeds.push_back({"fuzz_wav", "plain", write_wav({})});
+  seeds.push_back(
+      {"fuzz_wav", "loop", write_wav({.channels = 2, .bits = 8, .cue = 1, .marked = 2, .odd_chunk = true})});
+}
+
 bool write_seeds(const std::filesystem::path& root) {
   std::vector<Seed> seeds;
   add_map_seeds(seeds);
   add_model_seeds(seeds);
   add_picture_seeds(seeds);
   add_demo_seeds(seeds);
+  add_sound_seeds(seeds);
   for (const Seed& seed : seeds) {
     std::error_code ignored;  // a directory that cannot be made shows when the file cannot be
     std::filesystem::create_directories(root / seed.target, ignored);

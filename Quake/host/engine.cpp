@@ -110,6 +110,9 @@ void Engine::make_server(const EngineOptions& options) {
 void Engine::make_client() {
   render::register_render_cvars(console_);
   client_ = std::make_unique<cl::Client>(console_, library_, files_.loader());
+  sound_ = std::make_unique<audio::SoundSystem>(console_, files_.loader(),
+                                                [this](std::string_view path) { return files_.game_index_of(path); });
+  client_->set_sound_listener([this](const scene::SoundEvent& event) { sound_->hear(event); });
   client_->set_network(*network_);
   client_->set_write_path([this](std::string_view name) { return files_.write_path(name); });
   if (!server_) return;

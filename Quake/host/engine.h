@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "audio/sound_system.h"
 #include "base/result.h"
 #include "base/rng.h"
 #include "client/client.h"
@@ -62,6 +63,7 @@ class Engine {
   cl::Client& client() { return *client_; }
   const cl::Client& client() const { return *client_; }
   const ServerList& server_list() const { return server_list_; }
+  audio::SoundSystem& sound() { return *sound_; }  // of what the client hears; silent until somebody starts it
   sv::Server& server() { return *server_; }
 
   // Called before a level is loaded, which takes a while.
@@ -102,7 +104,8 @@ class Engine {
   net::LoopbackListener loopback_;
   std::unique_ptr<net::DatagramListener> listener_;
   std::unique_ptr<sv::Server> server_;
-  std::unique_ptr<cl::Client> client_;  // destroyed before the server
+  std::unique_ptr<audio::SoundSystem> sound_;
+  std::unique_ptr<cl::Client> client_;  // destroyed before the server and the sound
   std::uint16_t port_;
   bool network_on_;  // not switched off by the command line
   double now_ = 0.0;

@@ -47,10 +47,12 @@ void register_host_cvars(con::Console& console) {
 Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
     : options_(options),
       engine_(std::move(engine)),
+      sound_(*engine_),
       facts_(*engine_),
       keys_(engine_->console(), facts_),
       screen_(engine_->console(), engine_->files().loader(), keys_, engine_->rules()) {
   facts_.set_display_size([this] { return window_ ? window_->display_size() : uvec2(0); });
+  keys_.menu().set_sound([this](std::string_view name) { engine_->sound().play_local(name); });
 }
 Game::~Game() {
   set_reproduction_hint(nullptr);
@@ -80,6 +82,7 @@ Result<std::unique_ptr<Game>> Game::create(const GameOptions& options) {
   game->engine_->queue_configuration(options.arguments);
 
   if (auto status = game->open_device(); !status) return status.error();
+  if (auto status = game->sound_.open(options); !status) return status.error();
   return game;
 }
 
@@ -295,11 +298,15 @@ double Game::seconds_passed() {
 void Game::capture(std::uint64_t frame, uvec2 size) {
   if (options_.capture.empty() || frame % options_.capture_every != 0) return;
   const std::string path = fmt::format("{}/frame_{:06}.png", options_.capture, frame);
-  if (const auto status = lab::write_png(path, size.x, size.y, read_picture()); !status) {
-    log_error("{}", status.error().message);
-    quit_ = true;
-    exit_status_ = 1;
-  }
+  end_unless(lab::write_png(path, size.x, size.y, read_picture()));
+}
+
+// A recording that cannot go on ends the program.
+void Game::end_unless(const Status& status) {
+  if (status) return;
+  log_error("{}", status.error().message);
+  quit_ = true;
+  exit_status_ = 1;
 }
 
 render::RenderSettings Game::settings() const {
@@ -408,7 +415,11 @@ bool Game::frame() {
   const double passed = seconds_passed();
   engine_->frame(timer_.plan(passed, read_time_settings(engine_->console())), mouse_, platform::now_seconds());
   report_timing();
-  if (!draw_frame()) renderer_->finish();
+  sound_.update(!window_ || window_->focused());
+  if (draw_frame())
+    end_unless(sound_.record());
+  else
+    renderer_->finish();
   return !options_.headless || engine_->busy();
 }
 
@@ -428,6 +439,7 @@ int Game::run() {
   }
   renderer_->finish();
   engine_->client().disconnect();  // ends a recording, which may fail, too
+  end_unless(sound_.finish());
   if (options_.headless && engine_->went_wrong()) exit_status_ = 1;
   if (window_) save_config();
   return exit_status_;

@@ -12,6 +12,7 @@
 #include "gpu/swapchain.h"
 #include "host/engine.h"
 #include "host/frame_drawer.h"
+#include "host/game_sound.h"
 #include "host/key_router.h"
 #include "host/menu_facts.h"
 #include "host/options.h"
@@ -54,12 +55,14 @@ class Game {
   void show_drawn();
   std::vector<std::uint32_t> read_picture() const;
   void capture(std::uint64_t frame, uvec2 size);
+  void end_unless(const Status& status);
   Status write_screenshot(const std::string& name);
   void report_timing();
   void save_config();
 
   GameOptions options_;
   std::unique_ptr<Engine> engine_;
+  GameSound sound_;
   MenuFacts facts_;
   KeyRouter keys_;
   Screen screen_;

@@ -33,6 +33,13 @@ Status take_number(const std::string& text, std::uint32_t least, std::uint32_t m
   return ok_status();
 }
 
+Status take_rate(const std::string& text, std::uint32_t least, std::uint32_t most, std::optional<std::uint32_t>& to) {
+  std::uint32_t rate = 0;
+  const Status status = take_number(text, least, most, rate);
+  if (status) to = rate;
+  return status;
+}
+
 Status take_players(GameOptions& options, const std::string& text) {
   std::uint32_t count = kUsualPlayers;
   const Status status = text.empty() ? ok_status() : take_number(text, 1, kMostPlayers, count);
@@ -72,7 +79,7 @@ Status take_seed(GameOptions& options, const std::string& text) {
 }
 
 Status take_safe(GameOptions& options, const std::string&) {
-  options.network.ipv4 = options.network.ipv6 = options.mouse = false;
+  options.network.ipv4 = options.network.ipv6 = options.mouse = options.sound = false;
   return ok_status();
 }
 
@@ -91,7 +98,7 @@ Status flag(GameOptions& options, const std::string&) {
 }
 
 // Why an option has no effect. -help lists options with the same reason together.
-constexpr const char* kSound = "there is no sound yet";
+constexpr const char* kDisc = "music comes from files, not from a disc";
 constexpr const char* kMemory = "memory is allocated as needed";
 constexpr const char* kDisplay = "full screen keeps the display's mode, and the path tracer does its own anti-aliasing";
 constexpr const char* kOpenGl = "there is no OpenGL renderer";
@@ -162,7 +169,7 @@ constexpr Option kOptions[] = {
        return ok_status();
      },
      "no IPv6"},
-    {"-safe", "", take_safe, "same as -nolan -nomouse"},
+    {"-safe", "", take_safe, "same as -nolan -nomouse -nosound"},
     {"-condebug", "", flag<&GameOptions::console_log>,
      "log the console to qconsole.log in the player's folder (-userdir)"},
     {"-consize", "N",
@@ -185,6 +192,19 @@ constexpr Option kOptions[] = {
        return take_number(v, 1, std::numeric_limits<std::uint32_t>::max(), o.capture_every);
      },
      "save every Nth frame only"},
+    {"-nosound", "", flag<&GameOptions::sound, false>, "no sound"},
+    {"-sound", "", flag<&GameOptions::sound_asked>, "sound with -headless, too"},
+    {"-sndspeed", "N", [](GameOptions& o, const std::string& v) { return take_rate(v, 1000, 384000, o.sound_speed); },
+     "sets sndspeed: with another rate than 11025 sounds are not filtered"},
+    {"-mixspeed", "N", [](GameOptions& o, const std::string& v) { return take_rate(v, 8000, 192000, o.mix_speed); },
+     "mixing rate, Hz (44100); sets snd_mixspeed"},
+    {"-noextmusic", "", flag<&GameOptions::external_music, false>, "no music"},
+    {"-wavcapture", "FILE",
+     [](GameOptions& o, const std::string& v) {
+       o.wav_capture = v;
+       return ok_status();
+     },
+     "record the sound into FILE instead of playing it, in step with game time"},
     {"-validation", "", flag<&GameOptions::validation>, "enable Vulkan's validation layers"},
     {"-version", "", flag<&GameOptions::version>, "print the version"},
     {"--version", "", flag<&GameOptions::version>, nullptr},
@@ -192,12 +212,8 @@ constexpr Option kOptions[] = {
     {"--help", "", flag<&GameOptions::help>, nullptr},
     {"-h", "", flag<&GameOptions::help>, nullptr},
 
-    {"-nosound", "", nullptr, kSound},
-    {"-sndspeed", "N", nullptr, kSound},
-    {"-mixspeed", "N", nullptr, kSound},
-    {"-noextmusic", "", nullptr, kSound},
-    {"-nocdaudio", "", nullptr, kSound},
-    {"-cddev", "X", nullptr, kSound},
+    {"-nocdaudio", "", nullptr, kDisc},
+    {"-cddev", "X", nullptr, kDisc},
     {"-heapsize", "N", nullptr, kMemory},
     {"-zone", "N", nullptr, kMemory},
     {"-mem", "N", nullptr, kMemory},

@@ -21,7 +21,11 @@ struct GameOptions {
   uvec2 size{0, 0};          // 0: the window's default
   std::string capture;       // folder for numbered PNG frames; empty: none
   std::uint32_t capture_every = 1;
-  bool has_commands = false;  // whether there is any '+'
+  bool sound = true, sound_asked = false;               // -nosound; -sound: also if headless
+  bool external_music = true;                           // music from files
+  std::string wav_capture;                              // file that the sound is recorded into; empty: none
+  std::optional<std::uint32_t> sound_speed, mix_speed;  // initial values of sndspeed and snd_mixspeed, Hz
+  bool has_commands = false;                            // whether there is any '+'
   bool dedicated = false;
   int max_clients = 1;  // of -dedicated and -listen
   std::uint32_t port = 26000;

@@ -9,6 +9,8 @@
 #include "base/number.h"
 #include "base/test_directory.h"
 #include "host/engine.h"
+#include "host/key_router.h"
+#include "host/menu_facts.h"
 #include "host/screen.h"
 
 namespace fb::host {
@@ -265,10 +267,14 @@ class QuakeSpasmCvarsTest : public testing::Test {
     auto made = Engine::create({"-basedir", directory.path().string(), "-nohome", "-nolan"});
     ASSERT_TRUE(made.ok()) << made.error().message;
     engine = std::move(*made);
-    screen = std::make_unique<Screen>(engine->console(), engine->files().loader(), engine->rules());
+    facts = std::make_unique<MenuFacts>(*engine);
+    keys = std::make_unique<KeyRouter>(engine->console(), *facts);
+    screen = std::make_unique<Screen>(engine->console(), engine->files().loader(), *keys, engine->rules());
   }
   const TestDirectory directory;
   std::unique_ptr<Engine> engine;
+  std::unique_ptr<MenuFacts> facts;
+  std::unique_ptr<KeyRouter> keys;
   std::unique_ptr<Screen> screen;  // which has cvars, too
 };
 

@@ -8,11 +8,13 @@
 #include "base/log.h"
 #include "client/effects/temp_entities.h"
 #include "client/session/entities.h"
+#include "client/session/sounds.h"
 #include "world/entity_lump.h"
 
 namespace fb::cl {
 namespace {
 
+constexpr char kTalk = 1;          // begins what a player says
 constexpr float kLastTime = 1e9f;  // seconds: 30 years of play
 
 // "maps/start.bsp" -> "start"
@@ -98,12 +100,19 @@ struct Apply {
   std::string operator()(const net::svc::Sound& m) const {
     if (static_cast<std::size_t>(m.sound) >= net::kMaxPrecaches)
       return fmt::format("sound {} is out of range", m.sound);
+    apply_sound(session, m);
     return {};
   }
-  std::string operator()(const net::svc::StopSound&) const { return {}; }
-  std::string operator()(const net::svc::SpawnStaticSound&) const { return {}; }
+  std::string operator()(const net::svc::StopSound& m) const {
+    apply_stop_sound(session, m);
+    return {};
+  }
+  std::string operator()(const net::svc::SpawnStaticSound& m) const {
+    apply_static_sound(session, m);
+    return {};
+  }
   std::string operator()(const net::svc::CdTrack& m) const {
-    state.music = {m.track, m.loop_track};
+    apply_track(session, m);
     return {};
   }
   std::string operator()(const net::svc::SellScreen&) const { return {}; }
@@ -113,6 +122,7 @@ struct Apply {
     return {};
   }
   std::string operator()(const net::svc::Print& m) const {
+    if (m.text.starts_with(kTalk)) local_sound(session, "misc/talk.wav");
     if (session.print) session.print(m.text);
     return {};
   }
@@ -165,6 +175,7 @@ struct Apply {
   std::string operator()(const net::svc::EntityUpdate& m) const { return apply_update(session, m); }
   std::string operator()(const net::svc::TempEntity& m) const {
     apply_temp_entity(session.effects, m, state.time);
+    temp_entity_sound(session, m);
     return {};
   }
   std::string operator()(const net::svc::SetPause& m) const {
@@ -244,6 +255,7 @@ std::string Apply::operator()(const net::svc::ServerInfo& m) const {
   state.model_names.insert(state.model_names.end(), m.models.begin(), m.models.end());
   state.sound_names.assign(1, "");
   state.sound_names.insert(state.sound_names.end(), m.sounds.begin(), m.sounds.end());
+  begin_level_sounds(session);
   state.models.assign(state.model_names.size(), nullptr);
   if (!m.models.empty()) state.hud.map_name = bare_map_name(m.models.front());
   state.entities.resize(1);

@@ -28,6 +28,7 @@ class DemoPlayback {
   DemoMode mode() const { return mode_; }
   std::size_t messages_read() const { return messages_read_; }
   bool at_end() const { return reader_.at_end(); }
+  int cd_track() const { return reader_.cd_track(); }  // played instead of the server's; -1: none
 
   // Is a message due in this frame? `time`: the client's; `latest`: the latest message's (seconds); `now`: the clock.
   bool due(bool signed_on, double time, double latest, std::uint64_t frame, double now);

@@ -1,0 +1,128 @@
+// Which sounds play on which channels, and how loud: what commands do to the mixer.
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "audio/mixer.h"
+
+namespace fb::audio {
+
+Gains spatialize(const vec3& listener, const vec3& right, const vec3& origin, float volume, float attenuation) {
+  const vec3 way = origin - listener;
+  const float distance = glm::length(way);
+  const float cosine = distance > 0.0f ? glm::dot(right, way) / distance : 0.0f;
+  const float loudness = volume * std::max(0.0f, 1.0f - distance * attenuation / kClipDistance);
+  return {loudness * std::max(0.0f, 1.0f - cosine), loudness * std::max(0.0f, 1.0f + cosine)};
+}
+
+void Mixer::apply(Command command) {
+  std::visit([this](auto& one) { on(one); }, command);
+}
+
+Gains Mixer::gains_of(const Channel& channel) const {
+  if (channel.entity == scene_.entity) return {channel.volume, channel.volume};
+  return spatialize(scene_.origin, scene_.right, channel.origin, channel.volume, channel.attenuation);
+}
+
+// The channel for a new sound of this entity; null if there is none that may make room.
+Mixer::Channel* Mixer::pick(int entity, int channel) {
+  Channel* best = nullptr;
+  for (Channel& candidate : channels_) {
+    if (channel != 0 && candidate.entity == entity && (candidate.channel == channel || channel == -1))
+      return &candidate;
+    if (!candidate.voice.playing()) {
+      if (!best || best->voice.playing()) best = &candidate;
+      continue;
+    }
+    if (candidate.entity == scene_.entity && entity != scene_.entity) continue;
+    if (!best || (best->voice.playing() && candidate.voice.frames_left() < best->voice.frames_left()))
+      best = &candidate;
+  }
+  return best;
+}
+
+// A sound that another channel begins at the same moment would only be twice as loud: it begins a little further on.
+void Mixer::spread_identical(Voice& voice) {
+  const bool identical = std::any_of(channels_.begin(), channels_.end(), [&](const Channel& other) {
+    return &other.voice != &voice && other.voice.sample == voice.sample && other.voice.fresh;
+  });
+  const auto most = std::min(static_cast<std::size_t>(kIdenticalSoundSpread * static_cast<float>(rate_)),
+                             voice.sample->frames.size());
+  if (identical && most > 0) voice.position = rng_.below(static_cast<std::uint32_t>(most));
+}
+
+void Mixer::on(command::Start& start) {
+  Channel* const channel = pick(start.entity, start.channel);
+  if (!channel) return;
+  *channel = {};
+  channel->entity = start.entity;
+  channel->channel = start.channel;
+  channel->origin = start.origin;
+  channel->volume = start.volume;
+  channel->attenuation = start.attenuation;
+  channel->voice.gains = gains_of(*channel);
+  if (channel->voice.gains.silent()) return;
+  channel->voice.sample = std::move(start.sample);
+  spread_identical(channel->voice);
+}
+
+void Mixer::on(const command::Stop& stop) {
+  for (Channel& channel : channels_) {
+    if (channel.entity != stop.entity || channel.channel != stop.channel) continue;
+    channel.voice = {};
+    return;
+  }
+}
+
+void Mixer::on(const command::StopAll&) {
+  channels_.fill({});
+  loops_.clear();
+  sources_.clear();
+  for (Ambient& ambient : ambients_) {
+    ambient.volume = 0.0f;
+    ambient.voice.gains = ambient.voice.mixed = {};
+    ambient.voice.position = 0;
+  }
+}
+
+void Mixer::on(command::Loop& loop) {
+  if (sources_.size() == kMostLoops) return;
+  std::size_t voice = 0;
+  while (voice < loops_.size() && loops_[voice].sample != loop.sample) ++voice;
+  if (voice == loops_.size()) loops_.emplace_back().sample = std::move(loop.sample);
+  sources_.push_back({voice, loop.origin, loop.volume, loop.attenuation});
+}
+
+void Mixer::on(command::Ambients& ambients) {
+  for (std::size_t i = 0; i < kAmbients; ++i) {
+    if (ambients_[i].voice.sample == ambients.samples[i]) continue;
+    ambients_[i] = {};
+    ambients_[i].voice.sample = std::move(ambients.samples[i]);
+  }
+}
+
+void Mixer::on(command::Music& music) { music_ = std::move(music.stream); }
+
+void Mixer::on(const command::Scene& scene) {
+  scene_ = scene;
+  spatialize_all();
+}
+
+void Mixer::spatialize_all() {
+  for (Channel& channel : channels_)
+    if (channel.voice.playing()) channel.voice.gains = gains_of(channel);
+  for (Voice& voice : loops_) voice.gains = {};
+  for (const Source& source : sources_) {
+    const Gains gains = spatialize(scene_.origin, scene_.right, source.origin, source.volume, source.attenuation);
+    loops_[source.voice].gains.left += gains.left;
+    loops_[source.voice].gains.right += gains.right;
+  }
+}
+
+Mixer::Counts Mixer::counts() const {
+  Counts counts{0, loops_.size(), sources_.size()};
+  for (const Channel& channel : channels_) counts.sounds += channel.voice.playing() ? 1 : 0;
+  return counts;
+}
+
+}  // namespace fb::audio
