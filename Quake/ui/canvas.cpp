@@ -17,7 +17,7 @@ vec2 floored(float x, float y) { return {std::floor(x), std::floor(y)}; }
 }  // namespace
 
 int automatic_scale(int output_width, int output_height) {
-  return std::max(1, std::min(output_width / 640, output_height / 400));
+  return std::max(1, std::min(output_width / 640, output_height / 360));
 }
 
 Canvas screen_canvas(ivec2 output, float scale) {

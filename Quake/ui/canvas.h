@@ -12,7 +12,7 @@ struct Canvas {
   int width = 0, height = 0;  // virtual pixels; what is drawn outside shows as far as the output reaches
 };
 
-// Output pixels per virtual pixel, so that about 640x400 virtual ones fit: 1 at 1280x720, 2 at 1920x1080.
+// Output pixels per virtual pixel, so that 640x360 virtual ones fit: 2 at 1280x720, 3 at 1920x1080.
 int automatic_scale(int output_width, int output_height);
 
 // All of the output, without the incomplete virtual pixels at its border.

@@ -74,12 +74,12 @@ TEST(HudSettings, AreReadAndScalesFollowThePicture) {
   console.execute("scr_sbarscale 3; hudstyle 2; sizeup; scr_conwidth 640");
   HudSettings s = read_hud_settings(console, 1920, 1080);
   EXPECT_EQ(s.bar_scale, 3.0f);
-  EXPECT_EQ(s.menu_scale, 2.0f);
-  EXPECT_EQ(s.crosshair_scale, 2.0f);
+  EXPECT_EQ(s.menu_scale, 3.0f);
+  EXPECT_EQ(s.crosshair_scale, 3.0f);
   EXPECT_EQ(s.style, 2.0f);
   EXPECT_EQ(s.view_size, 110.0f);
   EXPECT_EQ(s.console_width, 640.0f);
-  EXPECT_EQ(read_hud_settings(console, 1280, 720).menu_scale, 1.0f);
+  EXPECT_EQ(read_hud_settings(console, 1280, 720).menu_scale, 2.0f);
   console.execute("scr_autoscale 0; sizeup; sizeup; sizeup; sizedown");
   s = read_hud_settings(console, 1920, 1080);
   EXPECT_EQ(s.menu_scale, 1.0f);

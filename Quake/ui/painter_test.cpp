@@ -9,9 +9,9 @@ namespace {
 
 TEST(Painter, ScaleFollowsTheOutput) {
   EXPECT_EQ(automatic_scale(320, 180), 1);
-  EXPECT_EQ(automatic_scale(1280, 720), 1);
-  EXPECT_EQ(automatic_scale(1920, 1080), 2);
-  EXPECT_EQ(automatic_scale(3840, 2160), 5);
+  EXPECT_EQ(automatic_scale(1280, 720), 2);
+  EXPECT_EQ(automatic_scale(1920, 1080), 3);
+  EXPECT_EQ(automatic_scale(3840, 2160), 6);
   EXPECT_EQ(automatic_scale(3840, 400), 1);
 }
 
