@@ -59,7 +59,7 @@ TEST_F(QuakeSpasmCvarsTest, ListAndHelpMarkThem) {
   const auto lines = console.scrollback().latest(console.scrollback().total() - before);
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[0].text, "- volume \"0.7\"");
-  EXPECT_THAT(lines[2].text, HasSubstr("no effect here: there is no sound yet"));
+  EXPECT_THAT(lines[2].text, HasSubstr("no effect here: a dedicated server is silent"));
   EXPECT_THAT(lines[3].text, HasSubstr("kept in config.cfg where it is not at its default"));
 }
 
