@@ -15,7 +15,7 @@ namespace fb::ui {
   X(console_width, "scr_conwidth", 0, 0, 16384, true, "width of the console, its own pixels; 0: by scr_conscale")    \
   X(crosshair_scale, "scr_crosshairscale", 1, 1, 10, true, "size of the crosshair")                                  \
   X(auto_scale, "scr_autoscale", 1, 0, 1, true,                                                                      \
-    "1: scales that are 1 follow the picture's size, so that 640x360 pixels of theirs fit; 0: they are 1")     \
+    "1: scales that are 1 follow the picture's size, so that 640x360 pixels of theirs fit; 0: they are 1")           \
   X(crosshair, "crosshair", 0, 0, 1, true, "1: show a crosshair")                                                    \
   X(style, "scr_hudstyle", 0, 0, 3, true,                                                                            \
     "status bar: 0 Quake's, 1 in the corners with ammunition in the middle, 2 with it at the right, 3 QuakeWorld's") \
