@@ -68,12 +68,9 @@ Page maps_page(const Sources& sources) {
   page.live = true;
   page.value_column = 0.4f;
   page.empty = "There are no maps.";
-  const bool in_game = sources.facts.in_game();
   for (const MapEntry& map : sources.facts.maps()) {
-    Row row = action(map.name, new_game_command(map.name));
+    Row row = new_game(sources, map.name, map.name);
     row.value = map.title;
-    row.closes = true;
-    if (in_game) row.question = "Leave this game and begin a new one?";
     page.rows.push_back(std::move(row));
   }
   return page;

@@ -17,11 +17,9 @@ constexpr Skill kSkills[] = {{"Easy", "fewer monsters, less damage"},
                              {"Hard", "more monsters, and stronger ones"},
                              {"Nightmare", "monsters hardly pause between attacks"}};
 
-Row new_game(const Sources& sources, std::string label, const std::string& map, const std::string& before = {}) {
-  Row row = action(std::move(label), before + new_game_command(map));
-  row.closes = true;
-  if (sources.facts.in_game()) row.question = "Leave this game and begin a new one?";
-  return row;
+// Leaves what is played for a game of one player on this map.
+std::string new_game_command(const std::string& map) {
+  return fmt::format("disconnect; maxplayers 1; deathmatch 0; coop 0; map {}", con::in_quotes(map));
 }
 
 }  // namespace
@@ -42,6 +40,13 @@ Row link(std::string label, std::string page, std::string help) {
   return row;
 }
 
+Row new_game(const Sources& sources, std::string label, const std::string& map, const std::string& before) {
+  Row row = action(std::move(label), before + new_game_command(map));
+  row.closes = true;
+  if (sources.facts.in_game()) row.question = "Leave this game and begin a new one?";
+  return row;
+}
+
 Row heading(std::string label) {
   Row row;
   row.kind = Row::Kind::kHeading;
@@ -55,10 +60,6 @@ Row skill_row(const con::Console& console) {
   Row row = setting_row(console.cvar("skill"), "Skill", choice_of(console.cvar("skill"), std::move(choices)));
   row.help = "how hard the next game is, unless its map lets you choose";
   return row;
-}
-
-std::string new_game_command(const std::string& map) {
-  return fmt::format("disconnect; maxplayers 1; deathmatch 0; coop 0; map {}", con::in_quotes(map));
 }
 
 Page main_page(const Sources&) {
