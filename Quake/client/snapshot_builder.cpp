@@ -59,7 +59,7 @@ std::uint32_t liquid_about(const scene::ModelLibrary& library, const vec3& point
   std::uint32_t any = scene::kNone;
   const std::vector<scene::Material>& materials = library.assets()->materials;
   for (std::uint32_t i = 0; i < materials.size(); ++i) {
-    if ((materials[i].flags & scene::kMaterialWater) == 0) continue;
+    if ((materials[i].flags & scene::kMaterialDielectric) == 0) continue;
     if ((materials[i].emission_kind == scene::EmissionKind::kSlime) == slime) return i;
     any = i;
   }

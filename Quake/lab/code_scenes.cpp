@@ -9,6 +9,7 @@
 #include "scene/in_code/scenes_in_code.h"
 #include "scene/in_code/scenes_in_motion.h"
 #include "scene/in_code/scenes_of_fog.h"
+#include "scene/in_code/scenes_of_glass.h"
 #include "scene/in_code/scenes_of_light.h"
 #include "scene/in_code/scenes_of_water.h"
 
@@ -71,6 +72,8 @@ const std::vector<Entry>& entries() {
        [] {
          return still_film(scene::ripple({12.0f, true, true}));
        }},
+      {"torus", [] { return still_film(scene::torus()); }},
+      {"torus_soft", [] { return still_film(scene::torus(40.0f)); }},
       {"kinds", [] { return still_film(scene::light_of_every_kind()); }},
       {"moving", [] { return timed_film(scene::moving_assets(), scene::moving); }},
       {"rocket", [] { return counted_film(scene::rocket_assets(), scene::rocket); }},

@@ -78,7 +78,9 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
   c.water_height = settings.water_waves;
   c.water_size = kWaveSize;
   c.water_clock = shared::wave_clock(snapshot.time, kWaveSize);
-  c.camera_liquid = settings.water > 0 ? snapshot.camera_liquid : shared::kNoIndex;
+  constexpr std::uint32_t kMostInside = 0xffff;  // materials that a point can be in (lib/interaction.glsl)
+  const bool in_liquid = settings.water > 0 && snapshot.camera_liquid < kMostInside;
+  c.camera_liquid = in_liquid ? kMostInside << 16 | snapshot.camera_liquid : shared::kNoIndex;
   c.screen_tint = snapshot.screen_tint;
   c.width = render.x;
   c.height = render.y;

@@ -40,10 +40,11 @@ struct Drawn {
   mat4x3 inverse;
   Bounds bounds;  // in the world
   MaterialNeeds needs;
+  float alpha = 1.0f;  // the instance's, but for glass, which lets light through in its own way
   std::uint32_t copy = shared::kNoIndex;
   std::uint32_t order = 0;  // along the curve
   bool asks() const {
-    return instance->alpha < 1.0f || (instance->material_base != 0 && (needs.alpha_test || needs.translucent));
+    return alpha < 1.0f || (instance->material_base != 0 && (needs.alpha_test || needs.translucent));
   }
 };
 
@@ -111,6 +112,7 @@ struct GpuScene::Impl {
   std::uint32_t asset_features = 0;  // features_of(assets), when these were known
   std::size_t known_meshes = 0, known_materials = 0;
   SceneFeatures features;
+  Interfaces interfaces;
   SceneStatistics statistics;
 };
 
@@ -137,9 +139,11 @@ void GpuScene::Impl::collect(const scene::FrameSnapshot& snapshot) {
       continue;
     }
     features.alpha_test |= d.needs.alpha_test;
-    features.translucent |= d.needs.translucent || instance.alpha < 1.0f;
+    d.alpha = interfaces.glass && d.needs.glass_alone ? 1.0f : instance.alpha;
+    features.translucent |= d.needs.translucent || d.alpha < 1.0f;
     features.specular |= d.needs.specular;
     features.water |= d.needs.water;
+    features.glass |= d.needs.glass;
     const Bounds local = InstanceCopies::bounds(mesh, InstanceCopies::canonical(mesh, instance.pose));
     d.bounds = transform_bounds(instance.transform, local);
     // Corners are rounded when they are taken into the world.
@@ -211,6 +215,7 @@ void GpuScene::Impl::fill(const scene::FrameSnapshot& snapshot, const EmissionSc
     shared::GpuInstance out =
         make_gpu_instance(mesh, instance, d.inverse, material_table.base_for(source, mesh, instance),
                           emission_scale(emission, material.emission_kind));
+    out.alpha = d.alpha;
     if (d.asks()) out.flags |= shared::kInstanceTranslucent;
     out.first_triangle = out.world_triangle = mesh.first_triangle;
     if (d.copy != shared::kNoIndex) {
@@ -323,7 +328,7 @@ GpuScene::GpuScene(gpu::Device& device, gpu::BindingTable& table, const GpuScene
 GpuScene::~GpuScene() = default;
 
 void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScales& emission, bool wants_lights,
-                       bool water) {
+                       Interfaces interfaces) {
   Impl& s = *impl_;
   const auto start = std::chrono::steady_clock::now();
   FB_CHECK(snapshot.assets != nullptr);
@@ -338,7 +343,8 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
     s.known_meshes = meshes;
     s.known_materials = materials;
   }
-  s.material_table.begin(*snapshot.assets, snapshot.time, emission, water);
+  s.material_table.begin(*snapshot.assets, snapshot.time, emission, interfaces);
+  s.interfaces = interfaces;
   s.collect(snapshot);
   s.fill(snapshot, emission);
   s.list_lights(snapshot, wants_lights);

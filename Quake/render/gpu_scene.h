@@ -35,8 +35,15 @@ struct SceneFeatures {
   bool translucent = false;    // some instance or material has alpha < 1
   bool specular = false;       // some material is not plain Lambert
   bool medium = false;         // there is one between surfaces
-  bool water = false;          // some surface can be an interface of water
+  bool water = false;          // some surface can be an interface of a liquid
+  bool glass = false;          // some surface can be one of glass
   std::uint32_t surfaces = 0;  // shared::kFeature*, of all assets, drawn or not, and of the sky
+};
+
+// Which surfaces that can be dielectric interfaces are: those of liquids, those of glass. The others are as their
+// textures say.
+struct Interfaces {
+  bool water = false, glass = false;
 };
 
 struct SceneStatistics {
@@ -58,9 +65,9 @@ class GpuScene {
   GpuScene& operator=(const GpuScene&) = delete;
 
   // Host part: uploads, tables, the tree over instances, the list of lights if it is wanted. The device may still draw
-  // the former frame. `water`: surfaces that can be an interface of water are.
+  // the former frame.
   void prepare(const scene::FrameSnapshot& snapshot, const EmissionScales& emission, bool wants_lights = false,
-               bool water = false);
+               Interfaces interfaces = {});
   // Lays what was prepared where the device takes it from. Between submissions.
   void stage();
   // What was prepared was not all done on the device: the next frame uploads and builds everything.

@@ -257,7 +257,7 @@ MeshRecord SceneAssets::add_mesh(const scene::Assets& assets, const scene::Mesh&
     if (t.material < assets.materials.size()) {
       const scene::Material& m = assets.materials[t.material];
       if ((m.flags & scene::kMaterialAlphaTest) != 0 || m.alpha < 1.0f) flags |= shared::kTriangleAlphaTest;
-      if ((m.flags & scene::kMaterialWater) != 0) flags |= shared::kTriangleWater;
+      if ((m.flags & scene::kMaterialDielectric) != 0) flags |= shared::kTriangleDielectric;
     }
     if (t.liquid_in_front != 0) flags |= shared::kTriangleLiquidInFront;
     record.asks |= (flags & shared::kTriangleAlphaTest) != 0;

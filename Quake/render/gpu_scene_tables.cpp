@@ -6,7 +6,7 @@ namespace fb::render {
 namespace {
 
 shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternate, const EmissionScales& scales,
-                            bool water) {
+                            Interfaces interfaces, std::size_t number) {
   const scene::TextureSet& set = scene::texture_at(m, time, alternate);
   shared::GpuMaterial out{};
   out.base = set.base;
@@ -20,17 +20,21 @@ shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternat
   out.metalness = m.metalness;
   out.flags = m.flags;
   out.emission_kind = static_cast<std::uint32_t>(m.emission_kind);
-  if ((m.flags & scene::kMaterialWater) == 0) return out;
-  if (water) {  // an interface alone: it has no colour, no glow and no holes of its own
+  if ((m.flags & scene::kMaterialDielectric) == 0) return out;
+  const bool liquid = (m.flags & scene::kMaterialLiquid) != 0;
+  // Shaders tell by 16 bits what a point is in: the materials after that many are surfaces like any other.
+  constexpr std::size_t kMostInside = 0xffff;
+  if ((liquid ? interfaces.water : interfaces.glass) && number < kMostInside) {
+    // An interface alone: it has no colour and no glow of its own.
     out.base_color.w = 1.0f;
-    out.emission = vec4(0.0f);
+    out.emission = vec4(0.0f, 0.0f, 0.0f, m.index);
     out.emission_kind = shared::kEmissionNone;
     out.specular = 0.0f;
     out.absorption_r = m.absorption.x;
     out.absorption_g = m.absorption.y;
     out.absorption_b = m.absorption.z;
   } else {
-    out.flags &= ~static_cast<std::uint32_t>(scene::kMaterialWater);
+    out.flags &= ~static_cast<std::uint32_t>(scene::kMaterialDielectric);
   }
   return out;
 }
@@ -46,14 +50,16 @@ float emission_scale(const EmissionScales& scales, scene::EmissionKind kind) {
   return kind == scene::EmissionKind::kConstant || index >= scales.size() ? 1.0f : scales[index];
 }
 
-void MaterialTable::begin(const scene::Assets& assets, double time, const EmissionScales& scales, bool water) {
+void MaterialTable::begin(const scene::Assets& assets, double time, const EmissionScales& scales,
+                          Interfaces interfaces) {
   entries_.clear();
   entries_.reserve(2 * assets.materials.size());
   time_ = time;
   scales_ = scales;
-  water_ = water;
+  interfaces_ = interfaces;
   for (bool alternate : {false, true}) {
-    for (const scene::Material& m : assets.materials) entries_.push_back(resolve(m, time, alternate, scales, water));
+    for (const scene::Material& m : assets.materials)
+      entries_.push_back(resolve(m, time, alternate, scales, interfaces, entries_.size()));
   }
 }
 
@@ -65,7 +71,8 @@ std::uint32_t MaterialTable::base_for(const scene::Assets& assets, const MeshRec
     std::uint32_t index = mesh.materials[0] + instance.material_base;
     const scene::Material& m = assets.materials[index];
     if (m.frames.size() > 1 || m.alternate_frames.size() > 1) {
-      entries_.push_back(resolve(m, time_ - static_cast<double>(instance.time_offset), alternate, scales_, water_));
+      entries_.push_back(resolve(m, time_ - static_cast<double>(instance.time_offset), alternate, scales_, interfaces_,
+                                 entries_.size()));
       return static_cast<std::uint32_t>(entries_.size()) - 1 - mesh.materials[0];
     }
   }
@@ -102,7 +109,11 @@ MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std:
       continue;
     }
     const scene::Material& m = assets.materials[index];
-    needs.water |= (m.flags & scene::kMaterialWater) != 0;
+    const bool dielectric = (m.flags & scene::kMaterialDielectric) != 0;
+    const bool liquid = (m.flags & scene::kMaterialLiquid) != 0;
+    needs.water |= dielectric && liquid;
+    needs.glass |= dielectric && !liquid;
+    needs.glass_alone &= dielectric && !liquid;
     needs.alpha_test |= (m.flags & scene::kMaterialAlphaTest) != 0;
     needs.translucent |= m.alpha < 1.0f;
     needs.specular |= m.specular > 0.0f || m.metalness > 0.0f;

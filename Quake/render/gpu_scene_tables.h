@@ -16,8 +16,7 @@ namespace fb::render {
 // entries of instances whose animation runs on a clock of their own.
 class MaterialTable {
  public:
-  // `water`: what is kMaterialWater is an interface, else a surface like any other.
-  void begin(const scene::Assets& assets, double time, const EmissionScales& scales, bool water = false);
+  void begin(const scene::Assets& assets, double time, const EmissionScales& scales, Interfaces interfaces = {});
   // What to add to the triangles' materials for this instance.
   std::uint32_t base_for(const scene::Assets& assets, const MeshRecord& mesh, const scene::Instance& instance);
   const std::vector<shared::GpuMaterial>& entries() const { return entries_; }
@@ -26,12 +25,14 @@ class MaterialTable {
   std::vector<shared::GpuMaterial> entries_;
   double time_ = 0;
   EmissionScales scales_{};
-  bool water_ = false;
+  Interfaces interfaces_;
 };
 
 // What an instance's materials ask of the shaders; `known` is false if it names a material that does not exist.
 struct MaterialNeeds {
-  bool known = true, alpha_test = false, translucent = false, specular = false, water = false;
+  bool known = true, alpha_test = false, translucent = false, specular = false;
+  bool water = false, glass = false;  // some material of it is an interface of a liquid; of glass
+  bool glass_alone = true;            // all are of glass
 };
 MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std::uint32_t material_base);
 

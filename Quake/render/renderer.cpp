@@ -83,7 +83,7 @@ struct Renderer::Impl {
   ~Impl() { device.settle(); }
 
   std::uint32_t wanted_gbuffer_planes() const {
-    return sizeof(shared::GBufferTexel) / 16 + (features.water ? shared::kWaterPlanes : 0);
+    return sizeof(shared::GBufferTexel) / 16 + (features.water || features.glass ? shared::kWaterPlanes : 0);
   }
   void resize_buffers(uvec2 render, uvec2 output);
   void fit(const RenderSettings& settings);
@@ -226,9 +226,10 @@ void Renderer::Impl::choose_technique(const std::string& name) {
 void Renderer::Impl::choose_features(const scene::FrameSnapshot& snapshot, const RenderSettings& settings) {
   const bool all = settings.force_features != 0;
   if (snapshot.assets->generation != generation) {
-    const bool water = features.water;  // the G-buffer has been made for it
+    const SceneFeatures former = features;  // the G-buffer has been made for its interfaces
     features = SceneFeatures{};
-    features.water = water;
+    features.water = former.water;
+    features.glass = former.glass;
   }
   features.alpha_test |= scene.features().alpha_test || all;
   features.translucent |= scene.features().translucent || all;
@@ -305,10 +306,13 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
 
 // The way of a frame.
 PassList Renderer::Impl::list_passes() {
-  const Variant variant{ray_query,         features.alpha_test || features.translucent,
-                        features.specular, features.surfaces,
-                        features.medium,   false,
-                        features.water};
+  const Variant variant{ray_query,
+                        features.alpha_test || features.translucent,
+                        features.specular,
+                        features.surfaces,
+                        features.medium,
+                        false,
+                        features.water || features.glass};
   const uvec2 tiles = groups_over(render_size, 8);
   PassList list;
   const auto frame = [&](const char* name, const gpu::ComputePipeline& pipeline, uvec2 groups) {
@@ -394,11 +398,12 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   }
   choose_technique(asked.estimator);
   const RenderSettings settings = technique->adapt(asked);
-  scene.prepare(snapshot, emission_scales(settings), info->wants_lights, settings.water > 0);
+  scene.prepare(snapshot, emission_scales(settings), info->wants_lights, {settings.water > 0, settings.glass > 0});
   finish();
   features.medium |= snapshot.medium.scatters();
   const bool new_scene = snapshot.assets->generation != generation;
   features.water = settings.water > 0 && (scene.features().water || (features.water && !new_scene));
+  features.glass = settings.glass > 0 && (scene.features().glass || (features.glass && !new_scene));
   fit(settings);
   swap_gbuffers(static_cast<std::uint32_t>(settings.debug_view));
   scene.stage();

@@ -22,7 +22,7 @@ struct Variant {
   std::uint32_t surfaces = shared::kFeaturesAll;
   bool medium = false;                                             // there is one between surfaces
   bool in_medium = false;                                          // paths begin in it
-  bool water = false;                                              // some surface is an interface of water
+  bool water = false;                                              // some surface is an interface of water or glass
   bool show_view = false;                                          // the technique draws its debug view
   std::array<std::uint32_t, shared::kTechniqueSpecs> technique{};  // the technique's own
   auto operator<=>(const Variant&) const = default;

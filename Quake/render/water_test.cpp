@@ -40,7 +40,7 @@ void add_water(scene::FrameSnapshot& snapshot, float z, float half, const vec3& 
   water.name = "water";
   water.base_color = vec3(0.2f);
   water.emission_kind = scene::EmissionKind::kNone;
-  water.flags = scene::kMaterialLiquid | scene::kMaterialWater;
+  water.flags = scene::kMaterialLiquid | scene::kMaterialDielectric;
   water.absorption = absorption;
   const auto material = static_cast<std::uint32_t>(assets->materials.size());
   assets->materials.push_back(water);

@@ -51,7 +51,7 @@ enum MaterialFlags : std::uint32_t {
   kMaterialLiquid = shared::kMaterialLiquid,
   kMaterialNoFullbright = shared::kMaterialNoFullbright,
   kMaterialClampTexture = shared::kMaterialClampTexture,
-  kMaterialWater = shared::kMaterialWater,
+  kMaterialDielectric = shared::kMaterialDielectric,
 };
 
 // One texture of a material: base image and the images that go with it; kNone where absent.
@@ -77,7 +77,8 @@ struct Material {
   float specular = 0.0f;    // F0 of the dielectric coat: 0 none, 0.04 usual
   float metalness = 0.0f;   // base_color becomes F0 as this goes to 1
   float alpha = 1.0f;       // coverage (liquids' default alpha comes from cvars by name in the client)
-  vec3 absorption{0.0f};    // kMaterialWater: of the liquid behind the surface, 1/unit
+  float index = 1.33f;      // kMaterialDielectric: of refraction, of what is behind the surface; water's
+  vec3 absorption{0.0f};    // kMaterialDielectric: of the same, 1/unit
   std::uint32_t flags = 0;  // MaterialFlags
 };
 // Which of a material's frames shows at a time. The one place that knows how Quake's textures animate.
@@ -96,7 +97,7 @@ struct MeshTriangle {
   std::uint32_t material;  // added to Instance::material_base
   std::array<vec2, 3> uv;  // in units of the texture's size: 1 is one repeat
   std::uint32_t liquid_in_front =
-      0;  // 1, kMaterialWater: the liquid is on the side that the triangle faces, not behind
+      0;  // 1, kMaterialDielectric: the liquid is on the side that the triangle faces, not behind
 };
 static_assert(sizeof(MeshTriangle) == 44, "hashed as bytes: no padding");
 

@@ -107,7 +107,7 @@ struct FrameSnapshot {
   Sky sky;
   vec3 ambient{0.0f};  // radiance from everywhere: what the camera sees reflects it, unoccluded and only once
   Medium medium;
-  std::uint32_t camera_liquid = kNone;  // material (kMaterialWater) of the liquid that the camera is in
+  std::uint32_t camera_liquid = kNone;  // material (kMaterialDielectric) of the liquid that the camera is in
   vec4 screen_tint{0.0f};               // colour and its weight: damage, pickup, liquid
 };
 

@@ -5,15 +5,22 @@
 
 const float kRayEnd = 1e6;  // beyond any map: coordinates end at 32768
 
-layout(constant_id = kSpecWater) const bool FEATURE_WATER = false;  // some surface is an interface of water
+layout(constant_id = kSpecWater) const bool FEATURE_WATER = false;  // some surface is an interface of water or glass
 
 struct Vertex {
   vec3 position;
   vec3 previous;  // where the point was in the former frame; only known of what the camera sees
   vec3 view;      // towards the previous vertex
   Scatter scatter;
-  uint liquid;  // material of the one that it is in; kNoIndex: it is in air
+  uint liquid;  // that it is in: a liquid or glass, below
 };
+
+// What a point is in: the material in the low half, the one around that in the high half, kNoMaterial for air. So kNoIndex is air,
+// and glass in water knows what is behind it; what is around both is taken for air.
+const uint kNoMaterial = 0xffffu;
+uint medium_within(uint around, uint material) { return around << 16u | material; }
+uint medium_around(uint liquid) { return kNoMaterial << 16u | liquid >> 16u; }
+float medium_index(uint liquid) { return liquid == kNoIndex ? 1.0 : material_at(liquid & kNoMaterial).emission.w; }
 
 Vertex surface_vertex(Surface s, vec3 view) {
   return Vertex(s.position, s.position, view, Scatter(s.normal, s.shading_normal, s.bsdf, false), kNoIndex);
@@ -28,7 +35,7 @@ Vertex medium_vertex(vec3 position, vec3 view) {
 vec3 light_left(uint liquid, float distance) {
   vec3 left = vec3(FEATURE_MEDIUM ? transmittance(frame.medium.w, distance) : 1.0);
   if (!FEATURE_WATER || liquid == kNoIndex) return left;
-  GpuMaterial m = material_at(liquid);
+  GpuMaterial m = material_at(liquid & kNoMaterial);
   return transmittance(vec3(m.absorption_r, m.absorption_g, m.absorption_b), distance);
 }
 vec3 light_left(Vertex v, Hit hit) { return light_left(v.liquid, hit.instance == kNoIndex ? kRayEnd : hit.t); }

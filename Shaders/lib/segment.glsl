@@ -1,6 +1,6 @@
-// The way of light between two vertices of a path. In air it is a ray; a smooth interface of water does not end it but bends it:
-// at each the ray is reflected or refracted (Fresnel, Snell; shared/dielectric.h), by the normal of waves (shared/waves.h) where
-// the surface is level, and liquids absorb on the way. Light that reaches a vertex along a bent segment no straight ray finds:
+// The way of light between two vertices of a path. In air it is a ray; a smooth interface of water or glass does not end it but
+// bends it: at each the ray is reflected or refracted (Fresnel, Snell; shared/dielectric.h), by the normal of waves (shared/waves.h)
+// where a liquid's surface is level, and what is behind absorbs on the way. Light that reaches a vertex along a bent segment no straight ray finds:
 // interfaces are opaque to rays that look for light, so that met emission counts whole there and nowhere twice.
 //
 // Radiance is not scaled by the index squared: all of it is basic radiance, L / n^2, which an interface leaves alone, and what
@@ -11,8 +11,7 @@
 #include "shared/dielectric.h"
 #include "shared/waves.h"
 
-const float kWaterIndex = 1.33;
-const uint kMostInterfaces = 8u;  // of a segment; the next one ends it, as if it was opaque
+const uint kMostInterfaces = 32u;  // of a segment; the next one ends it, as if it was opaque
 const float kLeastFacing = 0.01;  // cosine to which a wave's normal is turned that faces away from the ray
 
 struct Segment {
@@ -20,7 +19,7 @@ struct Segment {
   vec3 origin;     // of its last piece
   vec3 direction;  // of its last piece
   vec3 left;       // share of the light at its end that it brings
-  uint liquid;     // that its end is in
+  uint liquid;     // that its end is in (lib/interaction.glsl)
   bool bent;       // by an interface
   float distance;  // along all pieces
   float seen;      // at which its end appears through a level surface, along the first direction
@@ -35,10 +34,10 @@ struct Interface {
   vec3 position;
   vec3 facing;  // geometric normal on the ray's side
   vec3 normal;  // with waves; faces the ray as well
-  bool enters;  // the ray comes from air
+  bool enters;  // the ray comes from outside
 };
 
-Interface interface_at(Hit hit, GpuAttribute a, vec3 direction) {
+Interface interface_at(Hit hit, GpuAttribute a, bool waves, vec3 direction) {
   GpuTriangle t = world_triangle(hit.instance, hit.triangle);
   Interface i;
   i.position = t.v0.xyz + t.e1.xyz * hit.bary.x + t.e2.xyz * hit.bary.y;
@@ -51,7 +50,7 @@ Interface interface_at(Hit hit, GpuAttribute a, vec3 direction) {
     vec3 smooth_one = smooth_normal(hit.instance, a, hit.bary);
     if (dot(smooth_one, smooth_one) > 0.0) n = to_world_normal(hit.instance, smooth_one);
   }
-  if (abs(n.z) > 0.9) {
+  if (waves && abs(n.z) > 0.9) {
     vec2 slope = wave_state(Waves(frame.water_height, frame.water_size, frame.water_clock), i.position.xy).slope;
     n = normalize(vec3(n.xy / n.z - slope, 1.0));
   }
@@ -91,16 +90,22 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
     s.seen += piece * nearer;
     if (missed || turn == kTurnNowhere || events == kMostInterfaces) break;
     GpuAttribute a = attribute_at(instance_at(s.hit.instance).first_attribute + s.hit.triangle);
-    if ((a.flags & kTriangleWater) == 0u) break;
+    if ((a.flags & kTriangleDielectric) == 0u) break;
 
     uint material = instance_at(s.hit.instance).material_base + a.material;
-    Interface i = interface_at(s.hit, a, s.direction);
-    float eta = i.enters ? kWaterIndex : 1.0 / kWaterIndex;
+    GpuMaterial m = material_at(material);
+    if ((m.flags & kMaterialDielectric) == 0u) break;  // as r_water and r_glass say
+    Interface i = interface_at(s.hit, a, (m.flags & kMaterialLiquid) != 0u, s.direction);
+    // Which side the ray is on the surface says, whatever is known of the way so far.
+    uint outside = i.enters ? s.liquid : medium_around(s.liquid);
+    uint inside = medium_within(outside, material);
+    uint here = i.enters ? outside : inside, beyond = i.enters ? inside : outside;
+    float eta = medium_index(beyond) / medium_index(here);
     float reflectance = dielectric_reflectance(min(-dot(s.direction, i.normal), 1.0), eta);
     bool back = rng_uniform(rng) < reflectance;
     vec3 reflected = kept_on_side(dielectric_reflect(-s.direction, i.normal), i.facing);
     if (turn == kTurnThrough && !s.bent) {
-      mirrored.start = Segment(s.hit, offset_origin(i.position, i.facing), reflected, s.left * reflectance, i.enters ? kNoIndex : material, true,
+      mirrored.start = Segment(s.hit, offset_origin(i.position, i.facing), reflected, s.left * reflectance, here, true,
                                s.distance, s.seen);
       mirrored.most = dielectric_reflectance(min(-dot(s.direction, i.facing), 1.0), eta) > 0.5;
       s.left *= 1.0 - reflectance;
@@ -109,7 +114,7 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
     vec3 side = back ? i.facing : -i.facing;
     s.direction = back ? reflected : kept_on_side(dielectric_refract(-s.direction, i.normal, eta), side);
     s.origin = offset_origin(i.position, side);
-    s.liquid = i.enters == back ? kNoIndex : material;
+    s.liquid = back ? here : beyond;
     s.bent = true;
     nearer = back ? nearer : nearer / eta;
     reach = kRayEnd;
@@ -126,7 +131,7 @@ Segment segment_from(Vertex v, vec3 direction, float reach, uint turn, inout uin
   return Segment(hit, origin, direction, light_left(v, hit), kNoIndex, false, hit.t, hit.t);
 }
 
-// The vertex at a segment's end. A coat has next to no reflectance where it borders on water.
+// The vertex at a segment's end. A coat has next to no reflectance where it borders on water or glass.
 Vertex end_of_segment(Segment segment, Surface s) {
   Vertex v = surface_vertex(s, -segment.direction);
   v.liquid = segment.liquid;

@@ -94,7 +94,7 @@ FB_CONST uint kTechniqueSpecs = 4u;
 // Whether there is a medium between the surfaces, and whether paths begin in it:
 FB_CONST uint kSpecMedium = 8u;
 FB_CONST uint kSpecInMedium = 9u;
-// Whether some surface is an interface of water (kMaterialWater):
+// Whether some surface is a dielectric interface, of water or glass (kMaterialDielectric):
 FB_CONST uint kSpecWater = 11u;
 // How memory is read fastest on the device (render/shader_code.h):
 FB_CONST uint kSpecReadTexels = 10u;  // arrays that have a texel buffer are read through it

@@ -58,7 +58,7 @@ struct FrameConstants {
   uint still;                      // still: the same snapshot again, so nothing has moved
   float water_height, water_size;  // of its waves (shared/waves.h)
   uint water_clock;
-  uint camera_liquid;  // material of the liquid that the camera is in; kNoIndex: it is in air
+  uint camera_liquid;  // that the camera is in, as Vertex::liquid has it (lib/interaction.glsl)
   FB_FRAME_SETTINGS(FB_UNIFORM_FIELD)
   FB_DENOISER_SETTINGS(FB_UNIFORM_FIELD)
 };

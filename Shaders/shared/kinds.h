@@ -15,7 +15,8 @@ FB_CONST uint kMaterialWarp = 2u;           // liquid: texture coordinates swing
 FB_CONST uint kMaterialLiquid = 4u;         // a liquid's surface (r_wateralpha and its kin)
 FB_CONST uint kMaterialNoFullbright = 8u;   // indices 224..255 are plain colours
 FB_CONST uint kMaterialClampTexture = 16u;  // skins and sprites: texture coordinates do not wrap
-FB_CONST uint kMaterialWater = 32u;         // a smooth interface to a clear liquid (r_water)
+FB_CONST uint kMaterialDielectric =
+    32u;  // a smooth interface: of a clear liquid (with kMaterialLiquid; r_water), of glass (r_glass)
 
 // How textures are looked up (r_texture_filter).
 FB_CONST uint kFilterNearest = 0u;

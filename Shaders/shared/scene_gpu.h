@@ -27,8 +27,8 @@ FB_CONST uint kTriangleVisibilityShift = 1u;
 FB_CONST uint kTriangleInstanceShift = 3u;
 FB_CONST uint kTriangleAlphaTest = 1u;      // candidate hits must ask the texel
 FB_CONST uint kTriangleSmooth = 2u;         // has vertex normals
-FB_CONST uint kTriangleWater = 4u;          // its material is kMaterialWater, if the instance's material base is 0
-FB_CONST uint kTriangleLiquidInFront = 8u;  // kMaterialWater: the liquid is on the side that it faces
+FB_CONST uint kTriangleDielectric = 4u;     // its material is kMaterialDielectric, if the instance's material base is 0
+FB_CONST uint kTriangleLiquidInFront = 8u;  // kMaterialDielectric: the liquid is on the side that it faces
 
 struct GpuInstance {  // 272 bytes
   vec4 to_world[3];
@@ -81,11 +81,11 @@ struct GpuCopyJob {               // 320 bytes
 struct GpuMaterial {               // 80 bytes
   uint base, luma, normal, gloss;  // images, or kNoIndex
   vec4 base_color;                 // w: alpha
-  vec4 emission;                   // factor with the kind's cvar already in it; w: free
+  vec4 emission;  // factor with the kind's cvar already in it; w: kMaterialDielectric: index of refraction
   float roughness, specular, metalness;
   uint flags;                                      // scene::MaterialFlags
   uint emission_kind;                              // scene::EmissionKind
-  float absorption_r, absorption_g, absorption_b;  // kMaterialWater: of the liquid, 1/unit
+  float absorption_r, absorption_g, absorption_b;  // kMaterialDielectric: of what is behind it, 1/unit
 };
 
 // The list of lights. Element i below the number of instances: x is the element of instance i's triangle 0, kNoIndex if

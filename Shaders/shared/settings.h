@@ -69,6 +69,7 @@
   X(int, jitter, "r_jitter", -1, -1, 1, "sub-pixel jitter of camera rays: -1 while accumulating and with r_taa, 0 never, 1 always") \
   X(float, scale, "r_scale", 1, 0.1f, 8, "rendered width and height, relative to the shown picture's, scaled up over time with r_taa; 2 and above, as in QuakeSpasm: 1 / 2 and so on") \
   X(int, water, "r_water", -1, -1, 1, "water and slime: 0 classic opaque or translucent surfaces that warp, 1 clear liquids that reflect, refract and absorb light; -1: 1 in the game on a GPU, else 0") \
+  X(int, glass, "r_glass", 1, 0, 1, "what a .mat file names refractive: 1 a smooth interface of glass that reflects, refracts and absorbs light, 0 a surface like any other") \
   X(float, water_waves, "r_water_waves", 0.6f, 0, 8, "height of the waves of level surfaces of water, with r_water 1, units") \
   X(int, deterministic, "r_deterministic", 0, 0, 1, "learning estimators do not depend on the order of threads: the same picture in every run, at some cost") \
   X(int, fast_build, "r_as_build", 0, 0, 1, "acceleration structures of ray queries: 0 fast to trace, 1 fast to build") \

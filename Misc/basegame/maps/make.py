@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Copies the compiled maps to the game's folder.
+"""Copies the compiled maps, and what texts say of their textures (MAP/TEXTURE.mat), to the game's folder.
 
     python3 Misc/basegame/maps/make.py --out DIR [--only PATTERN] [--list] [--wad FILE]
 
@@ -25,6 +25,12 @@ def compiled() -> dict[str, Path]:
     return {f"maps/{path.name}": path for folder in FOLDERS for path in sorted(folder.glob("*.bsp"))}
 
 
+def texts() -> dict[str, Path]:
+    """The .mat texts of single maps' textures by their game paths."""
+    paths = [path for folder in FOLDERS for path in sorted(folder.glob("*/*.mat"))]
+    return {f"textures/{path.parent.name}/{path.name}": path for path in paths}
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--out", type=Path, help="the game's folder")
@@ -35,7 +41,7 @@ def main() -> int:
     if arguments.out is None and not arguments.list:
         print("maps/make.py: --out DIR says where the files go", file=sys.stderr)
         return 2
-    chosen = {name: path for name, path in compiled().items() if fnmatch.fnmatch(name, arguments.only)}
+    chosen = {name: path for name, path in (compiled() | texts()).items() if fnmatch.fnmatch(name, arguments.only)}
     if arguments.list:
         print("\n".join(chosen))
         return 0
@@ -44,7 +50,7 @@ def main() -> int:
         textures = {name: lump.data for name, lump in read_wad(arguments.wad.read_bytes()).items()}
     for name, path in chosen.items():
         data = path.read_bytes()
-        if textures:
+        if textures and path.suffix == ".bsp":
             try:
                 data = Bsp(data).with_textures(textures)
             except ValueError as error:

@@ -189,6 +189,13 @@ const Row kWater[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Water, UnbiasedTest, testing::ValuesIn(kWater), row_name);
 
+// Glass: no straight ray finds the lamp from within it.
+const Row kGlass[] = {
+    {"torus_soft", "nee", {}, warm(), 4},
+    {"torus_soft", "mcpg", {}, warm(), 4},
+};
+INSTANTIATE_TEST_SUITE_P(Glass, UnbiasedTest, testing::ValuesIn(kGlass), row_name);
+
 // Every feature off, some settings at their ends, more scenes. Looked at where time is given:
 // FULLBRIGHT_UNBIASED_TIMES.
 using MoreUnbiasedTest = UnbiasedTest;
@@ -200,6 +207,10 @@ TEST_P(MoreUnbiasedTest, HasTheMeanOfPt) {
 const Row kFeatures[] = {
     {"kinds", "mcpg", {}, warm(), 8},
     {"ripple_above", "mcpg", {}, warm(), 8, false, {"r_water=1"}},
+    {"torus_soft", "mcpg_nee", {}, warm(), 8},
+    {"torus_soft", "nee", {"r_glass=0"}, warm(), 8, true},
+    {"torus", "mcpg", {}, warm(), 8},
+    {"torus", "nee", {}, plan(16, 4), 8},
     {"ripple_soft", "mcpg", {"r_mc_apparent=0"}, warm(), 8, false, {"r_water=1"}},
     {"ripple_soft", "mcpg_nee", {}, cold(), 8, false, {"r_water=1", "r_bounces=3"}},
     {"kinds", "nee", {}, plan(16, 4), 8, false, {"r_bounces=4"}},

@@ -9,7 +9,7 @@
 namespace fb::scene {
 namespace {
 
-enum FilmMesh : std::uint32_t { kRoomMesh, kLightMesh, kPanelMesh };
+enum FilmMesh : std::uint32_t { kFilmRoom, kLightMesh, kPanelMesh };
 constexpr std::uint32_t kLightMaterial = 1;
 
 // A frame of a film of which nothing but lights changes.
@@ -73,7 +73,7 @@ std::shared_ptr<const Assets> rocket_assets() {
 
 FrameSnapshot rocket(const std::shared_ptr<const Assets>& assets, std::uint64_t frame, double frames_per_second) {
   FrameSnapshot snapshot = film_frame(assets, camera_at({-100, -20, 70}, {2, 2, 0}, 90.0f), frame, frames_per_second);
-  snapshot.instances.push_back(make_instance(kIdWorld, kRoomMesh));
+  snapshot.instances.push_back(make_instance(kIdWorld, kFilmRoom));
   snapshot.instances.push_back(make_instance(kIdEntity + 1, kPanelMesh));
   if (!rocket_flies(frame, frames_per_second)) return snapshot;
   Instance light =
@@ -111,7 +111,7 @@ std::shared_ptr<const Assets> lights_out_assets() {
 
 FrameSnapshot lights_out(const std::shared_ptr<const Assets>& assets, std::uint64_t frame, double frames_per_second) {
   FrameSnapshot snapshot = film_frame(assets, camera_at({-230, -20, 90}, {6, 3, 0}, 90.0f), frame, frames_per_second);
-  snapshot.instances.push_back(make_instance(kIdWorld, kRoomMesh));
+  snapshot.instances.push_back(make_instance(kIdWorld, kFilmRoom));
   const auto add_light = [&](std::uint32_t id, const vec3& position, float radius, const vec3& radiance) {
     snapshot.instances.push_back(glowing(id, kLightMesh, kLightMaterial, position, vec3(radius), radiance));
   };

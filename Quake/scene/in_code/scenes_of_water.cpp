@@ -14,8 +14,9 @@ FrameSnapshot ripple(const Ripple& kind) {
   const std::uint32_t tiles = add_material(*assets, "tiles", vec3(0.6f, 0.62f, 0.65f));
   const std::uint32_t sky = add_material(*assets, "sky", vec3(0.0f), vec3(1.0f));
   assets->materials[sky].emission_kind = EmissionKind::kSky;
+  const std::uint32_t lamp = add_material(*assets, "lamp", vec3(0.0f), vec3(1.0f));
   const std::uint32_t water = add_material(*assets, "water", vec3(0.1f, 0.2f, 0.25f));
-  assets->materials[water].flags = kMaterialLiquid | kMaterialWater;
+  assets->materials[water].flags = kMaterialLiquid | kMaterialDielectric;
   assets->materials[water].absorption = vec3(0.004f, 0.0015f, 0.001f);
 
   Mesh room;
@@ -47,9 +48,9 @@ FrameSnapshot ripple(const Ripple& kind) {
   snapshot.instances.push_back(make_instance(kIdWorld, add_finished(*assets, std::move(room), "pool")));
   snapshot.instances.push_back(make_instance(kIdEntity + 1, add_finished(*assets, std::move(surface), "surface")));
   if (kind.lamps) {
-    snapshot.instances.push_back(glowing(kIdEntityLight, sphere, tiles, {60, 150, 220}, vec3(12.0f), vec3(20, 14, 8)));
+    snapshot.instances.push_back(glowing(kIdEntityLight, sphere, lamp, {60, 150, 220}, vec3(12.0f), vec3(20, 14, 8)));
     snapshot.instances.push_back(
-        glowing(kIdEntityLight + 1, sphere, tiles, {40, -120, 40}, vec3(8.0f), vec3(8, 14, 20)));
+        glowing(kIdEntityLight + 1, sphere, lamp, {40, -120, 40}, vec3(8.0f), vec3(8, 14, 20)));
   }
   snapshot.camera_liquid = kind.above ? kNone : water;
   snapshot.sky.mode = SkyMode::kConstant;

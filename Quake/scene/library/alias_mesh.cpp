@@ -172,6 +172,7 @@ std::vector<std::uint32_t> make_skin_materials(AssetBuilder& builder, const Mdl&
       material.frames.push_back(set);
     }
     material.emission_kind = glows ? EmissionKind::kFullbright : EmissionKind::kNone;
+    builder.refract(material, {skin_name}, name);
     materials.push_back(builder.add_material(std::move(material)));
   }
   return materials;

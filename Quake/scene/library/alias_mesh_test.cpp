@@ -157,6 +157,20 @@ TEST(Skins, GlossAndReliefGoWithTheSkinsOwnColours) {
   EXPECT_FLOAT_EQ(plain.specular, 0.0f);
 }
 
+TEST(Skins, ATextNamesGlass) {
+  test::TestFiles files;
+  files.add_palette();
+  const std::string_view text = "index 1.7";
+  files.files["progs/box.mdl_1.mat"] = Bytes(text.begin(), text.end());
+  AssetBuilder builder(files.loader());
+  formats::Mdl mdl = box_model();
+  mdl.skins.push_back(mdl.skins[0]);
+  const std::vector<std::uint32_t> skins = make_skin_materials(builder, mdl, "progs/box.mdl");
+  EXPECT_EQ(builder.assets().materials[skins[0]].flags & kMaterialDielectric, 0u);
+  EXPECT_EQ(builder.assets().materials[skins[1]].flags & kMaterialDielectric, kMaterialDielectric);
+  EXPECT_FLOAT_EQ(builder.assets().materials[skins[1]].index, 1.7f);
+}
+
 TEST(Sprites, ReadRightlyFromTheFront) {
   test::TestFiles files;
   files.add_palette();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/log.h"
+#include "scene/library/material_text.h"
 
 namespace fb::scene {
 namespace {
@@ -73,8 +74,29 @@ std::uint32_t AssetBuilder::image_file(std::string_view stem, ImageEncoding enco
   return index;
 }
 
+int AssetBuilder::least_rank(std::string_view owner) const { return rank_ ? std::min(rank_(owner), 0) : kBaseGame; }
+
+bool AssetBuilder::refract(Material& material, const std::vector<std::string>& stems, std::string_view owner) {
+  for (const std::string& stem : stems) {
+    std::string path = stem + ".mat";
+    std::ranges::replace(path, '*', '#');
+    const std::optional<FileData> bytes = load(path);
+    if (!bytes || (rank_ && rank_(path) < least_rank(owner))) continue;
+    const auto text = parse_material_text(bytes->text(), path);
+    if (!text) {
+      log_warning("{}", text.error().message);
+      continue;
+    }
+    material.flags |= kMaterialDielectric;
+    material.index = text->index;
+    material.absorption = text->absorption;
+    return true;
+  }
+  return false;
+}
+
 TextureSet AssetBuilder::replacement(const std::vector<std::string>& stems, std::string_view owner) {
-  const int least = rank_ ? std::min(rank_(owner), 0) : kBaseGame;
+  const int least = least_rank(owner);
   TextureSet set;
   const auto read_detail = [&](const std::string& stem) {
     set.normal = image_file(stem + "_norm", ImageEncoding::kLinearRgba, least);

@@ -185,6 +185,32 @@ TEST(MapMaterials, AnimationSequencesAreShared) {
   EXPECT_EQ(built->base(6, 0.3, true).texels[0], 30) << "no alternates";
 }
 
+TEST(MapMaterials, ATextNamesGlass) {
+  MapBuilder map;
+  float z = 0;
+  for (const char* name : {"pane", "wrong", "*water1", "*lava1", "plain"})
+    map.add_square(0, 0, z += 64, 64, map.add_texture(texture(name, 100)));
+  test::TestFiles files;
+  const auto add_text = [&](const std::string& path, std::string_view text) {
+    files.files[path] = Bytes(text.begin(), text.end());
+  };
+  add_text("textures/m/pane.mat", "index 1.5\ncolor 0.5 1 1\ndistance 10");
+  add_text("textures/pane.mat", "index 2");
+  add_text("textures/wrong.mat", "index 1.5 7");
+  add_text("textures/#water1.mat", "index 1.4");
+  add_text("textures/#lava1.mat", "index 1.4");
+  const auto built = build(map, files);
+  std::map<std::string, const Material*> by_name;
+  for (const Material& material : built->builder->assets().materials) by_name[material.name] = &material;
+  EXPECT_EQ(by_name.at("pane")->flags, kMaterialDielectric);
+  EXPECT_FLOAT_EQ(by_name.at("pane")->index, 1.5f);
+  EXPECT_NEAR(by_name.at("pane")->absorption.x, std::log(2.0f) / 10, 1e-6);
+  for (const char* name : {"wrong", "*lava1", "plain"})
+    EXPECT_EQ(by_name.at(name)->flags & kMaterialDielectric, 0u) << name;
+  EXPECT_FLOAT_EQ(by_name.at("*water1")->index, 1.4f);
+  EXPECT_EQ(by_name.at("*water1")->absorption, vec3(0.0f)) << "the text's, not the texture's";
+}
+
 TEST(MapMaterials, ReplacementOrder) {
   MapBuilder map;
   float z = 0;

@@ -64,14 +64,16 @@ std::uint32_t MapMaterials::missing_image() {
   return missing_image_;
 }
 
+std::vector<std::string> MapMaterials::stems(std::string_view name) const {
+  if (name.empty()) return {};
+  return {fmt::format("textures/{}/{}", stem_of(map_path_), name), fmt::format("textures/{}", name)};
+}
+
 const TextureSet& MapMaterials::texture_set(std::uint32_t index) {
   TextureSet& set = sets_[index];
   if (set.base != kNone) return set;
   const formats::BspTexture& texture = bsp_.textures[index];
-  if (!texture.name.empty())
-    set = builder_.replacement(
-        {fmt::format("textures/{}/{}", stem_of(map_path_), texture.name), fmt::format("textures/{}", texture.name)},
-        map_path_);
+  set = builder_.replacement(stems(texture.name), map_path_);
   if (set.base != kNone) {
     // QuakeSpasm forgets the original's glowing texels here; a map would lose its lamps.
     const bool holes = is_alpha_texture(texture.name);
@@ -154,10 +156,13 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
   }
   if (liquid_kind(texture.name) != LiquidKind::kNone) material.flags |= kMaterialWarp | kMaterialLiquid;
   if (liquid_kind(texture.name) == LiquidKind::kWater || liquid_kind(texture.name) == LiquidKind::kSlime) {
-    material.flags |= kMaterialWater;
+    material.flags |= kMaterialDielectric;
     material.absorption = liquid_absorption(
         mean_color(builder_.palette(), builder_.assets().images[material.frames.front().base]), material.alpha);
   }
+  // What a text says of water and slime counts as well; lava and teleporters glow and stay opaque.
+  if ((material.flags & (kMaterialLiquid | kMaterialDielectric)) != kMaterialLiquid)
+    builder_.refract(material, stems(texture.name), map_path_);
 
   const auto lit = surface_lights_.find(lower_case(texture.name));
   if (lit != surface_lights_.end() &&

@@ -37,6 +37,7 @@ class MapMaterials {
  private:
   const TextureSet& texture_set(std::uint32_t texture);
   std::vector<TextureSet> sequence(std::string_view base, bool alternate);
+  std::vector<std::string> stems(std::string_view name) const;  // of images in place of a texture
   std::uint32_t make_material(std::uint32_t texture);
   std::uint32_t missing_image();
 

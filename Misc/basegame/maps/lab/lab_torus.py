@@ -1,5 +1,5 @@
-"""A ring inside a block of glass, lit by one small lamp: every path between ring and lamp has to cross the glass twice. Quake's
-surfaces do not refract: the glass lets a share of the light straight through, and the rest is a coat that shines."""
+"""Rings inside a block of glass, lit by one small lamp: every path between ring and lamp has to cross the glass twice, and is bent
+there (lab_torus/glass_teal.mat). Engines that know no such texts, and r_glass 0, let a share of the light straight through."""
 
 from kit import Group, Map, fit
 from scene_parts import furnish, lathe, stand, torus
