@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number.h"
 #include "base/rng.h"
+#include "client/camera_liquid.h"
 #include "scene/animation.h"
 #include "scene/library/asset_builder.h"
-#include "world/bsp_query.h"
 
 namespace fb::cl {
 namespace {
@@ -48,24 +49,6 @@ vec3 ambient_light(const SnapshotInput& input) {
 // Quake's fog leaves exp(-(density z / 64)^2) of the light: ours, whose logarithm is linear, leaves half at the same
 // distance. Its colour is what is scattered of white light all around, so that thick fog in such light looks as
 // Quake's.
-// The material of the liquid about a point: the first of its kind, since a map's leafs do not say which texture is
-// theirs.
-std::uint32_t liquid_about(const scene::ModelLibrary& library, const vec3& point) {
-  if (!library.map()) return scene::kNone;
-  const std::int32_t contents = world::point_contents(*library.map(), point);
-  const bool current = contents <= formats::kContentsCurrent0 && contents >= formats::kContentsCurrentDown;
-  const bool slime = contents == formats::kContentsSlime;
-  if (contents != formats::kContentsWater && !slime && !current) return scene::kNone;
-  std::uint32_t any = scene::kNone;
-  const std::vector<scene::Material>& materials = library.assets()->materials;
-  for (std::uint32_t i = 0; i < materials.size(); ++i) {
-    if ((materials[i].flags & scene::kMaterialDielectric) == 0) continue;
-    if ((materials[i].emission_kind == scene::EmissionKind::kSlime) == slime) return i;
-    any = i;
-  }
-  return any;
-}
-
 scene::Medium medium_of(const Fog& fog, const Settings& settings) {
   scene::Medium medium;
   const float density = fog.density * std::max(settings.r_fog, 0.0f);
@@ -171,7 +154,9 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
   snapshot.instances.clear();
   snapshot.ambient = input.active ? ambient_light(input) : vec3(0.0f);
   snapshot.medium = input.active ? medium_of(fog_at(state.fog, state.time), input.session.settings) : scene::Medium();
-  snapshot.camera_liquid = input.active ? liquid_about(input.library, camera_.position) : scene::kNone;
+  snapshot.camera_liquid = scene::kNone;
+  if (input.active && input.library.map())
+    snapshot.camera_liquid = liquid_of_world(*input.library.map(), *input.library.assets(), camera_.position);
   snapshot.time = time_;
   snapshot.prev_time = prev_time_;
   snapshot.frame = count_;
@@ -179,6 +164,7 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
   snapshot.camera = camera_;
   snapshot.prev_camera = snapshot.cut ? camera_ : prev_camera_;
   snapshot.screen_tint = input.view.tint;
+  snapshot.tint_in_liquid = input.view.tint_without_contents;
   snapshot.sky = input.sky;
   if (input.active) {
     const Settings& settings = input.session.settings;
@@ -240,6 +226,10 @@ void SnapshotBuilder::add_entity(const SnapshotInput& input, scene::FrameSnapsho
       instance.transform = entity_transform(e.drawn_origin, e.drawn_angles, scale);
       if (e.frame != 0) instance.flags |= scene::kInstanceAlternate;
       add(snapshot, instance, model.mesh, e.cut_frame > built_before_);
+      if (input.library.map() && model.name.starts_with('*') && snapshot.camera_liquid == scene::kNone)
+        if (const auto submodel = parse_whole_number_unsigned(std::string_view(model.name).substr(1)))
+          snapshot.camera_liquid = liquid_of_submodel(*input.library.map(), *input.library.assets(), *submodel,
+                                                      model.mesh, instance.transform, camera_.position);
       return;
     case scene::ModelKind::kAlias:
       instance.transform =

@@ -81,7 +81,7 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
   constexpr std::uint32_t kMostInside = 0xffff;  // materials that a point can be in (lib/interaction.glsl)
   const bool in_liquid = settings.water > 0 && snapshot.camera_liquid < kMostInside;
   c.camera_liquid = in_liquid ? kMostInside << 16 | snapshot.camera_liquid : shared::kNoIndex;
-  c.screen_tint = snapshot.screen_tint;
+  c.screen_tint = in_liquid ? snapshot.tint_in_liquid : snapshot.screen_tint;
   c.width = render.x;
   c.height = render.y;
   c.output_width = output.x;

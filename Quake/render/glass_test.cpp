@@ -105,7 +105,8 @@ TEST_F(GlassTest, ReflectsWhatItDoesNotLetThrough) {
   snapshot.sky.color = vec3(1, 2, 3);
   snapshot.sky.beyond_everything = true;
   add_body(snapshot, ring);
-  for (const vec3& position : {vec3(-80, 0, 60), vec3(-40, 0, 0), vec3(0, 0, 0)}) {  // outside, within the glass, its hole
+  for (const vec3& position :
+       {vec3(-80, 0, 60), vec3(-40, 0, 0), vec3(0, 0, 0)}) {  // outside, within the glass, its hole
     look_from(snapshot, position, position.z > 0 ? 35.0f : 0.0f, 90);
     const RenderSettings s = glass_settings("pt", 1);
     auto renderer = make_renderer(s, 64, 64);
@@ -158,8 +159,8 @@ TEST_F(GlassTest, AFaceReflectsAllBeyondTheCriticalAngle) {
   EXPECT_LT(total, 3 * kSize / 4);
 }
 
-// A plate between the camera and a wall that glows: with R its reflectance and a what one crossing leaves, the series of
-// its inner reflections lets (1 - R)^2 a / (1 - R^2 a^2) through.
+// A plate between the camera and a wall that glows: with R its reflectance and a what one crossing leaves, the series
+// of its inner reflections lets (1 - R)^2 a / (1 - R^2 a^2) through.
 TEST_F(GlassTest, APlateLetsThroughWhatItsInnerReflectionsLeave) {
   for (const std::uint32_t flags : {0u, std::uint32_t{scene::kMaterialAlphaTest}}) {
     scene::FrameSnapshot snapshot;
@@ -194,8 +195,8 @@ TEST_F(GlassTest, APlateLetsThroughWhatItsInnerReflectionsLeave) {
   }
 }
 
-// A block that is of what surrounds it cannot be seen: at its faces nothing is bent or reflected, and behind it one is in
-// water again.
+// A block that is of what surrounds it cannot be seen: at its faces nothing is bent or reflected, and behind it one is
+// in water again.
 TEST_F(GlassTest, AGlassBlockOfWaterInWaterIsNotSeen) {
   const vec3 absorption(0.01f, 0.002f, 0.004f);
   std::vector<vec4> images[2];

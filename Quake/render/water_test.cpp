@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "render/frame_constants.h"
 #include "render/renderer.h"
 #include "render/test_device.h"
 #include "render/test_image.h"
@@ -207,6 +208,21 @@ TEST_F(WaterTest, NothingIsLostInTheSurface) {
       EXPECT_EQ(renderer->read().counters().not_finite, 0u) << estimator << ' ' << z;
       EXPECT_EQ(renderer->read().counters().states_not_finite, 0u) << estimator << ' ' << z;
     }
+}
+
+// What absorbs light needs no tint on top; a liquid that is drawn opaque, or none at all, has the whole.
+TEST(WaterTint, IsLeftOutWhereTheCameraIsInAClearLiquid) {
+  scene::FrameSnapshot snapshot;
+  snapshot.screen_tint = vec4(0.5f, 0.3f, 0.2f, 0.5f);
+  snapshot.tint_in_liquid = vec4(1, 0, 0, 0.1f);
+  RenderSettings s;
+  const auto tint = [&] { return frame_constants(snapshot, s, {8, 8}, {8, 8}).screen_tint; };
+  s.water = 1;
+  EXPECT_EQ(tint(), snapshot.screen_tint);
+  snapshot.camera_liquid = 3;
+  EXPECT_EQ(tint(), snapshot.tint_in_liquid);
+  s.water = 0;
+  EXPECT_EQ(tint(), snapshot.screen_tint);
 }
 
 TEST_F(WaterTest, WithoutWaterNothingChanges) {

@@ -109,6 +109,7 @@ struct FrameSnapshot {
   Medium medium;
   std::uint32_t camera_liquid = kNone;  // material (kMaterialDielectric) of the liquid that the camera is in
   vec4 screen_tint{0.0f};               // colour and its weight: damage, pickup, liquid
+  vec4 tint_in_liquid{0.0f};            // the same where light is absorbed by camera_liquid itself: not the liquid's
 };
 
 }  // namespace fb::scene

@@ -152,6 +152,7 @@ void color_picture(Session& session, const formats::Bsp* map, double seconds, Vi
   set_contents_shift(state, contents);
   set_powerup_shift(state);
   view.tint = blend_shifts(state, session.settings);
+  view.tint_without_contents = blend_shifts(state, session.settings, false);
   const auto fade = [seconds](ColorShift& shift, float speed) {
     shift.percent = std::max(0.0f, shift.percent - static_cast<float>(seconds) * speed);
   };
@@ -181,13 +182,14 @@ float calculate_bob(const Settings& s, const vec3& velocity, double time) {
   return std::clamp(bob * 0.3f + bob * 0.7f * std::sin(cycle), -7.0f, 4.0f);
 }
 
-vec4 blend_shifts(const ClientState& state, const Settings& s) {
+vec4 blend_shifts(const ClientState& state, const Settings& s, bool contents) {
   const std::array<float, kShiftCount> strengths = {s.gl_cshiftpercent_contents, s.gl_cshiftpercent_damage,
                                                     s.gl_cshiftpercent_bonus, s.gl_cshiftpercent_powerup};
   vec3 color(0.0f);
   float alpha = 0.0f;
   for (std::size_t i = 0; i < kShiftCount; ++i) {
     if (state.hud.intermission != Intermission::kNone && i != kShiftContents) continue;
+    if (i == kShiftContents && !contents) continue;
     const float weight = state.shifts[i].percent / 255.0f * (s.gl_cshiftpercent / 100.0f) * (strengths[i] / 100.0f);
     if (!(weight > 0.0f)) continue;
     alpha += weight * (1.0f - alpha);

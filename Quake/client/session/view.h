@@ -12,6 +12,7 @@ struct View {
   bool show_weapon = false;                       // the weapon in hand is there to be drawn
   vec3 weapon_origin{0.0f}, weapon_angles{0.0f};  // angles as an entity's: pitch is negated
   vec4 tint{0.0f};                                // sRGB colour 0..1 and its weight
+  vec4 tint_without_contents{0.0f};               // the same without what the eyes are in
 };
 
 // What view.cpp remembers from frame to frame.
@@ -30,7 +31,7 @@ float adapted_fov(float fov, bool adapt, int width, int height);
 // Parts of it, for tests: degrees of roll; units of bob.
 float calculate_roll(const Settings& settings, const vec3& angles, const vec3& velocity);
 float calculate_bob(const Settings& settings, const vec3& velocity, double time);
-// Colour and weight of all shifts together.
-vec4 blend_shifts(const ClientState& state, const Settings& settings);
+// Colour and weight of all shifts together; of all but that of contents.
+vec4 blend_shifts(const ClientState& state, const Settings& settings, bool contents = true);
 
 }  // namespace fb::cl

@@ -180,6 +180,9 @@ TEST(View, LiquidsColourThePicture) {
   const View v = calculate_view(p, p.memory, &room, 0.05);
   EXPECT_NEAR(v.tint.w, 150.0f / 255, 1e-5f);
   EXPECT_NEAR(v.tint.y, 80.0f / 255, 1e-5f);
+  EXPECT_EQ(v.tint_without_contents.w, 0.0f);
+  p.state.hud.items = kItemSuit;
+  EXPECT_NEAR(calculate_view(p, p.memory, &room, 0.05).tint_without_contents.w, 20.0f / 255, 1e-5f);
 }
 
 TEST(View, VolumesOfBrushModelsColourThePicture) {

@@ -76,8 +76,7 @@ FrameSnapshot torus(float lamp_radius) {
   place(std::move(upright_ring), "upright ring", turned_about_x(90, {16, 0, 49}));
   place(std::move(glass_ring), "ring of glass", turned_about_x(12, {70, -115, 24}));
   snapshot.instances.push_back(glowing(kIdEntityLight, add_sphere_mesh(*assets), lamp, {-60, -150, 190},
-                                       vec3(lamp_radius),
-                                       vec3(9000, 8000, 6500) / (lamp_radius * lamp_radius)));
+                                       vec3(lamp_radius), vec3(9000, 8000, 6500) / (lamp_radius * lamp_radius)));
   return snapshot;
 }
 

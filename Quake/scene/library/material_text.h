@@ -1,5 +1,5 @@
-// A .mat text beside an image: what a texture or a skin is made of beyond its picture. One property a line, a name and its
-// numbers apart by blanks; `//` begins a comment.
+// A .mat text beside an image: what a texture or a skin is made of beyond its picture. One property a line, a name and
+// its numbers apart by blanks; `//` begins a comment.
 //
 //   index 1.5             index of refraction, 1 to 4: the surface is a smooth interface of glass, the glass behind it
 //   color 0.8 0.95 0.9    the share of red, green and blue light that `distance` of it leaves, 0.0001 to 1
