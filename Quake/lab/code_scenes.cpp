@@ -72,6 +72,7 @@ const std::vector<Entry>& entries() {
        [] {
          return still_film(scene::ripple({12.0f, true, true}));
        }},
+      {"lava_bath", [] { return still_film(scene::lava_bath()); }},
       {"torus", [] { return still_film(scene::torus()); }},
       {"torus_soft", [] { return still_film(scene::torus(40.0f)); }},
       {"kinds", [] { return still_film(scene::light_of_every_kind()); }},

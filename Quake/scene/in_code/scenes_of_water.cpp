@@ -59,4 +59,37 @@ FrameSnapshot ripple(const Ripple& kind) {
   return snapshot;
 }
 
+FrameSnapshot lava_bath() {
+  constexpr float kDepth = 12.0f, kGround = -24.0f;
+  auto assets = new_code_assets();
+  const std::uint32_t stone = add_material(*assets, "stone", vec3(0.45f, 0.42f, 0.4f));
+  const std::uint32_t lava = add_material(*assets, "lava", vec3(0.1f), vec3(2.4f, 0.5f, 0.06f));
+  const std::uint32_t crust = add_material(*assets, "crust", vec3(0.06f));
+  const std::uint32_t water = add_material(*assets, "water", vec3(0.1f));
+  assets->materials[water].flags = kMaterialLiquid | kMaterialDielectric;
+  assets->materials[water].absorption = vec3(0.004f, 0.0015f, 0.001f);
+
+  // The bath is 192 x 128 in a hall of 384 x 320 with four pillars in it.
+  const auto in_bath = [](const vec3& p) { return std::fabs(p.x) < 96 && std::fabs(p.y) < 64; };
+  BlockGrid grid;
+  grid.x = {-192, -96, -72, -48, 0, 48, 72, 96, 192};
+  grid.y = {-160, -64, -40, 0, 40, 64, 160};
+  grid.z = {kGround, 0, 128};
+  grid.air = [&](const vec3& p) {
+    const bool pillar = std::fabs(p.x) > 48 && std::fabs(p.x) < 72 && std::fabs(p.y) > 40 && std::fabs(p.y) < 64;
+    return !pillar && (p.z > 0 || in_bath(p));
+  };
+  grid.material = [&](const vec3& p, const vec3& normal) {
+    if (normal.z < 0.5f || p.z > -1) return stone;
+    return std::fabs(p.y) < 40 || std::fabs(p.x) < 48 ? lava : crust;
+  };
+  Mesh hall, surface;
+  add_carved(hall, grid);
+  add_quad(surface, {-97, -65, kGround + kDepth}, {194, 0, 0}, {0, 130, 0}, water);
+  FrameSnapshot snapshot = still(assets, camera_at({-170, -120, 70}, {24, 34, 0}, 80.0f));
+  snapshot.instances.push_back(make_instance(kIdWorld, add_finished(*assets, std::move(hall), "hall")));
+  snapshot.instances.push_back(make_instance(kIdEntity + 1, add_finished(*assets, std::move(surface), "surface")));
+  return snapshot;
+}
+
 }  // namespace fb::scene

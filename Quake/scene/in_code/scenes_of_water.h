@@ -18,4 +18,8 @@ struct Ripple {
 };
 FrameSnapshot ripple(const Ripple& kind = {});
 
+// A dark bath whose ground glows like lava under 12 units of water, seen from its edge: nothing else gives light, and
+// all of it has gone through the surface.
+FrameSnapshot lava_bath();
+
 }  // namespace fb::scene
