@@ -69,24 +69,24 @@ FrameSnapshot lava_bath() {
   assets->materials[water].flags = kMaterialLiquid | kMaterialDielectric;
   assets->materials[water].absorption = vec3(0.004f, 0.0015f, 0.001f);
 
-  // The bath is 192 x 128 in a hall of 384 x 320 with four pillars in it.
+  // The bath is 192 x 128 in a hall of 384 x 320, with two pillars in it and crusts on the lava.
   const auto in_bath = [](const vec3& p) { return std::fabs(p.x) < 96 && std::fabs(p.y) < 64; };
   BlockGrid grid;
-  grid.x = {-192, -96, -72, -48, 0, 48, 72, 96, 192};
-  grid.y = {-160, -64, -40, 0, 40, 64, 160};
+  grid.x = planes(-192, 192, 24);
+  grid.y = planes(-160, 160, 20);
   grid.z = {kGround, 0, 128};
   grid.air = [&](const vec3& p) {
-    const bool pillar = std::fabs(p.x) > 48 && std::fabs(p.x) < 72 && std::fabs(p.y) > 40 && std::fabs(p.y) < 64;
+    const bool pillar = std::fabs(p.x) > 48 && std::fabs(p.x) < 64 && p.y > 32 && p.y < 48;
     return !pillar && (p.z > 0 || in_bath(p));
   };
   grid.material = [&](const vec3& p, const vec3& normal) {
     if (normal.z < 0.5f || p.z > -1) return stone;
-    return std::fabs(p.y) < 40 || std::fabs(p.x) < 48 ? lava : crust;
+    return std::sin(0.083f * p.x + 0.4f) * std::sin(0.071f * p.y + 1.1f) > 0.25f ? crust : lava;
   };
   Mesh hall, surface;
   add_carved(hall, grid);
   add_quad(surface, {-97, -65, kGround + kDepth}, {194, 0, 0}, {0, 130, 0}, water);
-  FrameSnapshot snapshot = still(assets, camera_at({-170, -120, 70}, {24, 34, 0}, 80.0f));
+  FrameSnapshot snapshot = still(assets, camera_at({-150, -150, 100}, {33, 44, 0}, 75.0f));
   snapshot.instances.push_back(make_instance(kIdWorld, add_finished(*assets, std::move(hall), "hall")));
   snapshot.instances.push_back(make_instance(kIdEntity + 1, add_finished(*assets, std::move(surface), "surface")));
   return snapshot;
