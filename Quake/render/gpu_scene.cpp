@@ -69,7 +69,7 @@ struct GpuScene::Impl {
         lights(d, gpu::BufferUse::kStorage, "lights"),
         staging(d, gpu::BufferUse::kUpload, 1 << 16, "scene staging") {
     const gpu::SpecializationConstant constants[]{{shared::kSpecForQuery, o.ray_query ? 1u : 0u}};
-    pose = make_pipeline(d, t, "pose", false, memory_access(d, o.by_address), constants);
+    pose = make_pipeline(d, t, "pose", false, arrays_by_address(d, o.by_address), constants);
   }
 
   void collect(const scene::FrameSnapshot& snapshot);

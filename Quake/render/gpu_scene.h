@@ -23,7 +23,7 @@ namespace fb::render {
 struct GpuSceneOptions {
   bool ray_query = false;  // also build acceleration structures, and bind the top level
   gpu::BuildPreference build = gpu::BuildPreference::kFastTrace;
-  std::optional<bool> by_address = {};  // how shaders reach arrays (memory_access()); none: as suits the device
+  std::optional<bool> by_address = {};  // how shaders reach arrays (arrays_by_address()); none: as suits the device
 };
 
 // What emission of each kind is multiplied by (r_emit_* cvars).
