@@ -151,6 +151,7 @@ void Game::fit_to_window() {
 void Game::register_commands() {
   con::Console& console = engine_->console();
   register_host_cvars(console);
+  register_governor(console, governor_);
   console.add_command("quit", "quit: end the program", [this](const con::Args&) {
     quit_ = true;
     engine_->console().forget_commands();
@@ -286,8 +287,9 @@ double Game::seconds_passed() {
   const bool real = settings.time_scale > 0.0 || settings.frame_rate <= 0.0;
   double now = platform::now_seconds();
   if (real && (window_ || elsewhere) && !client.timing()) {
-    const double shortest = 1.0 / settings.max_fps;
+    const double shortest = std::max(1.0 / settings.max_fps, 1e-3 * governor_.shortest());
     if (now - last_time_ < shortest) platform::sleep_seconds(shortest - (now - last_time_));
+    slept_ += platform::now_seconds() - now;
     now = platform::now_seconds();
   }
   const double passed = frame_ == 0 ? 0.0 : now - last_time_;
@@ -312,12 +314,18 @@ void Game::end_unless(const Status& status) {
 render::RenderSettings Game::settings() const {
   render::RenderSettings settings =
       render::as_in_game(render::read_render_settings(engine_->console()), device_->is_software());
-  const float most = engine_->console().cvar("r_cpu_pixels").value();
-  if (window_ && device_->is_software() && most > 0) {
-    settings.scale =
-        std::min(render::rendered_fraction(settings), render::scale_for_pixels(drawer_->size(settings), most));
-  }
+  settings.scale = governor_.scale(largest_scale());
+  // A picture of another size has no past; it must not take longer for that.
+  if (governor_.changed()) settings.first_spp = 1;
   return settings;
+}
+
+// Of the rendered picture, as r_scale and r_cpu_pixels allow it.
+float Game::largest_scale() const {
+  const render::RenderSettings settings = render::read_render_settings(engine_->console());
+  const float scale = render::rendered_fraction(settings), most = engine_->console().cvar("r_cpu_pixels").value();
+  if (!window_ || !device_->is_software() || most <= 0) return scale;
+  return std::min(scale, render::scale_for_pixels(drawer_->size(settings), most));
 }
 
 // The level that is left, with a plaque over it; it stays till the next one can be shown.
@@ -326,7 +334,7 @@ void Game::show_loading() {
   renderer_->finish();
   const render::RenderSettings wanted = settings();
   drawer_->draw(snapshot_, &screen_.draw_loading(engine_->client(), drawer_->size(wanted)), wanted);
-  drawn_ = {frame_, renderer_->output_size(), input_time_, false};
+  drawn_ = {frame_, renderer_->output_size(), input_time_, false, governor_.step()};
   renderer_->finish();
   snapshot_.frame = ++frame_;
   loading_since_ = platform::now_seconds();
@@ -346,6 +354,11 @@ bool Game::waits_for_level() {
   return false;
 }
 
+void Game::govern() {
+  const bool window = window_ != nullptr && !engine_->client().timing();
+  governor_.follow(target_milliseconds(engine_->console(), window, device_->is_software()), largest_scale());
+}
+
 bool Game::draw_frame() {
   cl::Client& client = engine_->client();
   if (!client.active() && !window_) return false;
@@ -353,12 +366,13 @@ bool Game::draw_frame() {
   client.build_snapshot(snapshot_);
   if (!client.active()) snapshot_.assets = nullptr;  // frees the GPU memory of a level that was left
   snapshot_.frame = frame_;
+  govern();
   const render::RenderSettings wanted = settings();
   const double now = platform::now_seconds();
   // Recorded frames show what the game shows, but not what the console says, which would not repeat.
   const Screen::Moment moment{drawer_->size(wanted), now, now - std::exchange(drawn_time_, now), window_ != nullptr};
   drawer_->draw(snapshot_, &screen_.draw(client, moment), wanted);
-  drawn_ = {frame_, renderer_->output_size(), input_time_, client.timing()};
+  drawn_ = {frame_, renderer_->output_size(), input_time_, client.timing(), governor_.step()};
   if (!draws_ahead()) renderer_->finish();
   ++frame_;
   return true;
@@ -377,6 +391,8 @@ void Game::show_drawn() {
   const double now = platform::now_seconds();
   const FrameTimes times{1e3 * (now - std::exchange(shown_time_, now)), renderer_->wait_milliseconds(),
                          1e3 * (now - drawn.input_time)};
+  if (engine_->client().active())
+    governor_.add(drawn.governed, times.whole - 1e3 * std::exchange(slept_, 0.0), times.whole, now);
   if (drawn.timed) pass_report_.add(renderer_->pass_times(), times);
   if (engine_->console().cvar("host_speeds").on())
     log_info("{:7.2f} ms, host {:6.2f}, input to picture {:7.2f}", times.whole, times.whole - times.waited,

@@ -13,6 +13,7 @@
 #include "host/engine.h"
 #include "host/frame_drawer.h"
 #include "host/game_sound.h"
+#include "host/governor.h"
 #include "host/key_router.h"
 #include "host/menu_facts.h"
 #include "host/options.h"
@@ -47,6 +48,8 @@ class Game {
   void follow_gamepads();
   double seconds_passed();
   render::RenderSettings settings() const;
+  float largest_scale() const;
+  void govern();
   bool frame();
   bool draw_frame();
   void show_loading();
@@ -81,6 +84,8 @@ class Game {
   int exit_status_ = 0;
   double last_time_ = 0;
   FrameTimer timer_;
+  Governor governor_;
+  double slept_ = 0;       // seconds since a picture was shown last
   vec2 mouse_{0.0f};       // mouse counts in this frame
   double input_time_ = 0;  // when this frame's input was read
   // The frame that the renderer was given last.
@@ -89,6 +94,7 @@ class Game {
     uvec2 size{0, 0};
     double input_time = 0;
     bool timed = false;
+    int governed = 0;  // the governor's step
   };
   Drawn drawn_;
   double drawn_time_ = 0;  // when the last frame's 2D was drawn
