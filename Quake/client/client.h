@@ -60,6 +60,11 @@ class Client {
   Status start_demo(FileData data, std::string_view name, DemoMode mode);
   // Ends playback; a timedemo prints its line.
   void stop();
+  // Of the demo that plays; none for a timedemo, which cannot be directed either.
+  std::optional<DemoStatus> demo_status() const;
+  // Shows the demo at this time of its own: the first frame, of those 1/72 s apart, that is not before it, and all that
+  // a player of such frames would have there. False: there is no such demo, or what is read on the way ends it.
+  bool seek_demo(double seconds);
   bool playing() const;
   bool timing() const;  // playing in DemoMode::kTime
   // Why the last demo or game ended, if not by its own end or because the player wanted it.
