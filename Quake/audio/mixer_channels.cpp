@@ -1,5 +1,6 @@
 // Which sounds play on which channels, and how loud: what commands do to the mixer.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -53,7 +54,7 @@ void Mixer::spread_identical(Voice& voice) {
 
 // Where a sound is that began `seconds` ago; none: it has ended.
 std::optional<std::size_t> Mixer::position_of(const Sample& sample, double seconds) const {
-  const auto played = static_cast<std::size_t>(std::clamp(seconds, 0.0, 1e6) * rate_);
+  const auto played = static_cast<std::size_t>(std::llround(std::clamp(seconds, 0.0, 1e6) * rate_));
   const std::size_t length = sample.frames.size();
   if (played < length) return played;
   if (!sample.loop_start || *sample.loop_start >= length) return std::nullopt;

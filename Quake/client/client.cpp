@@ -68,12 +68,16 @@ Status Client::Impl::load_models(ClientState& state) {
     if (world_required) return loaded;
     library.clear();
   }
+  loaded_level = session.levels;
+  find_models(state);
+  return ok_status();
+}
+
+void Client::Impl::find_models(ClientState& state) {
   for (std::size_t i = 1; i < state.model_names.size(); ++i) {
-    if (loaded.ok() || i > 1) state.models[i] = &library.model(state.model_names[i]);
+    if (library.map() || i > 1) state.models[i] = &library.model(state.model_names[i]);
     if (link()) link()->keep_alive(clock());
   }
-  loaded_level = session.levels;
-  return ok_status();
 }
 
 void Client::Impl::tell_of_even_light(const std::string& map) {
@@ -263,6 +267,7 @@ scene::SoundScene Client::sound_scene() const {
   return scene;
 }
 
+const Session& Client::session() const { return impl_->session; }
 const Hud& Client::hud() const { return impl_->session.state.hud; }
 MusicTracks Client::music() const { return impl_->session.state.music; }
 Fog Client::fog() const { return fog_at(impl_->session.state.fog, impl_->session.state.time); }

@@ -40,6 +40,8 @@ class Network;
 
 namespace fb::cl {
 
+struct Session;
+
 // The server in the same program, where there is one.
 struct LocalServer {
   std::function<std::unique_ptr<net::Connection>()> connect;  // null: no game runs there
@@ -126,6 +128,7 @@ class Client {
   // From where it is heard now, and what sounds around there.
   scene::SoundScene sound_scene() const;
 
+  const Session& session() const;  // all that it knows of the game
   const Hud& hud() const;
   MusicTracks music() const;
   Fog fog() const;

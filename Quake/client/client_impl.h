@@ -85,6 +85,7 @@ struct Client::Impl {
   void advance(double seconds);
   Status load_world(ClientState& state);
   Status load_models(ClientState& state);
+  void find_models(ClientState& state);
   void tell_of_even_light(const std::string& map);
   void refresh_sky();
   void print(const std::string& text);

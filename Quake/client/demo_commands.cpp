@@ -18,7 +18,8 @@ constexpr const char* kJumpHelp =
     "demo_jump [+|-][minutes:]seconds: go to this time of the demo, or that much further on or back";
 constexpr const char* kSpeedHelp =
     "demo_setspeed <percent>: speed of the demo, 3.125 to 3200; 100 is its own, negative plays it backwards, 0 pauses";
-constexpr const char* kNudgeHelp = "demo_nudge [frames]: pause the demo and move it by frames of 1/72 s; negative: back";
+constexpr const char* kNudgeHelp =
+    "demo_nudge [frames]: pause the demo and move it by frames of 1/72 s; negative: back";
 
 // "90", "1:30.5"
 std::optional<double> parse_time(std::string_view text) {
@@ -54,8 +55,9 @@ bool Client::Impl::demo_command(const con::Args& args, DemoMode mode) {
 void Client::Impl::go_through_list(int steps) {
   const int count = static_cast<int>(demo_loop.size());
   if (count == 0) return log_info("No demos listed with startdemos");
-  const auto here = std::find_if(demo_loop.begin(), demo_loop.end(),
-                                 [this](const std::string& name) { return demo() && demo_path(name) == demo()->name(); });
+  const auto here = std::find_if(demo_loop.begin(), demo_loop.end(), [this](const std::string& name) {
+    return demo() && demo_path(name) == demo()->name();
+  });
   const int from = here != demo_loop.end() ? static_cast<int>(here - demo_loop.begin()) : steps > 0 ? -1 : 0;
   demo_loop_next = (from + steps + count) % count;
   next_demo();
@@ -140,10 +142,10 @@ void Client::Impl::register_demo_commands() {
   // A key that is let go after the demo has no effect, and needs no word.
   const auto hold = [this](const std::string& name, bool DemoControl::*member, const char* help) {
     for (const bool down : {true, false})
-      console.add_command((down ? "+" : "-") + name,
-                          down ? fmt::format("+{}: {} until -{}", name, help, name)
-                               : fmt::format("-{}: release +{}", name, name),
-                          [this, member, down](const con::Args&) { control.*member = down; });
+      console.add_command(
+          (down ? "+" : "-") + name,
+          down ? fmt::format("+{}: {} until -{}", name, help, name) : fmt::format("-{}: release +{}", name, name),
+          [this, member, down](const con::Args&) { control.*member = down; });
   };
   hold("demo_forward", &DemoControl::forward, "play the demo five times as fast");
   hold("demo_rewind", &DemoControl::rewind, "play the demo backwards, five times as fast");

@@ -20,7 +20,7 @@ struct DemoControl {
   bool forward = false, rewind = false;
   std::optional<double> back_to;   // while it plays backwards: where it is, seconds of the demo
   std::optional<int> heard_track;  // while nothing is heard of it: the music that plays on
-  int levels_before = 0;  // of Session::levels
+  int levels_before = 0;           // of Session::levels
   Keyframes keyframes;
 
   // Seconds of the demo that pass in one of the clock.

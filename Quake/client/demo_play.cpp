@@ -163,7 +163,9 @@ Status Client::Impl::restore(const Keyframe& keyframe) {
   view = keyframe.view;
   view_memory = keyframe.view_memory;
   demo()->go_to(keyframe.place);
-  return other_level ? load_models(session.state) : ok_status();
+  if (other_level) return load_models(session.state);
+  find_models(session.state);  // those of the keyframe may be of an earlier visit to the level
+  return ok_status();
 }
 
 // The level's first message begins everything anew.
@@ -176,10 +178,12 @@ void Client::Impl::go_to_level(std::size_t level) {
 
 // The first frame, of those a step apart, that is not before the moment. False: the demo has ended by an error.
 bool Client::Impl::go_to_moment(const DemoMoment& moment) {
+  // A level's first frame is a little before its first time.
+  const bool at_first = moment.time <= demo()->index().levels[moment.level].first_time;
   const auto reached = [&] {
     const DemoMoment now = demo_moment();
     const bool begun = session.levels > control.levels_before && session.state.signon == kSignons;
-    return begun && (now.level > moment.level || (now.level == moment.level && now.time >= moment.time));
+    return begun && (now.level > moment.level || (now.level == moment.level && (at_first || now.time >= moment.time)));
   };
   const Keyframe* const keyframe = control.keyframes.before(moment);
   const DemoMoment now = demo_moment();

@@ -40,8 +40,9 @@ bool read_message(DemoIndex& index, ByteView data, std::string_view name, const 
 
 DemoMoment DemoIndex::moment_at(double seconds) const {
   if (levels.empty()) return {};
-  auto level = std::find_if(levels.rbegin(), levels.rend(),
-                            [seconds](const DemoLevel& l) { return l.last_time >= l.first_time && l.begins <= seconds; });
+  auto level = std::find_if(levels.rbegin(), levels.rend(), [seconds](const DemoLevel& l) {
+    return l.last_time >= l.first_time && l.begins <= seconds;
+  });
   if (level == levels.rend()) level = std::prev(levels.rend());
   const double within = std::clamp(seconds - level->begins, 0.0, level->seconds());
   return {static_cast<std::size_t>(std::distance(level, levels.rend())) - 1, level->first_time + within};

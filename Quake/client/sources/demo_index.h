@@ -39,8 +39,8 @@ struct DemoIndex {
   double seconds_at(const DemoMoment& moment) const;
 };
 
-// As far as the demo can be understood, and up to where it says that it ends. `name` is for no one: errors are told when
-// the demo is played there.
+// As far as the demo can be understood, and up to where it says that it ends. `name` is for no one: errors are told
+// when the demo is played there.
 DemoIndex read_demo_index(ByteView data, std::string_view name);
 
 }  // namespace fb::cl
