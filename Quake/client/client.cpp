@@ -205,6 +205,7 @@ std::optional<DemoStatus> Client::demo_status() const {
   return DemoStatus{i.control.back_to.value_or(i.demo_seconds()), length, i.control.rate(), i.control.paused};
 }
 bool Client::seek_demo(double seconds) { return impl_->seek_demo(seconds); }
+void Client::pause_demo(bool paused) { impl_->control.paused = paused; }
 bool Client::playing() const { return impl_->demo() != nullptr; }
 bool Client::timing() const { return impl_->timing(); }
 const std::optional<Error>& Client::last_error() const { return impl_->error; }

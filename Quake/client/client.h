@@ -67,6 +67,7 @@ class Client {
   // Shows the demo at this time of its own: the first frame, of those 1/72 s apart, that is not before it, and all that
   // a player of such frames would have there. False: there is no such demo, or what is read on the way ends it.
   bool seek_demo(double seconds);
+  void pause_demo(bool paused);
   bool playing() const;
   bool timing() const;  // playing in DemoMode::kTime
   // Why the last demo or game ended, if not by its own end or because the player wanted it.

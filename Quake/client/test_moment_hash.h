@@ -17,8 +17,7 @@ namespace fb::cl::test {
 class MomentHash {
  public:
   template <typename T>
-    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  MomentHash& add(T value) {
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T> MomentHash& add(T value) {
     hash_ = hash_bytes(&value, sizeof value, hash_);
     return *this;
   }

@@ -50,8 +50,10 @@ Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
       sound_(*engine_),
       facts_(*engine_),
       keys_(engine_->console(), facts_),
+      demo_controls_(engine_->console(), engine_->client()),
       screen_(engine_->console(), engine_->files().loader(), keys_, engine_->rules()) {
   facts_.set_display_size([this] { return window_ ? window_->display_size() : uvec2(0); });
+  keys_.set_demo_keys([this](const platform::InputEvent& event) { return demo_controls_.handle(event); });
   keys_.menu().set_sound([this](std::string_view name) { engine_->sound().play_local(name); });
 }
 Game::~Game() {
@@ -356,7 +358,8 @@ bool Game::draw_frame() {
   const render::RenderSettings wanted = settings();
   const double now = platform::now_seconds();
   // Recorded frames show what the game shows, but not what the console says, which would not repeat.
-  const Screen::Moment moment{drawer_->size(wanted), now, now - std::exchange(drawn_time_, now), window_ != nullptr};
+  Screen::Moment moment{drawer_->size(wanted), now, now - std::exchange(drawn_time_, now), window_ != nullptr};
+  if (window_ && options_.capture.empty()) moment.demo_bar = demo_controls_.frame(moment.size, now);
   drawer_->draw(snapshot_, &screen_.draw(client, moment), wanted);
   drawn_ = {frame_, renderer_->output_size(), input_time_, client.timing()};
   if (!draws_ahead()) renderer_->finish();

@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "gpu/device.h"
 #include "gpu/swapchain.h"
+#include "host/demo_controls.h"
 #include "host/engine.h"
 #include "host/frame_drawer.h"
 #include "host/game_sound.h"
@@ -65,6 +66,7 @@ class Game {
   GameSound sound_;
   MenuFacts facts_;
   KeyRouter keys_;
+  DemoControls demo_controls_;
   Screen screen_;
   std::unique_ptr<platform::Window> window_;
   std::unique_ptr<gpu::Device> device_;

@@ -251,7 +251,10 @@ void KeyRouter::handle(const platform::InputEvent& event) {
     return;
   }
   // A button that was pressed before lets go wherever the keys go now.
-  if (is_key && !event.down) return bindings_.key_event(event.key, false);
+  if (is_key && !event.down) {
+    demo_keys_(event);
+    return bindings_.key_event(event.key, false);
+  }
   if (menu_.open()) return handle_menu(event);
   if (message_.open()) {
     if (event.kind == Kind::kText) message_.input().insert(event.text);
@@ -260,6 +263,7 @@ void KeyRouter::handle(const platform::InputEvent& event) {
   }
   const bool typing = open_ || behind_ == Behind::kNothing;
   if (event.kind == Kind::kText && typing && event.text != "`" && event.text != "~") input_.insert(event.text);
+  if (!typing && behind_ == Behind::kDemo && demo_keys_(event)) return;
   if (!is_key) return;
   if (typing && !is_function_key(event.key)) return type(event.key);
   if (behind_ == Behind::kDemo && starts_typing(event.key) && !event.repeat) return menu_.show("main");
