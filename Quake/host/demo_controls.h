@@ -31,10 +31,10 @@ class DemoControls {
   cl::Client& client_;
   ivec2 output_{0};
   vec2 pointer_{0.0f};
-  bool touched_ = false;        // since the last frame
-  bool line_held_ = false;      // by the mouse
-  bool was_paused_ = false;     // before that
-  int arrow_ = 0;               // the key that is held, of those that go forward and back
+  bool touched_ = false;     // since the last frame
+  bool line_held_ = false;   // by the mouse
+  bool was_paused_ = false;  // before that
+  int arrow_ = 0;            // the key that is held, of those that go forward and back
   double shown_until_ = -1e9;
 };
 

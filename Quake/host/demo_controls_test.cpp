@@ -15,7 +15,8 @@ using Behind = KeyRouter::Behind;
 
 class DemoControlsTest : public testing::Test {
  protected:
-  DemoControlsTest() : files(cl::test::game_files()), library(files.loader()), client(console, library, files.loader()) {
+  DemoControlsTest()
+      : files(cl::test::game_files()), library(files.loader()), client(console, library, files.loader()) {
     ui::register_hud_cvars(console);
     cl::test::DemoBuilder demo;
     for (int i = 0; i < 300; ++i) demo.moment(1.0f + 0.1f * static_cast<float>(i), 0.0f);

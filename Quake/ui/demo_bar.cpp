@@ -29,7 +29,6 @@ std::string clock(double seconds) {
 }
 
 std::string speed(double rate) {
-  if (rate == 0.0) return "paused";
   const double size = std::abs(rate);
   const char* const sign = rate < 0.0 ? "-" : "";
   const double inverse = std::round(1.0 / size);
@@ -39,7 +38,6 @@ std::string speed(double rate) {
 
 // Two arrows where it is faster than the demo's own speed.
 std::string arrows(double rate) {
-  if (rate == 0.0) return "||";
   const std::string arrow = rate < 0.0 ? "<" : ">";
   return std::abs(rate) > 1.0 ? arrow + arrow : arrow;
 }
@@ -54,7 +52,7 @@ void draw_demo_bar(scene::DrawList& list, Atlas& atlas, const HudView& view, con
   Painter painter(list, atlas, canvas(view.settings, view.output));
   painter.fill(kLeft, kTop, kWidth, kHeight, kBarBack);
   const float text_y = kTop + 4.0f, line = kTextRight - kTextLeft;
-  painter.text(kTextLeft, text_y, arrows(bar.rate) + " " + speed(bar.rate), true);
+  painter.text(kTextLeft, text_y, bar.rate == 0.0 ? "paused" : arrows(bar.rate) + " " + speed(bar.rate), true);
   const std::string name = bar.name.substr(0, kMostName);
   painter.text(kLeft + 0.5f * (kWidth - kGlyph * static_cast<float>(name.size())), text_y, name);
   const std::string time = clock(bar.seconds) + "/" + clock(bar.length);

@@ -19,8 +19,8 @@ struct DemoBar {
 // Above the status bar, at its scale.
 void draw_demo_bar(scene::DrawList& list, Atlas& atlas, const HudView& view, const DemoBar& bar);
 
-// The time of a demo of this length that the pointer (output pixels) points at; none where it is not on the bar. Once it
-// is held (`held`) it may be anywhere: its side-to-side place counts.
+// The time of a demo of this length that the pointer (output pixels) points at; none where it is not on the bar. Once
+// it is held (`held`) it may be anywhere: its side-to-side place counts.
 std::optional<double> demo_time_at(const HudSettings& settings, ivec2 output, double length, const vec2& pointer,
                                    bool held);
 
