@@ -19,6 +19,7 @@
 #include "host/options.h"
 #include "host/pass_report.h"
 #include "host/screen.h"
+#include "panel/panel.h"
 #include "platform/window.h"
 #include "render/renderer.h"
 
@@ -50,6 +51,7 @@ class Game {
   render::RenderSettings settings() const;
   bool frame();
   bool draw_frame();
+  void draw_panel(scene::DrawList& list, ui::Atlas& atlas, uvec2 output, double now);
   void show_loading();
   bool waits_for_level();
   bool draws_ahead() const;
@@ -67,6 +69,7 @@ class Game {
   MenuFacts facts_;
   KeyRouter keys_;
   DemoControls demo_controls_;
+  panel::Panel panel_;
   Screen screen_;
   std::unique_ptr<platform::Window> window_;
   std::unique_ptr<gpu::Device> device_;

@@ -35,6 +35,9 @@ class KeyRouter {
   bool holds_game() const { return open_ || menu_.open() || message_.open(); }
   // What directs a demo: asked first where a demo is behind, and told of every key that is let go. True: it was meant.
   void set_demo_keys(std::function<bool(const platform::InputEvent&)> demo_keys) { demo_keys_ = std::move(demo_keys); }
+  // The panel, which has what it takes before the game does, and after menu, console and message. It is told of every
+  // key that is let go, too.
+  void set_panel(std::function<bool(const platform::InputEvent&)> panel) { panel_ = std::move(panel); }
   // A game has begun: the console and the menu give way.
   void close_all();
   void set_behind(Behind behind);
@@ -66,6 +69,7 @@ class KeyRouter {
   con::InputLine input_;
   ui::MessageLine message_;
   ui::menu::Menu menu_;
+  std::function<bool(const platform::InputEvent&)> panel_ = [](const platform::InputEvent&) { return false; };
   std::function<bool(const platform::InputEvent&)> demo_keys_ = [](const platform::InputEvent&) { return false; };
   bool open_ = false;
   Behind behind_ = Behind::kNothing;

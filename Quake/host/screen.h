@@ -1,6 +1,7 @@
 // What lies over the picture: status bar, messages, console, menu.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -28,6 +29,7 @@ class Screen {
     double seconds = 0.0;  // since the last frame
     bool lines = true;     // the console and its newest lines, which follow the clock on the wall
     std::optional<ui::DemoBar> demo_bar = std::nullopt;
+    std::function<void(scene::DrawList&, ui::Atlas&)> panel = nullptr;  // draws below console and menu
   };
   // The draw list of this frame. Where the client has no world the console fills the picture.
   const scene::DrawList& draw(const cl::Client& client, const Moment& moment);
