@@ -112,7 +112,7 @@ double Client::Impl::demo_seconds() { return demo()->index().seconds_at(demo_mom
 // `seconds` of the clock go by.
 void Client::Impl::play_demo(double seconds) {
   if (timing()) return step(seconds);
-  const double rate = control.rate();
+  const double rate = active() ? control.rate() : 1.0;  // until there is something to pause
   follow_rate(rate);
   if (rate < 0.0) {
     play_back(-rate * seconds);

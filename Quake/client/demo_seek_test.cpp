@@ -215,6 +215,14 @@ TEST_F(DemoSeek, APauseChangesNothing) {
   EXPECT_EQ(player.hash(), other.hash());
 }
 
+TEST_F(DemoSeek, APauseBeforeTheFirstMomentWaitsForIt) {
+  DemoPlayer player(files.loader());
+  player.run("playdemo long; demo_pause");
+  for (int i = 0; i < 10; ++i) player.client.advance(test::kFrame);
+  EXPECT_TRUE(player.client.active());
+  EXPECT_EQ(player.seconds(), 0.0);
+}
+
 TEST_F(DemoSeek, PlaysBackwardsThroughTheSameMoments) {
   DemoPlayer player(files.loader());
   ASSERT_TRUE(player.client.start_demo("long", DemoMode::kPlay).ok());

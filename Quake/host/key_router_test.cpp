@@ -113,9 +113,10 @@ TEST_F(KeyRouterTest, ThePanelComesBeforeTheGameAndAfterTheMenu) {
   });
   press('w');
   EXPECT_THAT(told, ElementsAre("+w", "-w"));
-  EXPECT_THAT(ran, ElementsAre("-forward 119")) << "what is let go, everybody is told";
-  ran.clear();
+  EXPECT_THAT(ran, IsEmpty());
   takes = false;
+  press('w');
+  EXPECT_THAT(ran, ElementsAre("+forward 119", "-forward 119"));
   press(platform::kKeyEscape);
   told.clear();
   press('w');

@@ -42,7 +42,8 @@ struct Writer {
   // One colour, no texture: row by row, as far as pixels' centres lie inside.
   void triangle(const std::array<Corner, 3>& corners) const {
     const auto [low, high] = std::minmax({corners[0].at.y, corners[1].at.y, corners[2].at.y});
-    for (float row = std::ceil(std::max(low, clip_min.y) - 0.5f); row + 0.5f < std::min(high, clip_max.y); row += 1.0f) {
+    for (float row = std::ceil(std::max(low, clip_min.y) - 0.5f); row + 0.5f < std::min(high, clip_max.y);
+         row += 1.0f) {
       float left = 1e9f, right = -1e9f;
       for (std::size_t i = 0; i < 3; ++i) {
         const vec2 &from = corners[i].at, &to = corners[(i + 1) % 3].at;
@@ -72,8 +73,8 @@ void append_draw_data(scene::DrawList& list, const ImDrawData& data, const ui::P
   for (int l = 0; l < data.CmdListsCount; ++l) {
     const ImDrawList& commands = *data.CmdLists[l];
     const auto corner = [&](const ImDrawCmd& command, unsigned index) {
-      const ImDrawVert& v = commands.VtxBuffer[static_cast<int>(command.VtxOffset + commands.IdxBuffer[static_cast<int>(
-                                                                                        command.IdxOffset + index)])];
+      const ImDrawVert& v = commands.VtxBuffer[static_cast<int>(
+          command.VtxOffset + commands.IdxBuffer[static_cast<int>(command.IdxOffset + index)])];
       return Corner{(vec2(v.pos.x, v.pos.y) - origin) * scale, font_at + vec2(v.uv.x, v.uv.y) * font_size,
                     color_of(v.col)};
     };

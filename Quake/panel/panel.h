@@ -28,11 +28,11 @@ namespace fb::panel {
 struct Facts {
   const scene::FrameSnapshot& snapshot;
   render::SceneStatistics scene = {};
-  std::string device = {}, rays = {};                 // "llvmpipe ...", "bvh"
-  uvec2 rendered{0, 0};                     // pixels
-  std::uint64_t device_bytes = 0;           // in all
-  std::uint64_t learnt_bytes = 0;           // of these, of path guiding's states and cache
-  std::uint32_t accumulated = 0;            // frames in the picture's mean
+  std::string device = {}, rays = {};  // "llvmpipe ...", "bvh"
+  uvec2 rendered{0, 0};                // pixels
+  std::uint64_t device_bytes = 0;      // in all
+  std::uint64_t learnt_bytes = 0;      // of these, of path guiding's states and cache
+  std::uint32_t accumulated = 0;       // frames in the picture's mean
 };
 
 class Panel {
@@ -75,8 +75,8 @@ class Panel {
   std::deque<Frame> history_;
   std::vector<int> pressed_, let_go_;  // keys since the last frame; of these, those that are up again
   std::string filter_;
-  float scale_ = 1.0f;   // output pixels to a unit of ImGui's
-  double last_ = -1.0;   // when it was drawn last
+  float scale_ = 1.0f;  // output pixels to a unit of ImGui's
+  double last_ = -1.0;  // when it was drawn last
 };
 
 }  // namespace fb::panel

@@ -14,7 +14,7 @@
 namespace fb::panel {
 namespace {
 
-constexpr float kGraphHeight = 90.0f;      // of ImGui's units
+constexpr float kGraphHeight = 90.0f;  // of ImGui's units
 constexpr double kMegabyte = 1024.0 * 1024.0;
 
 // A slider over a wide range has more room for small numbers.
@@ -127,7 +127,7 @@ void Panel::draw_times(const Facts& facts) {
   text(fmt::format("{}x{}, {:.1f} ms a frame, {:.1f} frames a second", facts.rendered.x, facts.rendered.y,
                    whole / frames, whole > 0.0 ? 1e3 * frames / whole : 0.0));
   draw_graph(highest);
-  text(fmt::format("the last {} frames; the graph ends at {:.1f} ms", history_.size(), highest));
+  text(fmt::format("the last {} frames; up to {:.1f} ms; means, ms:", history_.size(), highest));
   for (std::size_t i = 0; i < latest.size(); ++i) {
     if (i % 2 != 0) ImGui::SameLine(0.5f * ImGui::GetWindowWidth());
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -135,7 +135,7 @@ void Panel::draw_times(const Facts& facts) {
     ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 2.0f}, {at.x + side, at.y + 2.0f + side}, pass_color(i));
     ImGui::Dummy({side + 4.0f, side});
     ImGui::SameLine();
-    text(fmt::format("{:7.2f} ms  {}", means[i] / frames, latest[i].name));
+    text(fmt::format("{:6.2f} {}", means[i] / frames, latest[i].name));
   }
 }
 
@@ -211,7 +211,8 @@ void Panel::draw_scene(const Facts& facts) {
   const render::SceneStatistics& s = facts.scene;
   text(fmt::format("{} triangles, {} meshes, {} instances, {} posed", s.triangles, s.meshes, s.instances,
                    s.posed_instances));
-  text(fmt::format("device memory: {:.0f} MiB, of the scene {:.0f}", static_cast<double>(facts.device_bytes) / kMegabyte,
+  text(fmt::format("device memory: {:.0f} MiB, of the scene {:.0f}",
+                   static_cast<double>(facts.device_bytes) / kMegabyte,
                    static_cast<double>(s.device_bytes) / kMegabyte));
   ImGui::Separator();
   text("Light");
