@@ -5,6 +5,8 @@
 
 namespace fb::host {
 
+bool DemoControls::directs() const { return client_.playing() && !client_.timing(); }
+
 bool DemoControls::press(int key) {
   const auto run = [this](const char* command) {
     console_.append(std::string(command) + "\n");
@@ -56,8 +58,7 @@ bool DemoControls::handle(const platform::InputEvent& event) {
     if (mouse) let_go();
     return release(event.key);
   }
-  const auto status = client_.demo_status();
-  if (!status) return false;
+  if (!directs()) return false;
   if (event.kind == Kind::kMouseMotion) {
     touched_ |= pointer_ != vec2(event.x, event.y);
     pointer_ = {event.x, event.y};
@@ -66,7 +67,8 @@ bool DemoControls::handle(const platform::InputEvent& event) {
   if (event.kind != Kind::kKey) return false;
   if (mouse && console_.cvar("scr_demobar_timeout").value() >= 0.0f) {
     const ui::HudSettings settings = ui::read_hud_settings(console_, output_.x, output_.y);
-    if (!ui::demo_time_at(settings, output_, status->length, pointer_, false)) return false;
+    const auto status = client_.demo_status();
+    if (!status || !ui::demo_time_at(settings, output_, status->length, pointer_, false)) return false;
     was_paused_ = status->paused;
     line_held_ = touched_ = true;
     client_.pause_demo(true);
@@ -81,22 +83,22 @@ bool DemoControls::handle(const platform::InputEvent& event) {
 
 std::optional<ui::DemoBar> DemoControls::frame(uvec2 output, double now) {
   output_ = output;
-  auto status = client_.demo_status();
-  if (!status) {
+  if (!directs()) {
     let_go();
     touched_ = false;
     return std::nullopt;
-  }
-  if (line_held_) {
-    const ui::HudSettings settings = ui::read_hud_settings(console_, output_.x, output_.y);
-    client_.seek_demo(ui::demo_time_at(settings, output_, status->length, pointer_, true).value_or(status->seconds));
-    status = client_.demo_status();
-    if (!status) return std::nullopt;
   }
   const double stays = console_.cvar("scr_demobar_timeout").value();
   if (touched_ || line_held_ || arrow_ != 0) shown_until_ = now + stays;
   touched_ = false;
   if (stays < 0.0 || (stays > 0.0 && now >= shown_until_)) return std::nullopt;
+  auto status = client_.demo_status();  // reads the demo from end to end, once
+  if (line_held_ && status) {
+    const ui::HudSettings settings = ui::read_hud_settings(console_, output_.x, output_.y);
+    client_.seek_demo(ui::demo_time_at(settings, output_, status->length, pointer_, true).value_or(status->seconds));
+    status = client_.demo_status();
+  }
+  if (!status) return std::nullopt;
   return ui::DemoBar{client_.demo_name(), status->seconds, status->length, status->rate};
 }
 

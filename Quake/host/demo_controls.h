@@ -23,6 +23,7 @@ class DemoControls {
   std::optional<ui::DemoBar> frame(uvec2 output, double now);
 
  private:
+  bool directs() const;
   bool press(int key);
   bool release(int key);
   void let_go();
