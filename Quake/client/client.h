@@ -40,6 +40,8 @@ class Network;
 
 namespace fb::cl {
 
+struct Session;
+
 // The server in the same program, where there is one.
 struct LocalServer {
   std::function<std::unique_ptr<net::Connection>()> connect;  // null: no game runs there
@@ -60,6 +62,12 @@ class Client {
   Status start_demo(FileData data, std::string_view name, DemoMode mode);
   // Ends playback; a timedemo prints its line.
   void stop();
+  // Of the demo that plays; none for a timedemo, which cannot be directed either.
+  std::optional<DemoStatus> demo_status() const;
+  // Shows the demo at this time of its own: the first frame, of those 1/72 s apart, that is not before it, and all that
+  // a player of such frames would have there. False: there is no such demo, or what is read on the way ends it.
+  bool seek_demo(double seconds);
+  void pause_demo(bool paused);
   bool playing() const;
   bool timing() const;  // playing in DemoMode::kTime
   // Why the last demo or game ended, if not by its own end or because the player wanted it.
@@ -121,6 +129,7 @@ class Client {
   // From where it is heard now, and what sounds around there.
   scene::SoundScene sound_scene() const;
 
+  const Session& session() const;  // all that it knows of the game
   const Hud& hud() const;
   MusicTracks music() const;
   Fog fog() const;

@@ -50,8 +50,12 @@ Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
       sound_(*engine_),
       facts_(*engine_),
       keys_(engine_->console(), facts_),
+      demo_controls_(engine_->console(), engine_->client()),
+      panel_(engine_->console()),
       screen_(engine_->console(), engine_->files().loader(), keys_, engine_->rules()) {
   facts_.set_display_size([this] { return window_ ? window_->display_size() : uvec2(0); });
+  keys_.set_demo_keys([this](const platform::InputEvent& event) { return demo_controls_.handle(event); });
+  keys_.set_panel([this](const platform::InputEvent& event) { return panel_.handle(event); });
   keys_.menu().set_sound([this](std::string_view name) { engine_->sound().play_local(name); });
 }
 Game::~Game() {
@@ -265,7 +269,8 @@ void Game::follow_focus() {
                    : client.active() ? KeyRouter::Behind::kDemo
                                      : KeyRouter::Behind::kNothing);
   if (keys_.menu_open()) facts_.update();
-  const bool grab = options_.mouse && in_game && !keys_.console_open() && !keys_.menu_open() && window_->focused();
+  const bool elsewhere = keys_.console_open() || keys_.menu_open() || panel_.open();
+  const bool grab = options_.mouse && in_game && !elsewhere && window_->focused();
   if (grab != window_->mouse_grabbed()) window_->grab_mouse(grab);
   engine_->server().hold(in_game && keys_.holds_game());
 }
@@ -370,12 +375,30 @@ bool Game::draw_frame() {
   const render::RenderSettings wanted = settings();
   const double now = platform::now_seconds();
   // Recorded frames show what the game shows, but not what the console says, which would not repeat.
-  const Screen::Moment moment{drawer_->size(wanted), now, now - std::exchange(drawn_time_, now), window_ != nullptr};
+  Screen::Moment moment{drawer_->size(wanted), now, now - std::exchange(drawn_time_, now), window_ != nullptr};
+  if (window_ && options_.capture.empty()) {
+    moment.demo_bar = demo_controls_.frame(moment.size, now);
+    if (panel_.open() && !client.timing())
+      moment.panel = [&](scene::DrawList& list, ui::Atlas& atlas) { draw_panel(list, atlas, moment.size, now); };
+  }
   drawer_->draw(snapshot_, &screen_.draw(client, moment), wanted);
   drawn_ = {frame_, renderer_->output_size(), input_time_, client.timing(), governor_.step()};
   if (!draws_ahead()) renderer_->finish();
   ++frame_;
   return true;
+}
+
+// Tells of the frame before this one.
+void Game::draw_panel(scene::DrawList& list, ui::Atlas& atlas, uvec2 output, double now) {
+  panel::Facts facts{snapshot_};
+  facts.scene = renderer_->scene_statistics();
+  facts.device = device_->report().name;
+  facts.rays = renderer_->intersector_name();
+  facts.rendered = renderer_->render_size();
+  facts.device_bytes = renderer_->device_bytes();
+  facts.learnt_bytes = renderer_->learnt_bytes();
+  facts.accumulated = renderer_->accumulated_frames();
+  panel_.draw(list, atlas, facts, output, now);
 }
 
 // Where the device draws a frame while the host prepares the next, that one's input waits for it.
@@ -394,6 +417,7 @@ void Game::show_drawn() {
   if (engine_->client().active())
     governor_.add(drawn.governed, times.whole - 1e3 * std::exchange(slept_, 0.0), times.whole, now);
   if (drawn.timed) pass_report_.add(renderer_->pass_times(), times);
+  panel_.add_frame(renderer_->pass_times(), times.whole);
   if (engine_->console().cvar("host_speeds").on())
     log_info("{:7.2f} ms, host {:6.2f}, input to picture {:7.2f}", times.whole, times.whole - times.waited,
              times.latency);

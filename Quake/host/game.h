@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "gpu/device.h"
 #include "gpu/swapchain.h"
+#include "host/demo_controls.h"
 #include "host/engine.h"
 #include "host/frame_drawer.h"
 #include "host/game_sound.h"
@@ -19,6 +20,7 @@
 #include "host/options.h"
 #include "host/pass_report.h"
 #include "host/screen.h"
+#include "panel/panel.h"
 #include "platform/window.h"
 #include "render/renderer.h"
 
@@ -52,6 +54,7 @@ class Game {
   void govern();
   bool frame();
   bool draw_frame();
+  void draw_panel(scene::DrawList& list, ui::Atlas& atlas, uvec2 output, double now);
   void show_loading();
   bool waits_for_level();
   bool draws_ahead() const;
@@ -68,6 +71,8 @@ class Game {
   GameSound sound_;
   MenuFacts facts_;
   KeyRouter keys_;
+  DemoControls demo_controls_;
+  panel::Panel panel_;
   Screen screen_;
   std::unique_ptr<platform::Window> window_;
   std::unique_ptr<gpu::Device> device_;

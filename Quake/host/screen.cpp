@@ -88,6 +88,8 @@ const scene::DrawList& Screen::draw(const cl::Client& client, const Moment& mome
   const bool played = game && (client.playing() || client.connected());
   const bool elsewhere = keys_.console_open() || keys_.menu_open();
   if (played) lines &= ui::draw_hud(list_, atlas_, view, elsewhere ? ui::Attention::kElsewhere : ui::Attention::kGame);
+  if (moment.demo_bar && !elsewhere) ui::draw_demo_bar(list_, atlas_, view, *moment.demo_bar);
+  if (moment.panel) moment.panel(list_, atlas_);
   if (keys_.console_open() || moment.lines) draw_console(view, game, lines);
   draw_menu(moment.size, moment.now);
   return list_;

@@ -1,6 +1,8 @@
 // What lies over the picture: status bar, messages, console, menu.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "client/client.h"
@@ -8,6 +10,7 @@
 #include "host/key_router.h"
 #include "scene/draw_list.h"
 #include "ui/atlas.h"
+#include "ui/demo_bar.h"
 #include "ui/hud_view.h"
 #include "ui/overlays.h"
 #include "ui/signs.h"
@@ -25,6 +28,8 @@ class Screen {
     double now = 0.0;      // seconds
     double seconds = 0.0;  // since the last frame
     bool lines = true;     // the console and its newest lines, which follow the clock on the wall
+    std::optional<ui::DemoBar> demo_bar = std::nullopt;
+    std::function<void(scene::DrawList&, ui::Atlas&)> panel = nullptr;  // draws below console and menu
   };
   // The draw list of this frame. Where the client has no world the console fills the picture.
   const scene::DrawList& draw(const cl::Client& client, const Moment& moment);

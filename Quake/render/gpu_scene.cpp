@@ -366,6 +366,8 @@ void GpuScene::stage() {
   s.statistics.instances = static_cast<std::uint32_t>(s.drawn.size());
   s.statistics.posed_instances = static_cast<std::uint32_t>(std::count_if(
       s.drawn.begin(), s.drawn.end(), [&](const Drawn& d) { return s.assets.meshes()[d.instance->mesh].posed; }));
+  s.statistics.lights = s.light_list.end() - s.light_list.first();
+  s.statistics.light_power = s.light_list.power();
   s.statistics.device_bytes = s.assets.device_bytes() + s.instances.bytes() + s.materials.bytes() + s.jobs.bytes() +
                               s.lights.bytes() + s.staging.size();
   s.statistics.host_milliseconds += milliseconds_since(start);

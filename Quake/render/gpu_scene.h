@@ -41,6 +41,8 @@ struct SceneFeatures {
 
 struct SceneStatistics {
   std::uint32_t meshes = 0, triangles = 0, instances = 0, posed_instances = 0;
+  std::uint32_t lights = 0;  // triangles in the list of lights, which only some estimators want
+  float light_power = 0;     // of all of them: LightList::power
   std::uint64_t device_bytes = 0;
   double host_milliseconds = 0;  // prepare() and stage(), this frame
 };
