@@ -29,12 +29,13 @@ MAY_INCLUDE = {
     "scene": ["world"],
     "client": ["scene", "net"],
     "ui": ["client"],
+    "csqc": ["ui", "progs"],
     "audio": ["scene", "fs", "console"],
     "gpu": ["base"],
     "render": ["gpu", "scene", "console"],
     "platform": ["base"],
     "lab": ["client", "render"],
-    "host": ["server", "ui", "audio", "platform", "lab"],
+    "host": ["server", "ui", "csqc", "audio", "platform", "lab"],
 }
 ORDER = list(MAY_INCLUDE)
 # A module's subfolders, from the bottom up: each may include itself and those before it. "" is the module's own folder.

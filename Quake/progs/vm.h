@@ -118,6 +118,8 @@ class Vm {
 
   void return_float(float value) { globals_[kOfsReturn] = as_word(value); }
   void return_vector(const vec3& value) { ValueTraits<vec3>::store(&globals_[kOfsReturn], value); }
+  // As it is: for what QuakeC declares to return an int.
+  void return_word(Word word) { globals_[kOfsReturn] = word; }
   void return_edict(EdictId id) { globals_[kOfsReturn] = index(id); }
   void return_string_id(StringId id) { globals_[kOfsReturn] = static_cast<Word>(id); }
   // As a temporary string.
