@@ -36,11 +36,19 @@ TEST_F(BarBuiltinsTest, TheListIsThatOfTheTable) {
 
 TEST_F(BarBuiltinsTest, EachIsCalledOnceWithoutAWrongWord) {
   const std::map<std::string, std::string> special = {
-      {"cvar", "\"cl_nocsqc\""},        {"cvar_set", "\"cl_nocsqc\", \"0\""}, {"cvar_string", "\"cl_nocsqc\""},
-      {"cvar_defstring", "\"cl_nocsqc\""}, {"registercvar", "\"of_a_bar\", \"1\""}, {"localcmd", "\"echo hello\\n\""},
-      {"remove", "spawn()"},            {"strunzone", "strzone(\"kept\")"},   {"fopen", "\"words.txt\", 2"},
-      {"putentityfieldstring", "1, spawn(), \"5\""}, {"changepitch", "spawn()"},
-      {"precache_pic", "\"gfx/sb_key1\", 0"}, {"drawgetimagesize", "\"gfx/sb_key1\""},
+      {"cvar", "\"cl_nocsqc\""},
+      {"cvar_set", "\"cl_nocsqc\", \"0\""},
+      {"cvar_string", "\"cl_nocsqc\""},
+      {"cvar_defstring", "\"cl_nocsqc\""},
+      {"registercvar", "\"of_a_bar\", \"1\""},
+      {"localcmd", "\"echo hello\\n\""},
+      {"remove", "spawn()"},
+      {"strunzone", "strzone(\"kept\")"},
+      {"fopen", "\"words.txt\", 2"},
+      {"putentityfieldstring", "1, spawn(), \"5\""},
+      {"changepitch", "spawn()"},
+      {"precache_pic", "\"gfx/sb_key1\", 0"},
+      {"drawgetimagesize", "\"gfx/sb_key1\""},
       {"drawpic", "'0 0 0', \"gfx/sb_key1\", '8 8 0', '1 1 1', 1, 0"},
       {"drawsubpic", "'0 0 0', '8 8 0', \"gfx/sb_key1\", '0 0 0', '1 1 0', '1 1 1', 1, 0"},
       {"registercommand", "\"of_the_bar\""}};
@@ -130,7 +138,9 @@ TEST_F(BarBuiltinsTest, PicturesThatAreMissingAreToldOfOnce) {
   fs::LogLines log;
   EXPECT_EQ(value("precache_pic(\"gfx/none.tga\", 0)"), "gfx/none.tga");
   EXPECT_EQ(value("precache_pic(\"gfx/none.tga\", 512)"), "");
-  EXPECT_EQ(log.lines, std::vector<std::string>{"gfx/none.tga: the mod's status bar asks for this picture, which is missing or cannot be read"});
+  EXPECT_EQ(log.lines,
+            std::vector<std::string>{
+                "gfx/none.tga: the mod's status bar asks for this picture, which is missing or cannot be read"});
   EXPECT_EQ(number("iscachedpic(\"gfx/none.tga\")"), "0");
   EXPECT_EQ(number("iscachedpic(\"sb_key2\")"), "0");
   EXPECT_EQ(value("precache_pic(\"sb_key2\", 1)"), "sb_key2");

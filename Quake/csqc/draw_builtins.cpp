@@ -1,6 +1,6 @@
 // 2D of status bars, with FTE's and vkQuake's numbers. Coordinates are virtual pixels of the bar's canvas, colours 0 to
-// 1. Drawing flags (adding, multiplying) are taken and do nothing, as in vkQuake. Outside of functions that draw nothing
-// is drawn.
+// 1. Drawing flags (adding, multiplying) are taken and do nothing, as in vkQuake. Outside of functions that draw
+// nothing is drawn.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,8 +16,8 @@ namespace {
 using progs::BuiltinTable;
 using progs::Vm;
 
-constexpr std::size_t kMostDrawn = 65536;  // letters, pictures and fills in a frame
-constexpr float kFarthest = 1e6f;          // virtual pixels
+constexpr std::size_t kMostDrawn = 65536;   // letters, pictures and fills in a frame
+constexpr float kFarthest = 1e6f;           // virtual pixels
 constexpr int kInWad = 1, kMustLoad = 512;  // flags of precache_pic
 
 bool usable(const vec3& v) {

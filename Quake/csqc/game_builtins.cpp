@@ -95,18 +95,16 @@ void add_stats(BuiltinTable& table, HudContext& context) {
 }
 
 void add_players(BuiltinTable& table, HudContext& context) {
-  table.set(348, "getplayerkeyvalue", [&context](Vm& vm) {
-    return_optional(vm, player_key(context, vm.parm_int(0), vm.parm_string(1)));
-  });
+  table.set(348, "getplayerkeyvalue",
+            [&context](Vm& vm) { return_optional(vm, player_key(context, vm.parm_int(0), vm.parm_string(1))); });
   table.set_named("getplayerkeyfloat", [&context](Vm& vm) {
     const float otherwise = vm.parm_count() > 2 ? vm.parm_float(2) : 0.0f;
     const auto text = player_key(context, vm.parm_int(0), vm.parm_string(1));
     vm.return_float(text ? progs::parse_float(*text) : otherwise);
   });
   table.set(354, "serverkey", [&context](Vm& vm) { vm.return_string(server_key(context, vm.parm_string(0))); });
-  table.set_named("serverkeyfloat", [&context](Vm& vm) {
-    vm.return_float(progs::parse_float(server_key(context, vm.parm_string(0))));
-  });
+  table.set_named("serverkeyfloat",
+                  [&context](Vm& vm) { vm.return_float(progs::parse_float(server_key(context, vm.parm_string(0)))); });
   table.set(349, "isdemo", [&context](Vm& vm) { vm.return_float(context.moment.demo ? 1.0f : 0.0f); });
   table.set(350, "isserver", [&context](Vm& vm) { vm.return_float(context.moment.local_server ? 1.0f : 0.0f); });
 }

@@ -30,8 +30,9 @@ struct Moment {
 class Pictures {
  public:
   explicit Pictures(ui::Atlas& atlas) : atlas_(atlas) {}
-  // "gfx/NAME" without an ending is gfx.wad's NAME, as is a name without a folder, or any name with `in_wad`; other names
-  // are files, of this ending or another that pictures have. nullptr, after one message for each name, if there is none.
+  // "gfx/NAME" without an ending is gfx.wad's NAME, as is a name without a folder, or any name with `in_wad`; other
+  // names are files, of this ending or another that pictures have. nullptr, after one message for each name, if there
+  // is none.
   const ui::Picture* find(std::string_view name, bool in_wad = false);
   bool knows(std::string_view name) const;  // found before
   ui::Atlas& atlas() { return atlas_; }
@@ -47,9 +48,9 @@ struct HudContext {
   HudContext(con::Console& console, ui::Atlas& atlas) : console(console), pictures(atlas) {}
   con::Console& console;
   Pictures pictures;
-  std::function<void(std::string_view name)> play_sound;            // may be absent
+  std::function<void(std::string_view name)> play_sound;          // may be absent
   std::function<void(const std::string& name)> register_command;  // may be absent
-  const cl::Hud* hud = nullptr;                                     // null: no game is shown
+  const cl::Hud* hud = nullptr;                                   // null: no game is shown
   Moment moment;
   // While a function runs that draws; else null.
   ui::Painter* painter = nullptr;

@@ -35,7 +35,9 @@ TEST(Markup, ACaretThatBeginsNoMarkIsALetter) {
 }
 
 TEST(Markup, CharactersByTheirCodes) {
-  EXPECT_EQ(codes("^Ue08d^{e012}^{41}^U0042"), "\x8d\x12" "AB");
+  EXPECT_EQ(codes("^Ue08d^{e012}^{41}^U0042"),
+            "\x8d\x12"
+            "AB");
   EXPECT_EQ(codes("^{20ac}"), "?");
 }
 
@@ -52,7 +54,9 @@ TEST(Markup, Colors) {
 }
 
 TEST(Markup, TheOtherAlphabet) {
-  EXPECT_EQ(codes("^mA^mA"), "\xc1" "A");
+  EXPECT_EQ(codes("^mA^mA"),
+            "\xc1"
+            "A");
   EXPECT_EQ(codes("\002A"), "\xc1");
   EXPECT_EQ(codes("\001^dA"), "A");
 }

@@ -97,16 +97,17 @@ void ModHud::stop() {
   if (vm_ && !failed_) call(find_function(vm_->program(), "CSQC_Shutdown"));
   for (const std::string& name : std::exchange(commands_, {})) console_.remove_command(name);
   vm_.reset();
-  failed_ = false;
+  tried_ = failed_ = false;
 }
 
 void ModHud::begin_frame(int level, const cl::Hud& hud, const Moment& moment) {
   context_.hud = &hud;
   context_.moment = moment;
-  if (level_ == level && (vm_ || !wanted())) return;
   if (level_ != level) stop();
   level_ = level;
-  if (!vm_ && wanted()) start();
+  if (tried_ || !wanted()) return;
+  tried_ = true;
+  start();
 }
 
 void ModHud::end_game() {

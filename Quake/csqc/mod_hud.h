@@ -30,9 +30,9 @@
 namespace fb::csqc {
 
 struct ModHudServices {
-  FileLoader read_file;                                                        // progs and what QuakeC reads
+  FileLoader read_file;                                                         // progs and what QuakeC reads
   std::function<Status(std::string_view name, ByteView data)> write_file = {};  // what QuakeC writes
-  std::function<void(std::string_view name)> play_sound = {};                  // localsound
+  std::function<void(std::string_view name)> play_sound = {};                   // localsound
 };
 
 class ModHud final : public ui::ModBar {
@@ -43,8 +43,8 @@ class ModHud final : public ui::ModBar {
   ModHud(const ModHud&) = delete;
   ModHud& operator=(const ModHud&) = delete;
 
-  // Before each frame that shows a game: `level` is another number in each level. Loads the bar as a level begins. `hud`
-  // must live until the next call, or end_game().
+  // Before each frame that shows a game: `level` is another number in each level. Loads the bar as a level begins.
+  // `hud` must live until the next call, or end_game().
   void begin_frame(int level, const cl::Hud& hud, const Moment& moment);
   // No game is shown any more.
   void end_game();
@@ -72,8 +72,8 @@ class ModHud final : public ui::ModBar {
   std::unique_ptr<progs::Vm> vm_;
   progs::FunctionId draw_hud_{}, draw_scores_{};
   std::optional<int> level_;
-  bool failed_ = false;
-  std::vector<std::string> commands_;  // of registercommand
+  bool tried_ = false, failed_ = false;  // in this level
+  std::vector<std::string> commands_;    // of registercommand
 };
 
 }  // namespace fb::csqc

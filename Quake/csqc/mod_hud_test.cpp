@@ -94,7 +94,9 @@ TEST_F(ModHudTest, PartsOfPicturesAndClips) {
 }
 
 TEST_F(ModHudTest, VirtualPixelsHaveTheStatusBarsScale) {
-  put_program("vector seen; void(vector size, float scores) CSQC_DrawHud = { drawfill(size - '10 10 0', '10 10 0', '1 0 0', 1, 0); };");
+  put_program(
+      "vector seen; void(vector size, float scores) CSQC_DrawHud = { drawfill(size - '10 10 0', '10 10 0', '1 0 0', 1, "
+      "0); };");
   settings.bar_scale = 2.0f;
   const scene::DrawList list = frame(800, 600);
   ASSERT_FALSE(list.quads.empty());
@@ -105,7 +107,8 @@ TEST_F(ModHudTest, VirtualPixelsHaveTheStatusBarsScale) {
 }
 
 TEST_F(ModHudTest, GlobalsSayWhereTheGameIs) {
-  put_program(R"(float cltime, clframetime, maxclients, player_localnum, player_localentnum, intermission, intermission_time;
+  put_program(
+      R"(float cltime, clframetime, maxclients, player_localnum, player_localentnum, intermission, intermission_time;
     vector view_angles;
     void(vector size, float scores) CSQC_DrawHud = {
       drawstring('0 0 0', sprintf("%g,%g,%g,%g,%g,%g,%g", time, cltime, clframetime, maxclients, player_localnum,
@@ -132,7 +135,8 @@ TEST_F(ModHudTest, AnErrorEndsTheBarWithOneSentenceAndTheGamesOwnIsShown) {
   EXPECT_TRUE(shows_games_bar(list));
   EXPECT_EQ(picture_at(raster(list), 100, 100), "") << "what it had drawn is gone";
   ASSERT_EQ(log.lines.size(), 2u) << "the trace, and the sentence";
-  EXPECT_THAT(log.lines[1], HasSubstr("call of a NULL function: the game's own status bar is shown until the next level"));
+  EXPECT_THAT(log.lines[1],
+              HasSubstr("call of a NULL function: the game's own status bar is shown until the next level"));
   EXPECT_THAT(log.lines[1], HasSubstr("csprogs.dat: CSQC_DrawHud"));
   EXPECT_TRUE(shows_games_bar(frame()));
   EXPECT_EQ(log.lines.size(), 2u) << "said once";
@@ -146,7 +150,8 @@ TEST_F(ModHudTest, LoopsWithoutEndAndTooMuchDrawingAreStopped) {
   put_program("void(vector size, float scores) CSQC_DrawHud = { while (1) {} };");
   EXPECT_TRUE(shows_games_bar(frame()));
   EXPECT_THAT(log.lines.back(), HasSubstr("a loop without end"));
-  put_program("void(vector size, float scores) CSQC_DrawHud = { while (1) drawfill('0 0 0', '1 1 0', '1 1 1', 1, 0); };");
+  put_program(
+      "void(vector size, float scores) CSQC_DrawHud = { while (1) drawfill('0 0 0', '1 1 0', '1 1 1', 1, 0); };");
   level = 2;
   EXPECT_TRUE(shows_games_bar(frame()));
   EXPECT_THAT(log.lines.back(), HasSubstr("draws more than 65536"));
@@ -167,9 +172,13 @@ TEST_F(ModHudTest, WhatIsNoBarLeavesTheGames) {
   put_program("void() CSQC_UpdateView = {};");
   level = 3;
   EXPECT_TRUE(shows_games_bar(frame()));
+  const std::size_t said = log.lines.size();
   EXPECT_EQ(log.lines.back(), "csprogs.dat has no function CSQC_DrawHud: the game's own status bar is shown");
+  frame();
+  EXPECT_EQ(log.lines.size(), said) << "looked for once a level";
   // The one for both.
-  put_program("void(vector size, float scores) CSQC_DrawHud = { drawfill('0 0 0', '9 9 0', '1 1 1', 1, 0); };", "progs.dat");
+  put_program("void(vector size, float scores) CSQC_DrawHud = { drawfill('0 0 0', '9 9 0', '1 1 1', 1, 0); };",
+              "progs.dat");
   level = 4;
   EXPECT_FALSE(shows_games_bar(frame()));
 }

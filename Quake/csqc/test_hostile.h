@@ -1,5 +1,5 @@
-// What the builtins of a status bar must stand: any words as parameters, in any order, in and outside of a function that
-// draws. For tests and the fuzzer.
+// What the builtins of a status bar must stand: any words as parameters, in any order, in and outside of a function
+// that draws. For tests and the fuzzer.
 #pragma once
 
 #include <cmath>
@@ -36,8 +36,8 @@ class HostileBar {
     }
     auto program = progs::load_program(builder.build(), "hostile.dat");
     FB_CHECK(program.ok());
-    auto vm = progs::Vm::create(std::make_shared<progs::Program>(std::move(*program)), std::move(table),
-                                {.max_edicts = 16});
+    auto vm =
+        progs::Vm::create(std::make_shared<progs::Program>(std::move(*program)), std::move(table), {.max_edicts = 16});
     FB_CHECK(vm.ok());
     vm_ = std::move(*vm);
     vm_->edicts().start_level(1);

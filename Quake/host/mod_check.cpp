@@ -24,21 +24,21 @@ void check(const FileData& bytes, const char* name, const progs::ModHost& host) 
   const auto sentences = progs::missing_here(*program, host);
   for (const std::string& sentence : sentences) log_info("{}.", sentence);
   const progs::ModNeeds needs = progs::needs_of(*program);
-  const std::string asked = fmt::format("it uses {}, and asks for {} and {}", counted(needs.builtins.size(), "builtin", "builtins"),
-                                        counted(needs.extensions.size(), "extension", "extensions"),
-                                        counted(needs.cvars_read.size() + needs.cvars_set.size(), "cvar", "cvars"));
+  const std::string asked =
+      fmt::format("it uses {}, and asks for {} and {}", counted(needs.builtins.size(), "builtin", "builtins"),
+                  counted(needs.extensions.size(), "extension", "extensions"),
+                  counted(needs.cvars_read.size() + needs.cvars_set.size(), "cvar", "cvars"));
   if (sentences.empty())
     log_info("{}: nothing is missing here; {}.", name, asked);
   else
-    log_info("{}: {} missing here; {}.", name, sentences.size() == 1 ? "one thing is" : fmt::format("{} things are", sentences.size()), asked);
+    log_info("{}: {} missing here; {}.", name,
+             sentences.size() == 1 ? "one thing is" : fmt::format("{} things are", sentences.size()), asked);
 }
 
 void check_mod(con::Console& console, const fs::FileSystem& files, sv::Server& server) {
   progs::ModHost host{server.builtins(),
-                      [&console](std::string_view name) { return console.find_cvar(name) != nullptr; },
-                      "ends the game",
-                      progs::server_functions(),
-                      progs::server_functions_of_other_engines()};
+                      [&console](std::string_view name) { return console.find_cvar(name) != nullptr; }, "ends the game",
+                      progs::server_functions(), progs::server_functions_of_other_engines()};
   if (const auto bytes = files.read(kServerProgram))
     check(*bytes, kServerProgram, host);
   else
@@ -51,14 +51,17 @@ void check_mod(con::Console& console, const fs::FileSystem& files, sv::Server& s
   progs::BuiltinTable table = progs::standard_builtins({});
   csqc::add_hud_builtins(table, context);
   check(*bytes, kBarProgram,
-        {table, host.has_cvar, "ends the mod's status bar", {"CSQC_DrawHud"}, progs::client_functions_of_other_engines()});
+        {table,
+         host.has_cvar,
+         "ends the mod's status bar",
+         {"CSQC_DrawHud"},
+         progs::client_functions_of_other_engines()});
 }
 
 }  // namespace
 
 void register_modcheck(con::Console& console, const fs::FileSystem& files, sv::Server& server) {
-  console.add_command("modcheck",
-                      "modcheck: say what the mod's progs.dat and csprogs.dat ask for that is missing here",
+  console.add_command("modcheck", "modcheck: say what the mod's progs.dat and csprogs.dat ask for that is missing here",
                       [&](const con::Args&) { check_mod(console, files, server); });
 }
 

@@ -76,11 +76,11 @@ class Reader {
     const auto number = function.is_builtin() ? static_cast<std::uint32_t>(-function.first_statement) : 0u;
     needs_.builtins.insert({number, std::string(function.name)});
     if (!is_call(op)) return;
-    std::set<std::string>* names = number == kCheckExtension                        ? &needs_.extensions
-                                   : number == kCvar || number == kCvarString       ? &needs_.cvars_read
-                                   : number == kCvarSet                             ? &needs_.cvars_set
-                                   : number == kRegisterCvar                        ? &registered_
-                                                                                    : nullptr;
+    std::set<std::string>* names = number == kCheckExtension                  ? &needs_.extensions
+                                   : number == kCvar || number == kCvarString ? &needs_.cvars_read
+                                   : number == kCvarSet                       ? &needs_.cvars_set
+                                   : number == kRegisterCvar                  ? &registered_
+                                                                              : nullptr;
     if (!names) return;
     if (const auto name = first_parameter(statement); name && !name->empty()) names->emplace(*name);
   }
@@ -134,7 +134,8 @@ std::vector<std::string> missing_here(const Program& program, const ModHost& hos
       say(fmt::format("calls {}, which does nothing here", what));
   }
   for (const std::string& name : needs.extensions)
-    if (!host.builtins.has_extension(name)) say(fmt::format("asks for the extension {}, and is told that it is not there", name));
+    if (!host.builtins.has_extension(name))
+      say(fmt::format("asks for the extension {}, and is told that it is not there", name));
   for (const std::string& name : needs.cvars_read)
     if (!host.has_cvar(name)) say(fmt::format("reads the cvar {}, which is not here: it reads 0", name));
   for (const std::string& name : needs.cvars_set)
@@ -152,18 +153,20 @@ std::vector<std::string_view> server_functions() {
 }
 
 std::vector<std::string_view> server_functions_of_other_engines() {
-  return {"EndFrame",           "SV_RunClientCommand", "SV_PlayerPhysics", "SV_ChangeTeam",     "SV_AddDebugPolygons",
-          "SV_ParseConnectionlessPacket", "SV_PausedTic",  "SV_Shutdown",      "SV_OnEntityNoSpawnFunction",
-          "SpectatorConnect",   "SpectatorDisconnect", "SpectatorThink",   "RestoreGame",       "GameCommand",
-          "CheckRejectConnection", "ChatMessage"};
+  return {"EndFrame",         "SV_RunClientCommand", "SV_PlayerPhysics",
+          "SV_ChangeTeam",    "SV_AddDebugPolygons", "SV_ParseConnectionlessPacket",
+          "SV_PausedTic",     "SV_Shutdown",         "SV_OnEntityNoSpawnFunction",
+          "SpectatorConnect", "SpectatorDisconnect", "SpectatorThink",
+          "RestoreGame",      "GameCommand",         "CheckRejectConnection",
+          "ChatMessage"};
 }
 
 std::vector<std::string_view> client_functions_of_other_engines() {
-  return {"CSQC_WorldLoaded",      "CSQC_UpdateView",      "CSQC_UpdateViewLoading", "CSQC_InputEvent",
-          "CSQC_Input_Frame",      "CSQC_Parse_StuffCmd",  "CSQC_Parse_CenterPrint", "CSQC_Parse_Print",
-          "CSQC_Parse_Event",      "CSQC_Parse_Damage",    "CSQC_Parse_SetAngles",   "CSQC_Parse_TempEntity",
-          "CSQC_Ent_Update",       "CSQC_Ent_Spawn",       "CSQC_Ent_Remove",        "CSQC_Event",
-          "CSQC_Event_Sound",      "CSQC_ServerSound",     "CSQC_LoadResource",      "CSQC_PlayerInfoChanged",
+  return {"CSQC_WorldLoaded",       "CSQC_UpdateView",       "CSQC_UpdateViewLoading", "CSQC_InputEvent",
+          "CSQC_Input_Frame",       "CSQC_Parse_StuffCmd",   "CSQC_Parse_CenterPrint", "CSQC_Parse_Print",
+          "CSQC_Parse_Event",       "CSQC_Parse_Damage",     "CSQC_Parse_SetAngles",   "CSQC_Parse_TempEntity",
+          "CSQC_Ent_Update",        "CSQC_Ent_Spawn",        "CSQC_Ent_Remove",        "CSQC_Event",
+          "CSQC_Event_Sound",       "CSQC_ServerSound",      "CSQC_LoadResource",      "CSQC_PlayerInfoChanged",
           "CSQC_ServerInfoChanged", "CSQC_RendererRestarted"};
 }
 

@@ -24,8 +24,8 @@ struct ModNeeds {
     }
   };
   std::set<Call> builtins;
-  std::set<std::string> extensions;                     // of checkextension
-  std::set<std::string> cvars_read, cvars_set;          // without those that it registers itself
+  std::set<std::string> extensions;             // of checkextension
+  std::set<std::string> cvars_read, cvars_set;  // without those that it registers itself
 };
 ModNeeds needs_of(const Program& program);
 

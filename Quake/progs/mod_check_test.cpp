@@ -9,9 +9,9 @@ namespace fb::progs {
 namespace {
 
 using testing::compile;
-using testing::ProgramBuilder;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using testing::ProgramBuilder;
 using ::testing::UnorderedElementsAre;
 
 class ModCheckTest : public testing::QcTest {
@@ -26,8 +26,11 @@ class ModCheckTest : public testing::QcTest {
   std::vector<std::string> missing(const Program& program) {
     BuiltinTable table = standard_builtins({});
     table.set_idle(337, "pointparticles");
-    return missing_here(program, {table, [](std::string_view name) { return name == "skill" || name == "temp1"; },
-                                  "ends the game", {}, {"EndFrame"}});
+    return missing_here(program, {table,
+                                  [](std::string_view name) { return name == "skill" || name == "temp1"; },
+                                  "ends the game",
+                                  {},
+                                  {"EndFrame"}});
   }
 };
 
@@ -57,15 +60,17 @@ TEST_F(ModCheckTest, SaysWhatIsMissing) {
   for (const char* options : {"-O0", "-O1", "-O2", "-O3"}) {
     const bool named = std::string_view(options) == "-O0";  // the others leave out names of builtins
     const std::string unknown = ", which is not known here: a call ends the game";
-    EXPECT_THAT(missing(program(kAsks, options)),
-                UnorderedElementsAre("progs.dat calls the builtin getcolor" + unknown,
-                            "progs.dat calls builtin #337 (pointparticles), which does nothing here",
-                            (named ? "progs.dat calls builtin #700 (shake)" : "progs.dat calls builtin #700") + unknown,
-                            (named ? "progs.dat calls builtin #702 (think_of_others)" : "progs.dat calls builtin #702") + unknown,
-                            "progs.dat asks for the extension DP_NONE_SUCH, and is told that it is not there",
-                            "progs.dat reads the cvar r_other, which is not here: it reads 0",
-                            "progs.dat sets the cvar r_more, which is not here",
-                            "progs.dat has the function EndFrame, which is never called here"))
+    EXPECT_THAT(
+        missing(program(kAsks, options)),
+        UnorderedElementsAre(
+            "progs.dat calls the builtin getcolor" + unknown,
+            "progs.dat calls builtin #337 (pointparticles), which does nothing here",
+            (named ? "progs.dat calls builtin #700 (shake)" : "progs.dat calls builtin #700") + unknown,
+            (named ? "progs.dat calls builtin #702 (think_of_others)" : "progs.dat calls builtin #702") + unknown,
+            "progs.dat asks for the extension DP_NONE_SUCH, and is told that it is not there",
+            "progs.dat reads the cvar r_other, which is not here: it reads 0",
+            "progs.dat sets the cvar r_more, which is not here",
+            "progs.dat has the function EndFrame, which is never called here"))
         << options;
   }
 }

@@ -1,5 +1,5 @@
-// The lists of builtins of Misc/docs/quakec.md, which are QuakeC: read, compared with tables, and turned into calls. For
-// tests.
+// The lists of builtins of Misc/docs/quakec.md, which are QuakeC: read, compared with tables, and turned into calls.
+// For tests.
 #pragma once
 
 #include <fmt/format.h>
@@ -61,12 +61,12 @@ inline std::string call_of(const ListedBuiltin& builtin, const std::map<std::str
   if (found != special.end()) return fmt::format("  {}({});\n", builtin.name, found->second);
   std::string parms;
   for (const std::string& type : builtin.types) {
-    const char* value = type == "float"      ? "1"
-                        : type == "vector"   ? "'1 2 3'"
-                        : type == "string"   ? "\"a word\""
-                        : type == "entity"   ? "world"
-                        : type == ".string"  ? "classname"
-                                             : "health";
+    const char* value = type == "float"     ? "1"
+                        : type == "vector"  ? "'1 2 3'"
+                        : type == "string"  ? "\"a word\""
+                        : type == "entity"  ? "world"
+                        : type == ".string" ? "classname"
+                                            : "health";
     parms += (parms.empty() ? "" : ", ") + std::string(value);
   }
   return fmt::format("  {}({});\n", builtin.name, parms);
@@ -78,8 +78,7 @@ inline void expect_listed(const std::vector<ListedBuiltin>& list, const BuiltinT
   for (const ListedBuiltin& builtin : list)
     listed.insert(fmt::format("{} #{}", builtin.number == 6 ? "break" : builtin.name, builtin.number));
   for (const std::uint32_t number : table.numbers())
-    there.insert(
-        fmt::format("{} #{}", table.name_of(number), BuiltinTable::is_named_only(number) ? 0u : number));
+    there.insert(fmt::format("{} #{}", table.name_of(number), BuiltinTable::is_named_only(number) ? 0u : number));
   EXPECT_EQ(listed, there);
 }
 

@@ -96,7 +96,8 @@ TEST_F(EveryBuiltinTest, EachIsCalledOnceWithoutAWrongWord) {
       const std::string& type = builtin.types.back();
       special[builtin.name] = type == "string" ? "0, \"a word\"" : type == "entity" ? "0, player" : "0, 1";
     }
-    if (precache) special[builtin.name] = builtin.name.find("sound") != builtin.name.npos ? "\"a.wav\"" : "\"maps/test.bsp\"";
+    if (precache)
+      special[builtin.name] = builtin.name.find("sound") != builtin.name.npos ? "\"a.wav\"" : "\"maps/test.bsp\"";
     (precache ? precaches : others) += call_of(builtin, special);
     ++count;
   }
