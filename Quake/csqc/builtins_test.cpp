@@ -51,7 +51,8 @@ TEST_F(BarBuiltinsTest, EachIsCalledOnceWithoutAWrongWord) {
       {"drawgetimagesize", "\"gfx/sb_key1\""},
       {"drawpic", "'0 0 0', \"gfx/sb_key1\", '8 8 0', '1 1 1', 1, 0"},
       {"drawsubpic", "'0 0 0', '8 8 0', \"gfx/sb_key1\", '0 0 0', '1 1 0', '1 1 1', 1, 0"},
-      {"registercommand", "\"of_the_bar\""}};
+      {"registercommand", "\"of_the_bar\""},
+      {"checkbuiltin", "coredump"}};
   std::string calls;
   int count = 0;
   for (const ListedBuiltin& builtin : bar_builtins()) {

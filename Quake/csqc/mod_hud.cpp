@@ -83,6 +83,7 @@ void ModHud::start() {
   if (!vm) return log_warning("{}: the game's own status bar is shown", vm.error().message);
   vm_ = std::move(*vm);
   vm_->edicts().start_level(0);
+  autocvars_.emplace(*vm_, console_);
   draw_hud_ = find_function(vm_->program(), "CSQC_DrawHud");
   draw_scores_ = find_function(vm_->program(), "CSQC_DrawScores");
   set_world();
@@ -96,6 +97,7 @@ void ModHud::start() {
 void ModHud::stop() {
   if (vm_ && !failed_) call(find_function(vm_->program(), "CSQC_Shutdown"));
   for (const std::string& name : std::exchange(commands_, {})) console_.remove_command(name);
+  autocvars_.reset();
   vm_.reset();
   tried_ = failed_ = false;
 }
@@ -150,6 +152,7 @@ void ModHud::set_globals() {
   set_named(vm, "intermission", static_cast<int>(hud.intermission));
   set_named(vm, "intermission_time", hud.completed_time);
   vm.set(vm.program().global<vec3>("view_angles"), moment.view_angles);
+  autocvars_->refresh();
 }
 
 // --- running ---

@@ -24,6 +24,7 @@
 #include "base/file_data.h"
 #include "base/result.h"
 #include "csqc/hud_context.h"
+#include "progs/autocvars.h"
 #include "progs/vm.h"
 #include "ui/mod_bar.h"
 
@@ -70,6 +71,7 @@ class ModHud final : public ui::ModBar {
   ModHudServices services_;
   HudContext context_;
   std::unique_ptr<progs::Vm> vm_;
+  std::optional<progs::Autocvars> autocvars_;  // of vm_
   progs::FunctionId draw_hud_{}, draw_scores_{};
   std::optional<int> level_;
   bool tried_ = false, failed_ = false;  // in this level

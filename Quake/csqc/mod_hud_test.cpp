@@ -198,6 +198,14 @@ TEST_F(ModHudTest, CvarsSwitchItOff) {
   EXPECT_FALSE(shows_games_bar(frame()));
 }
 
+TEST_F(ModHudTest, CvarsThatItNames) {
+  put_program(R"(var float autocvar_hud_width = 20;
+    void(vector size, float scores) CSQC_DrawHud = { vector s; s = '0 5 0'; s_x = autocvar_hud_width; drawfill('0 0 0', s, '1 0 0', 1, 0); };)");
+  EXPECT_EQ(frame().quads.back().max, vec2(20, 5));
+  console.set("hud_width", "30");
+  EXPECT_EQ(frame().quads.back().max, vec2(30, 5));
+}
+
 TEST_F(ModHudTest, Scores) {
   put_program(test_mod());
   hud.game_type = 1;

@@ -35,7 +35,7 @@ inline std::vector<ListedBuiltin> listed_builtins(const std::set<std::string>& t
     if (!in_chapter || !in_code || line.starts_with("```")) continue;
     ListedBuiltin builtin;
     builtin.declaration = line;
-    const std::size_t open = line.find('('), close = line.find(") "), number = line.find(" = #");
+    const std::size_t open = line.find('('), number = line.find(" = #"), close = line.rfind(") ", number);
     builtin.name = line.substr(close + 2, number - close - 2);
     builtin.number = static_cast<std::uint32_t>(std::stoul(line.substr(number + 4)));
     std::stringstream parms(line.substr(open + 1, close - open - 1));

@@ -89,6 +89,8 @@ class Vm {
   bool running() const { return nesting_ > 0; }
   FunctionId current_function() const { return function_; }
   std::string_view function_name(FunctionId id) const;
+  // Whether calling this is no error: it has a body, or is a builtin that is known here.
+  bool can_call(FunctionId id) const;
 
   void set_parm(int i, float value) { store_parm(i, value); }
   void set_parm(int i, const vec3& value) { store_parm(i, value); }

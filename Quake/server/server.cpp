@@ -244,6 +244,7 @@ Status Server::spawn_server(const LoadedMap& map) {
 bool Server::stands_still() const { return level_->paused || (held_ && options_.max_clients == 1); }
 
 void Server::run_physics(double seconds) {
+  level_->autocvars.refresh();
   level_->frame_time = seconds;
   level_->vm->level_time = level_->time;
   physics(*level_, [this](EdictId id) {
