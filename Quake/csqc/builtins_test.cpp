@@ -152,6 +152,7 @@ TEST_F(BarBuiltinsTest, PicturesThatAreMissingAreToldOfOnce) {
 TEST(HostileBar, AnyWordsMayBeParameters) {
   set_log_level(LogLevel::kError);
   HostileBar bar;
+  ASSERT_EQ(bar.words_of(bar.text()), "^xf80 gfx/box ^{e012}");
   const float inf = std::numeric_limits<float>::infinity();
   const progs::Word words[] = {0,
                                1,

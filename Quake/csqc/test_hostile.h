@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "base/check.h"
 #include "base/rng.h"
@@ -19,7 +20,7 @@ namespace fb::csqc {
 // A machine with the builtins of bars, a painter, and a function for every builtin.
 class HostileBar {
  public:
-  HostileBar() : context_(console_, atlas_) {
+  HostileBar() : context_(console_, atlas()) {
     context_.hud = &hud_;
     hud_.scores = {{"ann", 3, 0x10}, {"bob", -7, 0xff}};
     hud_.stats[0] = -1;
@@ -28,23 +29,18 @@ class HostileBar {
     services.console = &console_;
     progs::BuiltinTable table = progs::standard_builtins(services);
     add_hud_builtins(table, context_);
-    progs::testing::ProgramBuilder builder;
-    text_ = builder.string("^xf80 gfx/box ^{e012}");
-    for (const std::uint32_t number : table.numbers()) {
-      const auto callee = builder.word(builder.builtin("b", static_cast<std::int32_t>(number)));
-      builder.function("f", {{progs::Op::kCall8, callee}, {progs::Op::kDone}});
-    }
-    auto program = progs::load_program(builder.build(), "hostile.dat");
-    FB_CHECK(program.ok());
-    auto vm =
-        progs::Vm::create(std::make_shared<progs::Program>(std::move(*program)), std::move(table), {.max_edicts = 16});
+    const auto program = calls_of(table);
+    auto vm = progs::Vm::create(program, std::move(table),
+                                {.max_edicts = 16, .max_statements = 2000, .max_depth = 20, .max_local_words = 1000});
     FB_CHECK(vm.ok());
     vm_ = std::move(*vm);
     vm_->edicts().start_level(1);
   }
 
   std::uint32_t functions() const { return static_cast<std::uint32_t>(vm_->program().functions.size()); }
-  std::uint32_t text() const { return text_; }
+  // The id of a text with marks, the last of the program.
+  std::uint32_t text() const { return static_cast<std::uint32_t>(vm_->program().strings.size() - kText.size() - 1); }
+  std::string_view words_of(std::uint32_t text) const { return vm_->text(static_cast<progs::StringId>(text)); }
   // Sets a word of the parameters, 0 to 23.
   void set(std::uint32_t i, progs::Word word) { vm_->globals_data()[progs::kOfsParm0 + i] = word; }
   // Calls a function of the program; everything that it has drawn is a rectangle of finite numbers inside of the atlas.
@@ -53,7 +49,7 @@ class HostileBar {
     scene::DrawList list;
     bool ok = false;
     {
-      ui::Painter painter(list, atlas_, 320, 200, 1);
+      ui::Painter painter(list, atlas(), 320, 200, 1);
       context_.painter = drawing ? &painter : nullptr;
       context_.drawn = 0;
       ok = vm_->execute(progs::FunctionId{function % functions()}).ok();
@@ -74,11 +70,30 @@ class HostileBar {
   }
 
  private:
+  static constexpr std::string_view kText = "^xf80 gfx/box ^{e012}";
+  // Made once, as fuzzers make many bars.
+  static ui::Atlas& atlas() {
+    static ui::Atlas atlas;
+    return atlas;
+  }
+  static std::shared_ptr<const progs::Program> calls_of(const progs::BuiltinTable& table) {
+    static const auto kProgram = [&] {
+      progs::testing::ProgramBuilder builder;
+      for (const std::uint32_t number : table.numbers()) {
+        const auto callee = builder.word(builder.builtin("b", static_cast<std::int32_t>(number)));
+        builder.function("f", {{progs::Op::kCall8, callee}, {progs::Op::kDone}});
+      }
+      builder.string(kText);
+      auto loaded = progs::load_program(builder.build(), "hostile.dat");
+      FB_CHECK(loaded.ok());
+      return std::make_shared<const progs::Program>(std::move(*loaded));
+    }();
+    return kProgram;
+  }
+
   con::Console console_;
-  ui::Atlas atlas_;
   cl::Hud hud_;
   HudContext context_;
-  std::uint32_t text_ = 0;
   std::unique_ptr<progs::Vm> vm_;
 };
 

@@ -1,4 +1,5 @@
-// Globals named autocvar_NAME, which hold what the cvar NAME is (DP_QC_AUTOCVARS): floats, strings and vectors ("1 2 3").
+// Globals named autocvar_NAME, which hold what the cvar NAME is (DP_QC_AUTOCVARS): floats, strings and vectors ("1 2
+// 3").
 #pragma once
 
 #include <string>
@@ -14,8 +15,8 @@ namespace fb::progs {
 
 class Autocvars {
  public:
-  // Makes the cvars that are missing, with what the globals hold as defaults; then refreshes. Vm and console must outlive
-  // it.
+  // Makes the cvars that are missing, with what the globals hold as defaults; then refreshes. Vm and console must
+  // outlive it.
   Autocvars(Vm& vm, con::Console& console);
   // Gives the globals what the cvars are now. What QuakeC itself has stored in one stays until its cvar changes.
   void refresh();

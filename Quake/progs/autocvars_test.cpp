@@ -9,10 +9,11 @@ namespace {
 class AutocvarsTest : public testing::QcTest {
  protected:
   void run_with_cvars() {
-    ASSERT_TRUE(start("var float autocvar_size = 1.5; var string autocvar_word = \"first\"; var vector autocvar_place = '1 2 3';"
-                      "entity autocvar_no_value; float autocvar_echo; float autocvar_;"
-                      "void() main = { put(autocvar_size); puts(autocvar_word); putv(autocvar_place); };"
-                      "void() change = { autocvar_size = 9; };"));
+    ASSERT_TRUE(start(
+        "var float autocvar_size = 1.5; var string autocvar_word = \"first\"; var vector autocvar_place = '1 2 3';"
+        "entity autocvar_no_value; float autocvar_echo; float autocvar_;"
+        "void() main = { put(autocvar_size); puts(autocvar_word); putv(autocvar_place); };"
+        "void() change = { autocvar_size = 9; };"));
     autocvars = std::make_unique<Autocvars>(*vm_, console);
   }
   void TearDown() override {
