@@ -29,13 +29,14 @@ MAY_INCLUDE = {
     "scene": ["world"],
     "client": ["scene", "net"],
     "ui": ["client"],
+    "csqc": ["ui", "progs"],
     "audio": ["scene", "fs", "console"],
     "gpu": ["base"],
     "render": ["gpu", "scene", "console"],
     "platform": ["base"],
     "panel": ["ui", "render", "platform"],
     "lab": ["client", "render"],
-    "host": ["server", "audio", "panel", "lab"],
+    "host": ["server", "csqc", "audio", "panel", "lab"],
 }
 ORDER = list(MAY_INCLUDE)
 # A module's subfolders, from the bottom up: each may include itself and those before it. "" is the module's own folder.

@@ -192,6 +192,7 @@ Status Client::connect(std::string_view server) { return impl_->connect_to(serve
 void Client::disconnect() { impl_->disconnect(); }
 bool Client::connected() const { return impl_->link() != nullptr; }
 bool Client::connecting() const { return impl_->asked() != nullptr; }
+bool Client::serves_itself() const { return impl_->link() && impl_->link()->is_local(); }
 bool Client::recording() const { return impl_->recorder.has_value(); }
 void Client::set_sticks(const Sticks& sticks) { impl_->sticks = sticks; }
 bool Client::mouse_looks() const { return impl_->buttons.mouse_look.down(); }
@@ -269,6 +270,7 @@ scene::SoundScene Client::sound_scene() const {
 }
 
 const Session& Client::session() const { return impl_->session; }
+int Client::levels() const { return impl_->session.levels; }
 const Hud& Client::hud() const { return impl_->session.state.hud; }
 MusicTracks Client::music() const { return impl_->session.state.music; }
 Fog Client::fog() const { return fog_at(impl_->session.state.fog, impl_->session.state.time); }

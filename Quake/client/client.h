@@ -94,8 +94,9 @@ class Client {
   void disconnect();
   // Ends what is shown, a game, a demo or a map, for something that went wrong elsewhere; says so in last_error().
   void give_up(const Error& why);
-  bool connected() const;   // to a server, be it in the midst of signing on
-  bool connecting() const;  // still asking
+  bool connected() const;      // to a server, be it in the midst of signing on
+  bool connecting() const;     // still asking
+  bool serves_itself() const;  // connected to the server in the same program
   bool recording() const;
   bool mouse_looks() const;  // +mlook is down
   // The local server runs once a frame, so the client shows its latest word instead of going there over a tick.
@@ -112,6 +113,8 @@ class Client {
   void advance(double seconds);
   // Is there a world to show, and are the signon messages complete?
   bool active() const;
+  // How many levels have begun so far: another number is another level.
+  int levels() const;
 
   // The image's size in pixels, for the field of view (fov, fov_adapt). Default 640x480.
   void set_view_size(int width, int height);

@@ -42,6 +42,12 @@ void register_host_cvars(con::Console& console) {
                     con::kCvarPlain, 0.0f, 1.0f, true});
 }
 
+csqc::ModHudServices bar_services(Engine& engine) {
+  return {.read_file = engine.files().loader(),
+          .write_file = [&engine](std::string_view name, ByteView data) { return engine.files().write(name, data); },
+          .play_sound = [&engine](std::string_view name) { engine.sound().play_local(name); }};
+}
+
 }  // namespace
 
 Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
@@ -52,7 +58,7 @@ Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
       keys_(engine_->console(), facts_),
       demo_controls_(engine_->console(), engine_->client()),
       panel_(engine_->console()),
-      screen_(engine_->console(), engine_->files().loader(), keys_, engine_->rules()) {
+      screen_(engine_->console(), bar_services(*engine_), keys_, engine_->rules()) {
   facts_.set_display_size([this] { return window_ ? window_->display_size() : uvec2(0); });
   keys_.set_demo_keys([this](const platform::InputEvent& event) { return demo_controls_.handle(event); });
   keys_.set_panel([this](const platform::InputEvent& event) { return panel_.handle(event); });

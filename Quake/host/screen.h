@@ -7,6 +7,7 @@
 
 #include "client/client.h"
 #include "console/console.h"
+#include "csqc/mod_hud.h"
 #include "host/key_router.h"
 #include "scene/draw_list.h"
 #include "ui/atlas.h"
@@ -19,8 +20,9 @@ namespace fb::host {
 
 class Screen {
  public:
-  // Registers the screen's cvars (ui/hud_settings.h) and +showscores. Console and keys must outlive it.
-  Screen(con::Console& console, FileLoader files, KeyRouter& keys, ui::Rules rules);
+  // Registers the screen's cvars (ui/hud_settings.h), +showscores and what a mod's status bar needs (csqc/mod_hud.h).
+  // Console and keys must outlive it, and it the client whose game it shows.
+  Screen(con::Console& console, csqc::ModHudServices services, KeyRouter& keys, ui::Rules rules);
 
   // A moment of the screen.
   struct Moment {
@@ -37,7 +39,8 @@ class Screen {
   const scene::DrawList& draw_loading(const cl::Client& client, uvec2 size);
 
  private:
-  ui::HudView view_of(const cl::Client& client, uvec2 size) const;
+  ui::HudView view_of(const cl::Client& client, uvec2 size);
+  void follow_game(const cl::Client& client, const Moment& moment);
   void draw_console(const ui::HudView& view, bool game, bool lines_too);
   void draw_menu(uvec2 size, double now);
 
@@ -45,6 +48,7 @@ class Screen {
   KeyRouter& keys_;
   const ui::Rules rules_;
   ui::Atlas atlas_;
+  csqc::ModHud mod_hud_;
   ui::FrameRate rate_;
   ui::SpeedReading speed_;
   ui::SlowFrames slow_;

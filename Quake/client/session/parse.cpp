@@ -291,6 +291,9 @@ std::string Apply::operator()(const net::svc::ClientData& m) const {
   stats[net::kStatAmmo] = m.ammo;
   for (std::size_t i = 0; i < 4; ++i) stats[net::kStatShells + i] = m.ammo_counts[i];
   stats[net::kStatActiveWeapon] = m.active_weapon;
+  stats[net::kStatViewHeight] = m.view_height;
+  stats[net::kStatIdealPitch] = m.ideal_pitch;
+  for (std::size_t i = 0; i < 3; ++i) stats[net::kStatPunchPitch + i] = m.punch[i];
   state.view_model.alpha = m.weapon_alpha;
   return {};
 }
