@@ -4,7 +4,7 @@
 A module may use the modules in its row of MAY_INCLUDE and, through them, those that they may use. Tests, benchmarks and
 fuzzers may also use every module that is built before theirs. Subfolders of a module have an order of their own
 (SUBFOLDERS), and shaders have layers of their own. Only platform may use SDL, only gpu and the modules above it Vulkan's
-headers, and only benchmarks Embree.
+headers, only the panel Dear ImGui, and only benchmarks Embree.
 
     Misc/check_layers.py [--root DIR]    prints each violation as file:line: sentence; exit status 1 if there is one
     Misc/check_layers.py --self-test     tests the checks themselves on a small tree that breaks every rule
@@ -29,12 +29,14 @@ MAY_INCLUDE = {
     "scene": ["world"],
     "client": ["scene", "net"],
     "ui": ["client"],
+    "csqc": ["ui", "progs"],
     "audio": ["scene", "fs", "console"],
     "gpu": ["base"],
     "render": ["gpu", "scene", "console"],
     "platform": ["base"],
+    "panel": ["ui", "render", "platform"],
     "lab": ["client", "render"],
-    "host": ["server", "ui", "audio", "platform", "lab"],
+    "host": ["server", "csqc", "audio", "panel", "lab"],
 }
 ORDER = list(MAY_INCLUDE)
 # A module's subfolders, from the bottom up: each may include itself and those before it. "" is the module's own folder.
@@ -61,6 +63,7 @@ FENCED = [
     (re.compile(r"^(SDL2/)?SDL\w*\.h"), {"platform"}, False),
     (re.compile(r"^vulkan/"), {"gpu", "render", "platform", "lab", "host"}, True),
     (re.compile(r"^embree"), set(), True),
+    (re.compile(r"^imgui"), {"panel"}, False),
 ]
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 TEST_FILE = re.compile(r"(_test|_bench|_fuzz|make_seed_corpus)\.(cpp|h)$|(^|/)(test|fuzz|bench)_[^/]*$")

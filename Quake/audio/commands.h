@@ -21,6 +21,7 @@ struct Start {
   int entity = 0, channel = 0;  // scene/sounds.h
   vec3 origin{0.0f};
   float volume = 1.0f, attenuation = 1.0f;
+  double age = 0.0;  // seconds of it that have gone by
 };
 struct Stop {
   int entity = 0, channel = 0;

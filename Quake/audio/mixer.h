@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -89,6 +90,7 @@ class Mixer {
   void on(const command::Scene& scene);
   Channel* pick(int entity, int channel);
   void spread_identical(Voice& voice);
+  std::optional<std::size_t> position_of(const Sample& sample, double seconds) const;
   Gains gains_of(const Channel& channel) const;
   void spatialize_all();
 

@@ -1,5 +1,6 @@
 // Which sounds play on which channels, and how loud: what commands do to the mixer.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -51,7 +52,18 @@ void Mixer::spread_identical(Voice& voice) {
   if (identical && most > 0) voice.position = rng_.below(static_cast<std::uint32_t>(most));
 }
 
+// Where a sound is that began `seconds` ago; none: it has ended.
+std::optional<std::size_t> Mixer::position_of(const Sample& sample, double seconds) const {
+  const auto played = static_cast<std::size_t>(std::llround(std::clamp(seconds, 0.0, 1e6) * rate_));
+  const std::size_t length = sample.frames.size();
+  if (played < length) return played;
+  if (!sample.loop_start || *sample.loop_start >= length) return std::nullopt;
+  return *sample.loop_start + (played - *sample.loop_start) % (length - *sample.loop_start);
+}
+
 void Mixer::on(command::Start& start) {
+  const std::optional<std::size_t> position = position_of(*start.sample, start.age);
+  if (!position) return;
   Channel* const channel = pick(start.entity, start.channel);
   if (!channel) return;
   *channel = {};
@@ -61,9 +73,11 @@ void Mixer::on(command::Start& start) {
   channel->volume = start.volume;
   channel->attenuation = start.attenuation;
   channel->voice.gains = gains_of(*channel);
-  if (channel->voice.gains.silent()) return;
+  // One that goes on after a seek may be heard from where the listener is about to be.
+  if (channel->voice.gains.silent() && start.age <= 0.0) return;
   channel->voice.sample = std::move(start.sample);
-  spread_identical(channel->voice);
+  channel->voice.position = *position;
+  if (*position == 0) spread_identical(channel->voice);
 }
 
 void Mixer::on(const command::Stop& stop) {

@@ -86,6 +86,29 @@ TEST_F(MixerTest, LevelsOfTheMixAreTheFormulas) {
   expect_gains(heard(), 0.8f * 0.85f, 0.8f * 0.85f, "after the listener moved");
 }
 
+// After a seek a sound is where it would be by now; one that has ended is not heard.
+TEST_F(MixerTest, SoundsThatBeganAWhileAgoGoOnFromThere) {
+  const auto start_aged = [this](const SamplePtr& sample, double age, const vec3& origin = vec3(0.0f)) {
+    mixer_.apply(StopAll{});
+    mixer_.apply(Start{sample, 2, 0, origin, 1.0f, 1.0f, age});
+  };
+  std::vector<std::int16_t> ramp(1000);
+  for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = static_cast<std::int16_t>(16 * i);
+  const SamplePtr once = sample_of(ramp), looped = sample_of(ramp, 400);
+  const auto first_frame = [this] { return mix(1)[0] * 2.0f * 32768.0f / 16.0f; };  // of the sample
+  start_aged(once, 250.0 / kRate);
+  EXPECT_NEAR(first_frame(), 250.0f, 0.01f);
+  start_aged(once, 1000.0 / kRate);
+  EXPECT_EQ(mixer_.counts().sounds, 0u) << "it has ended";
+  start_aged(looped, 1000.0 / kRate);
+  EXPECT_NEAR(first_frame(), 400.0f, 0.01f) << "the loop's beginning";
+  start_aged(looped, (1000.0 + 5 * 600.0 + 37.0) / kRate);
+  EXPECT_NEAR(first_frame(), 437.0f, 0.01f);
+  start_aged(once, 250.0 / kRate, vec3(5000, 0, 0));
+  look_from(vec3(5000, 0, 0), vec3(0.0f));
+  EXPECT_NEAR(first_frame(), 250.0f, 0.01f) << "the listener has come with the seek";
+}
+
 TEST_F(MixerTest, OwnSoundsComeFromNowhere) {
   start(kPlayer, 1, constant(4000), vec3(5000, 0, 0), 0.5f);
   expect_gains(heard(), 0.5f, 0.5f);

@@ -123,7 +123,8 @@ void SoundSystem::on(const scene::SoundStart& start) {
   if (console_.cvar("nosound").on()) return;
   SamplePtr sample = samples_.load(start.name);
   if (!sample) return;
-  send(command::Start{std::move(sample), start.entity, start.channel, start.origin, start.volume, start.attenuation});
+  send(command::Start{std::move(sample), start.entity, start.channel, start.origin, start.volume, start.attenuation,
+                      start.age});
 }
 
 void SoundSystem::on(const scene::SoundStop& stop) { send(command::Stop{stop.entity, stop.channel}); }

@@ -22,6 +22,7 @@ Client::Impl::Impl(con::Console& console_, scene::ModelLibrary& library_, FileLo
   session.load_world = [this](ClientState& state) { return load_world(state); };
   session.print = [this](const std::string& text) { print(text); };
   register_console();
+  register_demo_commands();
   register_game_commands();
   register_input_commands();
   register_recording_commands();
@@ -49,21 +50,34 @@ Status Client::Impl::load_world(ClientState& state) {
   drift.forget();
   mouse_move = {};
   if (link()) link()->begin_level();
+  if (demo()) session.reseed();
+  if (const Status loaded = load_models(state); !loaded.ok()) return loaded;
+  const bool has_world = state.models.size() > 1 && state.models[1] != nullptr;
+  if (has_world) apply_worldspawn(library.map_entities(), state.model_names[1], state);
+  if (session.quiet) return ok_status();
+  if (state.model_names.size() > 1) log_info("{}", state.hud.level_name);
+  if (has_world) tell_of_even_light(state.model_names[1]);
+  return ok_status();
+}
+
+// The models that the state's names mean. Without a world, where none is required, there are only models of files.
+Status Client::Impl::load_models(ClientState& state) {
   if (state.model_names.size() < 2) return world_required ? Status(Error{"the server names no map"}) : ok_status();
-  const std::string& path = state.model_names[1];
-  const Status loaded = library.load_map(path);
+  const Status loaded = library.load_map(state.model_names[1]);
   if (!loaded.ok()) {
     if (world_required) return loaded;
     library.clear();
   }
+  loaded_level = session.levels;
+  find_models(state);
+  return ok_status();
+}
+
+void Client::Impl::find_models(ClientState& state) {
   for (std::size_t i = 1; i < state.model_names.size(); ++i) {
-    if (loaded.ok() || i > 1) state.models[i] = &library.model(state.model_names[i]);
+    if (library.map() || i > 1) state.models[i] = &library.model(state.model_names[i]);
     if (link()) link()->keep_alive(clock());
   }
-  if (loaded.ok()) apply_worldspawn(library.map_entities(), path, state);
-  log_info("{}", state.hud.level_name);
-  if (loaded.ok()) tell_of_even_light(path);
-  return ok_status();
 }
 
 void Client::Impl::tell_of_even_light(const std::string& map) {
@@ -80,82 +94,12 @@ void Client::Impl::refresh_sky() {
   if (state.skybox && !state.skybox->empty()) sky = library.make_skybox(*state.skybox, library.map_sky());
 }
 
-Status Client::Impl::start(FileData data, std::string_view name, DemoMode mode) {
-  end_demo(std::nullopt);
-  disconnect();
-  auto opened = DemoPlayback::open(std::move(data), name, mode, frame, clock());
-  if (!opened.ok()) return opened.error();
-  session.clear();
-  session.state.message_view_angles = {};
-  session.rng = Rng(0x66756c6c62726967ull);
-  session.sound_rng = Rng(Session::kSoundSeed);
-  session.forced_track = opened->cd_track();
-  session.effects.particles = ParticleSystem(session.effects.particles.capacity());
-  view = {};
-  view_memory = {};
-  snapshots.forget();
-  error.reset();
-  source.emplace<DemoPlayback>(std::move(*opened));
-  log_info("Playing demo from {}.", name);
-  return ok_status();
-}
-
-void Client::Impl::end_demo(std::optional<Error> why) {
-  if (!demo()) return;
-  if (timing()) {
-    time_demo = demo()->result(frame, clock());
-    log_info("{}", time_demo->line());
-  }
-  source = NoSource{};
-  session.state.signon = 0;
-  session.state.hud.intermission = Intermission::kNone;
-  session.forced_track = -1;
-  end_sounds(session);
-  snapshots.forget();
-  if (why) {
-    log_error("{}", why->message);
-    error = std::move(why);
-  }
-}
-
 // What Quake does after a frame has been drawn.
 void Client::Impl::finish_frame() {
   const ClientState& state = session.state;
   const double seconds = std::max(0.0, state.time - state.old_time);
   session.effects.particles.run(state.time, seconds);
   if (state.signon == kSignons) session.effects.lights.decay(state.time, seconds);
-}
-
-void Client::Impl::read_demo() {
-  ClientState& state = session.state;
-  while (DemoPlayback* const playback = demo()) {
-    if (!playback->due(state.signon == kSignons, state.time, state.message_times[0], frame, clock())) return;
-    if (playback->at_end()) {
-      end_demo(std::nullopt);
-      next_demo();
-      return;
-    }
-    auto message = playback->next();
-    Status status = ok_status();
-    if (message.ok()) {
-      state.message_view_angles = {glm::clamp(message->view_angles, -1e6f, 1e6f), state.message_view_angles[0]};
-      status = parse_server_message(session, message->data, playback->message_name());
-    } else {
-      status = message.error();
-    }
-    if (!status.ok()) {
-      end_demo(status.error());
-      return;
-    }
-    session.reconnect = false;  // the frames until the next svc_serverinfo are still the old level's
-    if (session.disconnected) {
-      session.disconnected = false;
-      log_info("Server disconnected");
-      end_demo(std::nullopt);
-      next_demo();
-      return;
-    }
-  }
 }
 
 // Everything between the two latest messages, and how the player sees it.
@@ -176,29 +120,44 @@ void Client::Impl::show_moment(double seconds) {
   place_entities(session);
 }
 
+// Messages that are due by then, and all that moves.
+void Client::Impl::step(double seconds) {
+  ClientState& state = session.state;
+  ++session.frame;
+  finish_frame();
+  state.old_time = state.time;
+  if (!timing()) state.time += seconds;
+  if (demo())
+    read_demo();
+  else
+    read_server();
+  if (source_has_messages()) show_moment(seconds);
+}
+
+void Client::Impl::finish_moment() {
+  if (active()) refresh_sky();
+  session.state.hud.time = session.state.time;
+}
+
 void Client::Impl::advance(double seconds) {
   read_settings();
   if (asked()) poll_attempt();
   ClientState& state = session.state;
-  ++session.frame;
   frame_seconds = seconds;
-  if (shows_map()) {
-    state.old_time = state.time;
-    state.time += seconds;
-    finish_frame();
-    place_entities(session);
-  } else if (source_has_messages()) {
-    finish_frame();
-    state.old_time = state.time;
-    if (!timing()) state.time += seconds;
-    if (demo())
-      read_demo();
-    else
-      read_server();
-    if (source_has_messages()) show_moment(seconds);
+  if (demo()) {
+    play_demo(seconds);
+  } else if (link()) {
+    step(seconds);
+  } else {
+    ++session.frame;
+    if (shows_map()) {
+      state.old_time = state.time;
+      state.time += seconds;
+      finish_frame();
+      place_entities(session);
+    }
   }
-  if (active()) refresh_sky();
-  state.hud.time = state.time;
+  finish_moment();
   ++frame;
 }
 
@@ -233,12 +192,21 @@ Status Client::connect(std::string_view server) { return impl_->connect_to(serve
 void Client::disconnect() { impl_->disconnect(); }
 bool Client::connected() const { return impl_->link() != nullptr; }
 bool Client::connecting() const { return impl_->asked() != nullptr; }
+bool Client::serves_itself() const { return impl_->link() && impl_->link()->is_local(); }
 bool Client::recording() const { return impl_->recorder.has_value(); }
 void Client::set_sticks(const Sticks& sticks) { impl_->sticks = sticks; }
 bool Client::mouse_looks() const { return impl_->buttons.mouse_look.down(); }
 void Client::set_in_step(bool in_step) { impl_->in_step = in_step; }
 void Client::look(double seconds, const vec2& mouse) { impl_->look(seconds, mouse); }
 void Client::send() { impl_->send(); }
+std::optional<DemoStatus> Client::demo_status() const {
+  Impl& i = *impl_;
+  if (!i.demo() || i.timing()) return std::nullopt;
+  const double length = i.demo()->index().seconds();
+  return DemoStatus{i.control.back_to.value_or(i.demo_seconds()), length, i.control.rate(), i.control.paused};
+}
+bool Client::seek_demo(double seconds) { return impl_->seek_demo(seconds); }
+void Client::pause_demo(bool paused) { impl_->control.paused = paused; }
 bool Client::playing() const { return impl_->demo() != nullptr; }
 bool Client::timing() const { return impl_->timing(); }
 const std::optional<Error>& Client::last_error() const { return impl_->error; }
@@ -297,9 +265,12 @@ scene::SoundScene Client::sound_scene() const {
   const vec3& angles = i.camera ? i.camera->angles : i.view.angles;
   scene::SoundScene scene = cl::sound_scene(i.session, origin, angles, i.active() ? i.library.map() : nullptr);
   scene.seconds = i.frame_seconds;
+  scene.paused |= impl_->demo() && !impl_->timing() && i.control.rate() == 0.0;
   return scene;
 }
 
+const Session& Client::session() const { return impl_->session; }
+int Client::levels() const { return impl_->session.levels; }
 const Hud& Client::hud() const { return impl_->session.state.hud; }
 MusicTracks Client::music() const { return impl_->session.state.music; }
 Fog Client::fog() const { return fog_at(impl_->session.state.fog, impl_->session.state.time); }

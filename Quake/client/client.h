@@ -40,6 +40,8 @@ class Network;
 
 namespace fb::cl {
 
+struct Session;
+
 // The server in the same program, where there is one.
 struct LocalServer {
   std::function<std::unique_ptr<net::Connection>()> connect;  // null: no game runs there
@@ -60,6 +62,12 @@ class Client {
   Status start_demo(FileData data, std::string_view name, DemoMode mode);
   // Ends playback; a timedemo prints its line.
   void stop();
+  // Of the demo that plays; none for a timedemo, which cannot be directed either.
+  std::optional<DemoStatus> demo_status() const;
+  // Shows the demo at this time of its own: the first frame, of those 1/72 s apart, that is not before it, and all that
+  // a player of such frames would have there. False: there is no such demo, or what is read on the way ends it.
+  bool seek_demo(double seconds);
+  void pause_demo(bool paused);
   bool playing() const;
   bool timing() const;  // playing in DemoMode::kTime
   // Why the last demo or game ended, if not by its own end or because the player wanted it.
@@ -86,8 +94,9 @@ class Client {
   void disconnect();
   // Ends what is shown, a game, a demo or a map, for something that went wrong elsewhere; says so in last_error().
   void give_up(const Error& why);
-  bool connected() const;   // to a server, be it in the midst of signing on
-  bool connecting() const;  // still asking
+  bool connected() const;      // to a server, be it in the midst of signing on
+  bool connecting() const;     // still asking
+  bool serves_itself() const;  // connected to the server in the same program
   bool recording() const;
   bool mouse_looks() const;  // +mlook is down
   // The local server runs once a frame, so the client shows its latest word instead of going there over a tick.
@@ -104,6 +113,8 @@ class Client {
   void advance(double seconds);
   // Is there a world to show, and are the signon messages complete?
   bool active() const;
+  // How many levels have begun so far: another number is another level.
+  int levels() const;
 
   // The image's size in pixels, for the field of view (fov, fov_adapt). Default 640x480.
   void set_view_size(int width, int height);
@@ -121,6 +132,7 @@ class Client {
   // From where it is heard now, and what sounds around there.
   scene::SoundScene sound_scene() const;
 
+  const Session& session() const;  // all that it knows of the game
   const Hud& hud() const;
   MusicTracks music() const;
   Fog fog() const;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/client.h"
+#include "client/demo_control.h"
 #include "client/demo_recorder.h"
 #include "client/input/input.h"
 #include "client/session/session.h"
@@ -25,8 +26,11 @@ struct Client::Impl {
   // console_commands.cpp
   void register_console();
   void read_settings();
-  void next_demo();
+
+  // demo_commands.cpp
+  void register_demo_commands();
   bool demo_command(const con::Args& args, DemoMode mode);
+  void go_through_list(int steps);
 
   // game.cpp: a server as the source of messages
   void register_game_commands();
@@ -55,14 +59,33 @@ struct Client::Impl {
   void record_game_so_far();
   void stop_recording();
 
-  // client.cpp
+  // demo_play.cpp
   Status start(FileData data, std::string_view name, DemoMode mode);
   void end_demo(std::optional<Error> error);
-  void finish_frame();
   void read_demo();
+  void play_demo(double seconds);
+  void follow_rate(double rate);
+  DemoMoment demo_moment() const;
+  double demo_seconds();
+  void take_keyframe();
+  Status restore(const Keyframe& keyframe);
+  void go_to_level(std::size_t level);
+  bool go_to_moment(const DemoMoment& moment);
+  bool pass_to(double seconds);
+  bool seek_demo(double seconds);
+  void play_back(double seconds);
+  void nudge_demo(int steps);
+  void next_demo();
+
+  // client.cpp
+  void finish_frame();
   void show_moment(double seconds);
+  void step(double seconds);
+  void finish_moment();
   void advance(double seconds);
   Status load_world(ClientState& state);
+  Status load_models(ClientState& state);
+  void find_models(ClientState& state);
   void tell_of_even_light(const std::string& map);
   void refresh_sky();
   void print(const std::string& text);
@@ -118,6 +141,8 @@ struct Client::Impl {
   std::optional<TimeDemoResult> time_demo;
   std::vector<std::string> demo_loop;
   int demo_loop_next = -1;  // -1: not looping
+  DemoControl control;      // of the demo that plays
+  int loaded_level = 0;     // by Session::levels: whose models the library holds
   bool held = false;        // a timedemo makes what follows it wait
   std::string nolerp_list;  // as last read
   std::string unfinished_line;

@@ -1,5 +1,4 @@
-// The client at the console: its cvars, playdemo, timedemo, stopdemo, the demo loop, and the commands that colour the
-// picture.
+// The client at the console: its cvars, and the commands that colour the picture.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,8 +10,6 @@
 
 namespace fb::cl {
 namespace {
-
-constexpr std::size_t kMaxDemoLoop = 8;
 
 // Other modules know some of these cvars, too: who comes first registers.
 void ensure_cvar(con::Console& console, const char* name, std::string value, const char* help, unsigned flags) {
@@ -59,36 +56,6 @@ void Client::Impl::read_settings() {
   }
 }
 
-void Client::Impl::next_demo() {
-  if (demo_loop_next < 0) return;
-  if (demo_loop.empty()) {
-    log_info("No demos listed with startdemos");
-    demo_loop_next = -1;
-    return;
-  }
-  const auto index = static_cast<std::size_t>(demo_loop_next) % demo_loop.size();
-  demo_loop_next = static_cast<int>(index) + 1;
-  console.insert("playdemo \"" + demo_loop[index] + "\"\n");
-}
-
-// True if the demo started.
-bool Client::Impl::demo_command(const con::Args& args, DemoMode mode) {
-  if (args.size() != 2) {
-    log_info("{} <demo>: {}", args[0],
-             mode == DemoMode::kTime ? "play a demo as fast as possible and print frames a second" : "play a demo");
-    return false;
-  }
-  const std::string path = demo_path(args[1]);
-  std::optional<FileData> data = files ? files(path) : std::nullopt;
-  end_demo(std::nullopt);
-  const Status status = data ? start(std::move(*data), path, mode) : Status(Error{"couldn't open " + path});
-  if (status.ok()) return true;
-  console.fail_unless(status);
-  error = status.error();
-  demo_loop_next = -1;
-  return false;
-}
-
 void Client::Impl::register_console() {
   if (!console.find_cvar("viewsize"))
     console.add_cvar(
@@ -99,40 +66,9 @@ void Client::Impl::register_console() {
   ensure_cvar(console, name, text_of(value), help, is_archived(name) ? con::kCvarArchive : con::kCvarPlain);
   FB_CLIENT_CVARS(FB_REGISTER)
 #undef FB_REGISTER
-  ensure_cvar(console, "cl_startdemos", "1", "0: startdemos plays nothing", con::kCvarArchive);
   ensure_cvar(console, "r_nolerp_list", kNoLerpModels,
               "models whose animation is not interpolated, separated by commas", con::kCvarPlain);
 
-  console.add_command("playdemo", "playdemo <demo>: play a demo",
-                      [this](const con::Args& args) { demo_command(args, DemoMode::kPlay); });
-  console.add_command("timedemo", "timedemo <demo>: play a demo as fast as possible and print frames a second",
-                      [this](const con::Args& args) {
-                        // What stands behind it on the command line has to wait: +timedemo demo1 +quit.
-                        if (!demo_command(args, DemoMode::kTime) || console.buffer_empty()) return;
-                        held = true;
-                        console.insert("wait\ntimedemo_wait\n");
-                      });
-  console.add_command("timedemo_wait", "timedemo_wait: delay the commands that follow until the timedemo has ended",
-                      [this](const con::Args&) {
-                        if (timing()) console.insert("wait\ntimedemo_wait\n");
-                      });
-  console.add_command("stopdemo", "stopdemo: stop the playing demo", [this](const con::Args&) {
-    demo_loop_next = -1;
-    end_demo(std::nullopt);
-  });
-  console.add_command("startdemos", "startdemos <demo> ...: play demos in a loop", [this](const con::Args& args) {
-    demo_loop.clear();
-    for (std::size_t i = 1; i < args.size() && i <= kMaxDemoLoop; ++i) demo_loop.push_back(args[i]);
-    const bool busy = held || !std::holds_alternative<NoSource>(source);
-    held = false;
-    demo_loop_next = busy || !console.cvar("cl_startdemos").on() ? -1 : 0;
-    next_demo();
-  });
-  console.add_command("demos", "demos: continue the loop of startdemos", [this](const con::Args&) {
-    demo_loop_next = std::max(demo_loop_next, 0);
-    end_demo(std::nullopt);
-    next_demo();
-  });
   console.add_command("entities", "entities: list visible entities: number, model, frame, (origin), [angles]",
                       [this](const con::Args&) { print_entities(session.state); });
   if (!console.has_command("bf"))

@@ -1,13 +1,16 @@
 // LibreQuake's demos, from file to snapshot. Skipped where the data is absent.
-#include <algorithm>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 
+#include "base/log.h"
 #include "client/client.h"
+#include "client/test_demo_player.h"
 #include "console/console.h"
 #include "fs/filesystem.h"
 
@@ -90,6 +93,32 @@ INSTANTIATE_TEST_SUITE_P(All, LibreQuakeDemo,
                          testing::Values(DemoCase{"demo1", 15, 4527}, DemoCase{"demo2", 15, 4570},
                                          DemoCase{"demo3", 999, 1232}),
                          [](const auto& info) { return std::string(info.param.name); });
+
+// Any second of any demo is reached at once, wherever the demo stands, and is what playing on to it gives.
+TEST_P(LibreQuakeDemo, EverySecondIsReachedWithinASecond) {
+  constexpr double kMost = 1.0;  // of the clock
+  std::vector<test::Moment> moments;
+  {
+    test::DemoPlayer player(loader);
+    moments = test::play_through(player, GetParam().name, 1.0);
+  }
+  ASSERT_GT(moments.size(), 25u);
+  test::DemoPlayer player(loader);
+  ASSERT_TRUE(player.client.start_demo(GetParam().name, DemoMode::kPlay).ok());
+  player.client.advance(test::kFrame);
+  double longest = 0.0;
+  const auto go_to = [&](const test::Moment& moment, const char* how) {
+    const auto begin = std::chrono::steady_clock::now();
+    ASSERT_TRUE(player.client.seek_demo(moment.seconds));
+    longest = std::max(longest, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    EXPECT_EQ(player.hash(), moment.then) << how << " to " << moment.seconds;
+  };
+  go_to(moments.back(), "at once");
+  for (auto m = moments.rbegin(); m != moments.rend(); ++m) go_to(*m, "backwards");
+  for (std::size_t i = 0; i < moments.size(); ++i) go_to(moments[i * 7 % moments.size()], "to and fro");
+  EXPECT_LT(longest, kMost);
+  log_info("{}: the longest of {} seeks took {:.1f} ms", GetParam().name, 2 * moments.size() + 1, 1e3 * longest);
+}
 
 }  // namespace
 }  // namespace fb::cl

@@ -63,12 +63,12 @@ class DemoBuilder {
     formats::append_dem_message(bytes_, view_angles, datagram(messages, protocol_));
     return *this;
   }
-  // A moment of the game: the player at an x, and whatever else.
-  DemoBuilder& moment(float time, float x, std::vector<net::ServerMessage> more = {}) {
+  // A moment of the game: the player at an x and a z, and whatever else.
+  DemoBuilder& moment(float time, float x, std::vector<net::ServerMessage> more = {}, float z = 24.0f) {
     net::svc::ClientData data;
     data.health = 100;
     data.on_ground = true;
-    std::vector<net::ServerMessage> messages{net::svc::Time{time}, data, update(1, 3, {x, 0, 24})};
+    std::vector<net::ServerMessage> messages{net::svc::Time{time}, data, update(1, 3, {x, 0, z})};
     messages.insert(messages.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     return add(messages);
   }

@@ -26,6 +26,8 @@ class DemReader {
   // Reads one message; an error names the offset at which the file is truncated or contradicts itself.
   Result<DemMessage> next();
   std::size_t offset() const { return reader_.offset(); }
+  // Goes on at an offset that offset() gave between two messages.
+  void seek(std::size_t offset) { reader_.seek(offset); }
 
  private:
   explicit DemReader(ByteReader reader) : reader_(std::move(reader)) {}

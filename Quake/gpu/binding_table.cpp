@@ -206,7 +206,7 @@ void BindingTable::set_texels(std::uint32_t index, const Buffer& buffer) {
   FB_CHECK_LT(index, kTexelBuffers);
   const Buffer& seen = buffer ? buffer : impl_->unset_storage;
   if (!impl_->texels[index].set(seen.handle(), seen.serial())) return;
-  impl_->texel_bytes[index] = std::min(seen.size(), impl_->device.limits().max_texel_buffer_bytes);
+  impl_->texel_bytes[index] = seen.size();
   impl_->dirty = true;
 }
 

@@ -29,8 +29,7 @@ class BindingTable {
   void set_array(std::uint32_t set, std::uint32_t binding, const Buffer& buffer);
   // kBindFrameConstants of kSetScene, or kBindTechniqueConstants of kSetTechnique.
   void set_uniform(std::uint32_t set, const Buffer& buffer);
-  // Binding kBindTexelBuffers + index; the buffer's use is kStorage. At most DeviceLimits::max_texel_buffer_bytes of it
-  // are seen.
+  // Binding kBindTexelBuffers + index; the buffer's use is kStorage.
   void set_texels(std::uint32_t index, const Buffer& buffer);
   void set_tlas(VkAccelerationStructureKHR tlas);
   // Writes what changed; only between submissions. Commands::bind does so too.

@@ -64,11 +64,12 @@ DeviceLimits read_limits(const PhysicalDevice& physical) {
   vkGetPhysicalDeviceProperties2(physical.handle, &properties);
   const VkPhysicalDeviceLimits& from = properties.properties.limits;
   DeviceLimits limits;
-  limits.max_storage_buffer_range = from.maxStorageBufferRange;
+  // Large arrays are read as texels of 16 bytes, too.
+  limits.max_storage_buffer_range =
+      std::min<VkDeviceSize>(from.maxStorageBufferRange, VkDeviceSize{from.maxTexelBufferElements} * 16);
   limits.max_allocation_bytes = maintenance.maxMemoryAllocationSize;
   std::copy(std::begin(from.maxComputeWorkGroupCount), std::end(from.maxComputeWorkGroupCount),
             limits.max_workgroups.begin());
-  limits.max_texel_buffer_bytes = VkDeviceSize{from.maxTexelBufferElements} * 16;
   limits.timestamp_period_ns = physical.timestamp_bits ? from.timestampPeriod : 0.0f;
   limits.max_workgroup_invocations = from.maxComputeWorkGroupInvocations;
   limits.min_acceleration_structure_scratch_alignment =

@@ -37,10 +37,9 @@ struct DeviceReport {
 Result<std::vector<DeviceReport>> list_devices(const DeviceOptions& options);
 
 struct DeviceLimits {
-  VkDeviceSize max_storage_buffer_range = 0;
+  VkDeviceSize max_storage_buffer_range = 0;  // of a storage buffer that is a texel buffer as well
   VkDeviceSize max_allocation_bytes = 0;
   std::array<std::uint32_t, 3> max_workgroups{};  // of a dispatch
-  VkDeviceSize max_texel_buffer_bytes = 0;        // at 16 bytes a texel
   float timestamp_period_ns = 0;                  // 0: no timestamps
   std::uint32_t max_workgroup_invocations = 0;
   VkDeviceSize min_acceleration_structure_scratch_alignment = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,7 +34,10 @@ class FailingCall {
     std::string failed;
     bool just_failed = false;
 
+    // Pipelines are made on several threads.
     bool fails(std::string_view call) {
+      static std::mutex one;
+      const std::lock_guard lock(one);
       const std::string name(call.substr(0, call.find('(')));
       const bool next_kind = just_failed && name == "vkAllocateMemory" && failed == name;
       just_failed = next_kind || (name.starts_with(function) && calls++ == nth);

@@ -9,6 +9,7 @@
 #include "console/other_engines.h"
 #include "console/quakespasm_cvars.h"
 #include "fs/path.h"
+#include "host/mod_check.h"
 #include "render/settings.h"
 
 namespace fb::host {
@@ -58,6 +59,7 @@ Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::ve
   if (options.server) {
     make_server(options);
     register_listen();
+    register_modcheck(console_, files_, *server_);
   }
   if (options.client) make_client();
   console_.add_cvar("cmdline", fmt::format("{}", fmt::join(arguments, " ")), "the program's command line",

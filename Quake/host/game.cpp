@@ -42,6 +42,12 @@ void register_host_cvars(con::Console& console) {
                     con::kCvarPlain, 0.0f, 1.0f, true});
 }
 
+csqc::ModHudServices bar_services(Engine& engine) {
+  return {.read_file = engine.files().loader(),
+          .write_file = [&engine](std::string_view name, ByteView data) { return engine.files().write(name, data); },
+          .play_sound = [&engine](std::string_view name) { engine.sound().play_local(name); }};
+}
+
 }  // namespace
 
 Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
@@ -50,8 +56,12 @@ Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
       sound_(*engine_),
       facts_(*engine_),
       keys_(engine_->console(), facts_),
-      screen_(engine_->console(), engine_->files().loader(), keys_, engine_->rules()) {
+      demo_controls_(engine_->console(), engine_->client()),
+      panel_(engine_->console()),
+      screen_(engine_->console(), bar_services(*engine_), keys_, engine_->rules()) {
   facts_.set_display_size([this] { return window_ ? window_->display_size() : uvec2(0); });
+  keys_.set_demo_keys([this](const platform::InputEvent& event) { return demo_controls_.handle(event); });
+  keys_.set_panel([this](const platform::InputEvent& event) { return panel_.handle(event); });
   keys_.menu().set_sound([this](std::string_view name) { engine_->sound().play_local(name); });
 }
 Game::~Game() {
@@ -151,6 +161,7 @@ void Game::fit_to_window() {
 void Game::register_commands() {
   con::Console& console = engine_->console();
   register_host_cvars(console);
+  register_governor(console, governor_);
   console.add_command("quit", "quit: end the program", [this](const con::Args&) {
     quit_ = true;
     engine_->console().forget_commands();
@@ -264,7 +275,8 @@ void Game::follow_focus() {
                    : client.active() ? KeyRouter::Behind::kDemo
                                      : KeyRouter::Behind::kNothing);
   if (keys_.menu_open()) facts_.update();
-  const bool grab = options_.mouse && in_game && !keys_.console_open() && !keys_.menu_open() && window_->focused();
+  const bool elsewhere = keys_.console_open() || keys_.menu_open() || panel_.open();
+  const bool grab = options_.mouse && in_game && !elsewhere && window_->focused();
   if (grab != window_->mouse_grabbed()) window_->grab_mouse(grab);
   engine_->server().hold(in_game && keys_.holds_game());
 }
@@ -286,8 +298,9 @@ double Game::seconds_passed() {
   const bool real = settings.time_scale > 0.0 || settings.frame_rate <= 0.0;
   double now = platform::now_seconds();
   if (real && (window_ || elsewhere) && !client.timing()) {
-    const double shortest = 1.0 / settings.max_fps;
+    const double shortest = std::max(1.0 / settings.max_fps, 1e-3 * governor_.shortest());
     if (now - last_time_ < shortest) platform::sleep_seconds(shortest - (now - last_time_));
+    slept_ += platform::now_seconds() - now;
     now = platform::now_seconds();
   }
   const double passed = frame_ == 0 ? 0.0 : now - last_time_;
@@ -312,12 +325,18 @@ void Game::end_unless(const Status& status) {
 render::RenderSettings Game::settings() const {
   render::RenderSettings settings =
       render::as_in_game(render::read_render_settings(engine_->console()), device_->is_software());
-  const float most = engine_->console().cvar("r_cpu_pixels").value();
-  if (window_ && device_->is_software() && most > 0) {
-    settings.scale =
-        std::min(render::rendered_fraction(settings), render::scale_for_pixels(drawer_->size(settings), most));
-  }
+  settings.scale = governor_.scale(largest_scale());
+  // A picture of another size has no past; it must not take longer for that.
+  if (governor_.changed()) settings.first_spp = 1;
   return settings;
+}
+
+// Of the rendered picture, as r_scale and r_cpu_pixels allow it.
+float Game::largest_scale() const {
+  const render::RenderSettings settings = render::read_render_settings(engine_->console());
+  const float scale = render::rendered_fraction(settings), most = engine_->console().cvar("r_cpu_pixels").value();
+  if (!window_ || !device_->is_software() || most <= 0) return scale;
+  return std::min(scale, render::scale_for_pixels(drawer_->size(settings), most));
 }
 
 // The level that is left, with a plaque over it; it stays till the next one can be shown.
@@ -326,7 +345,7 @@ void Game::show_loading() {
   renderer_->finish();
   const render::RenderSettings wanted = settings();
   drawer_->draw(snapshot_, &screen_.draw_loading(engine_->client(), drawer_->size(wanted)), wanted);
-  drawn_ = {frame_, renderer_->output_size(), input_time_, false};
+  drawn_ = {frame_, renderer_->output_size(), input_time_, false, governor_.step()};
   renderer_->finish();
   snapshot_.frame = ++frame_;
   loading_since_ = platform::now_seconds();
@@ -346,6 +365,11 @@ bool Game::waits_for_level() {
   return false;
 }
 
+void Game::govern() {
+  const bool window = window_ != nullptr && !engine_->client().timing();
+  governor_.follow(target_milliseconds(engine_->console(), window, device_->is_software()), largest_scale());
+}
+
 bool Game::draw_frame() {
   cl::Client& client = engine_->client();
   if (!client.active() && !window_) return false;
@@ -353,15 +377,34 @@ bool Game::draw_frame() {
   client.build_snapshot(snapshot_);
   if (!client.active()) snapshot_.assets = nullptr;  // frees the GPU memory of a level that was left
   snapshot_.frame = frame_;
+  govern();
   const render::RenderSettings wanted = settings();
   const double now = platform::now_seconds();
   // Recorded frames show what the game shows, but not what the console says, which would not repeat.
-  const Screen::Moment moment{drawer_->size(wanted), now, now - std::exchange(drawn_time_, now), window_ != nullptr};
+  Screen::Moment moment{drawer_->size(wanted), now, now - std::exchange(drawn_time_, now), window_ != nullptr};
+  if (window_ && options_.capture.empty()) {
+    moment.demo_bar = demo_controls_.frame(moment.size, now);
+    if (panel_.open() && !client.timing())
+      moment.panel = [&](scene::DrawList& list, ui::Atlas& atlas) { draw_panel(list, atlas, moment.size, now); };
+  }
   drawer_->draw(snapshot_, &screen_.draw(client, moment), wanted);
-  drawn_ = {frame_, renderer_->output_size(), input_time_, client.timing()};
+  drawn_ = {frame_, renderer_->output_size(), input_time_, client.timing(), governor_.step()};
   if (!draws_ahead()) renderer_->finish();
   ++frame_;
   return true;
+}
+
+// Tells of the frame before this one.
+void Game::draw_panel(scene::DrawList& list, ui::Atlas& atlas, uvec2 output, double now) {
+  panel::Facts facts{snapshot_};
+  facts.scene = renderer_->scene_statistics();
+  facts.device = device_->report().name;
+  facts.rays = renderer_->intersector_name();
+  facts.rendered = renderer_->render_size();
+  facts.device_bytes = renderer_->device_bytes();
+  facts.learnt_bytes = renderer_->learnt_bytes();
+  facts.accumulated = renderer_->accumulated_frames();
+  panel_.draw(list, atlas, facts, output, now);
 }
 
 // Where the device draws a frame while the host prepares the next, that one's input waits for it.
@@ -377,7 +420,10 @@ void Game::show_drawn() {
   const double now = platform::now_seconds();
   const FrameTimes times{1e3 * (now - std::exchange(shown_time_, now)), renderer_->wait_milliseconds(),
                          1e3 * (now - drawn.input_time)};
+  if (engine_->client().active())
+    governor_.add(drawn.governed, times.whole - 1e3 * std::exchange(slept_, 0.0), times.whole, now);
   if (drawn.timed) pass_report_.add(renderer_->pass_times(), times);
+  panel_.add_frame(renderer_->pass_times(), times.whole);
   if (engine_->console().cvar("host_speeds").on())
     log_info("{:7.2f} ms, host {:6.2f}, input to picture {:7.2f}", times.whole, times.whole - times.waited,
              times.latency);

@@ -10,14 +10,17 @@
 #include "base/result.h"
 #include "gpu/device.h"
 #include "gpu/swapchain.h"
+#include "host/demo_controls.h"
 #include "host/engine.h"
 #include "host/frame_drawer.h"
 #include "host/game_sound.h"
+#include "host/governor.h"
 #include "host/key_router.h"
 #include "host/menu_facts.h"
 #include "host/options.h"
 #include "host/pass_report.h"
 #include "host/screen.h"
+#include "panel/panel.h"
 #include "platform/window.h"
 #include "render/renderer.h"
 
@@ -47,8 +50,11 @@ class Game {
   void follow_gamepads();
   double seconds_passed();
   render::RenderSettings settings() const;
+  float largest_scale() const;
+  void govern();
   bool frame();
   bool draw_frame();
+  void draw_panel(scene::DrawList& list, ui::Atlas& atlas, uvec2 output, double now);
   void show_loading();
   bool waits_for_level();
   bool draws_ahead() const;
@@ -65,6 +71,8 @@ class Game {
   GameSound sound_;
   MenuFacts facts_;
   KeyRouter keys_;
+  DemoControls demo_controls_;
+  panel::Panel panel_;
   Screen screen_;
   std::unique_ptr<platform::Window> window_;
   std::unique_ptr<gpu::Device> device_;
@@ -81,6 +89,8 @@ class Game {
   int exit_status_ = 0;
   double last_time_ = 0;
   FrameTimer timer_;
+  Governor governor_;
+  double slept_ = 0;       // seconds since a picture was shown last
   vec2 mouse_{0.0f};       // mouse counts in this frame
   double input_time_ = 0;  // when this frame's input was read
   // The frame that the renderer was given last.
@@ -89,6 +99,7 @@ class Game {
     uvec2 size{0, 0};
     double input_time = 0;
     bool timed = false;
+    int governed = 0;  // the governor's step
   };
   Drawn drawn_;
   double drawn_time_ = 0;  // when the last frame's 2D was drawn

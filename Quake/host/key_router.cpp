@@ -8,6 +8,7 @@ namespace fb::host {
 namespace {
 
 constexpr int kKeyGrave = '`';
+constexpr int kKeyPanel = platform::kKeyF1 + 7;  // F8, where nothing is bound to it
 constexpr std::size_t kPageLines = 8;
 // The pointer jumps to where it was when the game lets it go: that selects nothing.
 constexpr int kPointerFrames = 3;
@@ -231,10 +232,12 @@ void KeyRouter::handle_menu(const platform::InputEvent& event) {
   }
 }
 
-// The key that quits asks first; the command does not.
+// The key that quits asks first; the command does not. Quake's configurations leave F8 free.
 void KeyRouter::run_binding(const platform::InputEvent& event) {
   if (event.repeat) return;
-  if (event.down && con::same_name(bindings_.command(event.key), "quit")) return console_.append("menu_quit\n");
+  const std::string& command = bindings_.command(event.key);
+  if (event.down && con::same_name(command, "quit")) return console_.append("menu_quit\n");
+  if (event.down && event.key == kKeyPanel && command.empty()) return console_.append("togglepanel\n");
   bindings_.key_event(event.key, event.down);
 }
 
@@ -242,6 +245,8 @@ void KeyRouter::handle(const platform::InputEvent& event) {
   using Kind = platform::InputEvent::Kind;
   if (event.kind == Kind::kFocus && !event.focused) bindings_.release_all();
   const bool is_key = event.kind == Kind::kKey;
+  const bool elsewhere = menu_.open() || open_ || message_.open();
+  if ((!elsewhere || (is_key && !event.down)) && panel_(event)) return;
   if (is_key && event.key == platform::kKeyEscape) {
     if (event.down && !event.repeat) escape();
     return;
@@ -251,7 +256,10 @@ void KeyRouter::handle(const platform::InputEvent& event) {
     return;
   }
   // A button that was pressed before lets go wherever the keys go now.
-  if (is_key && !event.down) return bindings_.key_event(event.key, false);
+  if (is_key && !event.down) {
+    demo_keys_(event);
+    return bindings_.key_event(event.key, false);
+  }
   if (menu_.open()) return handle_menu(event);
   if (message_.open()) {
     if (event.kind == Kind::kText) message_.input().insert(event.text);
@@ -260,6 +268,7 @@ void KeyRouter::handle(const platform::InputEvent& event) {
   }
   const bool typing = open_ || behind_ == Behind::kNothing;
   if (event.kind == Kind::kText && typing && event.text != "`" && event.text != "~") input_.insert(event.text);
+  if (!typing && behind_ == Behind::kDemo && demo_keys_(event)) return;
   if (!is_key) return;
   if (typing && !is_function_key(event.key)) return type(event.key);
   if (behind_ == Behind::kDemo && starts_typing(event.key) && !event.repeat) return menu_.show("main");

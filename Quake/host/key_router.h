@@ -1,7 +1,9 @@
 // Who has the keys: the menu, the message or the console that is typed, or the bindings. QuakeSpasm's rules say so.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "console/bindings.h"
 #include "console/console.h"
@@ -17,7 +19,7 @@ class KeyRouter {
   // What is behind the menu and the console.
   enum class Behind {
     kNothing,  // the console fills the picture and is typed at
-    kDemo,     // keys that print open the menu
+    kDemo,     // some keys direct it, others that print open the menu
     kGame,
   };
 
@@ -31,6 +33,11 @@ class KeyRouter {
   bool menu_open() const { return menu_.open(); }
   // Whether a game of one player waits: all keys go elsewhere.
   bool holds_game() const { return open_ || menu_.open() || message_.open(); }
+  // What directs a demo: asked first where a demo is behind, and told of every key that is let go. True: it was meant.
+  void set_demo_keys(std::function<bool(const platform::InputEvent&)> demo_keys) { demo_keys_ = std::move(demo_keys); }
+  // The panel, which has what it takes before the game does, and after menu, console and message. It is told of every
+  // key that is let go, too.
+  void set_panel(std::function<bool(const platform::InputEvent&)> panel) { panel_ = std::move(panel); }
   // A game has begun: the console and the menu give way.
   void close_all();
   void set_behind(Behind behind);
@@ -62,6 +69,8 @@ class KeyRouter {
   con::InputLine input_;
   ui::MessageLine message_;
   ui::menu::Menu menu_;
+  std::function<bool(const platform::InputEvent&)> panel_ = [](const platform::InputEvent&) { return false; };
+  std::function<bool(const platform::InputEvent&)> demo_keys_ = [](const platform::InputEvent&) { return false; };
   bool open_ = false;
   Behind behind_ = Behind::kNothing;
   std::size_t scrolled_up_ = 0;

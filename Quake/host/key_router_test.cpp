@@ -103,6 +103,34 @@ TEST_F(KeyRouterTest, OverADemoKeysOpenTheMenu) {
   EXPECT_TRUE(keys.console_open());
 }
 
+TEST_F(KeyRouterTest, ThePanelComesBeforeTheGameAndAfterTheMenu) {
+  std::vector<std::string> told;
+  bool takes = true;
+  keys.set_panel([&](const platform::InputEvent& event) {
+    if (event.kind == platform::InputEvent::Kind::kKey)
+      told.push_back((event.down ? "+" : "-") + platform::key_name(event.key));
+    return takes && event.down;
+  });
+  press('w');
+  EXPECT_THAT(told, ElementsAre("+w", "-w"));
+  EXPECT_THAT(ran, IsEmpty());
+  takes = false;
+  press('w');
+  EXPECT_THAT(ran, ElementsAre("+forward 119", "-forward 119"));
+  press(platform::kKeyEscape);
+  told.clear();
+  press('w');
+  EXPECT_THAT(told, ElementsAre("-w")) << "the menu has the keys";
+  press(platform::kKeyEscape);
+  console.add_command("togglepanel", "", [this](const con::Args&) { ran.push_back("togglepanel"); });
+  ran.clear();
+  press(platform::kKeyF1 + 7);
+  EXPECT_THAT(ran, ElementsAre("togglepanel"));
+  console.execute("bind F8 \"impulse 9\"");
+  press(platform::kKeyF1 + 7);
+  EXPECT_THAT(ran, ElementsAre("togglepanel", "impulse 9")) << "a player's own binding counts";
+}
+
 TEST_F(KeyRouterTest, MessagesAreTypedAndSent) {
   press('t');
   EXPECT_TRUE(keys.holds_game());

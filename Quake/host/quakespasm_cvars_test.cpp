@@ -269,7 +269,8 @@ class QuakeSpasmCvarsTest : public testing::Test {
     engine = std::move(*made);
     facts = std::make_unique<MenuFacts>(*engine);
     keys = std::make_unique<KeyRouter>(engine->console(), *facts);
-    screen = std::make_unique<Screen>(engine->console(), engine->files().loader(), *keys, engine->rules());
+    screen = std::make_unique<Screen>(engine->console(), csqc::ModHudServices{.read_file = engine->files().loader()},
+                                      *keys, engine->rules());
   }
   const TestDirectory directory;
   std::unique_ptr<Engine> engine;

@@ -6,7 +6,6 @@
 #include "ui/console_view.h"
 #include "ui/hud.h"
 #include "ui/painter.h"
-#include "ui/status_bar.h"
 #include "ui/wrap.h"
 
 namespace fb::host {
@@ -19,8 +18,12 @@ int number_of(const con::Console& console, std::string_view cvar) {
 
 }  // namespace
 
-Screen::Screen(con::Console& console, FileLoader files, KeyRouter& keys, ui::Rules rules)
-    : console_(console), keys_(keys), rules_(rules), atlas_(std::move(files)) {
+Screen::Screen(con::Console& console, csqc::ModHudServices services, KeyRouter& keys, ui::Rules rules)
+    : console_(console),
+      keys_(keys),
+      rules_(rules),
+      atlas_(services.read_file),
+      mod_hud_(console, atlas_, std::move(services)) {
   ui::register_hud_cvars(console);
   console.add_command("+showscores", "+showscores: show the scoreboard until -showscores",
                       [this](const con::Args&) { show_scores_ = true; });
@@ -37,7 +40,7 @@ void Screen::draw_menu(uvec2 size, double now) {
                     {now, smaller ? scale->integer() : 0});
 }
 
-ui::HudView Screen::view_of(const cl::Client& client, uvec2 size) const {
+ui::HudView Screen::view_of(const cl::Client& client, uvec2 size) {
   const ivec2 output(size);
   ui::HudView view{client.hud(), ui::read_hud_settings(console_, output.x, output.y), rules_, output};
   view.show_scores = show_scores_;
@@ -47,7 +50,20 @@ ui::HudView Screen::view_of(const cl::Client& client, uvec2 size) const {
   view.slow = slow_.slow();
   view.speed = speed_.value();
   view.frame_rate = rate_.value();
+  view.mod_bar = &mod_hud_;
   return view;
+}
+
+// A map that is only looked at has no player.
+void Screen::follow_game(const cl::Client& client, const Moment& moment) {
+  if (!client.active() || !(client.playing() || client.connected())) return mod_hud_.end_game();
+  mod_hud_.begin_frame(client.levels(), client.hud(),
+                       {.now = moment.now,
+                        .seconds = moment.seconds,
+                        .view_angles = client.view_angles(),
+                        .demo = client.playing(),
+                        .local_server = client.serves_itself(),
+                        .menu_open = keys_.menu_open()});
 }
 
 void Screen::draw_console(const ui::HudView& view, bool game, bool lines_too) {
@@ -84,10 +100,12 @@ const scene::DrawList& Screen::draw(const cl::Client& client, const Moment& mome
   ui::HudView view = view_of(client, moment.size);
   view.now = moment.now;
   bool lines = moment.lines;
-  // A map that is only looked at has no player.
   const bool played = game && (client.playing() || client.connected());
+  follow_game(client, moment);
   const bool elsewhere = keys_.console_open() || keys_.menu_open();
   if (played) lines &= ui::draw_hud(list_, atlas_, view, elsewhere ? ui::Attention::kElsewhere : ui::Attention::kGame);
+  if (moment.demo_bar && !elsewhere) ui::draw_demo_bar(list_, atlas_, view, *moment.demo_bar);
+  if (moment.panel) moment.panel(list_, atlas_);
   if (keys_.console_open() || moment.lines) draw_console(view, game, lines);
   draw_menu(moment.size, moment.now);
   return list_;
@@ -97,7 +115,7 @@ const scene::DrawList& Screen::draw_loading(const cl::Client& client, uvec2 size
   list_.clear();
   const ui::HudView view = view_of(client, size);
   ui::draw_loading(list_, atlas_, view);
-  ui::draw_status_bar(list_, atlas_, view);
+  ui::draw_current_bar(list_, atlas_, view);
   return list_;
 }
 

@@ -47,7 +47,7 @@ TEST_F(ScreenTest, WithoutAGameTheConsoleFillsThePictureUnlessItsLinesAreLeftOut
   ASSERT_NE(made, nullptr);
   MenuFacts facts(*made);
   KeyRouter keys(made->console(), facts);
-  Screen screen(made->console(), made->files().loader(), keys, made->rules());
+  Screen screen(made->console(), {.read_file = made->files().loader()}, keys, made->rules());
   made->console().execute("echo a line");
   Screen::Moment moment{{640, 400}, 1.0, 0.01, false};
   EXPECT_TRUE(screen.draw(made->client(), moment).quads.empty());

@@ -155,6 +155,11 @@ enum Stat : int {
   kStatTotalMonsters = 12,
   kStatSecrets = 13,
   kStatMonsters = 14,
+  // No message carries these as such: a client makes them of svc_clientdata, for status bars of mods.
+  kStatItems = 15,
+  kStatViewHeight = 16,
+  kStatIdealPitch = 25,
+  kStatPunchPitch = 26,  // and yaw and roll
 };
 
 constexpr int kDefaultViewHeight = 22;

@@ -29,6 +29,11 @@ class BuiltinTable {
 
   // Replaces what has that number. The name is what #0:name and error messages call it.
   void set(std::uint32_t number, std::string_view name, Builtin builtin);
+  // One that QuakeC knows by its name only (`= #0:name`). It gets a number that no mod uses.
+  void set_named(std::string_view name, Builtin builtin);
+  // One that mods may call, but that does nothing and returns 0 here.
+  void set_idle(std::uint32_t number, std::string_view name);
+  bool is_idle(std::uint32_t number) const { return number < entries_.size() && entries_[number].idle; }
   // nullptr where there is none: calling it is an error of QuakeC.
   const Builtin* find(std::uint32_t number) const;
   // 0 where there is none.
@@ -37,15 +42,23 @@ class BuiltinTable {
 
   void add_extension(std::string_view name) { extensions_.emplace(name); }
   bool has_extension(std::string_view name) const { return extensions_.contains(name); }
+  const std::set<std::string, std::less<>>& extensions() const { return extensions_; }
+  // Numbers of all builtins, in order.
+  std::vector<std::uint32_t> numbers() const;
+  // Whether a number is one that set_named has given.
+  static bool is_named_only(std::uint32_t number) { return number >= kFirstNamed; }
 
  private:
+  static constexpr std::uint32_t kFirstNamed = 3072;
   struct Entry {
     std::string name;
     Builtin builtin;
+    bool idle = false;
   };
   std::vector<Entry> entries_;
   std::unordered_map<std::string, std::uint32_t> numbers_;
   std::set<std::string, std::less<>> extensions_;
+  std::uint32_t next_named_ = kFirstNamed;
 };
 
 }  // namespace fb::progs

@@ -29,6 +29,8 @@ std::string_view engine_of_crc(std::uint16_t crc) {
   switch (crc) {
     case 54730:
       return " (QuakeWorld's)";
+    case 22390:
+      return " (that of mods which draw all of the picture)";
     case 32401:
       return " (Tenebrae's)";
     default:

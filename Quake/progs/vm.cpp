@@ -48,6 +48,11 @@ std::string_view Vm::function_name(FunctionId id) const {
   return index(id) < program_->functions.size() ? program_->functions[index(id)].name : std::string_view();
 }
 
+bool Vm::can_call(FunctionId id) const {
+  if (id == FunctionId::kNull || index(id) >= program_->functions.size()) return false;
+  return resolved_[index(id)] != nullptr || program_->functions[index(id)].first_statement > 0;
+}
+
 Status Vm::execute(FunctionId function) {
   if (nesting_ == 0) {
     failed_ = false;

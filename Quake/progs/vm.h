@@ -89,6 +89,8 @@ class Vm {
   bool running() const { return nesting_ > 0; }
   FunctionId current_function() const { return function_; }
   std::string_view function_name(FunctionId id) const;
+  // Whether calling this is no error: it has a body, or is a builtin that is known here.
+  bool can_call(FunctionId id) const;
 
   void set_parm(int i, float value) { store_parm(i, value); }
   void set_parm(int i, const vec3& value) { store_parm(i, value); }
@@ -118,6 +120,8 @@ class Vm {
 
   void return_float(float value) { globals_[kOfsReturn] = as_word(value); }
   void return_vector(const vec3& value) { ValueTraits<vec3>::store(&globals_[kOfsReturn], value); }
+  // As it is: for what QuakeC declares to return an int.
+  void return_word(Word word) { globals_[kOfsReturn] = word; }
   void return_edict(EdictId id) { globals_[kOfsReturn] = index(id); }
   void return_string_id(StringId id) { globals_[kOfsReturn] = static_cast<Word>(id); }
   // As a temporary string.

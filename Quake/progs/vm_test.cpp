@@ -111,6 +111,15 @@ TEST_F(VmTest, BuiltinsWithoutNumberAreFoundByName) {
   EXPECT_EQ(output(), "4");
 }
 
+TEST_F(VmTest, ProgramsMayAskWhatTheyCanCall) {
+  const std::string before = "void() later = #4000; void() mine = {};";
+  EXPECT_EQ(says("put(checkbuiltin(later)); put(checkbuiltin(mine)); put(checkbuiltin(coredump));"
+                 "put(builtin_find(\"vlen\")); put(builtin_find(\"argc\")); put(builtin_find(\"none\"));"
+                 "tokenize(\"a b c\"); put(argc());",
+                 before),
+            "0 1 1 12 0 0 3");
+}
+
 TEST_F(VmTest, FunctionsThatAreNone) {
   ASSERT_TRUE(start("void() main = {};"));
   EXPECT_EQ(vm_->execute(FunctionId::kNull).error().message,

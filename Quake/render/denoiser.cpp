@@ -120,48 +120,55 @@ void Denoiser::add_passes(PassList& list, ShaderSet& shaders, bool medium) {
   }
   list.dispatch("denoise_temporal", PassKind::kFrame,
                 shaders.get(light_block_ > 1 ? "denoise_temporal_sparse" : "denoise_temporal"), groups);
-  if (medium) {
-    list.add("denoise_medium", PassKind::kFrame,
-             [this, &shaders](gpu::Commands& commands) { record_medium(commands, shaders); });
-  }
-  list.add("denoise_wavelets", PassKind::kFrame, [this, &shaders, groups, medium](gpu::Commands& commands) {
-    record_wavelets(commands, shaders, groups, medium);
-  });
+  if (medium) add_medium(list, shaders);
+  add_wavelets(list, shaders, medium);
 }
 
 // What is scattered ends in slot 3 (shared/denoise.h).
-void Denoiser::record_medium(gpu::Commands& commands, ShaderSet& shaders) {
+void Denoiser::add_medium(PassList& list, ShaderSet& shaders) const {
   const uvec2 groups = groups_over(light_size(size_, medium_block_), 8);
-  commands.dispatch(shaders.get("denoise_medium_temporal"), groups.x, groups.y);
-  commands.barrier();
-  Level level{1, 0, 2, 3};
-  for (int i = 0; i < kMediumLevels; ++i) {
-    commands.push(level);
-    commands.dispatch(shaders.get("denoise_medium"), groups.x, groups.y);
+  const gpu::ComputePipeline& temporal = shaders.get("denoise_medium_temporal");
+  const gpu::ComputePipeline& wavelet = shaders.get("denoise_medium");
+  list.add("denoise_medium", PassKind::kFrame, [&temporal, &wavelet, groups](gpu::Commands& commands) {
+    commands.dispatch(temporal, groups.x, groups.y);
     commands.barrier();
-    level = {2 * level.x - level.y, level.x + 2 * level.y, level.target, level.source};
-  }
+    Level level{1, 0, 2, 3};
+    for (int i = 0; i < kMediumLevels; ++i) {
+      commands.push(level);
+      commands.dispatch(wavelet, groups.x, groups.y);
+      commands.barrier();
+      level = {2 * level.x - level.y, level.x + 2 * level.y, level.target, level.source};
+    }
+  });
 }
 
-void Denoiser::record_wavelets(gpu::Commands& commands, ShaderSet& shaders, uvec2 groups, bool medium) {
+void Denoiser::add_wavelets(PassList& list, ShaderSet& shaders, bool medium) const {
+  struct Step {
+    const gpu::ComputePipeline& pipeline;
+    Level level;
+  };
+  std::vector<Step> steps;
   // Powers of 2 + i; every other frame mirrored, so that what a level leaves is not the same twice.
   std::int32_t a = 1, b = 0;
   for (int level = 0; level < levels_; ++level) {
     const std::uint32_t source = shared::kSectionFilter + static_cast<std::uint32_t>(level & 1);
     const std::uint32_t target = shared::kSectionFilter + static_cast<std::uint32_t>((level + 1) & 1);
-    commands.push(Level{a, parity_ != 0 ? b : -b, source, target});
     const char* shader = level == 0             ? "denoise_wavelet_first"
                          : level + 1 == levels_ ? medium ? "denoise_wavelet_last_medium" : "denoise_wavelet_last"
                                                 : "denoise_wavelet";
-    commands.dispatch(shaders.get(shader), groups.x, groups.y);
-    commands.barrier();
+    steps.push_back({shaders.get(shader), {a, parity_ != 0 ? b : -b, source, target}});
     const std::int32_t next = 2 * a - b;
     b = a + 2 * b;
     a = next;
   }
-  if (!blends_mean_) return;
-  commands.dispatch(shaders.get("denoise_mean"), groups.x, groups.y);
-  commands.barrier();
+  if (blends_mean_) steps.push_back({shaders.get("denoise_mean"), {}});
+  list.add("denoise_wavelets", PassKind::kFrame, [steps, groups = groups_over(size_, 8)](gpu::Commands& commands) {
+    for (const Step& step : steps) {
+      commands.push(step.level);
+      commands.dispatch(step.pipeline, groups.x, groups.y);
+      commands.barrier();
+    }
+  });
 }
 
 std::vector<vec4> Denoiser::read() const {

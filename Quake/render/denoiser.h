@@ -60,9 +60,9 @@ class Denoiser {
   std::vector<glm::uvec4> read_history() const;
 
  private:
-  void record_wavelets(gpu::Commands& commands, ShaderSet& shaders, uvec2 groups, bool medium);
   void fill_medium(shared::FrameConstants& c, const RenderSettings& settings, std::uint32_t turn, std::uint64_t frame);
-  void record_medium(gpu::Commands& commands, ShaderSet& shaders);
+  void add_medium(PassList& list, ShaderSet& shaders) const;
+  void add_wavelets(PassList& list, ShaderSet& shaders, bool medium) const;
 
   gpu::Device& device_;
   gpu::BindingTable& table_;

@@ -70,7 +70,7 @@ struct GpuScene::Impl {
         lights(d, gpu::BufferUse::kStorage, "lights"),
         staging(d, gpu::BufferUse::kUpload, 1 << 16, "scene staging") {
     const gpu::SpecializationConstant constants[]{{shared::kSpecForQuery, o.ray_query ? 1u : 0u}};
-    pose = make_pipeline(d, t, "pose", false, memory_access(d, o.by_address), constants);
+    pose = make_pipeline(d, t, "pose", false, arrays_by_address(d, o.by_address), constants);
   }
 
   void collect(const scene::FrameSnapshot& snapshot);
@@ -372,6 +372,8 @@ void GpuScene::stage() {
   s.statistics.instances = static_cast<std::uint32_t>(s.drawn.size());
   s.statistics.posed_instances = static_cast<std::uint32_t>(std::count_if(
       s.drawn.begin(), s.drawn.end(), [&](const Drawn& d) { return s.assets.meshes()[d.instance->mesh].posed; }));
+  s.statistics.lights = s.light_list.end() - s.light_list.first();
+  s.statistics.light_power = s.light_list.power();
   s.statistics.device_bytes = s.assets.device_bytes() + s.instances.bytes() + s.materials.bytes() + s.jobs.bytes() +
                               s.lights.bytes() + s.staging.size();
   s.statistics.host_milliseconds += milliseconds_since(start);

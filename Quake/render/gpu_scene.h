@@ -23,7 +23,7 @@ namespace fb::render {
 struct GpuSceneOptions {
   bool ray_query = false;  // also build acceleration structures, and bind the top level
   gpu::BuildPreference build = gpu::BuildPreference::kFastTrace;
-  std::optional<bool> by_address = {};  // how shaders reach arrays (memory_access()); none: as suits the device
+  std::optional<bool> by_address = {};  // how shaders reach arrays (arrays_by_address()); none: as suits the device
 };
 
 // What emission of each kind is multiplied by (r_emit_* cvars).
@@ -48,6 +48,8 @@ struct Interfaces {
 
 struct SceneStatistics {
   std::uint32_t meshes = 0, triangles = 0, instances = 0, posed_instances = 0;
+  std::uint32_t lights = 0;  // triangles in the list of lights, which only some estimators want
+  float light_power = 0;     // of all of them: LightList::power
   std::uint64_t device_bytes = 0;
   double host_milliseconds = 0;  // prepare() and stage(), this frame
 };

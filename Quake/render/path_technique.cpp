@@ -55,12 +55,13 @@ void add_paths_pass(const TechniquePasses& passes, std::string_view name, const 
                     const TechniqueSpecs& in_medium) {
   Variant variant = passes.variant;
   variant.technique = constants;
+  variant.one_bounce = passes.bounces == 1;
   passes.list.dispatch("paths", PassKind::kEstimator, passes.shaders.get(name, variant), groups_over(passes.size, 8));
   if (passes.medium_size.x == 0) return;
-  variant.in_medium = true;
   variant.technique = in_medium;
+  variant.one_bounce = passes.medium_bounces == 1;
   variant.show_view = false;
-  passes.list.dispatch("fog", PassKind::kEstimator, passes.shaders.get(name, variant),
+  passes.list.dispatch("fog", PassKind::kEstimator, passes.shaders.get(std::string(name) + "_medium", variant),
                        groups_over(passes.medium_size, 8));
 }
 

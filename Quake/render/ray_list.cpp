@@ -10,8 +10,8 @@ namespace fb::render {
 RayList::RayList(gpu::Device& device, const GpuSceneOptions& options, bool candidates)
     : device_(device), table_(device), scene_(device, table_, options) {
   const gpu::SpecializationConstant constants[]{{shared::kSpecCandidates, candidates ? 1u : 0u}};
-  pipeline_ = make_pipeline(device, table_, "trace_rays", options.ray_query, memory_access(device, options.by_address),
-                            constants);
+  pipeline_ = make_pipeline(device, table_, "trace_rays", options.ray_query,
+                            arrays_by_address(device, options.by_address), constants);
 }
 
 void RayList::load(const scene::FrameSnapshot& snapshot, std::span<const shared::ListRay> rays) {

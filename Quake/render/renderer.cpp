@@ -65,7 +65,7 @@ struct Renderer::Impl {
         table(d),
         scene(d, table, options),
         overlay(d, table),
-        shaders(d, table, memory_access(d, options.by_address)),
+        shaders(d, table, arrays_by_address(d, options.by_address)),
         denoiser(d, table),
         timer(d) {
     uniform = Buffer(d, BufferUse::kUniform, sizeof(shared::FrameConstants), "frame constants");
@@ -306,13 +306,9 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
 
 // The way of a frame.
 PassList Renderer::Impl::list_passes() {
-  const Variant variant{ray_query,
-                        features.alpha_test || features.translucent,
-                        features.specular,
-                        features.surfaces,
-                        features.medium,
-                        false,
-                        features.water || features.glass};
+  const Variant variant{ray_query,         features.alpha_test || features.translucent,
+                        features.specular, features.surfaces,
+                        features.medium,   features.water || features.glass};
   const uvec2 tiles = groups_over(render_size, 8);
   PassList list;
   const auto frame = [&](const char* name, const gpu::ComputePipeline& pipeline, uvec2 groups) {
@@ -324,7 +320,8 @@ PassList Renderer::Impl::list_passes() {
   path_variant.show_view = shows_view();
   const bool medium = constants.medium.w > 0 && constants.bounces > 0;
   technique->add_passes({list, shaders, path_variant, Denoiser::light_size(render_size, constants.light_block),
-                         medium ? Denoiser::light_size(render_size, constants.medium_block) : uvec2(0)});
+                         medium ? Denoiser::light_size(render_size, constants.medium_block) : uvec2(0),
+                         constants.bounces, constants.medium_bounces});
   frame("accumulate", shaders.get(medium ? "accumulate_medium" : "accumulate"), tiles);
   denoiser.add_passes(list, shaders, medium);
   frame("histogram", shaders.get("exposure_histogram"), groups_over(render_size, 16));
@@ -419,6 +416,7 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   table.flush();
 
   passes = list_passes();
+  shaders.make();
   device.start([&](gpu::Commands& commands) {
     timer.reset(commands.handle());
     commands.set_timer(&timer);

@@ -53,6 +53,15 @@ void register_render_cvars(con::Console& console) {
                    con::kCvarArchive);
 }
 
+const std::vector<SettingGroup>& setting_groups() {
+#define FB_NAME(type, field, cvar, value, low, high, help) cvar,
+#define FB_GROUP(title, rows) {title, {rows(FB_NAME)}},
+  static const std::vector<SettingGroup> groups = {FB_SETTING_GROUPS(FB_GROUP)};
+#undef FB_GROUP
+#undef FB_NAME
+  return groups;
+}
+
 RenderSettings read_render_settings(const con::Console& console) {
   RenderSettings settings;
 #define FB_READ(type, field, cvar, value, low, high, help) settings.field = read_number<type>(console, cvar);

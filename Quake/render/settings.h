@@ -4,16 +4,29 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "console/console.h"
 #include "render/gpu_scene.h"
 #include "shared/settings.h"
 
+#define FB_PICTURE_SETTINGS(X) \
+  FB_FRAME_SETTINGS(X)         \
+  FB_RENDERER_SETTINGS(X)
+
+// A group of rows: its title for people, and its rows.
+#define FB_SETTING_GROUPS(G)                 \
+  G("The picture", FB_PICTURE_SETTINGS)      \
+  G("The denoiser", FB_DENOISER_SETTINGS)    \
+  G("Emission", FB_EMISSION_SETTINGS)        \
+  G("Sampling of lights", FB_LIGHT_SETTINGS) \
+  G("Path guiding", FB_GUIDE_SETTINGS)
+
 #define FB_RENDER_SETTINGS(X) \
-  FB_FRAME_SETTINGS(X)        \
+  FB_PICTURE_SETTINGS(X)      \
   FB_DENOISER_SETTINGS(X)     \
   FB_EMISSION_SETTINGS(X)     \
-  FB_RENDERER_SETTINGS(X)     \
   FB_LIGHT_SETTINGS(X)        \
   FB_GUIDE_SETTINGS(X)
 
@@ -49,6 +62,12 @@ EmissionScales emission_scales(const RenderSettings& settings);
 
 // Registers a cvar for every row, r_estimator, r_intersector and r_arrays.
 void register_render_cvars(con::Console& console);
+// The rows' cvars as the manual and the panel group them.
+struct SettingGroup {
+  std::string_view title;
+  std::vector<std::string_view> cvars;
+};
+const std::vector<SettingGroup>& setting_groups();
 // The manual's page of all rows and of the debug views, in Markdown.
 std::string settings_page();
 // The cvars' values now.

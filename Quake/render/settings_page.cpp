@@ -32,17 +32,11 @@ std::string settings_page() {
       "them equal.\n"
       "A setting is a cvar of the game, and `--set NAME=VALUE` in the laboratory.\n";
 #define FB_ROW(type, field, cvar, value, low, high, help) add_row<type>(page, cvar, value, low, high, help);
-  begin_table(page, "The picture");
-  FB_FRAME_SETTINGS(FB_ROW)
-  FB_RENDERER_SETTINGS(FB_ROW)
-  begin_table(page, "The denoiser");
-  FB_DENOISER_SETTINGS(FB_ROW)
-  begin_table(page, "Emission");
-  FB_EMISSION_SETTINGS(FB_ROW)
-  begin_table(page, "Sampling of lights");
-  FB_LIGHT_SETTINGS(FB_ROW)
-  begin_table(page, "Path guiding");
-  FB_GUIDE_SETTINGS(FB_ROW)
+#define FB_GROUP(title, rows) \
+  begin_table(page, title);   \
+  rows(FB_ROW)
+  FB_SETTING_GROUPS(FB_GROUP)
+#undef FB_GROUP
 #undef FB_ROW
   page +=
       "\n## Debug views\n\n`r_debug` takes a name or its number.\n\n| name | number | what it shows |\n| --- | --- | "

@@ -28,11 +28,10 @@ int lavapipe_version(const gpu::Device& device) {
 
 }  // namespace
 
-MemoryAccess memory_access(const gpu::Device& device, std::optional<bool> by_address) {
+bool arrays_by_address(const gpu::Device& device, std::optional<bool> asked) {
   // Before Mesa 24, lavapipe loads lane by lane; since, a load by address is one gather instruction, and one through a
-  // descriptor a bounds check and a branch a lane. Four words at once through a texel buffer are soonest in either.
-  const bool old = lavapipe_version(device) < 24;
-  return {device.has_addresses() && by_address.value_or(!old), device.is_software()};
+  // descriptor a bounds check and a branch a lane.
+  return device.has_addresses() && asked.value_or(lavapipe_version(device) >= 24);
 }
 
 std::span<const std::uint32_t> shader_code(std::string_view name, bool ray_query, bool by_address) {
@@ -42,11 +41,9 @@ std::span<const std::uint32_t> shader_code(std::string_view name, bool ray_query
 }
 
 gpu::ComputePipeline make_pipeline(gpu::Device& device, const gpu::BindingTable& table, std::string_view name,
-                                   bool ray_query, const MemoryAccess& access,
+                                   bool ray_query, bool by_address,
                                    std::span<const gpu::SpecializationConstant> constants) {
-  std::vector<gpu::SpecializationConstant> all(constants.begin(), constants.end());
-  all.push_back({shared::kSpecReadTexels, access.texels});
-  return {device, table, shader_code(name, ray_query, access.by_address), std::string(name), all};
+  return {device, table, shader_code(name, ray_query, by_address), std::string(name), constants};
 }
 
 std::uint64_t shader_hash(std::string_view estimator) {

@@ -10,20 +10,16 @@
 
 namespace fb::render {
 
-// How shaders read memory. Every choice gives the same picture; the fastest depends on the driver.
-struct MemoryAccess {
-  bool by_address = false;  // arrays by device address, not through descriptors (Shaders/lib/arrays.glsl)
-  bool texels = false;      // arrays that have a texel buffer are read through it
-};
-// `by_address`: what is asked for; a device without addresses has none all the same.
-MemoryAccess memory_access(const gpu::Device& device, std::optional<bool> by_address = {});
+// Whether shaders reach arrays by device address, not through descriptors (Shaders/lib/arrays.glsl). Both give the same
+// picture; which is faster depends on the driver. `asked`: what is asked for; a device without addresses has none all
+// the same.
+bool arrays_by_address(const gpu::Device& device, std::optional<bool> asked = {});
 
 // SPIR-V of a shader that Shaders/CMakeLists.txt lists. `ray_query`: rays are traced by VK_KHR_ray_query, if it traces.
 std::span<const std::uint32_t> shader_code(std::string_view name, bool ray_query, bool by_address);
 
-// `constants` beside those that `access` stands for.
 gpu::ComputePipeline make_pipeline(gpu::Device& device, const gpu::BindingTable& table, std::string_view name,
-                                   bool ray_query, const MemoryAccess& access,
+                                   bool ray_query, bool by_address,
                                    std::span<const gpu::SpecializationConstant> constants = {});
 
 // Tells one version of an estimator's code from another: a hash of its shader and the G-buffer's.

@@ -24,6 +24,7 @@ struct SoundStart {
   int entity = kNoEntity, channel = 0;
   vec3 origin{0.0f};
   float volume = 1.0f, attenuation = 1.0f;
+  double age = 0.0;  // seconds since it began: what would have ended by now is not heard
 };
 struct SoundStop {
   int entity = kNoEntity, channel = 0;

@@ -183,7 +183,7 @@ std::uint32_t Server::edict_limit() const {
   return static_cast<std::uint32_t>(std::clamp(wanted, kLeastEdicts, kMostEdicts));
 }
 
-Result<std::unique_ptr<progs::Vm>> Server::make_vm(const LoadedMap& map) {
+progs::BuiltinTable Server::builtins() {
   progs::Services services;
   services.console = &console_;
   services.read_file = services_.read_file;
@@ -191,7 +191,11 @@ Result<std::unique_ptr<progs::Vm>> Server::make_vm(const LoadedMap& map) {
   services.rng = services_.rng;
   progs::BuiltinTable table = progs::standard_builtins(services);
   add_game_builtins(table, context_);
-  auto vm = progs::Vm::create(map.program, std::move(table), {.max_edicts = edict_limit()});
+  return table;
+}
+
+Result<std::unique_ptr<progs::Vm>> Server::make_vm(const LoadedMap& map) {
+  auto vm = progs::Vm::create(map.program, builtins(), {.max_edicts = edict_limit()});
   if (vm) (*vm)->edicts().start_level(static_cast<std::uint32_t>(options_.max_clients));
   return vm;
 }
@@ -240,6 +244,7 @@ Status Server::spawn_server(const LoadedMap& map) {
 bool Server::stands_still() const { return level_->paused || (held_ && options_.max_clients == 1); }
 
 void Server::run_physics(double seconds) {
+  level_->autocvars.refresh();
   level_->frame_time = seconds;
   level_->vm->level_time = level_->time;
   physics(*level_, [this](EdictId id) {

@@ -100,6 +100,9 @@ class Server {
   // Every edict's fields, the globals and the time as text, which is the same for the same game.
   std::string dump();
 
+  // All that QuakeC may call.
+  progs::BuiltinTable builtins();
+
   // For the parts of the server, and tests.
   con::Console& console() { return console_; }
   int skill() const { return skill_; }  // of the level that runs, 0 to 3

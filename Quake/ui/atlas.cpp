@@ -102,6 +102,17 @@ const Picture* Atlas::picture(std::string_view name, bool required) {
   return known->second ? &*known->second : nullptr;
 }
 
+const Picture* Atlas::add(std::string_view name, const formats::RgbaImage& image) {
+  const auto place = add(image);
+  if (!place) log_warning("{}: no room for {}x{} pixels in the 2D atlas", name, image.width, image.height);
+  return place ? &*pictures_.insert_or_assign(std::string(name), place).first->second : nullptr;
+}
+
+const Picture* Atlas::find(std::string_view name) const {
+  const auto known = pictures_.find(name);
+  return known != pictures_.end() && known->second ? &*known->second : nullptr;
+}
+
 vec4 Atlas::color(int index) const {
   index = std::clamp(index, 0, 255);
   if (!palette_) return vec4(vec3(static_cast<float>(index) / 255.0f), 1.0f);

@@ -40,6 +40,10 @@ class Atlas {
   // transparent. nullptr if there is none, after one message in the log (one for all lumps where there is no gfx.wad;
   // none where there need not be one).
   const Picture* picture(std::string_view name, bool required = true);
+  // A picture of the program's own, under a name that no file has; nullptr if there is no room.
+  const Picture* add(std::string_view name, const formats::RgbaImage& image);
+  // One that is in it already; nullptr: not.
+  const Picture* find(std::string_view name) const;
   bool has_game_font() const { return game_font_; }
   // The palette's colour at this index (0 to 255), opaque; a grey without game data.
   vec4 color(int index) const;

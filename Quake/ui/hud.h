@@ -12,6 +12,9 @@ namespace fb::ui {
 // game at a level's end, wait till then.
 enum class Attention { kGame, kElsewhere };
 
+// The status bar, the mod's own where it has one.
+void draw_current_bar(scene::DrawList& list, Atlas& atlas, const HudView& view);
+
 // Returns whether the console's newest lines may be shown over it.
 bool draw_hud(scene::DrawList& list, Atlas& atlas, const HudView& view, Attention attention);
 

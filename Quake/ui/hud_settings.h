@@ -28,6 +28,8 @@ namespace fb::ui {
   X(center_seconds, "scr_centertime", 2, 0, 1000, false, "seconds that a centre print stays on the screen")          \
   X(print_speed, "scr_printspeed", 8, 0, 100000, false, "speed of the texts between episodes, letters a second")     \
   X(notify_seconds, "con_notifytime", 3, 0, 1000, false, "seconds that notify lines stay on the screen")             \
+  X(demo_bar_seconds, "scr_demobar_timeout", 1, -1, 1000, true,                                                      \
+    "seconds that the bar of a demo stays after a key that directs the demo; 0: always, negative: never")            \
   X(console_alpha, "scr_conalpha", 0.5f, 0, 1, true, "opacity of the console over a game")
 
 struct HudSettings {

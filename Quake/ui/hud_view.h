@@ -9,6 +9,8 @@
 
 namespace fb::ui {
 
+class ModBar;
+
 // Which rules' items the bits of a player mean: Quake's, Scourge of Armagon's, Dissolution of Eternity's.
 enum class Rules { kQuake, kHipnotic, kRogue };
 
@@ -20,11 +22,12 @@ struct HudView {
   bool show_scores = false;  // +showscores
   int skill = 1;
   int teamplay = 0;
-  double now = 0.0;         // seconds of a clock that never stops, for what scrolls
-  double silence = 0.0;     // seconds since the server was heard
-  bool slow = false;        // three frames in a row took a tenth of a second or more
-  float speed = -1.0f;      // over ground, units a second; negative: not known
-  double frame_rate = 0.0;  // frames a second; 0: not known
+  double now = 0.0;           // seconds of a clock that never stops, for what scrolls
+  double silence = 0.0;       // seconds since the server was heard
+  bool slow = false;          // three frames in a row took a tenth of a second or more
+  float speed = -1.0f;        // over ground, units a second; negative: not known
+  double frame_rate = 0.0;    // frames a second; 0: not known
+  ModBar* mod_bar = nullptr;  // what a mod draws in the status bar's place; null: nothing
 
   bool has(std::uint32_t bits) const { return (static_cast<std::uint32_t>(hud.items) & bits) != 0; }
   int stat(int index) const { return hud.stats[static_cast<std::size_t>(index)]; }

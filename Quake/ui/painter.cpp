@@ -24,12 +24,13 @@ void Painter::clip_nothing() { clip(vec2(-kUnclipped), vec2(kUnclipped)); }
 void Painter::add(const vec2& min, const vec2& max, const vec2& uv_min, const vec2& uv_max, const vec4& color) {
   const vec2 from = glm::max(min, clip_min_), to = glm::min(max, clip_max_);
   if (!(from.x < to.x && from.y < to.y)) return;
-  const vec2 texels = (uv_max - uv_min) / (max - min);
+  // Shares of the whole, which stay finite however small that is.
+  const vec2 first = (from - min) / (max - min), last = (max - to) / (max - min);
   scene::DrawQuad quad;
   quad.min = canvas_.origin + canvas_.scale * from;
   quad.max = canvas_.origin + canvas_.scale * to;
-  quad.uv_min = uv_min + texels * (from - min);
-  quad.uv_max = uv_max - texels * (max - to);
+  quad.uv_min = uv_min + (uv_max - uv_min) * first;
+  quad.uv_max = uv_max - (uv_max - uv_min) * last;
   quad.color = color;
   list_.quads.push_back(quad);
 }
@@ -53,6 +54,12 @@ void Painter::part(float x, float y, const Picture& picture, int left, int top, 
                      std::clamp(width, 0, std::max(0, picture.width - left)),
                      std::clamp(height, 0, std::max(0, picture.height - top))};
   if (part.width > 0 && part.height > 0) this->picture(x, y, part, color);
+}
+
+void Painter::stretched_part(const vec2& min, const vec2& size, const Picture& picture, const vec2& from,
+                             const vec2& to, const vec4& color) {
+  const vec2 corner(picture.x, picture.y), most(picture.width, picture.height);
+  add(min, min + size, corner + glm::clamp(from, vec2(0.0f), most), corner + glm::clamp(to, vec2(0.0f), most), color);
 }
 
 void Painter::character(float x, float y, unsigned char code, const vec4& color) {

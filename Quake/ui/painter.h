@@ -42,6 +42,9 @@ class Painter {
   // A part of it, unscaled; texels of the picture.
   void part(float x, float y, const Picture& picture, int left, int top, int width, int height,
             const vec4& color = vec4(1.0f));
+  // Stretches a part of it, texels of the picture from `from` to `to`, over this rectangle.
+  void stretched_part(const vec2& min, const vec2& size, const Picture& picture, const vec2& from, const vec2& to,
+                      const vec4& color = vec4(1.0f));
   void character(float x, float y, unsigned char code, const vec4& color = vec4(1.0f));
   // One line in Quake's character set, 8 virtual pixels per character. `gold` uses the set's second colour.
   void text(float x, float y, std::string_view line, bool gold = false, const vec4& color = vec4(1.0f));

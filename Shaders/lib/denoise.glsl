@@ -1,5 +1,5 @@
-// The history buffer as the denoiser's passes read them: four words at once, through texel buffers where
-// those are faster (lavapipe).
+// The history buffer as the denoiser's passes read them: four words at once, through a texel buffer,
+// which is faster on lavapipe.
 #ifndef FB_LIB_DENOISE
 #define FB_LIB_DENOISE
 #include "lib/gbuffer_texel.glsl"
@@ -13,7 +13,7 @@ FB_FRAME_ARRAY(kBindHistory, 4, , HistoryWordArray, uint, history_words)
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsHistory) uniform usamplerBuffer history_texels;
 
 uint section(uint index) { return index * frame.width * frame.height; }
-uvec4 history_quad(uint at) { return READ_TEXELS ? texelFetch(history_texels, int(at)) : history.at[at]; }
+uvec4 history_quad(uint at) { return texelFetch(history_texels, int(at)); }
 // A pixel's PictureTexel.
 uvec2 picture_texel(uint at) {
   uvec4 two = history_quad(section(kSectionPicture) + (at >> 1u));

@@ -3,7 +3,6 @@
 #ifndef FB_LIB_GBUFFER_TEXEL
 #define FB_LIB_GBUFFER_TEXEL
 #include "lib/frame_bindings.glsl"
-#include "lib/read_texels.glsl"
 
 FB_FRAME_ARRAY(kBindGBuffer, 16, , GBufferArray, uvec4, gbuffer)
 FB_FRAME_ARRAY(kBindPreviousGBuffer, 16, readonly, PreviousGBufferArray, uvec4, previous_gbuffer)
@@ -11,9 +10,7 @@ layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsGBuffer) uniform us
 
 uint in_plane(uint plane, uint at) { return plane * frame.width * frame.height + at; }
 
-uvec4 gbuffer_quad(uint at, uint plane) {
-  return READ_TEXELS ? texelFetch(gbuffer_texels, int(in_plane(plane, at))) : gbuffer.at[in_plane(plane, at)];
-}
+uvec4 gbuffer_quad(uint at, uint plane) { return texelFetch(gbuffer_texels, int(in_plane(plane, at))); }
 
 GBufferTexel gbuffer_texel(uvec4 position, uvec4 albedo, uvec4 emission, uvec4 words, uvec4 motion) {
   return GBufferTexel(uintBitsToFloat(position), uintBitsToFloat(albedo), uintBitsToFloat(emission), words.x, words.y,

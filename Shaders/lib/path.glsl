@@ -37,7 +37,7 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
   uint bounces = path_bounces() - (last_apart ? 1u : 0u);
   uint bounce = 0u;
   do {
-    bool end = bounce + 1u == path_bounces();
+    bool end = ONE_BOUNCE || bounce + 1u == path_bounces();
     goes_on = false;
     path.last = end && !kEndsInField;
     path.vertex = first_vertex_of(path.number) + bounce;
@@ -93,8 +93,8 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
     v = next;
     here = incident.field;
     goes_on = true;
-  } while (++bounce < bounces);
-  if (kLooksForLight && goes_on) {
+  } while (!ONE_BOUNCE && ++bounce < bounces);
+  if (kLooksForLight && !ONE_BOUNCE && goes_on) {
     Direct direct = last_light(v, rng);
     sum += throughput * direct.radiance;
     learn_last(here, direct, path, rng);

@@ -12,8 +12,11 @@ struct Path {
   uint group_rng;  // random numbers that lanes that run together (4x2 pixels) share
 };
 
+// Whether that is one: without the second vertex's code a shader is compiled in half the time.
+layout(constant_id = kSpecOneBounce) const bool ONE_BOUNCE = false;
+
 // Most reflections of a path; scattering in a medium is the first of those that begin there.
-uint path_bounces() { return IN_MEDIUM ? uint(frame.medium_bounces) : uint(frame.bounces); }
+uint path_bounces() { return ONE_BOUNCE ? 1u : IN_MEDIUM ? uint(frame.medium_bounces) : uint(frame.bounces); }
 
 // Paths that begin in the medium come after all others.
 uint first_vertex_of(uint number) {

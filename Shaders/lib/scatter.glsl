@@ -12,7 +12,13 @@
 #include "shared/phase.h"
 
 layout(constant_id = kSpecMedium) const bool FEATURE_MEDIUM = false;  // there is a medium between surfaces
-layout(constant_id = kSpecInMedium) const bool IN_MEDIUM = false;     // a path's first vertex is in it
+// A path's first vertex is in it. A shader of its own (fb_shader), not a constant of one: what it leaves out is a third of the code
+// that a driver would have to read first.
+#ifdef PATHS_BEGIN_IN_MEDIUM
+const bool IN_MEDIUM = true;
+#else
+const bool IN_MEDIUM = false;
+#endif
 
 struct Scatter {
   vec3 normal;  // geometric, on the viewer's side; in a medium: towards the viewer

@@ -1,4 +1,5 @@
-// The scene's arrays as render/gpu_scene.cpp fills them (Shaders/shared/scene_gpu.h says what is in each).
+// The scene's arrays as render/gpu_scene.cpp fills them (Shaders/shared/scene_gpu.h says what is in each). Those that
+// lib/scene_records.glsl reads through texel buffers alone are declared there.
 #ifndef FB_LIB_SCENE_BINDINGS
 #define FB_LIB_SCENE_BINDINGS
 #include "lib/arrays.glsl"
@@ -15,15 +16,10 @@ FB_SCENE_ARRAY(kBindTriangles, 16, SCENE_ACCESS, TriangleArray, GpuTriangle, tri
 FB_SCENE_ARRAY(kBindAttributes, 16, readonly, AttributeArray, GpuAttribute, attributes)
 FB_SCENE_ARRAY(kBindPoses, 8, readonly, PoseArray, uvec2, poses)
 FB_SCENE_ARRAY(kBindNormals, 4, readonly, NormalArray, uint, normals)
-FB_SCENE_ARRAY(kBindInstances, 16, readonly, InstanceArray, GpuInstance, instances)
 FB_SCENE_ARRAY(kBindLevels, 4, readonly, LevelArray, uint, levels)
-FB_SCENE_ARRAY(kBindMaterials, 16, readonly, MaterialArray, GpuMaterial, materials)
-FB_SCENE_ARRAY(kBindImages, 16, readonly, ImageArray, GpuImage, images)
 FB_SCENE_ARRAY(kBindTexels, 4, readonly, TexelArray, uint, texels)
-FB_SCENE_ARRAY(kBindPalette, 16, readonly, PaletteArray, vec4, palette)
 FB_SCENE_ARRAY(kBindCopyJobs, 16, readonly, CopyJobArray, GpuCopyJob, copy_jobs)
 FB_SCENE_ARRAY(kBindVertices, 4, SCENE_ACCESS, VertexArray, float, posed_vertices)
-FB_SCENE_ARRAY(kBindLights, 8, readonly, LightArray, uvec2, lights)
 
 #if INTERSECTOR_QUERY
 layout(set = kSetScene, binding = kBindTlas) uniform accelerationStructureEXT scene_tlas;

@@ -1,11 +1,9 @@
-// Records of the scene's tables, through texel buffers where those are faster: lavapipe loads each word of a storage
-// buffer by itself (before Mesa 24 lane by lane), four words of a texel buffer at once. Words that nobody reads are not fetched.
+// Records of the scene's tables, through texel buffers: lavapipe loads each word of a storage buffer by itself (before
+// Mesa 24 lane by lane), four words of a texel buffer at once. Words that nobody reads are not fetched.
 #ifndef FB_LIB_SCENE_RECORDS
 #define FB_LIB_SCENE_RECORDS
-#include "lib/read_texels.glsl"
 #include "lib/scene_bindings.glsl"
 
-FB_SCENE_ARRAY(kBindTriangles, 16, readonly, TriangleQuadArray, uvec4, triangle_quads)
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTriangles) uniform usamplerBuffer triangle_texels;
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsInstances) uniform usamplerBuffer instance_texels;
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsAttributes) uniform usamplerBuffer attribute_texels;
@@ -14,7 +12,7 @@ layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsImages) uniform usa
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsPalette) uniform usamplerBuffer palette_texels;
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsLights) uniform usamplerBuffer light_texels;
 
-uvec4 triangle_quad(uint at) { return READ_TEXELS ? texelFetch(triangle_texels, int(at)) : triangle_quads.at[at]; }
+uvec4 triangle_quad(uint at) { return texelFetch(triangle_texels, int(at)); }
 
 GpuTriangle triangle_at(uint index) {
   return GpuTriangle(uintBitsToFloat(triangle_quad(index * 3u)), uintBitsToFloat(triangle_quad(index * 3u + 1u)),
@@ -24,7 +22,6 @@ GpuTriangle triangle_at(uint index) {
 vec4 instance_row(int at) { return uintBitsToFloat(texelFetch(instance_texels, at)); }
 
 GpuInstance instance_at(uint index) {
-  if (!READ_TEXELS) return instances.at[index];
   int at = int(index) * 17;
   uvec4 places = texelFetch(instance_texels, at + 9), poses_of = texelFetch(instance_texels, at + 10);
   uvec4 more = texelFetch(instance_texels, at + 11), last = texelFetch(instance_texels, at + 12);
@@ -38,7 +35,6 @@ GpuInstance instance_at(uint index) {
 }
 
 GpuAttribute attribute_at(uint index) {
-  if (!READ_TEXELS) return attributes.at[index];
   int at = int(index) * 3;
   uvec4 first = texelFetch(attribute_texels, at);
   vec4 uv = uintBitsToFloat(texelFetch(attribute_texels, at + 1));
@@ -47,7 +43,6 @@ GpuAttribute attribute_at(uint index) {
 }
 
 GpuMaterial material_at(uint index) {
-  if (!READ_TEXELS) return materials.at[index];
   int at = int(index) * 5;
   uvec4 images_of = texelFetch(material_texels, at), shape = texelFetch(material_texels, at + 3);
   uvec4 last = texelFetch(material_texels, at + 4);
@@ -58,21 +53,18 @@ GpuMaterial material_at(uint index) {
 }
 
 GpuImage image_at(uint index) {
-  if (!READ_TEXELS) return images.at[index];
   uvec4 image = texelFetch(image_texels, int(index));
   return GpuImage(image.x, image.y, image.z, image.w);
 }
 
 // Linear colour of a channel each: the palette's 256 colours, then kPaletteSrgb + byte, what a byte of sRGB means.
 vec3 palette_at(uvec3 index) {
-  if (!READ_TEXELS) return vec3(palette.at[index.x].x, palette.at[index.y].y, palette.at[index.z].z);
   return uintBitsToFloat(uvec3(texelFetch(palette_texels, int(index.x)).x, texelFetch(palette_texels, int(index.y)).y,
                                texelFetch(palette_texels, int(index.z)).z));
 }
 
 // An element of the list of lights; two stand in a texel. (Texels of images, one word each, are no sooner read so.)
 uvec2 light_at(uint index) {
-  if (!READ_TEXELS) return lights.at[index];
   uvec4 two = texelFetch(light_texels, int(index >> 1u));
   return (index & 1u) != 0u ? two.zw : two.xy;
 }

@@ -6,14 +6,13 @@
 #ifndef FB_LIB_TRACE_BVH
 #define FB_LIB_TRACE_BVH
 
-FB_SCENE_ARRAY(kBindNodes, 16, readonly, NodeQuadArray, uvec4, node_quads)
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsNodes) uniform usamplerBuffer node_texels;
 
 const uint kRefDone = 0xffffffffu;       // bottom of the stack
 const float kEdgeTolerance = 1e-5;       // of barycentric weights: closes cracks along shared edges
 const float kSlabTolerance = 1.0000004;  // 2 gamma(3), Ize 2013
 
-uvec4 node_quad(uint at) { return READ_TEXELS ? texelFetch(node_texels, int(at)) : node_quads.at[at]; }
+uvec4 node_quad(uint at) { return texelFetch(node_texels, int(at)); }
 
 // 1 / d, finite where d is zero.
 vec3 safe_reciprocal(vec3 d) {

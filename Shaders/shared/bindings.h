@@ -34,7 +34,8 @@ FB_CONST uint kBindFrameConstants = 16u;  // FrameConstants, a uniform buffer
 FB_CONST uint kBindTlas = 17u;            // the top-level acceleration structure, where the device has ray query
 FB_CONST uint kBindAddresses = 32u;       // uvec4[kAddresses], a uniform buffer: xy is an array's device address
 
-// Uniform texel buffers of four words a texel (usamplerBuffer): a second way to read arrays, faster on some drivers.
+// Uniform texel buffers of four words a texel (usamplerBuffer): how arrays of records are read
+// (lib/scene_records.glsl).
 FB_CONST uint kBindTexelBuffers = 18u;
 FB_CONST uint kTexelsNodes = 0u;
 FB_CONST uint kTexelsTriangles = 1u;
@@ -91,13 +92,12 @@ FB_CONST uint kSpecFeatures = 3u;    // what surfaces and sky have: kFeature* (s
 FB_CONST uint kSpecShowView = 2u;
 FB_CONST uint kSpecTechnique = 4u;
 FB_CONST uint kTechniqueSpecs = 4u;
-// Whether there is a medium between the surfaces, and whether paths begin in it:
+// Whether there is a medium between the surfaces:
 FB_CONST uint kSpecMedium = 8u;
-FB_CONST uint kSpecInMedium = 9u;
+// Whether paths have one reflection at most (scattering in a medium counts as one):
+FB_CONST uint kSpecOneBounce = 10u;
 // Whether some surface is a dielectric interface, of water or glass (kMaterialDielectric):
-FB_CONST uint kSpecWater = 11u;
-// How memory is read fastest on the device (render/shader_code.h):
-FB_CONST uint kSpecReadTexels = 10u;  // arrays that have a texel buffer are read through it
+FB_CONST uint kSpecWater = 9u;
 // Of passes/pose.comp:
 FB_CONST uint kSpecForQuery = 0u;
 

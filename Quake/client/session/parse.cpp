@@ -123,7 +123,7 @@ struct Apply {
   }
   std::string operator()(const net::svc::Print& m) const {
     if (m.text.starts_with(kTalk)) local_sound(session, "misc/talk.wav");
-    if (session.print) session.print(m.text);
+    if (session.print && !session.quiet) session.print(m.text);
     return {};
   }
   std::string operator()(const net::svc::StuffText& m) const {
@@ -291,6 +291,9 @@ std::string Apply::operator()(const net::svc::ClientData& m) const {
   stats[net::kStatAmmo] = m.ammo;
   for (std::size_t i = 0; i < 4; ++i) stats[net::kStatShells + i] = m.ammo_counts[i];
   stats[net::kStatActiveWeapon] = m.active_weapon;
+  stats[net::kStatViewHeight] = m.view_height;
+  stats[net::kStatIdealPitch] = m.ideal_pitch;
+  for (std::size_t i = 0; i < 3; ++i) stats[net::kStatPunchPitch + i] = m.punch[i];
   state.view_model.alpha = m.weapon_alpha;
   return {};
 }
@@ -327,6 +330,14 @@ void Session::clear() {
   effects.clear();
   disconnected = reconnect = false;
   stuffed.clear();
+}
+
+void Session::reseed() {
+  rng = Rng(kSeed);
+  sound_rng = Rng(kSoundSeed);
+  const std::size_t most = effects.particles.capacity();
+  effects = Effects();
+  effects.particles.set_capacity(most);
 }
 
 void bonus_flash(ClientState& state) { state.shifts[kShiftBonus] = {vec3(215, 186, 69), 50.0f}; }

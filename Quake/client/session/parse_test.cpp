@@ -116,6 +116,8 @@ TEST(Parse, ClientDataFillsTheStatusBar) {
   const auto& stats = s.state.hud.stats;
   EXPECT_EQ(stats[net::kStatHealth], 77);
   EXPECT_EQ(stats[net::kStatArmor], 300);
+  EXPECT_EQ(stats[net::kStatViewHeight], 18);
+  EXPECT_EQ(stats[net::kStatPunchPitch], -4);
   EXPECT_EQ(stats[net::kStatAmmo], 25);
   EXPECT_EQ(stats[net::kStatNails], 50);
   EXPECT_EQ(stats[net::kStatCells], 6);

@@ -10,8 +10,9 @@ namespace {
 
 constexpr float kFullVolume = 255.0f, kAttenuationUnit = 64.0f;  // in messages
 
-void tell(const Session& session, scene::SoundEvent event) {
-  if (session.sound_listener) session.sound_listener(event);
+void tell(Session& session, const scene::SoundEvent& event) {
+  session.sounds.remember(event, session.state.time);
+  if (session.sound_listener && !session.quiet) session.sound_listener(event);
 }
 
 // Empty: the level has no such sound.
@@ -84,7 +85,6 @@ void apply_track(Session& session, const net::svc::CdTrack& message) {
 }
 
 void temp_entity_sound(Session& session, const net::svc::TempEntity& message) {
-  if (!session.sound_listener) return;
   const char* const name = temp_entity_sound_name(message.type, session.sound_rng);
   if (name) tell(session, scene::SoundStart{name, scene::kNoEntity, 0, message.origin, 1.0f, 1.0f});
 }
@@ -97,8 +97,24 @@ void begin_level_sounds(Session& session) {
 void end_sounds(Session& session) { tell(session, scene::SoundLevel{}); }
 
 void local_sound(Session& session, std::string_view name) {
+  if (!session.sound_listener || session.quiet) return;
   const int entity = session.state.view_entity;
-  tell(session, scene::SoundStart{std::string(name), entity, scene::kAnyChannel, vec3(0.0f), 1.0f, 1.0f});
+  session.sound_listener(scene::SoundStart{std::string(name), entity, scene::kAnyChannel, vec3(0.0f), 1.0f, 1.0f});
+}
+
+void stop_hearing(const Session& session) {
+  const auto& names = session.state.sound_names;
+  if (session.sound_listener && names.size() > 1)
+    session.sound_listener(scene::SoundLevel{{names.begin() + 1, names.end()}});
+}
+
+void hear_again(const Session& session, int heard_track) {
+  if (!session.sound_listener) return;
+  stop_hearing(session);
+  for (const scene::SoundLoop& loop : session.sounds.loops()) session.sound_listener(loop);
+  for (const scene::SoundStart& start : session.sounds.sounding(session.state.time)) session.sound_listener(start);
+  const int track = session.sounds.track();
+  if (track != heard_track) session.sound_listener(scene::SoundTrack{track});
 }
 
 scene::SoundScene sound_scene(const Session& session, const vec3& origin, const vec3& angles, const formats::Bsp* map) {

@@ -21,6 +21,10 @@ void temp_entity_sound(Session& session, const net::svc::TempEntity& message);
 // A level of these sounds begins; without any, the game is left.
 void begin_level_sounds(Session& session);
 void end_sounds(Session& session);
+// After a seek: falls silent but for the music; begins what sounds at this moment, where it would be by now. The music
+// changes only if it is another than `heard_track`.
+void stop_hearing(const Session& session);
+void hear_again(const Session& session, int heard_track);
 // A sound of the program itself, at full volume: "misc/talk.wav".
 void local_sound(Session& session, std::string_view name);
 

@@ -45,6 +45,16 @@ Result<formats::DemMessage> DemoPlayback::next() {
   return message;
 }
 
+void DemoPlayback::go_to(const DemoPlace& place) {
+  reader_.seek(place.offset);
+  messages_read_ = place.messages;
+}
+
+const DemoIndex& DemoPlayback::index() {
+  if (!index_) index_ = read_demo_index({data_.data(), data_.size()}, name_);
+  return *index_;
+}
+
 std::string DemoPlayback::message_name() const { return fmt::format("{}, message at {}", name_, message_offset_); }
 
 TimeDemoResult DemoPlayback::result(std::uint64_t frame, double now) const {

@@ -13,6 +13,7 @@
 
 #include "base/file_data.h"
 #include "base/result.h"
+#include "client/sources/demo_index.h"
 #include "client/sources/demo_mode.h"
 #include "formats/dem.h"
 
@@ -36,6 +37,12 @@ class DemoPlayback {
   // "demo1.dem, message at 1234": what errors call the message that next() returned last.
   std::string message_name() const;
 
+  // Where the next message is.
+  DemoPlace place() const { return {reader_.offset(), messages_read_}; }
+  void go_to(const DemoPlace& place);
+  // What is where in it: read from the file when it is first asked for.
+  const DemoIndex& index();
+
   TimeDemoResult result(std::uint64_t frame, double now) const;
 
  private:
@@ -49,6 +56,7 @@ class DemoPlayback {
   std::optional<std::uint64_t> last_frame_;  // that read a message
   double start_time_ = 0.0;
   std::size_t messages_read_ = 0, message_offset_ = 0;
+  std::optional<DemoIndex> index_;
 };
 
 // "demo1" -> "demo1.dem"; a name that has an extension keeps it.

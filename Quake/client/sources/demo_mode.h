@@ -10,6 +10,13 @@ enum class DemoMode {
   kTime,  // one message a frame, as fast as frames come: advance() ignores its argument
 };
 
+// Where a demo is that plays in its own time. The times of its levels are added up.
+struct DemoStatus {
+  double seconds = 0.0, length = 0.0;
+  double rate = 1.0;  // seconds of the demo in one of the clock; negative: backwards
+  bool paused = false;
+};
+
 // The line that timedemo ends with.
 struct TimeDemoResult {
   std::string demo;

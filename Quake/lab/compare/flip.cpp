@@ -6,12 +6,13 @@
 #include <numeric>
 
 #include "base/check.h"
-#include "lab/parallel.h"
+#include "base/parallel.h"
 
 namespace fb::lab::flip {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr std::size_t kRowsPerThread = 16;
 
 // Rec.709 primaries and D65 (x 0.3127, y 0.3290), luminance 1 for white. Rows give X, Y, Z.
 constexpr double kToXyz[3][3] = {{0.4123907992659595, 0.357584339383878, 0.1804807884018343},
@@ -63,15 +64,15 @@ using Plane = std::vector<float>;
 // Edges are repeated outwards.
 void convolve_rows(const Plane& in, Plane& out, std::uint32_t width, std::uint32_t height, const Kernel& kernel) {
   const int radius = static_cast<int>(kernel.size() / 2), w = static_cast<int>(width);
-  parallel_rows(height, [&](std::uint32_t y) {
+  parallel_for(height, kRowsPerThread, [&](std::size_t y) {
     std::vector<float> padded(width + kernel.size());
-    const float* row = in.data() + std::size_t{y} * width;
+    const float* row = in.data() + y * width;
     for (int x = -radius; x < w + radius; ++x)
       padded[static_cast<std::size_t>(x + radius)] = row[std::clamp(x, 0, w - 1)];
     for (std::uint32_t x = 0; x < width; ++x) {
       float total = 0;
       for (std::size_t k = 0; k < kernel.size(); ++k) total += kernel[k] * padded[x + k];
-      out[std::size_t{y} * width + x] = total;
+      out[y * width + x] = total;
     }
   });
 }
@@ -80,8 +81,8 @@ void convolve_rows(const Plane& in, Plane& out, std::uint32_t width, std::uint32
 void add_columns(const Plane& in, Plane& out, std::uint32_t width, std::uint32_t height, const Kernel& kernel,
                  float weight) {
   const int radius = static_cast<int>(kernel.size() / 2), h = static_cast<int>(height);
-  parallel_rows(height, [&](std::uint32_t y) {
-    float* to = out.data() + std::size_t{y} * width;
+  parallel_for(height, kRowsPerThread, [&](std::size_t y) {
+    float* to = out.data() + y * width;
     for (int k = -radius; k <= radius; ++k) {
       const int from_row = std::clamp(static_cast<int>(y) + k, 0, h - 1);
       const float* from = in.data() + static_cast<std::size_t>(from_row) * width;
@@ -99,8 +100,8 @@ struct Filtered {
 
 std::vector<Plane> opponent_planes(const Picture& picture) {
   std::vector<Plane> planes(3, Plane(picture.pixels.size()));
-  parallel_rows(picture.height, [&](std::uint32_t y) {
-    for (std::size_t i = std::size_t{y} * picture.width; i < std::size_t{y + 1} * picture.width; ++i) {
+  parallel_for(picture.height, kRowsPerThread, [&](std::size_t y) {
+    for (std::size_t i = y * picture.width; i < (y + 1) * picture.width; ++i) {
       const vec3 value = linear_to_ycxcz(glm::clamp(picture.pixels[i], vec3(0.0f), vec3(1.0f)));
       for (int c = 0; c < 3; ++c) planes[static_cast<std::size_t>(c)][i] = value[c];
     }
@@ -141,8 +142,8 @@ Filtered filter(const Picture& picture, double pixels_per_degree) {
     plane = std::move(filtered);
   }
   result.lab.resize(luminance.size());
-  parallel_rows(height, [&](std::uint32_t y) {
-    for (std::size_t i = std::size_t{y} * width; i < std::size_t{y + 1} * width; ++i) {
+  parallel_for(height, kRowsPerThread, [&](std::size_t y) {
+    for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
       const vec3 rgb = ycxcz_to_linear(vec3(planes[0][i], planes[1][i], planes[2][i]));
       result.lab[i] = linear_to_hunt_lab(glm::clamp(rgb, vec3(0.0f), vec3(1.0f)));
     }
@@ -152,8 +153,8 @@ Filtered filter(const Picture& picture, double pixels_per_degree) {
 
 std::vector<float> difference(const Filtered& a, const Filtered& b) {
   std::vector<float> map(a.lab.size());
-  parallel_rows(a.height, [&](std::uint32_t y) {
-    for (std::size_t i = std::size_t{y} * a.width; i < std::size_t{y + 1} * a.width; ++i) {
+  parallel_for(a.height, kRowsPerThread, [&](std::size_t y) {
+    for (std::size_t i = y * a.width; i < (y + 1) * a.width; ++i) {
       const float color = redistribute(hyab(a.lab[i], b.lab[i]));
       const float feature = std::max(std::abs(a.edges[i] - b.edges[i]), std::abs(a.points[i] - b.points[i]));
       const float seen = std::pow(std::min(feature / std::numbers::sqrt2_v<float>, 1.0f), kFeatureExponent);
@@ -166,8 +167,8 @@ std::vector<float> difference(const Filtered& a, const Filtered& b) {
 Picture exposed(const Picture& picture, double stops) {
   Picture shown = picture;
   const float factor = static_cast<float>(std::exp2(stops));
-  parallel_rows(shown.height, [&](std::uint32_t y) {
-    for (std::size_t i = std::size_t{y} * shown.width; i < std::size_t{y + 1} * shown.width; ++i)
+  parallel_for(shown.height, kRowsPerThread, [&](std::size_t y) {
+    for (std::size_t i = y * shown.width; i < (y + 1) * shown.width; ++i)
       for (int c = 0; c < 3; ++c) shown.pixels[i][c] = aces(shown.pixels[i][c] * factor);
   });
   return shown;

@@ -111,6 +111,11 @@ void add_console_builtins(BuiltinTable& table, const Services& services) {
   table.set(25, "dprint", [developer](Vm& vm) { developer(vm.parm_text_from(0)); });
   table.set(99, "checkextension",
             [](Vm& vm) { vm.return_float(vm.builtins().has_extension(vm.parm_string(0)) ? 1.0f : 0.0f); });
+  table.set(100, "builtin_find", [](Vm& vm) {
+    const std::uint32_t number = vm.builtins().number_of(vm.parm_string(0));
+    vm.return_float(BuiltinTable::is_named_only(number) ? 0.0f : static_cast<float>(number));
+  });
+  table.set_named("checkbuiltin", [](Vm& vm) { vm.return_float(vm.can_call(vm.parm_function(0)) ? 1.0f : 0.0f); });
 }
 
 }  // namespace fb::progs

@@ -95,6 +95,7 @@ void add_tokenize_builtins(BuiltinTable& table) {
     count(vm);
   });
   table.add_extension("DP_QC_TOKENIZEBYSEPARATOR");
+  table.set_named("argc", count);
   table.set(442, "argv", [words](Vm& vm) {
     const auto* word = words->at(vm.parm_int(0));
     if (word) return vm.return_string(word->text);

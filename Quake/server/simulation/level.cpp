@@ -56,6 +56,7 @@ Level::Level(std::string map_name, std::shared_ptr<const formats::Bsp> map, std:
       hulls(std::make_shared<world::MapHulls>(*bsp)),
       areas(bsp->models.at(0).mins - vec3(1.0f), bsp->models.at(0).maxs + vec3(1.0f)),  // as QuakeSpasm spreads models
       vm(std::move(machine)),
+      autocvars(*vm, console),
       cvars(console),
       optional(vm->program()),
       events(events),

@@ -18,6 +18,7 @@
 #include "console/console.h"
 #include "formats/bsp.h"
 #include "net/server_messages.h"
+#include "progs/autocvars.h"
 #include "progs/vm.h"
 #include "server/simulation/constants.h"
 #include "world/area_nodes.h"
@@ -99,6 +100,7 @@ class Level final : public progs::EdictListener {
   std::shared_ptr<const world::MapHulls> hulls;
   world::AreaNodes areas;
   std::unique_ptr<progs::Vm> vm;
+  progs::Autocvars autocvars;
   Cvars cvars;
   OptionalFields optional;
   AskedExtensions asked;

@@ -112,8 +112,8 @@ Page video_page(const Sources& sources) {
   page.rows.push_back(action("Apply", "vid_restart", "changes the window now"));
   page.rows.push_back(heading(""));
   for (const char* name :
-       {"r_scale", "r_cpu_pixels", "r_spp", "r_bounces", "r_denoise", "r_taa", "r_fxaa", "r_fog_scale", "r_water",
-        "host_maxfps", "r_frames_ahead", "vid_vsync", "scr_showfps", "scr_menuscale"}) {
+       {"r_target_ms", "r_scale", "r_cpu_pixels", "r_spp", "r_bounces", "r_denoise", "r_taa", "r_fxaa", "r_fog_scale",
+        "r_water", "host_maxfps", "r_frames_ahead", "vid_vsync", "scr_showfps", "scr_menuscale"}) {
     const con::Cvar* cvar = console.find_cvar(name);
     if (cvar && cvar->has_effect()) page.rows.push_back(setting_row(*cvar));
   }

@@ -7,7 +7,6 @@
 #ifndef FB_MCPG_CACHE
 #define FB_MCPG_CACHE
 #include "lib/frame_bindings.glsl"
-#include "lib/read_texels.glsl"
 #include "shared/color.h"
 #include "shared/guide.h"
 #include "shared/scene_gpu.h"
@@ -52,10 +51,7 @@ struct CacheCell {
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTechnique + kBindGuideCache) uniform usamplerBuffer cache_texels;
 
 // Four words of an entry, from a multiple of four on.
-uvec4 cache_quad(uint word) {
-  if (READ_TEXELS) return texelFetch(cache_texels, int(word >> 2u));
-  return uvec4(guide_cache.at[word], guide_cache.at[word + 1u], guide_cache.at[word + 2u], guide_cache.at[word + 3u]);
-}
+uvec4 cache_quad(uint word) { return texelFetch(cache_texels, int(word >> 2u)); }
 
 uint cache_frames(uint entry) { return cache_quad(entry + kCacheCount).x & 0xffffu; }
 uint cache_age(uint entry) { return (guide.frame_number - (cache_quad(entry + kCacheCount).x >> 16u)) & 0xffffu; }

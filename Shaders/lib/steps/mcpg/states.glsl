@@ -33,7 +33,7 @@ GuideCell guide_cell(vec3 p, vec3 n, bool adaptive, uint a, inout uint group_rng
 
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTechnique + kBindGuideStates) uniform usamplerBuffer state_texels;
 
-uvec4 guide_quad(uint at) { return READ_TEXELS ? texelFetch(state_texels, int(at)) : guide_states.at[at]; }
+uvec4 guide_quad(uint at) { return texelFetch(state_texels, int(at)); }
 uvec2 load_guide_motion(uint at) {
   uvec4 two = guide_quad(guide.mc_states + (at >> 1u));
   return (at & 1u) == 0u ? two.xy : two.zw;
