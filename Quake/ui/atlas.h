@@ -40,6 +40,8 @@ class Atlas {
   // transparent. nullptr if there is none, after one message in the log (one for all lumps where there is no gfx.wad;
   // none where there need not be one).
   const Picture* picture(std::string_view name, bool required = true);
+  // Puts an image in the place of the former one of this name, which must have had its size. False if there is no room.
+  bool replace(std::string_view name, const formats::RgbaImage& image);
   bool has_game_font() const { return game_font_; }
   // The palette's colour at this index (0 to 255), opaque; a grey without game data.
   vec4 color(int index) const;
@@ -52,6 +54,7 @@ class Atlas {
   std::optional<formats::RgbaImage> read_picture(const std::string& name, std::string& failure);
   // nullopt if the atlas is full.
   std::optional<Picture> add(const formats::RgbaImage& image);
+  void write(const formats::RgbaImage& image, const Picture& place);
   formats::RgbaImage colored(const formats::IndexedImage& image, int transparent) const;
 
   FileLoader files_;
