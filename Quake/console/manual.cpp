@@ -38,7 +38,8 @@ void write_cvar(std::string& page, const Cvar& cvar) {
 }
 
 constexpr std::string_view kCommandTable = "| command | what it does |\n| --- | --- |\n";
-constexpr std::string_view kCvarTable = "| cvar | default | range | | what it does |\n| --- | --- | --- | --- | --- |\n";
+constexpr std::string_view kCvarTable =
+    "| cvar | default | range | | what it does |\n| --- | --- | --- | --- | --- |\n";
 
 }  // namespace
 

@@ -61,7 +61,8 @@ Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::ve
     register_listen();
   }
   if (options.client) make_client();
-  console_.add_command("writeconfig", "writeconfig <file>: write the bindings and the settings that are kept as FILE.cfg",
+  console_.add_command("writeconfig",
+                       "writeconfig <file>: write the bindings and the settings that are kept as FILE.cfg",
                        [this](const con::Args& args) {
                          if (args.size() != 2) return log_info("writeconfig <file>: write bindings and settings");
                          const bool named = fs::ends_with_ignoring_case(args[1], ".cfg");

@@ -423,8 +423,8 @@ void Game::report_timing() {
   was_timing_ = timing;
 }
 
-// Measurements must leave no trace, so the configuration is saved only after play. One that has not been read, since the
-// program was ended before or may not read it, is not written over.
+// Measurements must leave no trace, so the configuration is saved only after play. One that has not been read, since
+// the program was ended before or may not read it, is not written over.
 void Game::save_config() {
   if (!started_) return;
   if (auto obstacle = engine_->files().obstacle("config.cfg")) return log_error("{}", obstacle->message);

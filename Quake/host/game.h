@@ -103,7 +103,7 @@ class Game {
   double loading_since_ = -1.0;  // when the plaque of a level that is loaded was shown; negative: none is
   std::string pictured_save_;    // NAME of a save whose picture is to be taken; empty: none
   bool left_level_ = false;      // the client has left the level that the plaque was shown over
-  std::string written_config_;  // what config.cfg holds, or could not be given
+  std::string written_config_;   // what config.cfg holds, or could not be given
   bool menu_was_open_ = false;
   std::uint64_t frame_ = 0, captured_ = 0;
 };

@@ -20,7 +20,8 @@ namespace {
 class EmptyGame {
  public:
   EmptyGame()
-      : path_(std::filesystem::temp_directory_path(failed_) / fmt::format("fullbright-{:08x}", std::random_device{}())) {
+      : path_(std::filesystem::temp_directory_path(failed_) /
+              fmt::format("fullbright-{:08x}", std::random_device{}())) {
     if (!failed_) std::filesystem::create_directories(path_ / "id1", failed_);
   }
   ~EmptyGame() {

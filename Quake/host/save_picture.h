@@ -1,5 +1,5 @@
-// The small picture beside a saved game, NAME.png beside NAME.sav, which menus show. It is taken of the first frame after
-// saving that shows the game alone.
+// The small picture beside a saved game, NAME.png beside NAME.sav, which menus show. It is taken of the first frame
+// after saving that shows the game alone.
 #pragma once
 
 #include <cstdint>

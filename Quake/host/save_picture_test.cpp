@@ -47,7 +47,8 @@ TEST(SavePictureShrinks, ToTheMeanOfWhatAPixelCovers) {
 
 // The middle of what is wider or higher; small pictures grow.
 TEST(SavePictureShrinks, AnyShape) {
-  for (const uvec2 size : {uvec2(1, 1), uvec2(7, 3), uvec2(1000, 20), uvec2(20, 1000), uvec2(640, 480), uvec2(161, 91)}) {
+  for (const uvec2 size :
+       {uvec2(1, 1), uvec2(7, 3), uvec2(1000, 20), uvec2(20, 1000), uvec2(640, 480), uvec2(161, 91)}) {
     std::vector<std::uint32_t> pixels(std::size_t{size.x} * size.y, grey(50));
     if (size.x >= 1000) pixels[0] = pixels[pixels.size() - 1] = grey(255);  // corners, which are left out
     const auto small = shrink_to_save_picture(pixels, size);

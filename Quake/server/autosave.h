@@ -1,7 +1,7 @@
-// When a game of one player saves itself, after Ironwail's sv_autosave: when a level begins, soon after a secret has been
-// found, and every sv_autosave_interval seconds of play, each time once the player is out of danger: stands or swims
-// safely, has not been hurt and has not fired for a while. Loading, the player's own saves and autosaves begin the
-// interval anew.
+// When a game of one player saves itself, after Ironwail's sv_autosave: when a level begins, soon after a secret has
+// been found, and every sv_autosave_interval seconds of play, each time once the player is out of danger: stands or
+// swims safely, has not been hurt and has not fired for a while. Loading, the player's own saves and autosaves begin
+// the interval anew.
 #pragma once
 
 #include "console/console.h"
@@ -20,7 +20,7 @@ class Autosave {
 
   // What is judged of a player, once a tick.
   struct Moment {
-    double time = 0.0;    // the level's, seconds
+    double time = 0.0;  // the level's, seconds
     float health = 0.0f, armor = 0.0f;
     float secrets = 0.0f;  // found so far
     bool attacks = false;

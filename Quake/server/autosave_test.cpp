@@ -175,7 +175,9 @@ TEST_F(AutosaveGame, WhatCannotBeWrittenIsToldOnce) {
     const auto found = files_.find(std::string(name));
     return found == files_.end() ? std::nullopt : std::optional(found->second);
   };
-  services.write_file = [](std::string_view name, ByteView) { return Status(Error{std::string(name) + ": disk full"}); };
+  services.write_file = [](std::string_view name, ByteView) {
+    return Status(Error{std::string(name) + ": disk full"});
+  };
   server_ = std::make_unique<Server>(console_, services, ServerOptions{.autosaves = true});
   server_->clients().add_listener(listener_);
   ASSERT_TRUE(server_->map("test").ok());

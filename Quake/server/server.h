@@ -147,10 +147,10 @@ class Server {
   std::unique_ptr<Level> level_;
   std::map<std::string, LevelModel, std::less<>> models_;  // of files read once
   std::function<void()> local_start_, loading_;
-  std::function<void(const std::string& name)> saved_, offer_load_;
-  Autosave autosave_;                    // of this level
-  std::string last_save_;                // of this level: NAME of NAME.sav; empty: none
-  bool autosave_failed_ = false;         // has been told
+  std::function<void(const std::string&name)> saved_, offer_load_;
+  Autosave autosave_;             // of this level
+  std::string last_save_;         // of this level: NAME of NAME.sav; empty: none
+  bool autosave_failed_ = false;  // has been told
   std::optional<Error> last_error_;
   std::string next_level_;     // of request_changelevel
   float server_flags_ = 0.0f;  // QuakeC's serverflags, kept from level to level

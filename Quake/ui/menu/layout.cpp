@@ -9,8 +9,8 @@ namespace fb::ui::menu {
 namespace {
 
 constexpr float kMostWidth = 420.0f, kMostHeight = 300.0f;
-constexpr float kTitleHeight = 34.0f, kHelpHeight = 40.0f, kShortHelpHeight = 22.0f, kPictureHelpHeight = 62.0f, kPlaqueWidth = 56.0f,
-                kIndent = 16.0f;
+constexpr float kTitleHeight = 34.0f, kHelpHeight = 40.0f, kShortHelpHeight = 22.0f, kPictureHelpHeight = 62.0f,
+                kPlaqueWidth = 56.0f, kIndent = 16.0f;
 
 }  // namespace
 

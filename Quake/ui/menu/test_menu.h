@@ -65,8 +65,9 @@ class MenuTest : public testing::Test {
     console.add_cvar({"r_spp", "1", "samples of a pixel", con::kCvarArchive, 1.0f, 64.0f, true});
     console.add_cvar("lookspring", "0", "1: the view levels itself", con::kCvarArchive);
     // What pages run is written down instead.
-    for (const char* name : {"map", "save", "load", "quit", "restart", "disconnect", "maxplayers", "listen", "deathmatch", "coop",
-                             "game", "playdemo", "connect", "slist", "name", "color", "vid_restart"}) {
+    for (const char* name :
+         {"map", "save", "load", "quit", "restart", "disconnect", "maxplayers", "listen", "deathmatch", "coop", "game",
+          "playdemo", "connect", "slist", "name", "color", "vid_restart"}) {
       console.add_command(name, "", [this](const con::Args& args) { ran.push_back(args.joined(0)); });
     }
   }
