@@ -1,7 +1,6 @@
 // fullbright-lab's commands that print pages of the manual.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <random>
 #include <system_error>
@@ -43,25 +42,20 @@ class EmptyGame {
   std::filesystem::path path_;
 };
 
-int fail(std::string_view why) {
-  fmt::print(stderr, "fullbright-lab commands: {}\n", why);
-  return 1;
-}
-
 int print_commands() {
   set_log_level(LogLevel::kError);
   const EmptyGame folder;
-  if (folder.failed()) return fail(folder.failed().message());
+  if (folder.failed()) return fail(Error{fmt::format("a folder for an empty game: {}", folder.failed().message())});
   GameOptions options = folder.options();
   auto game = Game::assemble(options);
-  if (!game) return fail(game.error().message);
+  if (!game) return fail(game.error());
   options.dedicated = true;
   options.network = {.ipv4 = false, .ipv6 = false};
   auto dedicated = assemble_dedicated(options);
-  if (!dedicated) return fail(dedicated.error().message);
+  if (!dedicated) return fail(dedicated.error());
   for (const con::Console* console : {&(*game)->console(), &std::as_const((*dedicated)->console())}) {
     const auto names = con::names_without_help(*console);
-    if (!names.empty()) return fail(fmt::format("{} has no help text", names.front()));
+    if (!names.empty()) return fail(Error{fmt::format("{} has no help text", names.front())});
   }
   fmt::print("{}", con::commands_page((*game)->console(), (*dedicated)->console()));
   return 0;

@@ -51,7 +51,7 @@ class Player:
             self.frames()
 
     def type(self, text):
-        self.tool("type", "--delay", "20", text)
+        self.tool("type", "--delay", "20", "--", text)
         self.frames()
 
     def point(self, x, y, button=None):

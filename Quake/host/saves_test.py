@@ -77,7 +77,7 @@ def refused(build, home, what, before=(), prepare=lambda: None):
     former = {path: path.read_bytes() for path in (kept.save, kept.config)}
     prepare()
     # restore_signals: the limit of a file's size is to fail as a full disk does, without a signal.
-    ran = subprocess.run(command(build, home, "+map", "start", "+save", "kept", "+writeconfig", "kept", "+save", "other/new",
+    ran = subprocess.run(command(build, home, "+map", "start", "+seta", "filler", "x" * 4000, "+save", "kept", "+writeconfig", "kept", "+save", "other/new",
                                  "+echo", "still here", "+sv_run", "1", "+edictcount", "+quit", before=before),
                          text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60, restore_signals=False)
     said = ran.stdout.splitlines()

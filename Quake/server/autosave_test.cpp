@@ -109,6 +109,12 @@ class AutosaveGame : public testing::ServerTest {
       hear(player_);
     }
   }
+  // Another player in the place of the former one.
+  void join_again() {
+    player_ = {};
+    frames(1);
+    player_ = join();
+  }
   void die() { edict(1).set(fields::health, 0.0f); }
   float health() { return edict(1).get(fields::health); }
   Player player_;
@@ -181,8 +187,8 @@ TEST_F(AutosaveGame, WhatCannotBeWrittenIsToldOnce) {
   server_ = std::make_unique<Server>(console_, services, ServerOptions{.autosaves = true});
   server_->clients().add_listener(listener_);
   ASSERT_TRUE(server_->map("test").ok());
-  player_ = join();
   const fs::LogLines log;
+  player_ = join();
   play(100.0);
   EXPECT_EQ(std::ranges::count(log.lines, "autosave/test.sav: disk full"), 1);
   EXPECT_TRUE(server_->active());
@@ -196,12 +202,12 @@ TEST_F(AutosaveGame, ADeadPlayerGoesBackToTheLastSave) {
   ASSERT_TRUE(server_->save("mine").ok());
   console_.execute("restart");
   EXPECT_FALSE(level().loaded) << "alive: the level starts over";
-  player_ = join();
+  join_again();
   die();
   EXPECT_EQ(server_->save_after_death(), "mine");
   console_.execute("restart");
   EXPECT_TRUE(level().loaded);
-  player_ = join();
+  join_again();
   EXPECT_EQ(health(), 42.0f);
   edict(1).set(fields::deadflag, 2.0f);
   EXPECT_EQ(server_->save_after_death(), "mine") << "kill";
@@ -210,12 +216,12 @@ TEST_F(AutosaveGame, ADeadPlayerGoesBackToTheLastSave) {
   die();
   console_.execute("restart level");
   EXPECT_FALSE(level().loaded);
-  player_ = join();
+  join_again();
   die();
   console_.set("sv_autoload", "0");
   console_.execute("restart");
   EXPECT_FALSE(level().loaded);
-  player_ = join();
+  join_again();
   die();
   std::string offered;
   server_->set_offer_load([&](const std::string& name) { offered = name; });
@@ -228,7 +234,7 @@ TEST_F(AutosaveGame, ADeadPlayerGoesBackToTheLastSave) {
   EXPECT_TRUE(server_->active());
   EXPECT_FALSE(level().loaded) << "a save that is gone";
   ASSERT_TRUE(server_->map("test").ok());
-  player_ = join();
+  join_again();
   die();
   EXPECT_EQ(server_->save_after_death(), "") << "of another game";
 }
