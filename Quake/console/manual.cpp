@@ -56,14 +56,16 @@ std::string commands_page(const Console& game, const Console& dedicated) {
   page += kCvarTable;
   for (const Cvar* cvar : game.cvars())
     if (cvar->has_effect()) write_cvar(page, *cvar);
-  page += "\n## On a dedicated server alone\n\n";
-  page += kCommandTable;
+  std::string commands, cvars;
   for (const auto& command : dedicated.commands())
-    if (!game.has_command(command.name)) write_command(page, command);
-  page += '\n';
-  page += kCvarTable;
-  for (const Cvar* cvar : dedicated.cvars())
-    if (cvar->has_effect() && !game.find_cvar(cvar->name())) write_cvar(page, *cvar);
+    if (!game.has_command(command.name)) write_command(commands, command);
+  for (const Cvar* cvar : dedicated.cvars()) {
+    const Cvar* same = game.find_cvar(cvar->name());
+    if (cvar->has_effect() && !(same && same->has_effect())) write_cvar(cvars, *cvar);
+  }
+  if (!commands.empty() || !cvars.empty()) page += "\n## On a dedicated server alone\n";
+  if (!commands.empty()) page += fmt::format("\n{}{}", kCommandTable, commands);
+  if (!cvars.empty()) page += fmt::format("\n{}{}", kCvarTable, cvars);
   page +=
       "\n## Without effect\n\nCvars of QuakeSpasm and other engines, so that their configurations and mods find "
       "them. Kept in\nconfig.cfg where they are not at their default.\n\n| cvar | default | what it is there, and why "

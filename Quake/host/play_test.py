@@ -131,7 +131,7 @@ def by_keyboard(build, folder, pictures):
     player.show("09_search")
     player.keys(*["BackSpace"] * 5)
     player.type("r_bounces")
-    player.keys("Right")  # 2 to 3
+    player.keys("Right")  # 2 to 4
     player.keys("Escape", "Escape", "Escape", "Escape", "Escape")
     player.keys("F2", "Return")  # save in the first slot
     player.says("saved as s0")
@@ -146,7 +146,7 @@ def by_keyboard(build, folder, pictures):
     text = config.read_text()
     assert 'bind "i" "+forward"' in text, text
     assert 'sensitivity "4"' in text, text
-    assert 'r_bounces "3"' in text, text
+    assert 'r_bounces "4"' in text, text
     for name in ("s0", "quick", "autosave/start"):
         assert (folder / "id1" / f"{name}.sav").exists(), name
         picture = (folder / "id1" / f"{name}.png").read_bytes()
@@ -163,7 +163,7 @@ def by_keyboard(build, folder, pictures):
     player.says('"sensitivity" is "4"')
     player.type("r_bounces")
     player.keys("Return")
-    player.says('"r_bounces" is "3"')
+    player.says('"r_bounces" is "4"')
     player.type("bind i")
     player.keys("Return")
     player.says('"i" = "\\+forward"')

@@ -198,6 +198,9 @@ TEST_F(AutosaveGame, ADeadPlayerGoesBackToTheLastSave) {
   start_game();
   play(3.0);
   ASSERT_TRUE(saved());
+  die();
+  EXPECT_EQ(server_->save_after_death(), "autosave/test");
+  console_.set("sv_autosave", "0");
   edict(1).set(fields::health, 42.0f);
   ASSERT_TRUE(server_->save("mine").ok());
   console_.execute("restart");
