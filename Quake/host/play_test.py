@@ -45,6 +45,11 @@ class Player:
         for _ in range(count):
             self.running.wait_for(" ms, host", 60 * SLOW)
 
+    def plays(self, seconds):
+        """Lets the game go on: as long, and a few frames."""
+        time.sleep(seconds)
+        self.frames(3)
+
     def keys(self, *names):
         for name in names:
             self.tool("key", name)
@@ -85,12 +90,14 @@ class Player:
             self.keys("Return")
         self.keys("Escape")
 
-    def health(self):
-        """As the server has it."""
+    def field(self, name):
+        """The player's, as the server has it."""
         self.keys("grave")
         self.type("edict 1")
+        self.running.catch_up()
+        self.said = len(self.running.lines)  # not what was printed before
         self.tool("key", "Return")
-        line = self.says(r"^health ")
+        line = self.says(f"^{name} ")
         self.keys("Escape")
         return float(line.split()[1])
 
@@ -182,28 +189,28 @@ def die_and_go_back(player, saves):
     """A quicksave, rockets at one's own feet until dead, the save again by a key and by F9; then the autosave."""
     assert (saves / "autosave" / "start.sav").exists(), "the level's beginning was not saved"
     player.console("impulse 9", "+lookdown")
-    player.frames(20)
+    player.plays(1.0)
     player.keys("F6")
     player.says("saved as quick")
-    whole = player.health()
+    whole, rockets = player.field("health"), player.field("ammo_rockets")
     player.console("impulse 7")
-    player.frames(4)
+    player.plays(0.5)
     player.console("+attack")
-    player.frames(4)
+    player.plays(0.3)
     player.console("-attack")
-    player.frames(6)
+    player.plays(0.7)
     player.show("10a_hurt")
-    assert player.health() < whole, "a rocket at one's feet hurts"
+    assert player.field("health") < whole, "a rocket at one's feet hurts"
     player.console("+attack")
     player.says("stood too near to the rocket", 60)
     player.console("-attack")
-    player.frames(30)
+    player.plays(1.0)
     player.show("10b_dead")
-    assert player.health() <= 0
+    assert player.field("health") <= 0
     player.tool("key", "space")  # on, which loads
     player.says("^FULLBRIGHT SERVER")
     player.frames(6)
-    assert player.health() == whole, "the quicksave's health"
+    assert player.field("health") == whole and player.field("ammo_rockets") == rockets, "the quicksave, not the level's start"
     player.show("10c_back")
     player.console("kill")  # sv_autoload is 2
     player.says("^FULLBRIGHT SERVER")
@@ -211,7 +218,7 @@ def die_and_go_back(player, saves):
     player.keys("F9")
     player.says("^FULLBRIGHT SERVER")
     player.frames(6)
-    assert player.health() == whole
+    assert player.field("ammo_rockets") == rockets
     player.console("-lookdown")
     player.keys("F3")
     player.show("10d_load")
