@@ -53,8 +53,9 @@ coverage: ## measure the tests' line coverage: build-coverage/coverage.html
 	gcovr --root . --filter Quake/ --filter Shaders/ --exclude '.*_test\.cpp' --exclude '.*_bench\.cpp' $$merge \
 	  --print-summary --html-details build-coverage/coverage.html build-coverage
 
-settings-page: all ## write Misc/docs/settings.md from the settings' rows
+settings-page: all ## write Misc/docs/settings.md and commands.md from the settings' rows and what the game registers
 	build/fullbright-lab settings >Misc/docs/settings.md
+	build/fullbright-lab commands >Misc/docs/commands.md
 
 check: ## check layers, formatting, text and includes of the sources
 	@$(DEPS) check

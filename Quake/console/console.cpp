@@ -236,6 +236,12 @@ void Console::add_config_section(std::function<std::string()> section) {
   config_sections_.push_back(std::move(section));
 }
 
+std::vector<Console::CommandInfo> Console::commands() const {
+  std::vector<CommandInfo> list;
+  for (const auto& [name, command] : commands_) list.push_back({name, command.help});
+  return list;
+}
+
 std::string Console::config_text() const {
   std::string text;
   for (const auto& section : config_sections_) {

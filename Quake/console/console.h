@@ -59,6 +59,10 @@ class Console {
   void remove_command(std::string_view name);
   void set_argument_completer(std::string_view command, ArgumentCompleter completer);
   bool has_command(std::string_view name) const;
+  struct CommandInfo {
+    std::string name, help;
+  };
+  std::vector<CommandInfo> commands() const;  // by name
 
   // Cvars. If the user has already `set` one of this name, or one without effect exists, its value is kept if it is
   // allowed.

@@ -12,9 +12,6 @@ struct Foreign {
 };
 constexpr Foreign kIronwail[] = {{"vid_fsaamode", "0", "kind of multisample anti-aliasing"},
                                  {"scr_pixelaspect", "1", "shape of the 2D pixels"},
-                                 {"sv_autoload", "2", "load a save on death"},
-                                 {"sv_autosave", "1", "save now and then"},
-                                 {"sv_autosave_interval", "30", "seconds between automatic saves"},
                                  {"r_softemu", "0", "look of the software renderer"},
                                  {"r_oit", "1", "order of translucent surfaces"},
                                  {"r_alphasort", "1", "order of translucent surfaces"},

@@ -10,7 +10,6 @@
 #include <new>
 #include <system_error>
 #include <utility>
-#include <algorithm>
 
 #include "fs/file_mapping.h"
 

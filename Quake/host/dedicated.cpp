@@ -4,31 +4,44 @@
 
 #include "base/log.h"
 #include "base/stop.h"
-#include "host/engine.h"
 #include "host/terminal.h"
 #include "platform/clock.h"
 
 namespace fb::host {
-Result<int> run_dedicated(const GameOptions& options) {
+namespace {
+
+void register_commands(con::Console& console) {
+  console.add_cvar(
+      {"sys_ticrate", "0.05", "length of a dedicated server's tick, seconds", con::kCvarPlain, 0.001f, 0.1f});
+  // A player's configuration may name these; a server ignores them.
+  for (const char* name : {"bind", "unbind", "unbindall", "startdemos", "vid_restart"})
+    console.add_command(name, fmt::format("{}: no effect: a dedicated server has no keys, window or demos", name),
+                        [](const con::Args&) {});
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Engine>> assemble_dedicated(const GameOptions& options) {
   EngineOptions wanted = engine_options(options);
   wanted.client = false;
   wanted.dedicated = true;
+  wanted.autosaves = false;
   auto made = Engine::create(options.arguments, wanted);
+  if (made) register_commands((*made)->console());
+  return made;
+}
+
+Result<int> run_dedicated(const GameOptions& options) {
+  auto made = assemble_dedicated(options);
   if (!made) return made.error();
   Engine& engine = **made;
   con::Console& console = engine.console();
 
   bool quit = false;
-  console.add_cvar(
-      {"sys_ticrate", "0.05", "length of a dedicated server's tick, seconds", con::kCvarPlain, 0.001f, 0.1f});
   console.add_command("quit", "quit: end the program", [&](const con::Args&) {
     quit = true;
     console.forget_commands();
   });
-  // A player's configuration may name these; a server ignores them.
-  for (const char* name : {"bind", "unbind", "unbindall", "startdemos", "vid_restart"})
-    console.add_command(name, fmt::format("{}: no effect: a dedicated server has no keys, window or demos", name),
-                        [](const con::Args&) {});
   console.set_scripts_may_name_nothing(true);
   engine.queue_configuration(options.arguments);
 

@@ -24,6 +24,7 @@ EngineOptions engine_options(const GameOptions& options) {
   engine.console_log = options.console_log;
   engine.console_kilobytes = options.console_kilobytes;
   engine.particles = options.particles;
+  engine.autosaves = !options.headless;
   return engine;
 }
 
@@ -62,6 +63,16 @@ Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::ve
     register_modcheck(console_, files_, *server_);
   }
   if (options.client) make_client();
+  console_.add_command("writeconfig",
+                       "writeconfig <file>: write the bindings and the settings that are kept as FILE.cfg",
+                       [this](const con::Args& args) {
+                         if (args.size() != 2) return log_info("writeconfig <file>: write bindings and settings");
+                         const bool named = fs::ends_with_ignoring_case(args[1], ".cfg");
+                         const std::string name = named ? args[1] : args[1] + ".cfg";
+                         const Status status = write_config(name);
+                         if (!status) return console_.fail_unless(status);
+                         log_info("wrote {}", name);
+                       });
   console_.add_cvar("cmdline", fmt::format("{}", fmt::join(arguments, " ")), "the program's command line",
                     con::kCvarRom);
   con::add_quakespasm_cvars(console_);
@@ -103,6 +114,7 @@ void Engine::make_server(const EngineOptions& options) {
   sv::ServerOptions server;
   server.max_clients = options.max_clients;
   server.dedicated = options.dedicated;
+  server.autosaves = options.autosaves;
   server.standard_quake = rules() == ui::Rules::kQuake;
   server_ = std::make_unique<sv::Server>(console_, std::move(services), server);
   server_->clients().add_listener(loopback_);
@@ -166,6 +178,11 @@ void Engine::queue_configuration(const std::vector<std::string>& arguments) {
     if (files_.exists(script)) console_.append(fmt::format("exec {}\n", script));
   }
   console_.append("stuffcmds\n");
+}
+
+Status Engine::write_config(std::string_view name) const {
+  const auto path = files_.write_path(name);
+  return path ? console_.write_config(*path) : Status(path.error());
 }
 
 void Engine::execute_commands(double now) {

@@ -38,6 +38,7 @@ struct EngineOptions {
   net::NetworkOptions network = {};
   std::optional<int> protocol = std::nullopt;  // initial value of sv_protocol; none: its default
   bool console_log = false;                    // into qconsole.log, see console_log.h
+  bool autosaves = false;                      // games save themselves: sv_autosave
   std::optional<std::uint32_t> console_kilobytes = std::nullopt, particles = std::nullopt;
 };
 
@@ -71,6 +72,8 @@ class Engine {
   // Queues the commands that configure a game, as Quake does: quake.rc, or the same steps if there is none; they
   // include those of the command line.
   void queue_configuration(const std::vector<std::string>& arguments);
+  // Bindings and kept cvars as a file of the game's folder, whole or not at all.
+  Status write_config(std::string_view name) const;
   // Executes queued commands. A `wait` lasts until the server has ticked.
   void execute_commands(double now);
   // One frame of the game: the player's view turns, the server ticks, the client reads its messages. mouse: counts to

@@ -11,6 +11,9 @@
 #include "base/log.h"
 #include "base/out_of_memory.h"
 #include "base/stop.h"
+#include "fs/file.h"
+#include "formats/image_write.h"
+#include "host/save_picture.h"
 #include "lab/image_io.h"
 #include "platform/clock.h"
 #include "render/picture_size.h"
@@ -72,15 +75,25 @@ Game::~Game() {
   device_.reset();
 }
 
-Result<std::unique_ptr<Game>> Game::create(const GameOptions& options) {
-  if (options.headless && !options.has_commands) {
-    return Error{"-headless: there is nothing to do; give a command, for instance +timedemo demo1"};
-  }
+Result<std::unique_ptr<Game>> Game::assemble(const GameOptions& options) {
   auto engine = Engine::create(options.arguments, engine_options(options));
   if (!engine) return engine.error();
   std::unique_ptr<Game> game(new Game(options, std::move(*engine)));
   game->register_commands();
   game->engine_->set_loading([&game = *game] { game.show_loading(); });
+  sv::Server& server = game->engine_->server();
+  if (!options.headless) server.set_saved([&game = *game](const std::string& name) { game.pictured_save_ = name; });
+  server.set_offer_load([&game = *game](const std::string&) { game.keys_.menu().show("dead"); });
+  return game;
+}
+
+Result<std::unique_ptr<Game>> Game::create(const GameOptions& options) {
+  if (options.headless && !options.has_commands) {
+    return Error{"-headless: there is nothing to do; give a command, for instance +timedemo demo1"};
+  }
+  auto assembled = assemble(options);
+  if (!assembled) return assembled.error();
+  std::unique_ptr<Game> game = *std::move(assembled);
   if (!options.capture.empty()) {
     std::error_code failed;
     std::filesystem::create_directories(options.capture, failed);
@@ -243,10 +256,9 @@ Status Game::write_screenshot(const std::string& name) {
   const uvec2 size = renderer_->output_size();
   const auto path = engine_->files().write_path("screenshots/" + name);
   if (!path) return path.error();
-  std::error_code failed;
-  std::filesystem::create_directories(path->parent_path(), failed);
-  if (failed) return Error{fmt::format("{}: its directory cannot be made: {}", path->string(), failed.message())};
-  const auto status = lab::write_png(path->string(), size.x, size.y, read_picture());
+  const auto png = formats::encode_png(size.x, size.y, read_picture());
+  if (!png) return Error{fmt::format("{}: cannot be written: {}", path->string(), png.error().message)};
+  const auto status = fs::write_file_atomically(*path, *png);
   if (status) log_info("wrote {}", path->string());
   return status;
 }
@@ -275,6 +287,7 @@ void Game::follow_focus() {
                    : client.active() ? KeyRouter::Behind::kDemo
                                      : KeyRouter::Behind::kNothing);
   if (keys_.menu_open()) facts_.update();
+  if (std::exchange(menu_was_open_, keys_.menu_open()) && !keys_.menu_open()) save_config();
   const bool elsewhere = keys_.console_open() || keys_.menu_open() || panel_.open();
   const bool grab = options_.mouse && in_game && !elsewhere && window_->focused();
   if (grab != window_->mouse_grabbed()) window_->grab_mouse(grab);
@@ -341,6 +354,7 @@ float Game::largest_scale() const {
 
 // The level that is left, with a plaque over it; it stays till the next one can be shown.
 void Game::show_loading() {
+  pictured_save_.clear();
   if (!window_ || !engine_->client().active() || loading_since_ >= 0.0) return;
   renderer_->finish();
   const render::RenderSettings wanted = settings();
@@ -381,15 +395,18 @@ bool Game::draw_frame() {
   const render::RenderSettings wanted = settings();
   const double now = platform::now_seconds();
   // Recorded frames show what the game shows, but not what the console says, which would not repeat.
-  Screen::Moment moment{drawer_->size(wanted), now, now - std::exchange(drawn_time_, now), window_ != nullptr};
-  if (window_ && options_.capture.empty()) {
+  const bool pictured = takes_save_picture();
+  Screen::Moment moment{drawer_->size(wanted), now, now - std::exchange(drawn_time_, now),
+                        window_ != nullptr && !pictured};
+  if (window_ && options_.capture.empty() && !pictured) {
     moment.demo_bar = demo_controls_.frame(moment.size, now);
     if (panel_.open() && !client.timing())
       moment.panel = [&](scene::DrawList& list, ui::Atlas& atlas) { draw_panel(list, atlas, moment.size, now); };
   }
   drawer_->draw(snapshot_, &screen_.draw(client, moment), wanted);
   drawn_ = {frame_, renderer_->output_size(), input_time_, client.timing(), governor_.step()};
-  if (!draws_ahead()) renderer_->finish();
+  if (pictured || !draws_ahead()) renderer_->finish();
+  if (pictured) take_save_picture();
   ++frame_;
   return true;
 }
@@ -405,6 +422,16 @@ void Game::draw_panel(scene::DrawList& list, ui::Atlas& atlas, uvec2 output, dou
   facts.learnt_bytes = renderer_->learnt_bytes();
   facts.accumulated = renderer_->accumulated_frames();
   panel_.draw(list, atlas, facts, output, now);
+}
+
+bool Game::takes_save_picture() const {
+  return !pictured_save_.empty() && engine_->client().active() && !keys_.menu_open() && !keys_.console_open();
+}
+
+void Game::take_save_picture() {
+  const Status status = write_save_picture(engine_->files(), std::exchange(pictured_save_, std::string()),
+                                           read_picture(), renderer_->output_size());
+  if (!status) log_warning("{}", status.error().message);
 }
 
 // Where the device draws a frame while the host prepares the next, that one's input waits for it.
@@ -442,11 +469,15 @@ void Game::report_timing() {
   was_timing_ = timing;
 }
 
-// Measurements must leave no trace, so the configuration is saved only after play.
+// Measurements must leave no trace, so the configuration is saved only after play. One that has not been read, since
+// the program was ended before or may not read it, is not written over.
 void Game::save_config() {
-  const auto path = engine_->files().write_path("config.cfg");
-  if (!path) return engine_->console().fail_unless(path.error());
-  engine_->console().fail_unless(engine_->console().write_config(*path));
+  if (!started_) return;
+  if (auto obstacle = engine_->files().obstacle("config.cfg")) return log_error("{}", obstacle->message);
+  std::string text = engine_->console().config_text();
+  if (text == written_config_) return;
+  written_config_ = std::move(text);
+  engine_->console().fail_unless(engine_->write_config("config.cfg"));
 }
 
 // Returns false if there is nothing more to do.
@@ -455,6 +486,7 @@ bool Game::frame() {
   handle_events();
   input_time_ = platform::now_seconds();
   engine_->execute_commands(platform::now_seconds());
+  started_ |= !stop_wanted();
   if (quit_ || stop_wanted()) return false;
   apply_video();
   open_first_menu();

@@ -29,10 +29,13 @@ namespace fb::host {
 class Game {
  public:
   static Result<std::unique_ptr<Game>> create(const GameOptions& options);
+  // The same up to the device, which needs no window either: every command and cvar is registered.
+  static Result<std::unique_ptr<Game>> assemble(const GameOptions& options);
   ~Game();
   // Runs until `quit`; headless also until there is nothing left to do. Returns the exit status. Running out of memory
   // ends a game or a demo; if nothing is played, std::bad_alloc is thrown.
   int run();
+  const con::Console& console() const { return engine_->console(); }
   // The command line of the program's next start, with another game folder, if `game` has asked for one.
   const std::optional<std::vector<std::string>>& next_start() const { return next_start_; }
 
@@ -65,6 +68,8 @@ class Game {
   Status write_screenshot(const std::string& name);
   void report_timing();
   void save_config();
+  bool takes_save_picture() const;
+  void take_save_picture();
 
   GameOptions options_;
   std::unique_ptr<Engine> engine_;
@@ -83,6 +88,7 @@ class Game {
   PassReport pass_report_;
   std::optional<std::vector<std::string>> next_start_;
   bool quit_ = false, was_timing_ = false;
+  bool started_ = false;      // the configuration has been read
   bool configured_ = false;   // the configuration has been executed
   bool video_asked_ = false;  // vid_restart
   int frames_without_game_ = 0;
@@ -106,7 +112,10 @@ class Game {
   double shown_time_ = 0;  // when a picture was shown last
   bool was_in_game_ = false;
   double loading_since_ = -1.0;  // when the plaque of a level that is loaded was shown; negative: none is
+  std::string pictured_save_;    // NAME of a save whose picture is to be taken; empty: none
   bool left_level_ = false;      // the client has left the level that the plaque was shown over
+  std::string written_config_;   // what config.cfg holds, or could not be given
+  bool menu_was_open_ = false;
   std::uint64_t frame_ = 0, captured_ = 0;
 };
 

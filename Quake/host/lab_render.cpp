@@ -107,14 +107,4 @@ LabCommand add_estimators_command(CLI::App& app) {
           }};
 }
 
-LabCommand add_settings_command(CLI::App& app) {
-  return {app.add_subcommand("settings",
-                             "prints the renderer's settings and debug views as the manual has them "
-                             "(Misc/docs/settings.md)"),
-          [] {
-            fmt::print("{}", render::settings_page());
-            return 0;
-          }};
-}
-
 }  // namespace fb::host

@@ -33,6 +33,7 @@ LabCommand add_picture_command(CLI::App& app, std::string command_line);
 LabCommand add_track_command(CLI::App& app);
 LabCommand add_estimators_command(CLI::App& app);
 LabCommand add_settings_command(CLI::App& app);
+LabCommand add_commands_command(CLI::App& app);
 
 struct StageOptions {
   std::string basedir, demo, map, scene, camera, size = "640x360", device, estimator = "pt", out;

@@ -3,6 +3,7 @@
 #include "host/mod_list.h"
 #include "host/options.h"
 #include "host/save_list.h"
+#include "host/save_picture.h"
 #include "platform/keys.h"
 
 namespace fb::host {
@@ -33,6 +34,10 @@ std::string MenuFacts::reason_not_to_save() const {
 }
 
 std::vector<ui::menu::SaveEntry> MenuFacts::saves() { return list_saves(engine_.files()); }
+
+std::optional<formats::RgbaImage> MenuFacts::save_picture(const std::string& name) {
+  return read_save_picture(engine_.files(), name);
+}
 
 std::vector<std::string> MenuFacts::demos() {
   std::vector<std::string> names;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ class MenuFacts final : public ui::menu::Facts {
   bool in_game() const override;
   std::string reason_not_to_save() const override;
   std::vector<ui::menu::SaveEntry> saves() override;
+  std::optional<formats::RgbaImage> save_picture(const std::string& name) override;
+  std::string save_after_death() const override { return engine_.server().save_after_death(); }
   std::vector<ui::menu::MapEntry> maps() override { return maps_.maps(); }
   std::vector<ui::menu::MapEntry> start_maps() override { return maps_.start_maps(); }
   std::vector<std::string> demos() override;

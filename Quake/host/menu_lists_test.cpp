@@ -80,6 +80,19 @@ TEST_F(MenuLists, SavesAreTheSlotsThenTheOthers) {
   EXPECT_EQ(saves[20].name, "quick");
 }
 
+TEST_F(MenuLists, AutosavesComeLast) {
+  directory.put("user/id1/autosave/start.sav", save_text("There"));
+  directory.put("user/id1/other/x.sav", save_text("Nowhere"));
+  directory.put("user/id1/zoo.sav", save_text("Zoo"));
+  const auto saves = list_saves(open());
+  ASSERT_EQ(saves.size(), 22u);
+  EXPECT_EQ(saves[20].name, "zoo");
+  EXPECT_FALSE(saves[20].automatic);
+  EXPECT_EQ(saves[21].name, "autosave/start");
+  EXPECT_EQ(saves[21].place, "There");
+  EXPECT_TRUE(saves[21].automatic);
+}
+
 TEST_F(MenuLists, SavesOfAnotherGameAreNotListed) {
   directory.put("user/id1/s0.sav", save_text("Here"));
   directory.put("base/mod/progs.dat", "code");

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A player at the window: play_test.py BUILD_DIR [--pictures DIR]. The base game is played with a real keyboard and a real
-mouse (xdotool): a new game from the menu, a setting, a key, a save, quitting, and a second start that has kept it all;
-then the same rows by mouse alone. It has an X server of its own, since a window that others open would take the keys. Skipped,
+mouse (xdotool): a new game from the menu, settings, a key, saves, hurt, death and what comes after, quitting, and a second
+start that has kept it all; then the same rows by mouse alone. It has an X server of its own, since a window that others open would take the keys. Skipped,
 saying so, without Xvfb, xdotool, the base game or a Vulkan device."""
 import argparse
 import os
@@ -45,13 +45,18 @@ class Player:
         for _ in range(count):
             self.running.wait_for(" ms, host", 60 * SLOW)
 
+    def plays(self, seconds):
+        """Lets the game go on: as long, and a few frames."""
+        time.sleep(seconds)
+        self.frames(3)
+
     def keys(self, *names):
         for name in names:
             self.tool("key", name)
             self.frames()
 
     def type(self, text):
-        self.tool("type", "--delay", "20", text)
+        self.tool("type", "--delay", "20", "--", text)
         self.frames()
 
     def point(self, x, y, button=None):
@@ -76,6 +81,25 @@ class Player:
         self.running.wait_for(pattern, seconds * SLOW)
         self.said = len(lines)
         return lines[-1]
+
+    def console(self, *commands):
+        """Typed at the console, which is closed again; time stands meanwhile."""
+        self.keys("grave")
+        for text in commands:
+            self.type(text)
+            self.keys("Return")
+        self.keys("Escape")
+
+    def field(self, name):
+        """The player's, as the server has it."""
+        self.keys("grave")
+        self.type("edict 1")
+        self.running.catch_up()
+        self.said = len(self.running.lines)  # not what was printed before
+        self.tool("key", "Return")
+        line = self.says(f"^{name} ")
+        self.keys("Escape")
+        return float(line.split()[1])
 
     def show(self, name):
         if self.pictures:
@@ -112,12 +136,16 @@ def by_keyboard(build, folder, pictures):
     player.keys("Escape", "Down", "Down", "Down", "Return")
     player.type("volum")
     player.show("09_search")
+    player.keys(*["BackSpace"] * 5)
+    player.type("r_bounces")
+    player.keys("Right")  # 2 to 4
     player.keys("Escape", "Escape", "Escape", "Escape", "Escape")
     player.keys("F2", "Return")  # save in the first slot
     player.says("saved as s0")
     player.keys("F2")
     player.show("10_saves")
     player.keys("Escape", "Escape", "Escape")
+    die_and_go_back(player, folder / "id1")
     player.keys("F10")
     player.show("11_quit")
     player.tool("key", "Return")
@@ -125,7 +153,12 @@ def by_keyboard(build, folder, pictures):
     text = config.read_text()
     assert 'bind "i" "+forward"' in text, text
     assert 'sensitivity "4"' in text, text
-    assert (folder / "id1" / "s0.sav").exists()
+    assert 'r_bounces "4"' in text, text
+    for name in ("s0", "quick", "autosave/start"):
+        assert (folder / "id1" / f"{name}.sav").exists(), name
+        picture = (folder / "id1" / f"{name}.png").read_bytes()
+        assert picture.startswith(b"\x89PNG") and len(picture) > 1000, f"{name}.png: {len(picture)} bytes"
+    assert not list(folder.rglob("*.new")), "half files"
 
     player = Player(build, folder, pictures)
     player.keys("F3", "Return")  # load
@@ -135,6 +168,9 @@ def by_keyboard(build, folder, pictures):
     player.type("sensitivity")
     player.keys("Return")
     player.says('"sensitivity" is "4"')
+    player.type("r_bounces")
+    player.keys("Return")
+    player.says('"r_bounces" is "4"')
     player.type("bind i")
     player.keys("Return")
     player.says('"i" = "\\+forward"')
@@ -147,6 +183,46 @@ def by_keyboard(build, folder, pictures):
     player.keys("F10")
     player.tool("key", "Return")
     player.ends()
+
+
+def die_and_go_back(player, saves):
+    """A quicksave, rockets at one's own feet until dead, the save again by a key and by F9; then the autosave."""
+    assert (saves / "autosave" / "start.sav").exists(), "the level's beginning was not saved"
+    player.console("impulse 9", "+lookdown")
+    player.plays(1.0)
+    player.keys("F6")
+    player.says("saved as quick")
+    whole, rockets = player.field("health"), player.field("ammo_rockets")
+    player.console("impulse 7")
+    player.plays(0.5)
+    player.console("+attack")
+    player.plays(0.3)
+    player.console("-attack")
+    player.plays(0.7)
+    player.show("10a_hurt")
+    assert player.field("health") < whole, "a rocket at one's feet hurts"
+    player.console("+attack")
+    player.says("stood too near to the rocket", 60)
+    player.console("-attack")
+    player.plays(1.0)
+    player.show("10b_dead")
+    assert player.field("health") <= 0
+    player.tool("key", "space")  # on, which loads
+    player.says("^FULLBRIGHT SERVER")
+    player.frames(6)
+    assert player.field("health") == whole and player.field("ammo_rockets") == rockets, "the quicksave, not the level's start"
+    player.show("10c_back")
+    player.console("kill")  # sv_autoload is 2
+    player.says("^FULLBRIGHT SERVER")
+    player.frames(6)
+    player.keys("F9")
+    player.says("^FULLBRIGHT SERVER")
+    player.frames(6)
+    assert player.field("ammo_rockets") == rockets
+    player.console("-lookdown")
+    player.keys("F3")
+    player.show("10d_load")
+    player.keys("Escape", "Escape", "Escape")
 
 
 def by_mouse(build, folder, pictures):

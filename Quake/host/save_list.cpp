@@ -74,6 +74,11 @@ std::vector<ui::menu::SaveEntry> list_saves(const fs::FileSystem& files) {
     auto entry = read_entry(files, name);
     if (entry.used) saves.push_back(std::move(entry));
   }
+  for (const fs::FoundFile& file : files.find("autosave/", kSaveExtension)) {
+    auto entry = read_entry(files, file.name.substr(0, file.name.size() - kSaveExtension.size()));
+    entry.automatic = true;
+    if (entry.used) saves.push_back(std::move(entry));
+  }
   return saves;
 }
 

@@ -13,7 +13,7 @@ constexpr int kSaveSlots = 20;  // s0 to s19, as in QuakeSpasm
 
 // A saved game's text. A file that is broken has one sentence in `failure`.
 ui::menu::SaveEntry describe_save(std::string_view name, std::string_view text);
-// The slots in order, then the player's other saves by name.
+// The slots in order, the player's other saves by name, then the autosaves by name.
 std::vector<ui::menu::SaveEntry> list_saves(const fs::FileSystem& files);
 
 }  // namespace fb::host

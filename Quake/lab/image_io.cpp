@@ -10,7 +10,6 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <fmt/format.h>
-#include <png.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -21,8 +20,8 @@
 #include <memory>
 #include <system_error>
 
-#include "base/bytes.h"
 #include "base/check.h"
+#include "formats/image_write.h"
 
 namespace fb::lab {
 namespace {
@@ -87,25 +86,9 @@ const std::vector<float>* ExrImage::channel(const std::string& name) const {
 
 Status write_png(const std::string& path, std::uint32_t width, std::uint32_t height,
                  std::span<const std::uint32_t> pixels) {
-  FB_CHECK_EQ(pixels.size(), std::size_t{width} * height);
-  Bytes rgb;
-  rgb.reserve(pixels.size() * 3);
-  for (const std::uint32_t pixel : pixels) {
-    for (int shift = 0; shift < 24; shift += 8) rgb.push_back(static_cast<std::uint8_t>(pixel >> shift));
-  }
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = width;
-  image.height = height;
-  image.format = PNG_FORMAT_RGB;
-  // libpng frees its own state when a call fails; the first call only asks for a bound of the size.
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
-  Bytes file(size);
-  if (!png_image_write_to_memory(&image, file.data(), &size, 0, rgb.data(), 0, nullptr)) {
-    return Error{fmt::format("{}: cannot be written: {}", path, image.message)};
-  }
-  file.resize(size);
-  return write_whole(path, file);
+  const auto file = formats::encode_png(width, height, pixels);
+  if (!file) return Error{fmt::format("{}: cannot be written: {}", path, file.error().message)};
+  return write_whole(path, *file);
 }
 
 Status write_exr(const std::string& path, const ExrImage& image, ExrPixels kind) {

@@ -48,6 +48,7 @@ Server::Server(con::Console& console, ServerServices services, const ServerOptio
   context_.change_level = [this](std::string name) { request_changelevel(std::move(name)); };
   // For configs that come before the first level.
   const Cvars registered(console_);
+  add_autosave_cvars(console_);
   add_mod_cvars(console_, services_.read_file && services_.read_file("gfx/pop.lmp").has_value());
 }
 
@@ -103,6 +104,7 @@ Status Server::map_game(std::string_view typed) {
   const auto loaded = load_level(*name);
   if (!loaded) return loaded.error();
   shutdown();
+  last_save_.clear();
   server_flags_ = 0.0f;
   if (Status status = begin(*loaded); !status) return status;
   return start_locally();
@@ -115,6 +117,7 @@ Status Server::changelevel(std::string_view typed) {
   const auto loaded = load_level(*name);
   if (!loaded) return loaded.error();
   const Status left = within_memory([&]() -> Status {
+    last_save_.clear();
     server_flags_ = level_->vm->get(globals::serverflags);
     clients_->save_spawn_parms();
     if (level_->failed()) return *level_->error();
@@ -226,6 +229,7 @@ Status Server::spawn_server(const LoadedMap& map) {
   level_ = std::make_unique<Level>(map.name, map.bsp, std::move(*vm), console_, *clients_, *services_.rng);
   context_.level = level_.get();
   level_->max_clients = options_.max_clients;
+  autosave_ = Autosave(false);
   level_->models = map_models(map.name, map.bsp, level_->hulls);
   level_->vm->level_time = level_->time;
   clients_->begin_level(*level_);
@@ -287,7 +291,9 @@ void Server::frame(double seconds, double now) {
     const Error why = *level_->error();
     log_error("{}", why.message);
     (void)end_level(why);
+    return;
   }
+  autosave_if_due();
 }
 
 Status Server::run(double seconds, double step) {

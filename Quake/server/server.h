@@ -27,6 +27,7 @@
 #include "base/result.h"
 #include "base/rng.h"
 #include "console/console.h"
+#include "server/autosave.h"
 #include "server/builtins/game_builtins.h"
 #include "server/save_game.h"
 #include "server/simulation/level.h"
@@ -52,6 +53,7 @@ struct ServerOptions {
   int max_clients = 1;  // 1 to 16
   bool dedicated = false;
   bool standard_quake = true;  // see ClientsOptions
+  bool autosaves = false;      // where a player plays and nothing is measured
 };
 
 // QuakeC's parm1 to parm16, which a player takes along from level to level.
@@ -72,6 +74,9 @@ class Server {
   Status load(std::string_view name);
   // Why the game cannot be saved now; nothing if it can.
   std::optional<Error> reason_not_to_save();
+  // The save that a dead player goes back to: the last one written or loaded on this level; empty where there is none,
+  // or nobody is dead.
+  std::string save_after_death();
   // Ends the game: everybody is dropped. Nothing happens where there is none.
   void shutdown();
 
@@ -95,6 +100,10 @@ class Server {
   void set_local_start(std::function<void()> start) { local_start_ = std::move(start); }
   // Called before a level's files are read, which takes a while.
   void set_loading(std::function<void()> loading) { loading_ = std::move(loading); }
+  // Called when the game has been saved, with NAME of NAME.sav.
+  void set_saved(std::function<void(const std::string& name)> saved) { saved_ = std::move(saved); }
+  // Called by `restart` for a dead player who may choose (sv_autoload 1); absent: the level starts over.
+  void set_offer_load(std::function<void(const std::string& name)> offer) { offer_load_ = std::move(offer); }
   // Why the last game ended, or `map` or `load` began none; nothing after a level has begun well.
   const std::optional<Error>& last_error() const { return last_error_; }
   // Every edict's fields, the globals and the time as text, which is the same for the same game.
@@ -125,6 +134,8 @@ class Server {
   Status start_locally();
   Status note_failure(Status status);
   void run_frame(double seconds);
+  bool player_is_dead();
+  void autosave_if_due();
   void run_physics(double seconds);
   bool stands_still() const;
   LevelFiles level_files() const { return {services_.read_file, services_.game_index_of, services_.obstacle}; }
@@ -139,6 +150,10 @@ class Server {
   std::unique_ptr<Level> level_;
   std::map<std::string, LevelModel, std::less<>> models_;  // of files read once
   std::function<void()> local_start_, loading_;
+  std::function<void(const std::string&name)> saved_, offer_load_;
+  Autosave autosave_;             // of this level
+  std::string last_save_;         // of this level: NAME of NAME.sav; empty: none
+  bool autosave_failed_ = false;  // has been told
   std::optional<Error> last_error_;
   std::string next_level_;     // of request_changelevel
   float server_flags_ = 0.0f;  // QuakeC's serverflags, kept from level to level

@@ -69,8 +69,10 @@ void Server::Commands::add_game_commands() {
         if (args.size() < 2) return log_info("changelevel <map>: go to another map with all players");
         console.fail_unless(server.changelevel(args[1]));
       });
-  add("restart", "restart: start the level over",
-      [&server, &console](const con::Args&) { console.fail_unless(server.restart()); });
+  add("restart",
+      "restart [level]: start the level over; for a dead player the level's last save is loaded instead (sv_autoload), "
+      "unless \"level\" says otherwise",
+      [this](const con::Args& args) { restart(args); });
   add("maxplayers", "maxplayers <n>: set the number of player slots (1 to 16); between games only",
       [&server, &console](const con::Args& args) {
         if (args.size() != 2) return log_info("maxplayers is {}", server.max_clients());
@@ -98,6 +100,20 @@ void Server::Commands::add_game_commands() {
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
     console.fail_unless(server.services_.write_file(args[1], ByteView(bytes, text.size())));
   });
+}
+
+// QuakeC says `restart` when a dead player wants to go on.
+void Server::Commands::restart(const con::Args& args) {
+  con::Console& console = server_.console_;
+  const std::string save = args.size() > 1 ? std::string() : server_.save_after_death();
+  const float autoload = console.cvar("sv_autoload").value();
+  if (!save.empty() && autoload == 1.0f && server_.offer_load_) return server_.offer_load_(save);
+  if (!save.empty() && autoload >= 2.0f) {
+    const Status loaded = server_.load(save);
+    if (loaded || !server_.active()) return console.fail_unless(loaded);
+    log_error("{}", loaded.error().message);  // the file is gone: the level is there still
+  }
+  console.fail_unless(server_.restart());
 }
 
 void Server::Commands::add_save_commands() {

@@ -16,6 +16,7 @@ struct Server::Commands {
  private:
   void add(std::string name, std::string help, con::Handler handler);
   void add_game_commands();
+  void restart(const con::Args& args);
   void add_save_commands();
   void add_edict_commands();
   void add_player_commands();

@@ -14,13 +14,14 @@ namespace {
 
 namespace fields = progs::fields;
 
+constexpr std::string_view kExtension = ".sav";
 constexpr std::size_t kMostSaveBytes = 64u << 20u;  // an edict's text is some 1000
 
 // NAME.sav; fails for names that lead out of the game's directory.
 Result<std::string> save_file_name(std::string_view typed) {
   const auto name = fs::normalise(typed);
   if (!name || name->empty()) return Error{fmt::format("\"{}\" is no name for a saved game", typed)};
-  return fs::ends_with_ignoring_case(*name, ".sav") ? *name : *name + ".sav";
+  return fs::ends_with_ignoring_case(*name, kExtension) ? *name : *name + std::string(kExtension);
 }
 
 // Reads the whole save into a machine that nobody sees, so that nothing can go wrong with it afterwards.
@@ -33,14 +34,25 @@ Status rehearse(const SaveGame& save, const LoadedMap& map, std::uint32_t max_ed
 
 }  // namespace
 
+bool Server::player_is_dead() {
+  if (!active() || max_clients() != 1) return false;
+  const ServerClient& player = clients()[0];
+  return player.active() && player.spawned() && level_->edict(player.edict_id()).get(fields::health) <= 0.0f;
+}
+
+// QuakeC's `kill` leaves the health, and sets deadflag.
+std::string Server::save_after_death() {
+  if (!active() || max_clients() != 1 || !clients()[0].active() || !clients()[0].spawned()) return {};
+  const bool lies = level_->edict(clients()[0].edict_id()).get(fields::deadflag) != 0.0f;
+  return lies || player_is_dead() ? last_save_ : std::string();
+}
+
 std::optional<Error> Server::reason_not_to_save() {
   if (!active()) return Error{"no game runs here that could be saved"};
   if (max_clients() != 1) return Error{"a game for several players cannot be saved"};
   const auto intermission = level_->vm->program().global<float>("intermission_running");
   if (level_->vm->get(intermission) != 0.0f) return Error{"the game cannot be saved during the intermission"};
-  const ServerClient& player = clients()[0];
-  if (player.active() && player.spawned() && level_->edict(player.edict_id()).get(fields::health) <= 0.0f)
-    return Error{"a game with a dead player cannot be saved"};
+  if (player_is_dead()) return Error{"a game with a dead player cannot be saved"};
   return std::nullopt;
 }
 
@@ -51,7 +63,28 @@ Status Server::save(std::string_view typed) {
   if (!services_.write_file) return Error{fmt::format("{}: there is nowhere to save to", *name)};
   const std::string text = write_save(*level_, (*clients_)[0].spawn_parms, skill_);
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
-  return services_.write_file(*name, ByteView(bytes, text.size()));
+  autosave_.saved(level_->time);
+  if (Status status = services_.write_file(*name, ByteView(bytes, text.size())); !status) return status;
+  last_save_ = name->substr(0, name->size() - kExtension.size());
+  if (saved_) saved_(last_save_);
+  return ok_status();
+}
+
+// What cannot be written is told once, and tried again when the next one is due.
+void Server::autosave_if_due() {
+  if (!options_.autosaves || stands_still() || max_clients() != 1) return;
+  const ServerClient& player = clients()[0];
+  if (!player.active() || !player.spawned()) return;
+  const double interval = static_cast<double>(console_.cvar("sv_autosave_interval").value());
+  if (!autosave_.due(autosave_moment(*level_, player.edict_id()), interval)) return;
+  if (!console_.cvar("sv_autosave").on() || reason_not_to_save()) return;
+  const std::string name = fmt::format("autosave/{}", level_->map_name);
+  const Status status = save(name);
+  if (status)
+    log_info("Autosaved as {}.", name);
+  else if (!autosave_failed_)
+    log_error("{}", status.error().message);
+  autosave_failed_ = !status;
 }
 
 Status Server::load(std::string_view name) {
@@ -89,6 +122,7 @@ Status Server::load_game(std::string_view typed) {
   });
   if (!resumed) return end_level(resumed.error());
   last_error_.reset();
+  last_save_ = name->substr(0, name->size() - kExtension.size());
   return start_locally();
 }
 
@@ -107,6 +141,7 @@ Status Server::resume(const SaveGame& save, std::string_view name) {
   (*clients_)[0].spawn_parms = save.header.spawn_parms;
   level.paused = true;  // until the player is there
   level.loaded = true;
+  autosave_ = Autosave(true);
   return ok_status();
 }
 

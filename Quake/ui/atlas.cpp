@@ -113,6 +113,17 @@ const Picture* Atlas::find(std::string_view name) const {
   return known != pictures_.end() && known->second ? &*known->second : nullptr;
 }
 
+bool Atlas::replace(std::string_view name, const formats::RgbaImage& image) {
+  auto known = pictures_.find(name);
+  if (known == pictures_.end()) {
+    known = pictures_.emplace(std::string(name), add(image)).first;
+  } else if (known->second) {
+    FB_CHECK(known->second->width == image.width && known->second->height == image.height);
+    write(image, *known->second);
+  }
+  return known->second.has_value();
+}
+
 vec4 Atlas::color(int index) const {
   index = std::clamp(index, 0, 255);
   if (!palette_) return vec4(vec3(static_cast<float>(index) / 255.0f), 1.0f);
@@ -164,9 +175,16 @@ std::optional<Picture> Atlas::add(const formats::RgbaImage& image) {
     texels_.height = std::min(kMaxHeight, std::max(needed, texels_.height == 0 ? 128 : 2 * texels_.height));
     texels_.texels.resize(static_cast<std::size_t>(kWidth) * static_cast<std::size_t>(texels_.height), 0);
   }
+  const Picture place{x, y, image.width, image.height};
+  write(image, place);
+  return place;
+}
+
+void Atlas::write(const formats::RgbaImage& image, const Picture& place) {
   const std::uint8_t* from = image.rgba.data();
   for (int row = 0; row < image.height; ++row) {
-    std::uint32_t* to = &texels_.texels[static_cast<std::size_t>(y + row) * kWidth + static_cast<std::size_t>(x)];
+    std::uint32_t* to =
+        &texels_.texels[static_cast<std::size_t>(place.y + row) * kWidth + static_cast<std::size_t>(place.x)];
     for (int column = 0; column < image.width; ++column, from += 4) {
       to[column] = static_cast<std::uint32_t>(from[0]) | static_cast<std::uint32_t>(from[1]) << 8u |
                    static_cast<std::uint32_t>(from[2]) << 16u | static_cast<std::uint32_t>(from[3]) << 24u;
@@ -174,7 +192,6 @@ std::optional<Picture> Atlas::add(const formats::RgbaImage& image) {
   }
   texels_.revision = next_revision();
   published_.reset();
-  return Picture{x, y, image.width, image.height};
 }
 
 std::shared_ptr<const scene::DrawAtlas> Atlas::image() const {

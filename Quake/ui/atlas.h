@@ -44,6 +44,8 @@ class Atlas {
   const Picture* add(std::string_view name, const formats::RgbaImage& image);
   // One that is in it already; nullptr: not.
   const Picture* find(std::string_view name) const;
+  // Puts an image in the place of the former one of this name, which must have had its size. False if there is no room.
+  bool replace(std::string_view name, const formats::RgbaImage& image);
   bool has_game_font() const { return game_font_; }
   // The palette's colour at this index (0 to 255), opaque; a grey without game data.
   vec4 color(int index) const;
@@ -56,6 +58,7 @@ class Atlas {
   std::optional<formats::RgbaImage> read_picture(const std::string& name, std::string& failure);
   // nullopt if the atlas is full.
   std::optional<Picture> add(const formats::RgbaImage& image);
+  void write(const formats::RgbaImage& image, const Picture& place);
   formats::RgbaImage colored(const formats::IndexedImage& image, int transparent) const;
 
   FileLoader files_;

@@ -145,6 +145,24 @@ TEST(Atlas, PicturesDoNotOverlapAndFullIsFull) {
   }
 }
 
+TEST(Atlas, AnImageMayBeReplaced) {
+  Atlas atlas;
+  const auto image = [](std::uint8_t level) {
+    formats::RgbaImage made{3, 2, {}};
+    made.rgba.assign(24, level);
+    return made;
+  };
+  ASSERT_TRUE(atlas.replace("save", image(0x40)));
+  const Picture place = *atlas.picture("save");
+  const std::uint64_t revision = atlas.image()->revision;
+  EXPECT_EQ(texel(atlas, place.x + 2, place.y + 1), 0x40404040u);
+  ASSERT_TRUE(atlas.replace("save", image(0x60)));
+  EXPECT_EQ(atlas.picture("save")->x, place.x);
+  EXPECT_EQ(texel(atlas, place.x, place.y), 0x60606060u);
+  EXPECT_NE(atlas.image()->revision, revision);
+  EXPECT_FALSE(atlas.replace("wide", {Atlas::kWidth + 1, 1, std::vector<std::uint8_t>(4 * (Atlas::kWidth + 1))}));
+}
+
 TEST(Atlas, RealData) {
   const char* variable = std::getenv("FULLBRIGHT_TEST_DATA");
   fs::FsOptions options;

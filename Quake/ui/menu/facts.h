@@ -3,12 +3,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/maths.h"
+#include "formats/image.h"
 
 namespace fb::ui::menu {
+
+constexpr int kSavePictureWidth = 160, kSavePictureHeight = 90;  // pixels
 
 struct SaveEntry {
   std::string name;  // for save and load: "s0"
@@ -17,6 +21,7 @@ struct SaveEntry {
   std::string place{};    // "The Slipgate Complex"
   std::string kills{};    // "3/22"
   double seconds = 0.0;
+  bool automatic = false;  // the game has saved itself
 };
 struct MapEntry {
   std::string name, title;     // "e1m1", "The Slipgate Complex"
@@ -39,7 +44,11 @@ class Facts {
   virtual bool in_game() const = 0;
   // Why the game cannot be saved now; empty if it can.
   virtual std::string reason_not_to_save() const = 0;
-  virtual std::vector<SaveEntry> saves() = 0;  // 20 slots, s0 to s19, then other saves
+  virtual std::vector<SaveEntry> saves() = 0;  // 20 slots, s0 to s19, other saves, then automatic ones
+  // The picture that was taken when this was saved, of the size above; nothing where there is none.
+  virtual std::optional<formats::RgbaImage> save_picture(const std::string& name) = 0;
+  // The save that a dead player may go back to; empty: there is none.
+  virtual std::string save_after_death() const = 0;
   // All maps that can be played; their titles may come later, with another revision.
   virtual std::vector<MapEntry> maps() = 0;
   // Those among them where a game begins: "start" and what a mod calls so. Complete at once.

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/menu/facts.h"
+
 namespace fb::ui::menu {
 namespace {
 
 constexpr float kMostWidth = 420.0f, kMostHeight = 300.0f;
-constexpr float kTitleHeight = 34.0f, kHelpHeight = 40.0f, kShortHelpHeight = 22.0f, kPlaqueWidth = 56.0f,
-                kIndent = 16.0f;
+constexpr float kTitleHeight = 34.0f, kHelpHeight = 40.0f, kShortHelpHeight = 22.0f, kPictureHelpHeight = 62.0f,
+                kPlaqueWidth = 56.0f, kIndent = 16.0f;
 
 }  // namespace
 
@@ -29,7 +31,13 @@ Layout lay_out(const Page& page, const std::vector<std::size_t>& shown, std::siz
   layout.page.x = std::floor(0.5f * (total_width - layout.page.width));
   layout.page.y = std::floor(0.5f * (total_height - layout.page.height));
   layout.title_y = layout.page.y + 4.0f;
-  layout.help_y = layout.page.y + layout.page.height - (page.listed_rows > 0 ? kShortHelpHeight : kHelpHeight);
+  const float foot = page.save_pictures ? kPictureHelpHeight : page.listed_rows > 0 ? kShortHelpHeight : kHelpHeight;
+  layout.help_y = layout.page.y + layout.page.height - foot;
+  if (page.save_pictures) {
+    const float high = kPictureHelpHeight - 8.0f;
+    const float wide = high * static_cast<float>(kSavePictureWidth) / static_cast<float>(kSavePictureHeight);
+    layout.picture = {layout.page.x + layout.page.width - wide - 4.0f, layout.help_y + 4.0f, wide, high};
+  }
 
   const float left = layout.page.x + (page.plaque ? kPlaqueWidth : 0.0f);
   const float right = layout.page.x + layout.page.width;

@@ -25,6 +25,7 @@ struct RowPlace {
 struct Layout {
   Box page;
   float title_y = 0.0f, help_y = 0.0f;
+  Box picture;                        // of the selected save; no width: there is none
   std::vector<RowPlace> places;       // of the visible rows
   std::size_t first = 0;              // index, in the list of shown rows, of the first visible small row
   std::size_t room = 0;               // small rows that fit

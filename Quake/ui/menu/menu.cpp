@@ -118,6 +118,7 @@ void Menu::close() {
   views_.clear();
   question_.reset();
   capturing_ = editing_ = false;
+  pictured_.reset();
 }
 
 void Menu::toggle() {

@@ -118,7 +118,8 @@ class Menu {
   void draw_title(Painter& painter) const;
   void draw_row(Painter& painter, const RowPlace& place, const Scenery& scenery) const;
   void draw_value(Painter& painter, const Row& row, const RowPlace& place, const Scenery& scenery) const;
-  void draw_foot(Painter& painter) const;
+  void draw_foot(Painter& painter);
+  void draw_save_picture(Painter& painter, const Row* row);
   void draw_question(Painter& painter);
 
   con::Console& console_;
@@ -137,6 +138,8 @@ class Menu {
   std::uint64_t revision_ = 0;
   Layout layout_;
   Box yes_box_, no_box_;
+  std::optional<std::string> pictured_;  // the save whose picture the atlas has now, or which has none
+  bool has_picture_ = false;
   int scale_ = 1;
   float pointer_x_ = -1.0f, pointer_y_ = -1.0f;  // virtual pixels
 };

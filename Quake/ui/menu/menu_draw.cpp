@@ -18,6 +18,8 @@ constexpr int kDots = 6;                            // gfx/menudot1.lmp to 6
 constexpr unsigned char kCursor = 11, kArrow = 13;  // of Quake's character set
 constexpr unsigned char kSliderLeft = 128, kSliderBar = 129, kSliderRight = 130, kSliderKnob = 131;
 constexpr std::size_t kHelpLines = 4;
+constexpr std::string_view kSavePicture = "save";  // in the atlas
+const vec4 kPictureFrame(0.3f, 0.24f, 0.18f, 1.0f);
 
 std::size_t columns(float width) { return static_cast<std::size_t>(std::max(0.0f, width / kLetter)); }
 
@@ -179,7 +181,23 @@ void Menu::draw_value(Painter& painter, const Row& row, const RowPlace& place, c
   text(painter, x, y, empty ? "_" : value, width, true, color);
 }
 
-void Menu::draw_foot(Painter& painter) const {
+// Saves are written while the menu is closed, so a picture is read when its row is selected and kept till another is.
+void Menu::draw_save_picture(Painter& painter, const Row* row) {
+  const Box& box = layout_.picture;
+  if (box.width <= 0.0f || row == nullptr || row->save.empty()) return;
+  if (pictured_ != row->save) {
+    const auto image = facts_.save_picture(row->save);
+    has_picture_ = image && painter.atlas().replace(kSavePicture, *image);
+    pictured_ = row->save;
+  }
+  painter.fill(box.x - 1.0f, box.y - 1.0f, box.width + 2.0f, box.height + 2.0f, kPictureFrame);
+  if (const Picture* picture = has_picture_ ? painter.atlas().picture(kSavePicture, false) : nullptr)
+    painter.picture(box.x, box.y, box.width, box.height, *picture);
+  else
+    text(painter, box.x + 8.0f, box.y + 0.5f * box.height - 4.0f, "no picture", box.width, false, kDim);
+}
+
+void Menu::draw_foot(Painter& painter) {
   const Box& page = layout_.page;
   const View& shown = view();
   const float left = page.x + (shown.page.plaque ? 56.0f : 8.0f), right = page.x + page.width;
@@ -191,10 +209,12 @@ void Menu::draw_foot(Painter& painter) const {
          shown.filter.empty() ? kDim : kWhite);
   }
   const Row* row = selected();
+  draw_save_picture(painter, row);
   if (row == nullptr || row->help.empty()) return;
+  const float end = layout_.picture.width > 0.0f ? layout_.picture.x - kLetter : right;
   float y = layout_.help_y + 2.0f;
   std::size_t lines = 0;
-  for (const std::string_view line : wrap(row->help, std::max<std::size_t>(columns(right - left), 1))) {
+  for (const std::string_view line : wrap(row->help, std::max<std::size_t>(columns(end - left), 1))) {
     if (lines++ == kHelpLines) break;
     painter.text(left, y, line, false, vec4(0.85f, 0.8f, 0.7f, 1.0f));
     y += 9.0f;

@@ -153,6 +153,73 @@ TEST_F(MenuTest, SaveAsksBeforeItWritesOverOne) {
   EXPECT_THAT(read(), HasSubstr("no game runs here"));
 }
 
+TEST_F(MenuTest, AutosavesAreLoadedButNotWrittenOver) {
+  SaveEntry automatic;
+  automatic.name = "autosave/e1m1";
+  automatic.automatic = automatic.used = true;
+  automatic.place = "The Gate";
+  facts.save_list = {SaveEntry{.name = "s0"}, automatic};
+  menu.show("load");
+  EXPECT_THAT(read(), HasSubstr("Autosaves\n"));
+  choose("The Gate");
+  EXPECT_THAT(run(), Contains("load autosave/e1m1"));
+  menu.show("save");
+  EXPECT_THAT(read(), Not(HasSubstr("The Gate")));
+}
+
+// The colour in the middle of the save's picture; black where none is drawn.
+std::uint32_t pictured(Menu& menu, Atlas& atlas, int width, int height) {
+  scene::DrawList list;
+  menu.draw(list, atlas, width, height, {});
+  for (const scene::DrawQuad& quad : list.quads) {
+    const vec2 texels = quad.uv_max - quad.uv_min;
+    if (texels != vec2(kSavePictureWidth, kSavePictureHeight)) continue;
+    const ivec2 at((quad.uv_min + quad.uv_max) * 0.5f);
+    return list.atlas->texels[static_cast<std::size_t>(at.y * list.atlas->width + at.x)];
+  }
+  return 0;
+}
+
+TEST_F(MenuTest, TheSelectedSaveHasItsPicture) {
+  const auto picture = [](std::uint8_t level) {
+    formats::RgbaImage image{kSavePictureWidth, kSavePictureHeight, {}};
+    image.rgba.assign(std::size_t{4} * kSavePictureWidth * kSavePictureHeight, level);
+    return image;
+  };
+  for (const char* name : {"s0", "s1", "s2"}) {
+    SaveEntry save;
+    save.name = save.place = name;
+    save.used = true;
+    facts.save_list.push_back(save);
+  }
+  facts.save_pictures = {{"s0", picture(0x50)}, {"s2", picture(0x70)}};
+  menu.show("load");
+  select("s0");
+  EXPECT_EQ(pictured(menu, atlas, kWidth, kHeight), 0x50505050u);
+  EXPECT_EQ(pictured(menu, atlas, 1280, 720), 0x50505050u);
+  EXPECT_EQ(facts.pictures_read, 1) << "once for many frames";
+  select("s1");
+  EXPECT_EQ(pictured(menu, atlas, kWidth, kHeight), 0u);
+  EXPECT_THAT(read(), HasSubstr("no picture"));
+  select("s2");
+  EXPECT_EQ(pictured(menu, atlas, kWidth, kHeight), 0x70707070u);
+  menu.close();
+  facts.save_pictures["s2"] = picture(0x20);
+  menu.show("load");
+  EXPECT_EQ(pictured(menu, atlas, kWidth, kHeight), 0x20202020u) << "saved again meanwhile";
+}
+
+TEST_F(MenuTest, TheDeadMayGoBack) {
+  facts.last_save = "quick";
+  menu.show("dead");
+  choose("Load the last save");
+  EXPECT_THAT(run(), ElementsAre("load quick"));
+  EXPECT_FALSE(menu.open());
+  menu.show("dead");
+  choose("Start the level over");
+  EXPECT_THAT(run(), ElementsAre("restart level"));
+}
+
 TEST_F(MenuTest, MapsAreSearchedByNameAndTitle) {
   facts.map_list = {{"e1m1", "The Gate"}, {"e1m2", "Castle"}, {"dm3", "The Bad Place"}};
   menu.show("maps");

@@ -19,6 +19,7 @@ struct Row {
   std::string label;
   std::string value;  // shown beside the label of an action
   std::string help;   // shown at the foot while the row is selected
+  std::string save;   // whose picture is shown at the foot while the row is selected
   bool enabled = true;
 
   // kAction, in this order: where there is a question, all this happens once it is answered with yes.
@@ -45,6 +46,7 @@ struct Page {
   std::string search_page;            // typing opens this page, which is searchable
   bool live = false;                  // made anew when the facts change (Facts::revision)
   bool plaque = true;                 // the game's plaque at the left, where there is room
+  bool save_pictures = false;         // rows have a `save`: the foot has room for its picture
   float value_column = 0.5f;          // where values begin, as a fraction of the page's width
   std::vector<std::string> pictures;  // help: pages of pictures, turned with left and right
   std::string empty;                  // what is said where there is no row

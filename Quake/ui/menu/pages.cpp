@@ -34,6 +34,7 @@ std::vector<PageInfo> make_list() {
       {"singleplayer/new", "singleplayer", "", new_game_page},
       {"load", "singleplayer", "menu_load", load_page},
       {"save", "singleplayer", "menu_save", save_page},
+      {"dead", "", "", dead_page},
       {"maps", "singleplayer", "menu_maps", maps_page},
       {"demos", "main", "menu_demos", demos_page},
       {"mods", "main", "menu_mods", mods_page},

@@ -58,6 +58,7 @@ Page credits_page(const Sources& sources);
 Page quit_page(const Sources& sources);
 Page load_page(const Sources& sources);  // pages_lists.cpp
 Page save_page(const Sources& sources);
+Page dead_page(const Sources& sources);
 Page maps_page(const Sources& sources);
 Page demos_page(const Sources& sources);
 Page mods_page(const Sources& sources);

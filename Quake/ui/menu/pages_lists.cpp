@@ -1,6 +1,8 @@
 // Pages that list what there is: saved games, maps, demos, mods.
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "ui/menu/pages.h"
 #include "ui/menu/rows.h"
 
@@ -17,6 +19,7 @@ Row save_row(const SaveEntry& save) {
   row.label = !save.failure.empty() ? "(cannot be read)" : save.used ? save.place : "- empty -";
   if (save.used && save.failure.empty()) row.value = fmt::format("{:>7}{:>7}", save.kills, clock_text(save.seconds));
   row.help = save.failure.empty() ? save.name + ".sav" : save.failure;
+  if (save.used && save.failure.empty()) row.save = save.name;
   return row;
 }
 
@@ -27,6 +30,7 @@ Page saves_page(const char* title, const char* picture) {
   page.plaque = false;
   page.value_column = 0.65f;
   page.live = true;
+  page.save_pictures = true;
   return page;
 }
 
@@ -34,7 +38,9 @@ Page saves_page(const char* title, const char* picture) {
 
 Page load_page(const Sources& sources) {
   Page page = saves_page("Load", "gfx/p_load.lmp");
+  bool automatic = false;
   for (const SaveEntry& save : sources.facts.saves()) {
+    if (save.automatic && !std::exchange(automatic, true)) page.rows.push_back(heading("Autosaves"));
     Row row = save_row(save);
     row.enabled = save.used && save.failure.empty();
     row.command = fmt::format("disconnect; maxplayers 1; load {}", con::in_quotes(save.name));
@@ -51,12 +57,29 @@ Page save_page(const Sources& sources) {
     return page;
   }
   for (const SaveEntry& save : sources.facts.saves()) {
+    if (save.automatic) continue;
     Row row = save_row(save);
     row.command = fmt::format("save {}", con::in_quotes(save.name));
     row.closes = true;
     if (save.used) row.question = "Write over this saved game?";
     page.rows.push_back(std::move(row));
   }
+  return page;
+}
+
+// sv_autoload 1.
+Page dead_page(const Sources& sources) {
+  Page page = saves_page("You are dead", "");
+  const std::string save = sources.facts.save_after_death();
+  if (!save.empty()) {
+    Row row = action("Load the last save", "load " + con::in_quotes(save), save + ".sav");
+    row.save = save;
+    row.closes = true;
+    page.rows.push_back(std::move(row));
+  }
+  page.rows.push_back(action("Start the level over", "restart level"));
+  page.rows.back().closes = true;
+  page.rows.push_back(link("Load another", "load"));
   return page;
 }
 

@@ -17,6 +17,9 @@ struct TestFacts final : Facts {
   bool game = false, searching = false, looks = true;
   std::string no_save;
   std::vector<SaveEntry> save_list;
+  std::map<std::string, formats::RgbaImage> save_pictures;
+  int pictures_read = 0;
+  std::string last_save;
   std::vector<MapEntry> map_list, start_list;
   std::vector<std::string> demo_list;
   std::vector<ModEntry> mod_list;
@@ -26,6 +29,12 @@ struct TestFacts final : Facts {
   bool in_game() const override { return game; }
   std::string reason_not_to_save() const override { return no_save; }
   std::vector<SaveEntry> saves() override { return save_list; }
+  std::optional<formats::RgbaImage> save_picture(const std::string& name) override {
+    ++pictures_read;
+    const auto found = save_pictures.find(name);
+    return found == save_pictures.end() ? std::nullopt : std::optional(found->second);
+  }
+  std::string save_after_death() const override { return last_save; }
   std::vector<MapEntry> maps() override { return map_list; }
   std::vector<MapEntry> start_maps() override { return start_list; }
   std::vector<std::string> demos() override { return demo_list; }
@@ -56,8 +65,9 @@ class MenuTest : public testing::Test {
     console.add_cvar({"r_spp", "1", "samples of a pixel", con::kCvarArchive, 1.0f, 64.0f, true});
     console.add_cvar("lookspring", "0", "1: the view levels itself", con::kCvarArchive);
     // What pages run is written down instead.
-    for (const char* name : {"map", "save", "load", "quit", "disconnect", "maxplayers", "listen", "deathmatch", "coop",
-                             "game", "playdemo", "connect", "slist", "name", "color", "vid_restart"}) {
+    for (const char* name :
+         {"map", "save", "load", "quit", "restart", "disconnect", "maxplayers", "listen", "deathmatch", "coop", "game",
+          "playdemo", "connect", "slist", "name", "color", "vid_restart"}) {
       console.add_command(name, "", [this](const con::Args& args) { ran.push_back(args.joined(0)); });
     }
   }
