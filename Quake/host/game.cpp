@@ -13,16 +13,12 @@
 #include "base/stop.h"
 #include "fs/file.h"
 #include "formats/image_write.h"
-#include "host/save_picture.h"
-#include "lab/image_io.h"
 #include "platform/clock.h"
-#include "render/picture_size.h"
 
 namespace fb::host {
 namespace {
 
 constexpr uvec2 kWindowSize{1280, 720}, kHeadlessSize{640, 360};
-constexpr double kLongestLoading = 60.0, kLongestLeaving = 0.5;  // seconds that a plaque stays where no level comes
 
 void register_host_cvars(con::Console& console) {
   console.add_cvar({"vid_width", std::to_string(kWindowSize.x), "width of the window, pixels; vid_restart applies it",
@@ -321,152 +317,12 @@ double Game::seconds_passed() {
   return passed;
 }
 
-void Game::capture(std::uint64_t frame, uvec2 size) {
-  if (options_.capture.empty() || frame % options_.capture_every != 0) return;
-  const std::string path = fmt::format("{}/frame_{:06}.png", options_.capture, frame);
-  end_unless(lab::write_png(path, size.x, size.y, read_picture()));
-}
-
 // A recording that cannot go on ends the program.
 void Game::end_unless(const Status& status) {
   if (status) return;
   log_error("{}", status.error().message);
   quit_ = true;
   exit_status_ = 1;
-}
-
-render::RenderSettings Game::settings() const {
-  render::RenderSettings settings =
-      render::as_in_game(render::read_render_settings(engine_->console()), device_->is_software());
-  settings.scale = governor_.scale(largest_scale());
-  // A picture of another size has no past; it must not take longer for that.
-  if (governor_.changed()) settings.first_spp = 1;
-  return settings;
-}
-
-// Of the rendered picture, as r_scale and r_cpu_pixels allow it.
-float Game::largest_scale() const {
-  const render::RenderSettings settings = render::read_render_settings(engine_->console());
-  const float scale = render::rendered_fraction(settings), most = engine_->console().cvar("r_cpu_pixels").value();
-  if (!window_ || !device_->is_software() || most <= 0) return scale;
-  return std::min(scale, render::scale_for_pixels(drawer_->size(settings), most));
-}
-
-// The level that is left, with a plaque over it; it stays till the next one can be shown.
-void Game::show_loading() {
-  pictured_save_.clear();
-  if (!window_ || !engine_->client().active() || loading_since_ >= 0.0) return;
-  renderer_->finish();
-  const render::RenderSettings wanted = settings();
-  drawer_->draw(snapshot_, &screen_.draw_loading(engine_->client(), drawer_->size(wanted)), wanted);
-  drawn_ = {frame_, renderer_->output_size(), input_time_, false, governor_.step()};
-  renderer_->finish();
-  snapshot_.frame = ++frame_;
-  loading_since_ = platform::now_seconds();
-  left_level_ = false;
-}
-
-// The plaque stays till the client has left the old level and joined the next one, or till it is clear that none comes.
-bool Game::waits_for_level() {
-  if (loading_since_ < 0.0) return false;
-  const cl::Client& client = engine_->client();
-  const bool active = client.active();
-  const bool coming = client.connected() || client.connecting() || engine_->server().active();
-  const double longest = active ? kLongestLeaving : coming ? kLongestLoading : 0.0;
-  left_level_ |= !active;
-  if (!(active && left_level_) && platform::now_seconds() - loading_since_ < longest) return true;
-  loading_since_ = -1.0;
-  return false;
-}
-
-void Game::govern() {
-  const bool window = window_ != nullptr && !engine_->client().timing();
-  governor_.follow(target_milliseconds(engine_->console(), window, device_->is_software()), largest_scale());
-}
-
-bool Game::draw_frame() {
-  cl::Client& client = engine_->client();
-  if (!client.active() && !window_) return false;
-  if (waits_for_level()) return false;
-  client.build_snapshot(snapshot_);
-  if (!client.active()) snapshot_.assets = nullptr;  // frees the GPU memory of a level that was left
-  snapshot_.frame = frame_;
-  govern();
-  const render::RenderSettings wanted = settings();
-  const double now = platform::now_seconds();
-  // Recorded frames show what the game shows, but not what the console says, which would not repeat.
-  const bool pictured = takes_save_picture();
-  Screen::Moment moment{drawer_->size(wanted), now, now - std::exchange(drawn_time_, now),
-                        window_ != nullptr && !pictured};
-  if (window_ && options_.capture.empty() && !pictured) {
-    moment.demo_bar = demo_controls_.frame(moment.size, now);
-    if (panel_.open() && !client.timing())
-      moment.panel = [&](scene::DrawList& list, ui::Atlas& atlas) { draw_panel(list, atlas, moment.size, now); };
-  }
-  drawer_->draw(snapshot_, &screen_.draw(client, moment), wanted);
-  drawn_ = {frame_, renderer_->output_size(), input_time_, client.timing(), governor_.step()};
-  if (pictured || !draws_ahead()) renderer_->finish();
-  if (pictured) take_save_picture();
-  ++frame_;
-  return true;
-}
-
-// Tells of the frame before this one.
-void Game::draw_panel(scene::DrawList& list, ui::Atlas& atlas, uvec2 output, double now) {
-  panel::Facts facts{snapshot_};
-  facts.scene = renderer_->scene_statistics();
-  facts.device = device_->report().name;
-  facts.rays = renderer_->intersector_name();
-  facts.rendered = renderer_->render_size();
-  facts.device_bytes = renderer_->device_bytes();
-  facts.learnt_bytes = renderer_->learnt_bytes();
-  facts.accumulated = renderer_->accumulated_frames();
-  panel_.draw(list, atlas, facts, output, now);
-}
-
-bool Game::takes_save_picture() const {
-  return !pictured_save_.empty() && engine_->client().active() && !keys_.menu_open() && !keys_.console_open();
-}
-
-void Game::take_save_picture() {
-  const Status status = write_save_picture(engine_->files(), std::exchange(pictured_save_, std::string()),
-                                           read_picture(), renderer_->output_size());
-  if (!status) log_warning("{}", status.error().message);
-}
-
-// Where the device draws a frame while the host prepares the next, that one's input waits for it.
-bool Game::draws_ahead() const {
-  const float asked = engine_->console().cvar("r_frames_ahead").value();
-  return asked < 0 ? engine_->client().playing() : asked > 0;
-}
-
-// The renderer has finished the frame that it was given last.
-void Game::show_drawn() {
-  const Drawn drawn = drawn_;
-  if (swapchain_ && !swapchain_->present({&renderer_->output_pixels(), drawn.size.x, drawn.size.y})) fit_to_window();
-  const double now = platform::now_seconds();
-  const FrameTimes times{1e3 * (now - std::exchange(shown_time_, now)), renderer_->wait_milliseconds(),
-                         1e3 * (now - drawn.input_time)};
-  if (engine_->client().active())
-    governor_.add(drawn.governed, times.whole - 1e3 * std::exchange(slept_, 0.0), times.whole, now);
-  if (drawn.timed) pass_report_.add(renderer_->pass_times(), times);
-  panel_.add_frame(renderer_->pass_times(), times.whole);
-  if (engine_->console().cvar("host_speeds").on())
-    log_info("{:7.2f} ms, host {:6.2f}, input to picture {:7.2f}", times.whole, times.whole - times.waited,
-             times.latency);
-  capture(drawn.number, drawn.size);
-}
-
-void Game::report_timing() {
-  const bool timing = engine_->client().timing();
-  if (timing && !was_timing_) pass_report_.clear();
-  if (!timing && was_timing_) {
-    renderer_->finish();
-    for (const std::string& line : {pass_report_.line(), pass_report_.times_line()}) {
-      if (!line.empty()) log_info("{}", line);
-    }
-  }
-  was_timing_ = timing;
 }
 
 // Measurements must leave no trace, so the configuration is saved only after play. One that has not been read, since
