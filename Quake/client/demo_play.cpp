@@ -119,10 +119,12 @@ void Client::Impl::play_demo(double seconds) {
   } else if (rate == 0.0) {
     ++session.frame;  // nothing has moved since the last
   } else {
+    // At the demo's own speed a frame is one step, as in Quake, however long it takes.
+    const double longest = rate > 1.0 ? kLongestStep : seconds;
     double left = rate * seconds;
     do {
-      step(std::min(left, kLongestStep));
-      left -= kLongestStep;
+      step(std::min(left, longest));
+      left -= longest;
     } while (left > 0.0 && demo());
   }
   if (demo()) take_keyframe();
