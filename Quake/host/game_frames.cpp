@@ -130,8 +130,11 @@ void Game::show_drawn() {
   const double now = platform::now_seconds();
   const FrameTimes times{1e3 * (now - std::exchange(shown_time_, now)), renderer_->wait_milliseconds(),
                          1e3 * (now - drawn.input_time)};
+  // Of a frame that is drawn ahead the device's work goes on while the host sleeps.
+  const double host = std::max(0.0, times.whole - times.waited - 1e3 * std::exchange(slept_, 0.0));
+  const double device = std::max(renderer_->gpu_milliseconds(), times.waited);
   if (engine_->client().active())
-    governor_.add(drawn.governed, times.whole - 1e3 * std::exchange(slept_, 0.0), times.whole, now);
+    governor_.add(drawn.governed, draws_ahead() ? std::max(host, device) : host + device, times.whole, now);
   if (drawn.timed) pass_report_.add(renderer_->pass_times(), times);
   panel_.add_frame(renderer_->pass_times(), times.whole);
   if (engine_->console().cvar("host_speeds").on())
