@@ -28,6 +28,7 @@ void Governor::follow(double target, float most) {
   if (target != target_) {
     target_ = target;
     seen_.clear();
+    changed_ = false;
     frames_ = held_ = downs_ = ups_ = 0;
     scales_ = 0.0;
   }
@@ -85,8 +86,7 @@ std::string Governor::report() const {
   const double frames = static_cast<double>(frames_);
   return fmt::format(
       "{:g} ms a frame: {:.1f}% of {} frames within 15%; picture scaled to {:.2f} of its width and height, {:.2f} on "
-      "average; {} times down, {} "
-      "up",
+      "average; {} times down, {} up",
       target_, 100.0 * static_cast<double>(held_) / frames, frames_, scale_of(step_), scales_ / frames, downs_, ups_);
 }
 
@@ -94,7 +94,7 @@ void register_governor(con::Console& console, const Governor& governor) {
   console.add_cvar(
       {"r_target_ms", "-1",
        "time that a frame is to take, milliseconds: as much of the picture is rendered as it allows, and it is scaled "
-       "up; 0: all of it (r_scale), however long that takes; -1: 100 in a window on a CPU, else 0",
+       "up; 0: all of it (r_scale), however long that takes; -1: 100 in a window on a CPU, else 0, and 0 with -capture",
        con::kCvarArchive, -1.0f, 10000.0f});
   console.add_command("governor", "says how well r_target_ms was held, and by what",
                       [&governor](const con::Args&) { log_info("{}", governor.report()); });

@@ -81,9 +81,12 @@ TEST(Governor, KeepsToTheLargestScaleThatIsAllowed) {
   draw(
       governor, 100.0, 30.0, [](double) { return 20.0; }, 0.4f);
   EXPECT_EQ(governor.scale(0.4f), 0.4f);
+  for (int i = 0; i < 2; ++i) governor.add(governor.step(), 190.0, 190.0, 40.0);
+  EXPECT_TRUE(governor.changed());
   governor.follow(0.0, 0.4f);
   EXPECT_EQ(governor.scale(0.7f), 0.7f) << "at rest";
   EXPECT_EQ(governor.shortest(), 0.0);
+  EXPECT_FALSE(governor.changed());
   EXPECT_THAT(governor.report(), HasSubstr("rests"));
 }
 

@@ -27,7 +27,7 @@ class Player:
         game = build / "game"
         self.pictures = pictures
         self.running = Program("the game", [build / "fullbright", "-basedir", game, "-userdir", folder, "-seed", "1", "-nolan",
-                                            "-size", f"{WIDTH}x{HEIGHT}", "+r_cpu_pixels", "4096", "+r_estimator", "pt", "+r_denoise", "0", "+host_speeds", "1", *commands])
+                                            "-size", f"{WIDTH}x{HEIGHT}", "+r_cpu_pixels", "4096", "+r_target_ms", "0", "+r_estimator", "pt", "+r_denoise", "0", "+host_speeds", "1", *commands])
         self.said = 0  # lines that says() has gone past
         window = self.tool("search", "--sync", "--name", "^Fullbright$")
         self.window = window.split()[0]
