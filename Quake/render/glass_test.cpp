@@ -22,16 +22,6 @@ using GlassTest = DeviceTest;
 
 constexpr float kGlassIndex = 1.5f;
 
-RenderSettings glass_settings(const std::string& estimator, int bounces) {
-  RenderSettings s;
-  s.intersector = Intersector::kBvh;
-  s.estimator = estimator;
-  s.bounces = bounces;
-  s.water_waves = 0;
-  s.jitter = 0;
-  return s;
-}
-
 // A body of glass, or of a liquid, as an instance of its own. Gives its material.
 struct Body {
   float index = kGlassIndex;
@@ -86,7 +76,7 @@ TEST_F(GlassTest, AFurnaceStaysWhite) {
     look_from(snapshot, {-90, 0, 40}, 25, 90);
     add_body(snapshot, ring, {}, entity_transform({0, 0, 0}, {20, 0, 40}, 1));
     add_body(snapshot, box({-10, 60, -80}, {60, 110, -20}));
-    RenderSettings s = glass_settings(std::string(estimator.name), 1);
+    RenderSettings s = plain_settings(std::string(estimator.name), 1);
     s.spp = 16;
     auto renderer = make_renderer(s, 48, 32);
     for (int frame = 0; frame < 4; ++frame) renderer->render(snapshot, nullptr, s);
@@ -108,7 +98,7 @@ TEST_F(GlassTest, ReflectsWhatItDoesNotLetThrough) {
   for (const vec3& position :
        {vec3(-80, 0, 60), vec3(-40, 0, 0), vec3(0, 0, 0)}) {  // outside, within the glass, its hole
     look_from(snapshot, position, position.z > 0 ? 35.0f : 0.0f, 90);
-    const RenderSettings s = glass_settings("pt", 1);
+    const RenderSettings s = plain_settings("pt", 1);
     auto renderer = make_renderer(s, 64, 64);
     renderer->render(snapshot, nullptr, s);
     const auto image = renderer->read().linear();
@@ -138,7 +128,7 @@ TEST_F(GlassTest, AFaceReflectsAllBeyondTheCriticalAngle) {
   snapshot.instances.emplace_back();
   add_body(snapshot, box({-3000, -3000, -100}, {3000, 3000, 20}));
   look_from(snapshot, {0, 0, 0}, -48, 60);
-  const RenderSettings s = glass_settings("pt", 0);
+  const RenderSettings s = plain_settings("pt", 0);
   constexpr int kSize = 65;
   auto renderer = make_renderer(s, kSize, kSize);
   renderer->render(snapshot, nullptr, s);
@@ -180,7 +170,7 @@ TEST_F(GlassTest, APlateLetsThroughWhatItsInnerReflectionsLeave) {
              {kGlassIndex, absorption, scene::kMaterialDielectric | flags, 0.2f});  // its alpha counts for nothing
     const float angle = radians(50.0f);
     look_from(snapshot, {0, 0, 0}, 50, 1);
-    RenderSettings s = glass_settings("pt", 0);
+    RenderSettings s = plain_settings("pt", 0);
     s.accumulate = 1;
     auto renderer = make_renderer(s, 64, 64);
     for (int frame = 0; frame < 16; ++frame) renderer->render(snapshot, nullptr, s);
@@ -206,7 +196,7 @@ TEST_F(GlassTest, AGlassBlockOfWaterInWaterIsNotSeen) {
     const Body liquid{1.33f, absorption, scene::kMaterialDielectric | scene::kMaterialLiquid};
     snapshot.camera_liquid = add_body(snapshot, box({-140, -140, -140}, {140, 140, 120}), liquid);
     if (within) add_body(snapshot, ring, {1.33f, absorption});
-    RenderSettings s = glass_settings("pt", 1);
+    RenderSettings s = plain_settings("pt", 1);
     s.water = 1;
     auto renderer = make_renderer(s, 33, 33);
     renderer->render(snapshot, nullptr, s);
@@ -224,7 +214,7 @@ TEST_F(GlassTest, IsASurfaceLikeAnyOtherWithoutIt) {
     Body body;
     if (kind == 0) body.flags = 0;
     add_body(snapshot, box({-60, -60, 20}, {60, 60, 80}), body);
-    RenderSettings s = glass_settings("nee", 2);
+    RenderSettings s = plain_settings("nee", 2);
     s.glass = 0;
     s.water = kind == 2 ? 1 : 0;
     auto renderer = make_renderer(s, 48, 48);

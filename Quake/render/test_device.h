@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "gpu/device.h"
 #include "render/renderer.h"
@@ -42,6 +44,16 @@ class DeviceTest : public testing::Test {
     }
     (*renderer)->resize(width, height);
     return std::move(*renderer);
+  }
+  // For light whose value is known: rays by our own traversal through the pixels' middles, level water.
+  static RenderSettings plain_settings(const std::string& estimator, int bounces) {
+    RenderSettings s;
+    s.intersector = Intersector::kBvh;
+    s.estimator = estimator;
+    s.bounces = bounces;
+    s.water_waves = 0;
+    s.jitter = 0;
+    return s;
   }
   // The intersectors that this device offers.
   static std::vector<Intersector> intersectors() {

@@ -18,20 +18,16 @@
 namespace fb::render {
 namespace {
 
-using WaterTest = DeviceTest;
+class WaterTest : public DeviceTest {
+ protected:
+  static RenderSettings water_settings(const std::string& estimator, int bounces) {
+    RenderSettings s = plain_settings(estimator, bounces);
+    s.water = 1;
+    return s;
+  }
+};
 
 constexpr float kIndex = 1.33f;
-
-RenderSettings water_settings(const std::string& estimator, int bounces) {
-  RenderSettings s;
-  s.intersector = Intersector::kBvh;
-  s.estimator = estimator;
-  s.bounces = bounces;
-  s.water = 1;
-  s.water_waves = 0;
-  s.jitter = 0;
-  return s;
-}
 
 // A level surface of water at a height, from edge to edge of `half`; the water is under it.
 void add_water(scene::FrameSnapshot& snapshot, float z, float half, const vec3& absorption) {
