@@ -226,6 +226,7 @@ TEST_F(PanelTest, TellsWhatLightThereIs) {
 TEST(DrawData, TrianglesBecomeRows) {
   ImGuiContext* const context = ImGui::CreateContext();
   ImGui::SetCurrentContext(context);
+  ImGui::GetIO().IniFilename = nullptr;  // else it leaves a file where the test runs
   ImGui::GetIO().DisplaySize = {64.0f, 64.0f};
   unsigned char* texels = nullptr;
   int width = 0, height = 0;

@@ -198,7 +198,8 @@ TEST_F(OutOfMemoryTest, AFirstFrameIsDrawnInTheEnd) {
     for (const char* function : {"vk", "vkCreateComputePipelines"}) {
       auto tried = Renderer::create(*device_, view.settings);
       ASSERT_TRUE(tried.ok());
-      // The second pipeline that an attempt makes: the first is there when the next one begins.
+      // The second pipeline that an attempt makes: the first is there when the next one begins, and so are those that
+      // other threads were making.
       const bool pipelines = std::string_view(function) != "vk";
       std::size_t failures = 0;
       for (;; ++failures) {
@@ -212,7 +213,7 @@ TEST_F(OutOfMemoryTest, AFirstFrameIsDrawnInTheEnd) {
         if (failing.failed().empty()) break;
         ASSERT_THAT(sentence, HasSubstr("out of memory")) << failing.failed();
       }
-      EXPECT_GT(failures, pipelines ? 5u : 20u);
+      EXPECT_GT(failures, pipelines ? 0u : 20u);
       const std::uint64_t now = picture(**tried, view);
       if (pipelines) {
         EXPECT_EQ(now, looks);
