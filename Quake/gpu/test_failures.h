@@ -1,4 +1,4 @@
-// For tests: Vulkan calls that run out of memory when the test wants them to.
+// For tests: Vulkan calls that run out of memory, and devices that are lost, when the test wants them to.
 #pragma once
 
 #include <cstddef>
@@ -43,6 +43,48 @@ class FailingCall {
       just_failed = next_kind || (name.starts_with(function) && calls++ == nth);
       if (just_failed) failed = name;
       return just_failed;
+    }
+  };
+  static State& state() {
+    static State state;
+    return state;
+  }
+};
+
+// While it lives, the device is lost at one submission (counted from 0): what can tell of it does, until a new device
+// is made. That one is lost at its first submission, until so many were. One at a time, and no FailingCall beside it.
+class LostDevice {
+ public:
+  explicit LostDevice(std::size_t submission, int devices = 1) {
+    state() = State{.submission = submission, .devices = devices};
+    failing_result = VK_ERROR_DEVICE_LOST;
+    fails_call = [](const char* call) { return state().fails(call); };
+  }
+  ~LostDevice() {
+    fails_call = nullptr;
+    failing_result = VK_ERROR_OUT_OF_DEVICE_MEMORY;
+  }
+  LostDevice(const LostDevice&) = delete;
+  LostDevice& operator=(const LostDevice&) = delete;
+
+  int lost() const { return state().losses; }
+  bool replaced() const { return state().losses > 0 && !state().is_lost; }
+
+ private:
+  struct State {
+    std::size_t submission = 0, submissions = 0;
+    int devices = 1, losses = 0;
+    bool is_lost = false;
+
+    bool fails(std::string_view call) {
+      const std::string_view name = call.substr(0, call.find('('));
+      if (name == "vkCreateDevice") is_lost = false;
+      if (name == "vkQueueSubmit" && !is_lost && submissions++ >= submission && losses < devices) {
+        is_lost = true;
+        ++losses;
+      }
+      return is_lost && (name == "vkQueueSubmit" || name == "vkWaitForFences" || name == "vkGetQueryPoolResults" ||
+                         name == "vkAcquireNextImageKHR" || name == "vkQueuePresentKHR");
     }
   };
   static State& state() {

@@ -57,14 +57,20 @@ bool is_out_of_memory(VkResult result) {
   }
 }
 
+namespace {
+
+std::string_view name_of(std::string_view call) { return call.substr(0, call.find('(')); }
+
+}  // namespace
+
 void throw_if_out_of_memory(VkResult result, const char* call) {
   if (!is_out_of_memory(result)) return;
-  const std::string_view name = std::string_view(call).substr(0, std::string_view(call).find('('));
-  throw OutOfMemory(fmt::format("the Vulkan driver is out of memory: {} gave {}", name, result_name(result)));
+  throw OutOfMemory(fmt::format("the Vulkan driver is out of memory: {} gave {}", name_of(call), result_name(result)));
 }
 
 VkResult check_result(VkResult result, const char* call, const char* file, int line) {
   throw_if_out_of_memory(result, call);
+  if (result == VK_ERROR_DEVICE_LOST) throw DeviceLost(fmt::format("the Vulkan device was lost: {}", name_of(call)));
   if (result < 0) fatal(file, line, fmt::format("Vulkan: {} gave {}", call, result_name(result)));
   return result;
 }

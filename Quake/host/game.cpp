@@ -12,23 +12,14 @@
 #include "base/out_of_memory.h"
 #include "base/stop.h"
 #include "fs/file.h"
+#include "gpu/vulkan_error.h"
 #include "formats/image_write.h"
 #include "platform/clock.h"
 
 namespace fb::host {
 namespace {
 
-constexpr uvec2 kWindowSize{1280, 720}, kHeadlessSize{640, 360};
-
 void register_host_cvars(con::Console& console) {
-  console.add_cvar({"vid_width", std::to_string(kWindowSize.x), "width of the window, pixels; vid_restart applies it",
-                    con::kCvarArchive, 320.0f, static_cast<float>(kLargestSide), true});
-  console.add_cvar({"vid_height", std::to_string(kWindowSize.y), "height of the window, pixels; vid_restart applies it",
-                    con::kCvarArchive, 200.0f, static_cast<float>(kLargestSide), true});
-  console.add_cvar({"vid_fullscreen", "0", "1: full screen, in the display's mode; vid_restart applies it",
-                    con::kCvarArchive, 0.0f, 1.0f, true});
-  console.add_cvar(
-      {"vid_vsync", "0", "vertical sync; takes effect at the next start", con::kCvarArchive, 0.0f, 1.0f, true});
   console.add_cvar({"r_cpu_pixels", "129600",
                     "in a window on a CPU no more pixels than these are rendered, and scaled up; 0: all",
                     con::kCvarArchive, 0.0f, 1e8f, true});
@@ -100,77 +91,19 @@ Result<std::unique_ptr<Game>> Game::create(const GameOptions& options) {
   if (!options.headless) game->engine_->console().append("+mlook\n");
   game->engine_->queue_configuration(options.arguments);
 
+  if (!options.headless)
+    if (auto status = game->open_window(); !status) return status.error();
   if (auto status = game->open_device(); !status) return status.error();
   if (auto status = game->sound_.open(options); !status) return status.error();
   return game;
 }
 
-Status Game::open_device() {
-  gpu::DeviceOptions wanted;
-  wanted.preferred = options_.device;
-  wanted.validation = options_.validation;
-  uvec2 size = options_.size;
-  if (!options_.headless) {
-    if (size.x == 0) size = kWindowSize;
-    platform::WindowOptions window;
-    window.width = size.x;
-    window.height = size.y;
-    window.fullscreen = options_.fullscreen;
-    auto made = platform::Window::create(window);
-    if (!made) return Error{made.error().message + " (-headless needs none)"};
-    window_ = std::move(*made);
-    window_->set_text_input(true);
-    wanted.present = true;
-    wanted.instance_extensions = window_->vulkan_extensions();
-    size = window_->pixel_size();
-  } else if (size.x == 0) {
-    size = kHeadlessSize;
-  }
-  auto device = gpu::Device::create(wanted);
-  if (!device) return device.error();
-  device_ = std::move(*device);
-  auto renderer = render::Renderer::create(*device_, render::read_render_settings(engine_->console()));
-  if (!renderer) return renderer.error();
-  renderer_ = std::move(*renderer);
-  renderer_->set_finished([this] { show_drawn(); });
-  drawer_.emplace(*renderer_);
-  drawer_->resize(size);
-  renderer_->resize(size.x, size.y);
-  if (auto status = renderer_->fit(settings()); !status) return status.error();
-  engine_->client().set_view_size(static_cast<int>(size.x), static_cast<int>(size.y));
-  log_info("{}: {}, rays by {}", version_text(), device_->report().name, renderer_->intersector_name());
-  return window_ ? open_swapchain() : ok_status();
-}
-
-Status Game::open_swapchain() {
-  auto surface = window_->create_surface(device_->instance());
-  if (!surface) return surface.error();
-  const uvec2 size = window_->pixel_size();
-  auto made = gpu::Swapchain::create(*device_, *surface, size.x, size.y, engine_->console().cvar("vid_vsync").on());
-  if (!made) return made.error();
-  swapchain_ = std::move(*made);
-  renderer_->set_swap_red_blue(swapchain_->swaps_red_and_blue());
-  fit_to_window();
-  return ok_status();
-}
-
-void Game::fit_to_window() {
-  const uvec2 size = window_->pixel_size();
-  if (size.x == 0 || size.y == 0) return;  // minimised
-  if (auto status = swapchain_->resize(size.x, size.y); !status) {
-    log_error("{}", status.error().message);
-    quit_ = true;
-    exit_status_ = 1;
-    return;
-  }
-  drawer_->resize({swapchain_->width(), swapchain_->height()});
-  engine_->client().set_view_size(static_cast<int>(swapchain_->width()), static_cast<int>(swapchain_->height()));
-}
-
 void Game::register_commands() {
   con::Console& console = engine_->console();
   register_host_cvars(console);
+  register_video();
   register_governor(console, governor_);
+  register_presets(console, [this] { measure_device(); });
   console.add_command("quit", "quit: end the program", [this](const con::Args&) {
     quit_ = true;
     engine_->console().forget_commands();
@@ -180,8 +113,6 @@ void Game::register_commands() {
     console.add_command("startdemos", "startdemos: no effect without a window: the loop would never end",
                         [](const con::Args&) {});
   }
-  console.add_command("vid_restart", "vid_restart: apply vid_width, vid_height and vid_fullscreen to the window",
-                      [this](const con::Args&) { video_asked_ = true; });
   console.add_command("game", "game [folder]: show the game folder, or play another: the program starts anew with it",
                       [this](const con::Args& args) { change_game(args); });
   console.add_command("viewmap", "viewmap <map>: show a map from its first player start, without starting a game",
@@ -222,20 +153,6 @@ void Game::change_game(const con::Args& args) {
   next_start_ = with_game(options_.arguments, folder);
   quit_ = true;
   engine_->console().forget_commands();
-}
-
-// A size on the command line stands until vid_restart asks for another.
-void Game::apply_video() {
-  if (!configured_) {
-    configured_ = engine_->console().buffer_empty();
-    video_asked_ = configured_ && options_.size.x == 0 && !options_.fullscreen;
-  }
-  if (!window_ || !std::exchange(video_asked_, false)) return;
-  const con::Console& console = engine_->console();
-  const bool fullscreen = console.cvar("vid_fullscreen").on();
-  const uvec2 size(console.cvar("vid_width").integer(), console.cvar("vid_height").integer());
-  if (fullscreen != window_->fullscreen()) window_->set_fullscreen(fullscreen);
-  if (!fullscreen && size != window_->pixel_size()) window_->resize(size.x, size.y);
 }
 
 // Where the start leads to no game and no demo, the menu shows what to do.
@@ -317,7 +234,7 @@ double Game::seconds_passed() {
   return passed;
 }
 
-// A recording that cannot go on ends the program.
+// What cannot go on ends the program.
 void Game::end_unless(const Status& status) {
   if (status) return;
   log_error("{}", status.error().message);
@@ -369,9 +286,14 @@ int Game::run() {
     } catch (const std::bad_alloc& failure) {
       if (!playing && !engine_->playing()) throw;  // there is no game to end
       engine_->give_up(Error{sentence_of(failure)});
+    } catch (const gpu::DeviceLost& loss) {
+      replace_device(loss.what());
     }
   }
-  renderer_->finish();
+  try {
+    if (renderer_) renderer_->finish();
+  } catch (const gpu::DeviceLost&) {  // nothing is drawn any more
+  }
   engine_->client().disconnect();  // ends a recording, which may fail, too
   end_unless(sound_.finish());
   if (options_.headless && engine_->went_wrong()) exit_status_ = 1;

@@ -19,6 +19,7 @@
 #include "host/menu_facts.h"
 #include "host/options.h"
 #include "host/pass_report.h"
+#include "host/presets.h"
 #include "host/screen.h"
 #include "panel/panel.h"
 #include "platform/window.h"
@@ -41,12 +42,15 @@ class Game {
 
  private:
   Game(const GameOptions& options, std::unique_ptr<Engine> engine);
+  void register_video();
+  Status open_window();
   Status open_device();
   Status open_swapchain();
   void fit_to_window();
   void register_commands();
   void change_game(const con::Args& args);
   void apply_video();
+  void replace_device(const std::string& why);
   void open_first_menu();
   void handle_events();
   void follow_focus();
@@ -55,6 +59,8 @@ class Game {
   render::RenderSettings settings() const;
   float largest_scale() const;
   void govern();
+  void measure_device();
+  void follow_measurement(double milliseconds, double now);
   bool frame();
   bool draw_frame();
   void draw_panel(scene::DrawList& list, ui::Atlas& atlas, uvec2 output, double now);
@@ -88,17 +94,21 @@ class Game {
   PassReport pass_report_;
   std::optional<std::vector<std::string>> next_start_;
   bool quit_ = false, was_timing_ = false;
-  bool started_ = false;      // the configuration has been read
-  bool configured_ = false;   // the configuration has been executed
-  bool video_asked_ = false;  // vid_restart
+  bool started_ = false;                  // the configuration has been read
+  bool configured_ = false;               // the configuration has been executed
+  bool video_asked_ = false;              // vid_restart
+  bool vsync_ = false;                    // the swapchain's
+  std::optional<std::uint64_t> lost_at_;  // frame at which the device was lost last
   int frames_without_game_ = 0;
   int exit_status_ = 0;
   double last_time_ = 0;
   FrameTimer timer_;
   Governor governor_;
-  double slept_ = 0;       // seconds since a picture was shown last
-  vec2 mouse_{0.0f};       // mouse counts in this frame
-  double input_time_ = 0;  // when this frame's input was read
+  std::optional<DeviceSpeed> speed_;       // while it is measured
+  const Preset* measured_with_ = nullptr;  // what is drawn then
+  double slept_ = 0;                       // seconds since a picture was shown last
+  vec2 mouse_{0.0f};                       // mouse counts in this frame
+  double input_time_ = 0;                  // when this frame's input was read
   // The frame that the renderer was given last.
   struct Drawn {
     std::uint64_t number = 0;

@@ -68,6 +68,31 @@ void Game::govern() {
   governor_.follow(target_milliseconds(engine_->console(), window, device_->is_software()), largest_scale());
 }
 
+// What the device can do is not known yet; the preset that is likely to fit draws what it is measured by.
+void Game::measure_device() {
+  if (!window_) return log_info("preset: without a window nothing is measured");
+  measured_with_ = find_preset(device_->is_software() ? "lavapipe" : "balanced");
+  apply_preset(engine_->console(), *measured_with_);
+  engine_->console().set("r_preset", "");  // if the program ends before, the next start measures
+  speed_.emplace();
+}
+
+// A frame of a level took the device so long.
+void Game::follow_measurement(double milliseconds, double now) {
+  if (!speed_) return;
+  con::Console& console = engine_->console();
+  if (preset_in_force(console) != measured_with_) return speed_.reset();  // the player has chosen
+  const uvec2 rendered = renderer_->render_size();
+  speed_->add(*measured_with_, static_cast<double>(rendered.x) * rendered.y, milliseconds, now);
+  const auto speed = speed_->measured();
+  if (!speed) return;
+  const Preset& chosen = preset_for(*speed, drawer_->size(settings()));
+  apply_preset(console, chosen);
+  log_info("preset {}: {} renders {:.2g} million pixels a second. Options, Video has others", chosen.name,
+           device_->report().name, 1e-3 * *speed);
+  speed_.reset();
+}
+
 bool Game::draw_frame() {
   cl::Client& client = engine_->client();
   if (!client.active() && !window_) return false;
@@ -136,6 +161,7 @@ void Game::show_drawn() {
   const double device = std::max(renderer_->gpu_milliseconds(), times.waited);
   if (engine_->client().active())
     governor_.add(drawn.governed, draws_ahead() ? std::max(host, device) : host + device, times.whole, now);
+  if (engine_->client().active() && !engine_->client().timing()) follow_measurement(device, now);
   if (drawn.timed) pass_report_.add(renderer_->pass_times(), times);
   panel_.add_frame(renderer_->pass_times(), times.whole);
   if (engine_->console().cvar("host_speeds").on())

@@ -58,7 +58,8 @@ void Governor::add(int step, double milliseconds, double whole, double now) {
   if (target_ <= 0.0) return;
   changed_ = false;
   ++frames_;
-  held_ += std::abs(whole - target_) <= kWithin * target_ ? 1 : 0;
+  const double over = whole - target_;
+  held_ += over <= kWithin * target_ && (over >= -kWithin * target_ || step <= least_) ? 1 : 0;
   scales_ += static_cast<double>(scale_of(step));
   seen_.push_back({milliseconds, step});
   if (seen_.size() > kRemembered) seen_.pop_front();
@@ -85,7 +86,8 @@ std::string Governor::report() const {
   if (frames_ == 0) return fmt::format("{:g} ms a frame are asked for; none was drawn yet", target_);
   const double frames = static_cast<double>(frames_);
   return fmt::format(
-      "{:g} ms a frame: {:.1f}% of {} frames within 15%; picture scaled to {:.2f} of its width and height, {:.2f} on "
+      "{:g} ms a frame: {:.1f}% of {} frames within 15%, or faster with the whole picture; it is scaled to {:.2f} of "
+      "its width and height, {:.2f} on "
       "average; {} times down, {} up",
       target_, 100.0 * static_cast<double>(held_) / frames, frames_, scale_of(step_), scales_ / frames, downs_, ups_);
 }

@@ -30,8 +30,8 @@ class Governor {
   // The next frame is the first of its size.
   bool changed() const { return changed_; }
   // Frames are not to be shorter than this, milliseconds: an even pace is worth more than a frame now and then that
-  // came early.
-  double shortest() const { return target_ > 0 ? kPace * target_ : 0.0; }
+  // came early. Where the whole picture is rendered, there is nothing to wait for.
+  double shortest() const { return target_ > 0 && step_ > least_ ? kPace * target_ : 0.0; }
   // What it did since the target was set, in a sentence.
   std::string report() const;
 

@@ -243,8 +243,16 @@ void KeyRouter::run_binding(const platform::InputEvent& event) {
 
 void KeyRouter::handle(const platform::InputEvent& event) {
   using Kind = platform::InputEvent::Kind;
-  if (event.kind == Kind::kFocus && !event.focused) bindings_.release_all();
+  if (event.kind == Kind::kFocus && !event.focused) {
+    bindings_.release_all();
+    alt_ = false;
+  }
   const bool is_key = event.kind == Kind::kKey;
+  if (is_key && event.key == platform::kKeyAlt) alt_ = event.down;
+  if (alt_ && is_key && event.key == platform::kKeyEnter) {
+    if (event.down && !event.repeat) console_.append("vid_toggle\n");
+    return;
+  }
   const bool elsewhere = menu_.open() || open_ || message_.open();
   if ((!elsewhere || (is_key && !event.down)) && panel_(event)) return;
   if (is_key && event.key == platform::kKeyEscape) {

@@ -72,6 +72,7 @@ class KeyRouter {
   std::function<bool(const platform::InputEvent&)> panel_ = [](const platform::InputEvent&) { return false; };
   std::function<bool(const platform::InputEvent&)> demo_keys_ = [](const platform::InputEvent&) { return false; };
   bool open_ = false;
+  bool alt_ = false;  // held: with Enter it is between full screen and a window
   Behind behind_ = Behind::kNothing;
   std::size_t scrolled_up_ = 0;
   ivec2 steered_{0};             // the direction of the stick in the last frame

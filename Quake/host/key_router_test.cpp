@@ -62,6 +62,28 @@ TEST_F(KeyRouterTest, EscapeOpensTheMenuAndLeadsBackToTheGame) {
   EXPECT_THAT(ran, ElementsAre("+forward 119", "-forward 119"));
 }
 
+TEST_F(KeyRouterTest, AltAndEnterChangeTheWindowWhereverKeysGo) {
+  console.add_command("vid_toggle", "", [this](const con::Args&) { ran.push_back("vid_toggle"); });
+  const auto both = [&] {
+    key(platform::kKeyAlt);
+    press(platform::kKeyEnter);
+    key(platform::kKeyAlt, false);
+    press(platform::kKeyEnter);
+  };
+  both();
+  EXPECT_THAT(ran, ElementsAre("vid_toggle"));
+  press(platform::kKeyEscape);
+  both();
+  EXPECT_EQ(std::ranges::count(ran, "vid_toggle"), 2);
+  // Alt is let go where no window of ours sees it.
+  key(platform::kKeyAlt);
+  platform::InputEvent away;
+  away.kind = platform::InputEvent::Kind::kFocus;
+  keys.handle(away);
+  press(platform::kKeyEnter);
+  EXPECT_EQ(std::ranges::count(ran, "vid_toggle"), 2);
+}
+
 TEST_F(KeyRouterTest, ButtonsAreReleasedWhenTheMenuOpens) {
   key('w');
   console.execute();

@@ -2,6 +2,7 @@
 
 #include "host/mod_list.h"
 #include "host/options.h"
+#include "host/presets.h"
 #include "host/save_list.h"
 #include "host/save_picture.h"
 #include "platform/keys.h"
@@ -64,6 +65,17 @@ std::vector<uvec2> MenuFacts::video_sizes() {
     if (display.x == 0 || (size.x <= display.x && size.y <= display.y)) sizes.push_back(size);
   if (display.x != 0 && (sizes.empty() || sizes.back() != display)) sizes.push_back(display);
   return sizes;
+}
+
+std::vector<ui::menu::PresetEntry> MenuFacts::presets() const {
+  std::vector<ui::menu::PresetEntry> entries;
+  for (const Preset& preset : host::presets()) entries.push_back({preset.name, preset.purpose});
+  return entries;
+}
+
+std::string MenuFacts::preset() const {
+  const Preset* now = preset_in_force(engine_.console());
+  return now ? now->name : "";
 }
 
 std::string MenuFacts::key_name(int key) const { return platform::key_name(key); }

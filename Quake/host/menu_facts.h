@@ -33,6 +33,8 @@ class MenuFacts final : public ui::menu::Facts {
   std::vector<ui::menu::ServerEntry> servers() override;
   bool searching_servers() const override { return engine_.server_list().searching(); }
   std::vector<uvec2> video_sizes() override;
+  std::vector<ui::menu::PresetEntry> presets() const override;
+  std::string preset() const override;
   bool mouse_look() const override { return engine_.client().mouse_looks(); }
   std::string key_name(int key) const override;
   std::string version() const override;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "base/log.h"
@@ -18,6 +19,8 @@ namespace fb::platform {
 
 struct Window::Impl {
   ~Impl();
+  void move_to_display(std::uint32_t display);
+  bool choose_display_mode(const WindowMode& mode);
   SDL_Window* window = nullptr;
   std::vector<const char*> extensions;
   bool grabbed = false;
@@ -37,10 +40,12 @@ Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options) {
   auto impl = std::make_unique<Impl>();  // shuts SDL down if anything below fails
   SDL_StopTextInput();
 
+  const WindowMode& mode = options.mode;
   Uint32 flags = SDL_WINDOW_VULKAN | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
-  if (options.fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
+  if (mode.screen == WindowMode::Screen::kDesktop) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
+  if (mode.borderless) flags |= SDL_WINDOW_BORDERLESS;
   impl->window = SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-                                  static_cast<int>(options.width), static_cast<int>(options.height), flags);
+                                  static_cast<int>(mode.width), static_cast<int>(mode.height), flags);
   if (!impl->window)
     return Error{fmt::format("no window for Vulkan could be opened ({}); -headless needs none", SDL_GetError())};
 
@@ -74,17 +79,61 @@ uvec2 Window::pixel_size() const {
 
 bool Window::focused() const { return (SDL_GetWindowFlags(impl_->window) & SDL_WINDOW_INPUT_FOCUS) != 0; }
 
-void Window::resize(std::uint32_t width, std::uint32_t height) {
-  SDL_SetWindowSize(impl_->window, static_cast<int>(width), static_cast<int>(height));
+void Window::Impl::move_to_display(std::uint32_t display) {
+  const int count = SDL_GetNumVideoDisplays(), wanted = static_cast<int>(display) - 1;
+  if (wanted >= count)
+    return log_warning("there is no display {}: there {} {}", display, count == 1 ? "is" : "are", count);
+  if (wanted < 0 || wanted == SDL_GetWindowDisplayIndex(window)) return;
+  const int centre = static_cast<int>(SDL_WINDOWPOS_CENTERED_DISPLAY(static_cast<unsigned>(wanted)));
+  SDL_SetWindowFullscreen(window, 0);  // it stays on its display else
+  SDL_SetWindowPosition(window, centre, centre);
 }
 
-void Window::set_fullscreen(bool fullscreen) {
-  if (SDL_SetWindowFullscreen(impl_->window, fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0) != 0)
-    log_warning("the window cannot be made {} ({})", fullscreen ? "full screen" : "a window", SDL_GetError());
+// False: the display has no such mode.
+bool Window::Impl::choose_display_mode(const WindowMode& mode) {
+  SDL_DisplayMode wanted{}, closest{};
+  wanted.w = static_cast<int>(mode.width);
+  wanted.h = static_cast<int>(mode.height);
+  wanted.refresh_rate = static_cast<int>(mode.refresh_rate);
+  if (!SDL_GetClosestDisplayMode(SDL_GetWindowDisplayIndex(window), &wanted, &closest)) return false;
+  return closest.w == wanted.w && closest.h == wanted.h && SDL_SetWindowDisplayMode(window, &closest) == 0;
 }
 
-bool Window::fullscreen() const {
-  return (SDL_GetWindowFlags(impl_->window) & SDL_WINDOW_FULLSCREEN_DESKTOP) == SDL_WINDOW_FULLSCREEN_DESKTOP;
+void Window::set_mode(const WindowMode& mode) {
+  using Screen = WindowMode::Screen;
+  SDL_Window* const window = impl_->window;
+  impl_->move_to_display(mode.display);
+  Uint32 full = mode.screen == Screen::kWindow ? 0u : static_cast<Uint32>(SDL_WINDOW_FULLSCREEN_DESKTOP);
+  if (mode.screen == Screen::kMode) {
+    if (impl_->choose_display_mode(mode))
+      full = SDL_WINDOW_FULLSCREEN;
+    else
+      log_warning("the display has no mode of {}x{} pixels; it keeps its own", mode.width, mode.height);
+  }
+  if (SDL_SetWindowFullscreen(window, full) != 0)
+    log_warning("the window cannot be made {} ({})", full ? "full screen" : "a window", SDL_GetError());
+  if (full) return;
+  SDL_SetWindowBordered(window, mode.borderless ? SDL_FALSE : SDL_TRUE);
+  int width = 0, height = 0;
+  SDL_GetWindowSize(window, &width, &height);
+  if (width != static_cast<int>(mode.width) || height != static_cast<int>(mode.height))
+    SDL_SetWindowSize(window, static_cast<int>(mode.width), static_cast<int>(mode.height));
+}
+
+WindowMode Window::mode() const {
+  const Uint32 flags = SDL_GetWindowFlags(impl_->window);
+  WindowMode mode;
+  if ((flags & SDL_WINDOW_FULLSCREEN_DESKTOP) == SDL_WINDOW_FULLSCREEN_DESKTOP)
+    mode.screen = WindowMode::Screen::kDesktop;
+  else if (flags & SDL_WINDOW_FULLSCREEN)
+    mode.screen = WindowMode::Screen::kMode;
+  int width = 0, height = 0;
+  SDL_GetWindowSize(impl_->window, &width, &height);
+  mode.width = static_cast<std::uint32_t>(width);
+  mode.height = static_cast<std::uint32_t>(height);
+  mode.borderless = (flags & SDL_WINDOW_BORDERLESS) != 0;
+  mode.display = static_cast<std::uint32_t>(std::max(SDL_GetWindowDisplayIndex(impl_->window), 0)) + 1;
+  return mode;
 }
 
 uvec2 Window::display_size() const {

@@ -16,10 +16,24 @@
 
 namespace fb::platform {
 
+// How a window lies on the displays.
+struct WindowMode {
+  enum class Screen {
+    kWindow,
+    kDesktop,  // the whole display, in the mode that it has
+    kMode,     // the whole display, in a mode of its own of this size
+  };
+  Screen screen = Screen::kWindow;
+  std::uint32_t width = 1280, height = 720;  // of the contents, in the window system's units; kDesktop has none
+  std::uint32_t refresh_rate = 0;            // kMode, Hz; 0: whichever
+  bool borderless = false;                   // kWindow
+  std::uint32_t display = 0;                 // from 1; 0: where it is, at first the display that the system chooses
+  bool operator==(const WindowMode&) const = default;
+};
+
 struct WindowOptions {
   std::string title = "Fullbright";
-  std::uint32_t width = 1280, height = 720;  // of the contents, in the window system's units
-  bool fullscreen = false;                   // at the desktop's size
+  WindowMode mode;
 };
 
 class Window {
@@ -39,10 +53,11 @@ class Window {
   // The size of the contents in pixels; 0, 0 while minimised.
   uvec2 pixel_size() const;
   bool focused() const;
-  void resize(std::uint32_t width, std::uint32_t height);
-  // Full screen keeps the display's mode.
-  void set_fullscreen(bool fullscreen);
-  bool fullscreen() const;
+  // What cannot be had is told in a warning: a display that is not there leaves the window where it is, a mode that the
+  // display lacks gives the one that it has.
+  void set_mode(const WindowMode& mode);
+  // What it is now, whoever made it so; as in set_mode(), but for the display, which is known.
+  WindowMode mode() const;
   // The size of the display that the window is on, in the window system's units; 0, 0 if it is not known.
   uvec2 display_size() const;
   // Hides the pointer and keeps it inside the window; motion then comes in mouse counts, without limit.

@@ -86,8 +86,8 @@ TEST(Window, ShowsWhatIsPresented) {
   if (!has_display()) GTEST_SKIP() << "no DISPLAY (run under xvfb-run)";
   WindowOptions options;
   options.title = kTitle;
-  options.width = 320;
-  options.height = 200;
+  options.mode.width = 320;
+  options.mode.height = 200;
   auto made = Window::create(options);
   ASSERT_TRUE(made) << made.error().message;
   Window& window = **made;
@@ -120,7 +120,10 @@ TEST(Window, ShowsWhatIsPresented) {
   expect_pattern_on_screen(320, 200);
 
   // The window changes size: an event says so, the swapchain follows.
-  window.resize(250, 130);
+  WindowMode smaller = options.mode;
+  smaller.width = 250;
+  smaller.height = 130;
+  window.set_mode(smaller);
   bool resized = false;
   for (int i = 0; i < 100 && !resized; ++i) {
     for (const InputEvent& event : window.poll_events())
@@ -133,6 +136,33 @@ TEST(Window, ShowsWhatIsPresented) {
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(shown.width(), 250u);
   EXPECT_TRUE(show());
+  expect_pattern_on_screen(250, 130);
+
+  // The whole display, and back to a window without a border.
+  const uvec2 display = window.display_size();
+  WindowMode whole = smaller;
+  whole.screen = WindowMode::Screen::kDesktop;
+  const auto becomes = [&](const WindowMode& mode, uvec2 size) {
+    window.set_mode(mode);
+    for (int i = 0; i < 100 && window.pixel_size() != size; ++i) {
+      window.poll_events();
+      sleep_seconds(0.02);
+    }
+    EXPECT_EQ(window.pixel_size(), size);
+    EXPECT_EQ(window.mode().screen, mode.screen);
+    EXPECT_TRUE(shown.resize(size.x, size.y));
+    EXPECT_TRUE(show());
+  };
+  becomes(whole, display);
+  WindowMode own = whole;
+  own.screen = WindowMode::Screen::kMode;
+  own.width = display.x;
+  own.height = display.y;
+  becomes(own, display);
+  smaller.borderless = true;
+  smaller.display = 9;  // there is none: it stays
+  becomes(smaller, uvec2(250, 130));
+  EXPECT_TRUE(window.mode().borderless);
   expect_pattern_on_screen(250, 130);
 
   // A picture of another size than the window's.

@@ -27,14 +27,14 @@ float linear_from_srgb(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((
 
 std::uint32_t words_of(const scene::Image& image) {
   std::size_t texels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  return static_cast<std::uint32_t>(image.encoding == scene::ImageEncoding::kPalette ? (texels + 3) / 4 : texels);
+  return static_cast<std::uint32_t>((texels * texel_bytes(image.encoding) + 3) / 4);
 }
 
 // Whether the image holds as many texels as it says, and more than none.
 bool is_whole(const scene::Image& image) {
   if (image.width <= 0 || image.height <= 0 || image.width > 0xffff || image.height > 0xffff) return false;
-  std::size_t texel = image.encoding == scene::ImageEncoding::kPalette ? 1 : 4;
-  return image.texels.size() >= texel * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  const std::size_t texels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  return image.texels.size() >= texel_bytes(image.encoding) * texels;
 }
 
 bool is_flat(const vec3& e1, const vec3& e2) {
@@ -172,15 +172,14 @@ void SceneAssets::add_images(const scene::Assets& assets) {
   for (; images_added_ < assets.images.size(); ++images_added_) {
     const scene::Image& image = assets.images[images_added_];
     std::uint64_t first = texels_.kept() + words.size();
-    bool palette = image.encoding == scene::ImageEncoding::kPalette;
+    const std::size_t texel = texel_bytes(image.encoding);
     shared::GpuImage header{};
     header.encoding = static_cast<std::uint32_t>(image.encoding);
-    header.first = static_cast<std::uint32_t>(palette ? first * 4 : first);
+    header.first = static_cast<std::uint32_t>(first * 4 / texel);
     if (is_whole(image) && first + words_of(image) <= limit) {
       header.size = static_cast<std::uint32_t>(image.width) | static_cast<std::uint32_t>(image.height) << 16u;
       words.resize(words.size() + words_of(image));
-      std::size_t bytes =
-          static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * (palette ? 1 : 4);
+      std::size_t bytes = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * texel;
       std::memcpy(words.data() + (first - texels_.kept()), image.texels.data(), bytes);
     } else {
       // One texel in its place, the first there is.

@@ -20,7 +20,11 @@ enum class ImageEncoding : std::uint8_t {
   kPalette = shared::kEncodingPalette,
   kSrgba = shared::kEncodingSrgba,
   kLinearRgba = shared::kEncodingLinear,
+  kLinearGray = shared::kEncodingGray,
 };
+constexpr std::size_t texel_bytes(ImageEncoding encoding) {
+  return encoding == ImageEncoding::kPalette || encoding == ImageEncoding::kLinearGray ? 1 : 4;
+}
 struct Image {
   std::string name;
   ImageEncoding encoding = ImageEncoding::kPalette;

@@ -1,4 +1,4 @@
-// Texels from the one buffer that holds them all: palette indices, or RGBA words. The filter is ours, so that it is the
+// Texels from the one buffer that holds them all: palette indices, grey bytes, or RGBA words. The filter is ours, so that it is the
 // same on every device.
 #ifndef FB_LIB_TEXTURE
 #define FB_LIB_TEXTURE
@@ -20,14 +20,14 @@ struct Texel {
 Texel fetch_texel(uint image_index, ivec2 p) {
   GpuImage image = image_at(image_index);
   uint at = image.first + uint(p.y) * (image.size & 0xffffu) + uint(p.x);
-  bool indexed = image.encoding == kEncodingPalette;
-  uint word = texels.at[indexed ? at >> 2u : at];
+  bool indexed = image.encoding == kEncodingPalette, gray = image.encoding == kEncodingGray;
+  uint word = texels.at[indexed || gray ? at >> 2u : at];
   uint index = (word >> ((at & 3u) * 8u)) & 0xffu;
   uvec3 bytes = (uvec3(word) >> uvec3(0u, 8u, 16u)) & 0xffu;
   Texel texel;
   texel.color = palette_at(indexed ? uvec3(index) : kPaletteSrgb + bytes);
-  if (image.encoding == kEncodingLinear) texel.color = vec3(bytes) / 255.0;
-  texel.alpha = indexed ? (index == kTransparentIndex ? 0.0 : 1.0) : float(word >> 24u) / 255.0;
+  if (image.encoding >= kEncodingLinear) texel.color = vec3(gray ? uvec3(index) : bytes) / 255.0;
+  texel.alpha = indexed ? (index == kTransparentIndex ? 0.0 : 1.0) : gray ? 1.0 : float(word >> 24u) / 255.0;
   texel.glows = indexed && index >= kFirstFullbright;
   return texel;
 }

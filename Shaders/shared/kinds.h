@@ -45,7 +45,8 @@ FB_FN bool all_texels_glow(uint emission_kind) {
 // GpuImage::encoding (scene::ImageEncoding).
 FB_CONST uint kEncodingPalette = 0u;  // one byte a texel: index into the palette
 FB_CONST uint kEncodingSrgba = 1u;    // four bytes: sRGB colour, linear alpha
-FB_CONST uint kEncodingLinear = 2u;   // four bytes, linear: normal maps (xyz in 0..255), gloss
+FB_CONST uint kEncodingLinear = 2u;   // four bytes, linear: normal maps (xyz in 0..255)
+FB_CONST uint kEncodingGray = 3u;     // one byte, linear: gloss
 FB_CONST uint kPaletteSrgb = 256u;    // behind the palette's colours: what each byte of sRGB means
 
 // FrameConstants::sky_mode (scene::SkyMode).

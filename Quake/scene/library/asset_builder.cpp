@@ -51,11 +51,20 @@ std::uint32_t AssetBuilder::add_mesh(Mesh mesh) {
   return static_cast<std::uint32_t>(assets_->meshes.size() - 1);
 }
 
+namespace {
+
+void keep_red(std::vector<std::uint8_t>& rgba) {
+  for (std::size_t i = 0; i < rgba.size() / 4; ++i) rgba[i] = rgba[4 * i];
+  rgba.resize(rgba.size() / 4);
+  rgba.shrink_to_fit();
+}
+
+}  // namespace
+
 std::uint32_t AssetBuilder::image_file(std::string_view stem, ImageEncoding encoding, int least_rank) {
   std::string name(stem);
   std::ranges::replace(name, '*', '#');
-  const std::string key =
-      fmt::format("{}|{}|{}", name, encoding == ImageEncoding::kLinearRgba ? "linear" : "srgb", least_rank);
+  const std::string key = fmt::format("{}|{}|{}", name, static_cast<int>(encoding), least_rank);
   if (const auto known = image_files_.find(key); known != image_files_.end()) return known->second;
   std::uint32_t index = kNone;
   for (const char* extension : {".png", ".tga", ".pcx"}) {
@@ -64,6 +73,7 @@ std::uint32_t AssetBuilder::image_file(std::string_view stem, ImageEncoding enco
     if (!bytes || (rank_ && rank_(path) < least_rank)) continue;  // asked last: most files are absent
     auto image = formats::parse_image(*bytes, path);
     if (image) {
+      if (encoding == ImageEncoding::kLinearGray) keep_red(image->rgba);
       index = add_image({path, encoding, image->width, image->height, std::move(image->rgba)});
     } else {
       log_warning("{}", image.error().message);
@@ -100,7 +110,7 @@ TextureSet AssetBuilder::replacement(const std::vector<std::string>& stems, std:
   TextureSet set;
   const auto read_detail = [&](const std::string& stem) {
     set.normal = image_file(stem + "_norm", ImageEncoding::kLinearRgba, least);
-    set.gloss = image_file(stem + "_gloss", ImageEncoding::kLinearRgba, least);
+    set.gloss = image_file(stem + "_gloss", ImageEncoding::kLinearGray, least);
     return set.normal != kNone || set.gloss != kNone;
   };
   for (const std::string& stem : stems) {

@@ -31,6 +31,9 @@ struct ModEntry {
   std::string directory, description;
   bool active = false;
 };
+struct PresetEntry {
+  std::string name, purpose;
+};
 struct ServerEntry {
   std::string name, map, address;
   int players = 0, max_players = 0;
@@ -59,6 +62,9 @@ class Facts {
   virtual bool searching_servers() const = 0;
   // Sizes that a window may have here.
   virtual std::vector<uvec2> video_sizes() = 0;
+  // Sets of the picture's settings, from the fastest on, and the one in force; empty: there is none.
+  virtual std::vector<PresetEntry> presets() const = 0;
+  virtual std::string preset() const = 0;
   virtual bool mouse_look() const = 0;  // +mlook is down
   virtual std::string key_name(int key) const = 0;
   virtual std::string version() const = 0;

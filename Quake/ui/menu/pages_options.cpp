@@ -52,6 +52,25 @@ Row mouse_look_row(const Facts& facts) {
   return row;
 }
 
+Row preset_row(const Facts& facts) {
+  Row row;
+  row.kind = Row::Kind::kSetting;
+  row.label = "Preset";
+  Control control;
+  control.kind = Control::Kind::kChoice;
+  control.read = [&facts] { return facts.preset(); };
+  control.command = [](std::string_view value) { return fmt::format("preset {}", value); };
+  std::string help = "preset: all of the picture's settings at once";
+  for (const PresetEntry& preset : facts.presets()) {
+    control.choices.push_back({preset.name, preset.name});
+    help += fmt::format("\n{}: {}", preset.name, preset.purpose);
+  }
+  if (facts.preset().empty()) control.choices.push_back({"", "your own"});
+  row.control = std::move(control);
+  row.help = std::move(help);
+  return row;
+}
+
 bool is_archived_or_sound(const con::Cvar& cvar) { return cvar.archived() || setting_group(cvar) == "Sound"; }
 
 }  // namespace
@@ -109,11 +128,15 @@ Page video_page(const Sources& sources) {
     page.rows.push_back(std::move(row));
   }
   add_toggle(page, console, "vid_fullscreen", "Full screen");
+  add_toggle(page, console, "vid_desktopfullscreen", "In the display's mode");
+  add_toggle(page, console, "vid_borderless", "No border");
+  add_toggle(page, console, "vid_vsync", "Vertical sync");
   page.rows.push_back(action("Apply", "vid_restart", "changes the window now"));
   page.rows.push_back(heading(""));
+  page.rows.push_back(preset_row(sources.facts));
   for (const char* name :
        {"r_target_ms", "r_scale", "r_cpu_pixels", "r_spp", "r_bounces", "r_denoise", "r_taa", "r_fxaa", "r_fog_scale",
-        "r_water", "host_maxfps", "r_frames_ahead", "vid_vsync", "scr_showfps", "scr_menuscale"}) {
+        "r_water", "host_maxfps", "r_frames_ahead", "scr_showfps", "scr_menuscale"}) {
     const con::Cvar* cvar = console.find_cvar(name);
     if (cvar && cvar->has_effect()) page.rows.push_back(setting_row(*cvar));
   }

@@ -15,7 +15,7 @@ namespace fb::ui::menu {
 
 struct TestFacts final : Facts {
   bool game = false, searching = false, looks = true;
-  std::string no_save;
+  std::string no_save, preset_name;
   std::vector<SaveEntry> save_list;
   std::map<std::string, formats::RgbaImage> save_pictures;
   int pictures_read = 0;
@@ -42,6 +42,8 @@ struct TestFacts final : Facts {
   std::vector<ServerEntry> servers() override { return server_list; }
   bool searching_servers() const override { return searching; }
   std::vector<uvec2> video_sizes() override { return {{640, 480}, {1280, 720}}; }
+  std::vector<PresetEntry> presets() const override { return {{"fast", "quick"}, {"fine", "slow"}}; }
+  std::string preset() const override { return preset_name; }
   bool mouse_look() const override { return looks; }
   std::string key_name(int key) const override {
     return key == 200 ? "MOUSE1" : std::string(1, static_cast<char>(key));
@@ -67,7 +69,7 @@ class MenuTest : public testing::Test {
     // What pages run is written down instead.
     for (const char* name :
          {"map", "save", "load", "quit", "restart", "disconnect", "maxplayers", "listen", "deathmatch", "coop", "game",
-          "playdemo", "connect", "slist", "name", "color", "vid_restart"}) {
+          "playdemo", "connect", "slist", "name", "color", "vid_restart", "preset"}) {
       console.add_command(name, "", [this](const con::Args& args) { ran.push_back(args.joined(0)); });
     }
   }
