@@ -195,6 +195,10 @@ bool Client::connecting() const { return impl_->asked() != nullptr; }
 bool Client::serves_itself() const { return impl_->link() && impl_->link()->is_local(); }
 bool Client::recording() const { return impl_->recorder.has_value(); }
 void Client::set_sticks(const Sticks& sticks) { impl_->sticks = sticks; }
+float Client::take_jolt() {
+  const float jolt = std::exchange(impl_->session.state.jolt, 0.0f);
+  return connected() ? jolt : 0.0f;
+}
 bool Client::mouse_looks() const { return impl_->buttons.mouse_look.down(); }
 void Client::set_in_step(bool in_step) { impl_->in_step = in_step; }
 void Client::look(double seconds, const vec2& mouse) { impl_->look(seconds, mouse); }

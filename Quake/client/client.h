@@ -104,8 +104,10 @@ class Client {
 
   // Turns the view by keys and by the mouse's counts (to the right, downwards) in a frame of `seconds`.
   void look(double seconds, const vec2& mouse = vec2(0.0f));
-  // Where a game controller's sticks are from now on; look() turns the view by them, too.
+  // Where a game controller's sticks are from now on, and how far it was turned; look() turns the view by them, too.
   void set_sticks(const Sticks& sticks);
+  // How hard damage and recoil have shaken the player of a game since the last call, 0 to 1.
+  float take_jolt();
   // Tells the server what the player wants to do, and commands that wait. At each tick of the server's.
   void send();
 

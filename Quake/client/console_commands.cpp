@@ -69,6 +69,13 @@ void Client::Impl::register_console() {
   ensure_cvar(console, "r_nolerp_list", kNoLerpModels,
               "models whose animation is not interpolated, separated by commas", con::kCvarPlain);
 
+  console.add_command(
+      "viewpos", "viewpos: where the player is and looks: (origin) pitch yaw roll", [this](const con::Args&) {
+        const Entity* player = session.state.view_entity_state();
+        if (!player) return log_info("viewpos: there is no player");
+        const vec3 &at = player->origin, &looks = session.state.view_angles;
+        log_info("Viewpos: ({:.0f} {:.0f} {:.0f}) {:.0f} {:.0f} {:.0f}", at.x, at.y, at.z, looks.x, looks.y, looks.z);
+      });
   console.add_command("entities", "entities: list visible entities: number, model, frame, (origin), [angles]",
                       [this](const con::Args&) { print_entities(session.state); });
   if (!console.has_command("bf"))

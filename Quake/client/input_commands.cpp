@@ -52,6 +52,8 @@ void Client::Impl::look(double seconds, const vec2& mouse) {
   if (adjust_angles(buttons, input, seconds, state.view_angles)) drift.stop(state.time);
   if (apply_mouse(buttons, input, counts, state.view_angles, mouse_move)) drift.stop(state.time);
   if (apply_look_stick(sticks, stick_settings, input, seconds, state.view_angles)) drift.stop(state.time);
+  if (apply_gyro(sticks, stick_settings, input, buttons.gyro_action.down(), seconds, state.view_angles))
+    drift.stop(state.time);
 }
 
 void Client::Impl::drift_pitch(double seconds) {

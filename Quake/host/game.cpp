@@ -32,6 +32,8 @@ void register_host_cvars(con::Console& console) {
                     con::kCvarPlain, 0.0f, 1.0f, true});
 }
 
+constexpr double kRumbleSeconds = 0.2;
+
 csqc::ModHudServices bar_services(Engine& engine) {
   return {.read_file = engine.files().loader(),
           .write_file = [&engine](std::string_view name, ByteView data) { return engine.files().write(name, data); },
@@ -211,9 +213,12 @@ void Game::follow_gamepads() {
   const con::Console& console = engine_->console();
   window_->use_gamepads(options_.gamepads && console.cvar("joy_enable").on(),
                         console.cvar("joy_deadzone_trigger").value());
-  const platform::PadSticks sticks = keys_.holds_game() ? platform::PadSticks() : window_->pad_sticks();
-  engine_->client().set_sticks({sticks.left, sticks.right});
-  keys_.steer(window_->pad_sticks().left, platform::now_seconds());
+  const platform::PadSticks sticks = window_->take_pad_sticks();
+  const bool elsewhere = keys_.holds_game();
+  engine_->client().set_sticks(elsewhere ? cl::Sticks{} : cl::Sticks{sticks.left, sticks.right, sticks.turned});
+  keys_.steer(sticks.left, platform::now_seconds());
+  const float jolt = console.cvar("joy_rumble").value() * engine_->client().take_jolt();
+  if (jolt > 0.0f && !elsewhere) window_->rumble(jolt, kRumbleSeconds);
 }
 
 // Waits if frames are faster than allowed: in a window, and on another machine's server, where time is real.

@@ -30,13 +30,14 @@ class Governor {
   // The next frame is the first of its size.
   bool changed() const { return changed_; }
   // Frames are not to be shorter than this, milliseconds: an even pace is worth more than a frame now and then that
-  // came early. Where the whole picture is rendered, there is nothing to wait for.
-  double shortest() const { return target_ > 0 && step_ > least_ ? kPace * target_ : 0.0; }
+  // came early. Where the whole picture is rendered and frames are short, there is nothing to wait for.
+  double shortest() const { return target_ >= kSlow || (target_ > 0 && step_ > least_) ? kPace * target_ : 0.0; }
   // What it did since the target was set, in a sentence.
   std::string report() const;
 
  private:
   static constexpr double kPace = 0.97;     // of the target
+  static constexpr double kSlow = 50.0;     // milliseconds: a frame's end is seen
   static constexpr double kFull = 0.92;     // of the target: work that leaves room for a frame that takes longer
   static constexpr double kTooLong = 1.04;  // of the target: above it fewer pixels are rendered
   static constexpr double kAccident = 2.0;  // of the target

@@ -63,8 +63,12 @@ TEST(Governor, RendersAllOfAPictureThatTakesLittle) {
   Governor governor;
   const Drawn drawn = draw(governor, 100.0, 60.0, [](double) { return 20.0; });
   EXPECT_EQ(governor.scale(1.0f), 1.0f);
-  EXPECT_GT(drawn.frames, 60 * 30) << "and waits for nothing";
-  EXPECT_THAT(governor.report(), HasSubstr("100 ms a frame: 100.0% of"));
+  EXPECT_GT(drawn.held, 0.95 * drawn.frames) << "and waits for the rest of the time";
+
+  Governor fast;
+  const Drawn short_frames = draw(fast, 40.0, 60.0, [](double) { return 10.0; });
+  EXPECT_GT(short_frames.frames, 60 * 50) << "which is not worth it where frames are short";
+  EXPECT_THAT(fast.report(), HasSubstr("40 ms a frame: 100.0% of"));
 }
 
 TEST(Governor, OneFrameThatTakesLongChangesNothing) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """A player at the window: play_test.py BUILD_DIR [--pictures DIR]. The base game is played with a real keyboard and a real
 mouse (xdotool): a new game from the menu, settings, a key, saves, hurt, death and what comes after, quitting, and a second
-start that has kept it all; then the same rows by mouse alone. It has an X server of its own, since a window that others open would take the keys. Skipped,
-saying so, without Xvfb, xdotool, the base game or a Vulkan device."""
+start that has kept it all; then the same rows by mouse alone; then a new game, a walk, a shot, a setting and the end by a game
+controller alone (virtual_pad.cpp). It has an X server of its own, since a window that others open would take the keys. Skipped, saying so, without Xvfb, xdotool, the base game or a Vulkan device."""
 import argparse
 import os
 import pathlib
@@ -23,11 +23,15 @@ PAGE = ((WIDTH - 320) // 2, (HEIGHT - 200) // 2)  # of a page with a plaque, at 
 class Player:
     """The program in a window, with somebody before it."""
 
-    def __init__(self, build, folder, pictures, *commands):
+    def __init__(self, build, folder, pictures, *commands, pad=None):
         game = build / "game"
         self.pictures = pictures
+        if pad:
+            os.environ.update(LD_PRELOAD=str(build / "libvirtual_pad.so"), FULLBRIGHT_TEST_PAD=str(pad))
         self.running = Program("the game", [build / "fullbright", "-basedir", game, "-userdir", folder, "-seed", "1", "-nolan",
                                             "-size", f"{WIDTH}x{HEIGHT}", "+r_cpu_pixels", "4096", "+r_target_ms", "0", "+r_estimator", "pt", "+r_denoise", "0", "+host_speeds", "1", *commands])
+        if pad:
+            del os.environ["LD_PRELOAD"]
         self.said = 0  # lines that says() has gone past
         window = self.tool("search", "--sync", "--name", "^Fullbright$")
         self.window = window.split()[0]
@@ -250,6 +254,60 @@ def by_mouse(build, folder, pictures):
     assert 'sensitivity "11"' in text, text
 
 
+A, B, START, UP, DOWN, LEFT, RIGHT = 0, 1, 6, 11, 12, 13, 14  # SDL's numbers of a controller's buttons
+MOVE_Y, LOOK_X, TRIGGER = 1, 2, 5  # and of its axes: sticks, the right trigger
+
+
+def by_pad(build, folder, pictures):
+    """Nothing else is touched."""
+    pipe = folder / "pad"
+    os.mkfifo(pipe)
+    writing = os.open(pipe, os.O_RDWR)  # it opens before there is a reader
+    player = Player(build, folder, pictures, "+bind", "LEFTARROW", "viewpos", pad=pipe)
+
+    def tell(line):
+        os.write(writing, (line + "\n").encode())
+        player.frames()
+
+    def press(*buttons):
+        for button in buttons:
+            tell(f"button {button} 1")
+            tell(f"button {button} 0")
+
+    def whereabouts():
+        player.running.catch_up()
+        player.said = len(player.running.lines)
+        press(LEFT)
+        return [float(number) for number in re.findall(r"-?[0-9]+", player.says("^Viewpos"))]
+
+    tell(f"axis {TRIGGER} -32768")
+    press(START, A, A)  # single player, new game
+    if "trigger_setskill" not in start_map(build):
+        press(DOWN, A)
+    player.says("Server spawned|entered the game")
+    player.frames(6)
+    before = whereabouts()
+    tell(f"axis {MOVE_Y} -32768")
+    player.plays(1.0)
+    tell(f"axis {MOVE_Y} 0")
+    walked = whereabouts()
+    assert max(abs(a - b) for a, b in zip(before[:2], walked[:2])) > 20, f"{before} to {walked}: the left stick walks"
+    tell(f"axis {LOOK_X} 32767")
+    player.plays(0.3)
+    tell(f"axis {LOOK_X} 0")
+    turned = whereabouts()
+    assert turned[4] != walked[4], f"{walked} to {turned}: the right stick turns"
+    press(START, DOWN, DOWN, A)  # options
+    press(*[DOWN] * 8, RIGHT, RIGHT)  # mouse speed: 3 to 4
+    player.show("30_pad_options")
+    press(B, DOWN, DOWN, A)  # quit
+    player.show("31_pad_quit")
+    os.write(writing, f"button {A} 1\n".encode())
+    player.ends()
+    os.close(writing)
+    assert 'sensitivity "4"' in (folder / "id1" / "config.cfg").read_text()
+
+
 class Display:
     """An X server of the test's own while it lives."""
 
@@ -287,7 +345,7 @@ def main():
     if arguments.pictures:
         arguments.pictures.mkdir(parents=True, exist_ok=True)
     with Display():
-        for play in (by_keyboard, by_mouse):
+        for play in (by_keyboard, by_mouse, by_pad):
             start = time.monotonic()
             with tempfile.TemporaryDirectory() as name:
                 play(build, pathlib.Path(name), arguments.pictures)

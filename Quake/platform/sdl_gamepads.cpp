@@ -6,13 +6,15 @@
 #include <SDL.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/log.h"
 
 namespace fb::platform {
 namespace {
 
-constexpr float kRelease = 0.75f;  // of the threshold: a trigger at its edge must not flutter
+constexpr float kRelease = 0.75f;            // of the threshold: a trigger at its edge must not flutter
+constexpr std::uint32_t kLongestTurn = 100;  // milliseconds between two words of a gyroscope that belong together
 
 void add_pad_key(std::vector<InputEvent>& to, int key, bool down) {
   if (key == kKeyNone) return;
@@ -83,6 +85,8 @@ void Gamepads::open(int device) {
   const SDL_JoystickID id = SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(controller));
   if (pads_.contains(id)) return SDL_GameControllerClose(controller);  // it was told of twice
   pads_[id].controller = controller;
+  if (SDL_GameControllerHasSensor(controller, SDL_SENSOR_GYRO))
+    SDL_GameControllerSetSensorEnabled(controller, SDL_SENSOR_GYRO, SDL_TRUE);
   const char* name = SDL_GameControllerName(controller);
   log_info("game controller: {}", name != nullptr ? name : "without a name");
 }
@@ -121,13 +125,33 @@ void Gamepads::handle(const SDL_Event& event, std::vector<InputEvent>& to) {
     case SDL_CONTROLLERAXISMOTION:
       move_axis(event.caxis, to);
       break;
+    case SDL_CONTROLLERSENSORUPDATE:
+      turn(event.csensor);
+      break;
     default:
       break;
   }
 }
 
-PadSticks Gamepads::sticks() const {
+// Radians a second about the axes to the right, upwards and towards the player, counter-clockwise as seen from there.
+void Gamepads::turn(const SDL_ControllerSensorEvent& event) {
+  const auto pad = pads_.find(event.which);
+  if (pad == pads_.end() || event.sensor != SDL_SENSOR_GYRO) return;
+  const std::uint32_t since = std::exchange(pad->second.turning_since, event.timestamp);
+  const std::uint32_t elapsed = event.timestamp - since;
+  if (since == 0 || elapsed > kLongestTurn) return;
+  turned_ += degrees(1.0f) * vec3(event.data[0], event.data[1], event.data[2]) * (1e-3f * static_cast<float>(elapsed));
+}
+
+void Gamepads::rumble(float strength, double seconds) {
+  const auto power = static_cast<Uint16>(65535.0f * std::clamp(strength, 0.0f, 1.0f));
+  for (auto& [id, pad] : pads_)
+    SDL_GameControllerRumble(pad.controller, power, power, static_cast<Uint32>(1000.0 * seconds));
+}
+
+PadSticks Gamepads::take_sticks() {
   PadSticks sticks;
+  sticks.turned = std::exchange(turned_, vec3(0.0f));
   for (const auto& [id, pad] : pads_) {
     sticks.left = larger(sticks.left, vec2(pad.axes[SDL_CONTROLLER_AXIS_LEFTX], pad.axes[SDL_CONTROLLER_AXIS_LEFTY]));
     sticks.right =

@@ -26,19 +26,25 @@ class Gamepads {
   void set_trigger_threshold(float threshold) { threshold_ = threshold; }
   // Notes controllers that come and go and axes that move; appends the keys of buttons and triggers.
   void handle(const SDL_Event& event, std::vector<InputEvent>& to);
-  PadSticks sticks() const;
+  // Begins to count anew what gyroscopes have turned.
+  PadSticks take_sticks();
+  // Shakes those that can, for so many seconds; `strength` 0 to 1.
+  void rumble(float strength, double seconds);
 
  private:
   struct Pad {
     SDL_GameController* controller = nullptr;
     std::array<float, SDL_CONTROLLER_AXIS_MAX> axes{};
     std::array<bool, 2> triggers{};
+    std::uint32_t turning_since = 0;  // SDL's milliseconds of the gyroscope's last word; 0: none yet
   };
   void open(int device);
   void move_axis(const SDL_ControllerAxisEvent& event, std::vector<InputEvent>& to);
+  void turn(const SDL_ControllerSensorEvent& event);
 
   bool on_ = false;
   float threshold_ = 0.2f;
+  vec3 turned_{0.0f};  // degrees
   std::map<SDL_JoystickID, Pad> pads_;
 };
 

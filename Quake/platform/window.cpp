@@ -160,7 +160,9 @@ void Window::use_gamepads(bool on, float trigger_threshold) {
   impl_->pads.use(on);
 }
 
-PadSticks Window::pad_sticks() const { return impl_->pads.sticks(); }
+PadSticks Window::take_pad_sticks() { return impl_->pads.take_sticks(); }
+
+void Window::rumble(float strength, double seconds) { impl_->pads.rumble(strength, seconds); }
 
 std::vector<InputEvent> Window::poll_events() {
   std::vector<InputEvent> events;

@@ -69,8 +69,11 @@ class Window {
   // Game controllers: their buttons come as keys, by QuakeSpasm's names; triggers too, once they have moved by this
   // part of their way. Off at first; one that is plugged in later is found.
   void use_gamepads(bool on, float trigger_threshold);
-  // The sticks of the controllers, the largest deflection of each: -1 to 1, to the right and downwards.
-  PadSticks pad_sticks() const;
+  // The sticks of the controllers, the largest deflection of each: -1 to 1, to the right and downwards; and what their
+  // gyroscopes have turned since the last call.
+  PadSticks take_pad_sticks();
+  // Shakes the controllers that can, for so many seconds; `strength` 0 to 1.
+  void rumble(float strength, double seconds);
 
   // All events since the last call.
   std::vector<InputEvent> poll_events();

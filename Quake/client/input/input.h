@@ -61,7 +61,8 @@ class Button {
   X(use, "use", "no effect: Quake's protocol has no bit for it")                \
   X(jump, "jump", "jump, swim up")                                              \
   X(key_look, "klook", "look up and down by +forward and +back")                \
-  X(mouse_look, "mlook", "look up and down by the mouse")
+  X(mouse_look, "mlook", "look up and down by the mouse")                       \
+  X(gyro_action, "gyroaction", "let a controller's gyroscope turn the view, or keep it from that (gyro_mode)")
 
 struct Buttons {
 #define FB_BUTTON(member, name, help) Button member;

@@ -10,6 +10,11 @@ namespace {
 
 constexpr float kStickForwardSpeed = 200.0f, kStickSideSpeed = 225.0f;  // QuakeSpasm's, units a second
 
+void add_pitch(float pitch, const InputSettings& input, vec3& view_angles) {
+  view_angles.x = std::clamp(view_angles.x + pitch, std::min(input.min_pitch, input.max_pitch),
+                             std::max(input.min_pitch, input.max_pitch));
+}
+
 }  // namespace
 
 void register_stick_cvars(con::Console& console) {
@@ -44,8 +49,19 @@ bool apply_look_stick(const Sticks& sticks, const StickSettings& s, const InputS
   view_angles.y -= time * s.yaw_speed * look.x;
   const float pitch = time * s.pitch_speed * look.y * (s.invert != 0.0f ? -1.0f : 1.0f);
   if (pitch == 0.0f) return false;
-  view_angles.x = std::clamp(view_angles.x + pitch, std::min(input.min_pitch, input.max_pitch),
-                             std::max(input.min_pitch, input.max_pitch));
+  add_pitch(pitch, input, view_angles);
+  return true;
+}
+
+bool apply_gyro(const Sticks& sticks, const StickSettings& s, const InputSettings& input, bool action, double seconds,
+                vec3& view_angles) {
+  const bool counts = s.gyro_mode == 0.0f || (s.gyro_mode == 1.0f) == action;
+  if (s.enable == 0.0f || s.gyro == 0.0f || !counts) return false;
+  if (glm::length(sticks.turned) < s.gyro_noise * static_cast<float>(seconds)) return false;
+  view_angles.y += s.gyro_yaw * (s.gyro_axis != 0.0f ? sticks.turned.z : sticks.turned.y);
+  const float pitch = -s.gyro_pitch * sticks.turned.x;
+  if (pitch == 0.0f) return false;
+  add_pitch(pitch, input, view_angles);
   return true;
 }
 

@@ -62,5 +62,40 @@ TEST(Sticks, CvarsAreQuakeSpasms) {
   EXPECT_EQ(read_stick_settings(console).dead_move, 0.9f);
 }
 
+TEST(Gyro, TurnsTheViewAsFarAsItWasTurnedItself) {
+  StickSettings settings;
+  const InputSettings input;
+  Sticks sticks;
+  sticks.turned = {4.0f, 10.0f, -2.0f};
+  vec3 angles(0.0f);
+  EXPECT_TRUE(apply_gyro(sticks, settings, input, false, 0.1, angles));
+  EXPECT_EQ(angles, vec3(-10.0f, 25.0f, 0.0f)) << "up and to the left, 2.5 times";
+  settings.gyro_axis = 1.0f;
+  angles = vec3(0.0f);
+  apply_gyro(sticks, settings, input, false, 0.1, angles);
+  EXPECT_EQ(angles.y, -5.0f) << "leaning over to the right turns";
+  sticks.turned = {0.1f, 0.1f, 0.0f};
+  angles = vec3(0.0f);
+  EXPECT_FALSE(apply_gyro(sticks, settings, input, false, 0.1, angles));
+  EXPECT_EQ(angles, vec3(0.0f)) << "1.4 degrees a second are noise";
+}
+
+TEST(Gyro, CountsAsItsActionSays) {
+  StickSettings settings;
+  Sticks sticks;
+  sticks.turned = {0.0f, 1.0f, 0.0f};
+  const auto turns = [&](float mode, bool action) {
+    vec3 angles(0.0f);
+    settings.gyro_mode = mode;
+    apply_gyro(sticks, settings, InputSettings(), action, 0.1, angles);
+    return angles.y != 0.0f;
+  };
+  EXPECT_TRUE(turns(0.0f, false) && turns(0.0f, true));
+  EXPECT_TRUE(!turns(1.0f, false) && turns(1.0f, true));
+  EXPECT_TRUE(turns(2.0f, false) && !turns(2.0f, true));
+  settings.gyro = 0.0f;
+  EXPECT_FALSE(turns(0.0f, false));
+}
+
 }  // namespace
 }  // namespace fb::cl

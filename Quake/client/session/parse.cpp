@@ -14,8 +14,9 @@
 namespace fb::cl {
 namespace {
 
-constexpr char kTalk = 1;          // begins what a player says
-constexpr float kLastTime = 1e9f;  // seconds: 30 years of play
+constexpr char kTalk = 1;                                   // begins what a player says
+constexpr float kLastTime = 1e9f;                           // seconds: 30 years of play
+constexpr float kHardestKick = 10.0f, kHardestHit = 50.0f;  // degrees of recoil, points of damage: a jolt of 1
 
 // "maps/start.bsp" -> "start"
 std::string bare_map_name(const std::string& path) {
@@ -274,7 +275,11 @@ std::string Apply::operator()(const net::svc::ClientData& m) const {
     state.punch[i] = static_cast<float>(m.punch[k]);
     state.message_velocities[0][i] = static_cast<float>(m.velocity[k]) * 16.0f;
   }
-  if (state.punches[0] != state.punch) state.punches = {state.punch, state.punches[0]};
+  if (state.punches[0] != state.punch) {
+    const float kick = glm::length(state.punch);
+    if (kick > glm::length(state.punches[0])) state.jolt = std::max(state.jolt, std::min(kick / kHardestKick, 1.0f));
+    state.punches = {state.punch, state.punches[0]};
+  }
   const auto had = static_cast<std::uint32_t>(state.hud.items), has = static_cast<std::uint32_t>(m.items);
   for (std::size_t bit = 0; bit < 32; ++bit)
     if ((has & ~had) >> bit & 1u) state.hud.item_time[bit] = state.time;
@@ -301,6 +306,7 @@ std::string Apply::operator()(const net::svc::ClientData& m) const {
 std::string Apply::operator()(const net::svc::Damage& m) const {
   const float count = std::max(10.0f, 0.5f * static_cast<float>(m.blood + m.armor));
   state.hud.face_pain_until = state.time + 0.2;
+  state.jolt = std::max(state.jolt, std::min(2.0f * count / kHardestHit, 1.0f));
   ColorShift& shift = state.shifts[kShiftDamage];
   shift.percent = std::clamp(shift.percent + 3.0f * count, 0.0f, 150.0f);
   if (m.armor > m.blood)

@@ -224,12 +224,27 @@ TEST(Parse, StuffedTextObeysOnlyWhatShows) {
   EXPECT_EQ(fog_at(s.state.fog, s.state.time).color, vec3(1, 0, 0));
 }
 
+TEST(Parse, RecoilJoltsOnceAKick) {
+  ToldSession s;
+  svc::ClientData data;
+  data.punch = {-4, 0, 0};
+  s.tell({data});
+  EXPECT_FLOAT_EQ(s.state.jolt, 0.4f);
+  s.state.jolt = 0.0f;
+  for (const int fading : {-4, -3, -1, 0}) {
+    data.punch = {fading, 0, 0};
+    s.tell({data});
+  }
+  EXPECT_EQ(s.state.jolt, 0.0f);
+}
+
 TEST(Parse, DamageKicksAndReddens) {
   ToldSession s;
   s.tell({svc::Time{1.0f}, update(1, 3, {0, 0, 0})});
   s.tell({svc::Damage{0, 40, {100, 0, 0}}});
   EXPECT_EQ(s.state.shifts[kShiftDamage].color, vec3(255, 0, 0));
   EXPECT_EQ(s.state.shifts[kShiftDamage].percent, 60.0f);
+  EXPECT_FLOAT_EQ(s.state.jolt, 0.8f) << "40 of 50 points";
   EXPECT_FLOAT_EQ(s.state.damage_pitch, 20.0f * 0.6f);  // from in front
   EXPECT_NEAR(s.state.damage_roll, 0.0f, 1e-5f);
   EXPECT_FLOAT_EQ(s.state.damage_time, 0.5f);

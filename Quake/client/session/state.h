@@ -109,6 +109,7 @@ struct ClientState {
   ColorShift empty_shift{vec3(130, 80, 50), 0.0f};  // v_cshift's: what contents make when there are none
   // Kicks of damage, applied and decayed by view.cpp.
   float damage_time = 0.0f, damage_roll = 0.0f, damage_pitch = 0.0f;
+  float jolt = 0.0f;  // the hardest of damage and recoil since it was asked for, 0 to 1
 
   const scene::Model* model(int index) const {
     return index > 0 && static_cast<std::size_t>(index) < models.size() ? models[static_cast<std::size_t>(index)]
