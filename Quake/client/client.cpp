@@ -142,6 +142,7 @@ void Client::Impl::finish_moment() {
 void Client::Impl::advance(double seconds) {
   read_settings();
   if (asked()) poll_attempt();
+  start_next_time_demo();
   ClientState& state = session.state;
   frame_seconds = seconds;
   if (demo()) {
@@ -172,9 +173,11 @@ Status Client::start_demo(std::string_view name, DemoMode mode) {
     stop();
     return Error{fmt::format("couldn't open {}: no such file", path)};
   }
-  return impl_->start(std::move(*data), path, mode);
+  return start_demo(std::move(*data), path, mode);
 }
 Status Client::start_demo(FileData data, std::string_view name, DemoMode mode) {
+  impl_->time_demos.clear();
+  impl_->next_time_demo = 0;
   return impl_->start(std::move(data), name, mode);
 }
 void Client::stop() { impl_->end_demo(std::nullopt); }
@@ -215,6 +218,7 @@ bool Client::playing() const { return impl_->demo() != nullptr; }
 bool Client::timing() const { return impl_->timing(); }
 const std::optional<Error>& Client::last_error() const { return impl_->error; }
 const std::optional<TimeDemoResult>& Client::last_time_demo() const { return impl_->time_demo; }
+bool Client::more_to_time() const { return impl_->next_time_demo < impl_->time_demos.size(); }
 
 Status Client::map_view(std::string_view name) {
   stop();

@@ -73,6 +73,7 @@ class Client {
   // Why the last demo or game ended, if not by its own end or because the player wanted it.
   const std::optional<Error>& last_error() const;
   const std::optional<TimeDemoResult>& last_time_demo() const;
+  bool more_to_time() const;  // demos of a timedemo's list are left
 
   // A map without a server: its world, its brush entities where they stand at the start, its lamps; the camera in the
   // first info_player_start. "start" or "maps/start.bsp".

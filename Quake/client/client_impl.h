@@ -30,6 +30,9 @@ struct Client::Impl {
   // demo_commands.cpp
   void register_demo_commands();
   bool demo_command(const con::Args& args, DemoMode mode);
+  bool play(const std::string& name, DemoMode mode);
+  void time_demo_command(const con::Args& args);
+  void start_next_time_demo();
   void go_through_list(int steps);
 
   // game.cpp: a server as the source of messages
@@ -61,7 +64,7 @@ struct Client::Impl {
 
   // demo_play.cpp
   Status start(FileData data, std::string_view name, DemoMode mode);
-  void end_demo(std::optional<Error> error);
+  void end_demo(std::optional<Error> error, bool whole = false);  // whole: played to its end
   void read_demo();
   void play_demo(double seconds);
   void follow_rate(double rate);
@@ -103,6 +106,7 @@ struct Client::Impl {
     const auto* server = std::get_if<AskedServer>(&source);
     return std::holds_alternative<StillMap>(source) || (server && server->over_map);
   }
+  bool times() { return timing() || next_time_demo < time_demos.size(); }
   bool timing() { return demo() && demo()->mode() == DemoMode::kTime; }
 
   con::Console& console;
@@ -139,6 +143,8 @@ struct Client::Impl {
   double frame_seconds = 0.0;
   std::optional<Error> error;
   std::optional<TimeDemoResult> time_demo;
+  std::vector<std::string> time_demos;  // of the last timedemo's list, every run of each
+  std::size_t next_time_demo = 0;       // of that list
   std::vector<std::string> demo_loop;
   int demo_loop_next = -1;  // -1: not looping
   DemoControl control;      // of the demo that plays

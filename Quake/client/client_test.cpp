@@ -186,6 +186,43 @@ TEST_F(Game, WhatFollowsATimedemoOnTheCommandLineWaits) {
   EXPECT_NE(log.find("4 frames", first + 1), std::string::npos) << "both were played";
 }
 
+TEST_F(Game, ATimedemoOfAListPlaysItAsOftenAsAsked) {
+  put("long.dem", walk(10));
+  put("short.dem", walk(6));
+  std::vector<std::string> played;
+  bool quit = false;
+  console.add_command("quit", "ends the program", [&](const con::Args&) { quit = true; });
+  console.append("scr_timedemo_runs 2\ntimedemo long nothing short\nquit\n");
+  for (int frames = 0; !quit; ++frames) {
+    ASSERT_LT(frames, 100);
+    const bool timed = client.timing();
+    frame();
+    if (!timed || client.timing()) continue;
+    const TimeDemoResult& result = *client.last_time_demo();
+    EXPECT_TRUE(result.whole);
+    EXPECT_EQ(result.of, 6);
+    EXPECT_EQ(result.index, static_cast<int>((played.size() / 2) * 3 + (played.size() % 2) * 2))
+        << "nothing is missing";
+    played.push_back(fmt::format("{} {}", result.demo, result.frames));
+  }
+  EXPECT_THAT(played, testing::ElementsAre("long.dem 8", "short.dem 4", "long.dem 8", "short.dem 4"));
+  EXPECT_FALSE(client.more_to_time());
+}
+
+TEST_F(Game, WhatBeginsInTheMeantimeEndsTheListOfATimedemo) {
+  put("walk.dem", walk(10));
+  for (const char* command : {"stopdemo", "playdemo walk"}) {
+    console.execute("timedemo walk walk walk");
+    frame();
+    EXPECT_TRUE(client.more_to_time());
+    console.execute(command);
+    EXPECT_FALSE(client.last_time_demo()->whole);
+    frame();
+    EXPECT_FALSE(client.more_to_time());
+    EXPECT_FALSE(client.timing()) << command;
+  }
+}
+
 TEST_F(Game, AMissingDemoDoesNotHoldTheRest) {
   bool quit = false;
   console.add_command("quit", "ends the program", [&](const con::Args&) { quit = true; });

@@ -16,6 +16,9 @@ namespace {
 constexpr std::size_t kMaxDemoLoop = 8;
 constexpr const char* kJumpHelp =
     "demo_jump [+|-][minutes:]seconds: go to this time of the demo, or that much further on or back";
+constexpr const char* kTimeHelp =
+    "timedemo <demo> ...: play demos as fast as possible and print frames a second; see scr_timedemo_json and "
+    "scr_timedemo_runs";
 constexpr const char* kSpeedHelp =
     "demo_setspeed <percent>: speed of the demo, 3.125 to 3200; 100 is its own, negative plays it backwards, 0 pauses";
 constexpr const char* kNudgeHelp =
@@ -33,14 +36,38 @@ std::optional<double> parse_time(std::string_view text) {
 
 }  // namespace
 
-// True if the demo started.
 bool Client::Impl::demo_command(const con::Args& args, DemoMode mode) {
-  if (args.size() != 2) {
-    log_info("{} <demo>: {}", args[0],
-             mode == DemoMode::kTime ? "play a demo as fast as possible and print frames a second" : "play a demo");
-    return false;
-  }
-  const std::string path = demo_path(args[1]);
+  if (args.size() == 2) return play(args[1], mode);
+  log_info("{} <demo>: play a demo", args[0]);
+  return false;
+}
+
+// The whole list, as often as scr_timedemo_runs says; runs of one demo are apart, so that a slow minute is not one
+// demo's.
+void Client::Impl::time_demo_command(const con::Args& args) {
+  if (args.size() < 2) return log_info("{}", kTimeHelp);
+  end_demo(std::nullopt);
+  time_demos.clear();
+  for (int run = console.cvar("scr_timedemo_runs").integer(); run > 0; --run)
+    for (std::size_t i = 1; i < args.size(); ++i) time_demos.push_back(args[i]);
+  next_time_demo = 1;
+  if (time_demos.size() > 1) demo_loop_next = -1;
+  play(time_demos.front(), DemoMode::kTime);
+  // What stands behind it on the command line has to wait: +timedemo demo1 +quit.
+  if (!times() || console.buffer_empty()) return;
+  held = true;
+  console.insert("wait\ntimedemo_wait\n");
+}
+
+// Whatever else began in the meantime ends the list.
+void Client::Impl::start_next_time_demo() {
+  if (link() || asked() || shows_map()) next_time_demo = time_demos.size();
+  while (!demo() && next_time_demo < time_demos.size()) play(time_demos[next_time_demo++], DemoMode::kTime);
+}
+
+// True if the demo started.
+bool Client::Impl::play(const std::string& name, DemoMode mode) {
+  const std::string path = demo_path(name);
   std::optional<FileData> data = files ? files(path) : std::nullopt;
   end_demo(std::nullopt);
   const Status status = data ? start(std::move(*data), path, mode) : Status(Error{"couldn't open " + path});
@@ -69,19 +96,16 @@ void Client::Impl::register_demo_commands() {
 
   console.add_command("playdemo", "playdemo <demo>: play a demo",
                       [this](const con::Args& args) { demo_command(args, DemoMode::kPlay); });
-  console.add_command("timedemo", "timedemo <demo>: play a demo as fast as possible and print frames a second",
-                      [this](const con::Args& args) {
-                        // What stands behind it on the command line has to wait: +timedemo demo1 +quit.
-                        if (!demo_command(args, DemoMode::kTime) || console.buffer_empty()) return;
-                        held = true;
-                        console.insert("wait\ntimedemo_wait\n");
-                      });
+  console.add_cvar(
+      {"scr_timedemo_runs", "1", "how often timedemo plays its list of demos", con::kCvarPlain, 1.0f, 1000.0f, true});
+  console.add_command("timedemo", kTimeHelp, [this](const con::Args& args) { time_demo_command(args); });
   console.add_command("timedemo_wait", "timedemo_wait: delay the commands that follow until the timedemo has ended",
                       [this](const con::Args&) {
-                        if (timing()) console.insert("wait\ntimedemo_wait\n");
+                        if (times()) console.insert("wait\ntimedemo_wait\n");
                       });
   console.add_command("stopdemo", "stopdemo: stop the playing demo", [this](const con::Args&) {
     demo_loop_next = -1;
+    next_time_demo = time_demos.size();
     end_demo(std::nullopt);
   });
   console.add_command("startdemos", "startdemos <demo> ...: play demos in a loop", [this](const con::Args& args) {

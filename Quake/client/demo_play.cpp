@@ -33,6 +33,7 @@ void DemoControl::slower() {
 Status Client::Impl::start(FileData data, std::string_view name, DemoMode mode) {
   end_demo(std::nullopt);
   disconnect();
+  if (mode == DemoMode::kPlay) next_time_demo = time_demos.size();
   auto opened = DemoPlayback::open(std::move(data), name, mode, frame, clock());
   if (!opened.ok()) return opened.error();
   session.clear();
@@ -50,10 +51,13 @@ Status Client::Impl::start(FileData data, std::string_view name, DemoMode mode) 
   return ok_status();
 }
 
-void Client::Impl::end_demo(std::optional<Error> why) {
+void Client::Impl::end_demo(std::optional<Error> why, bool whole) {
   if (!demo()) return;
   if (timing()) {
     time_demo = demo()->result(frame, clock());
+    time_demo->whole = whole;
+    time_demo->index = static_cast<int>(std::max<std::size_t>(next_time_demo, 1)) - 1;
+    time_demo->of = static_cast<int>(std::max<std::size_t>(time_demos.size(), 1));
     log_info("{}", time_demo->line());
   }
   source = NoSource{};
@@ -75,7 +79,7 @@ void Client::Impl::read_demo() {
   while (DemoPlayback* const playback = demo()) {
     if (!playback->due(state.signon == kSignons, state.time, state.message_times[0], frame, clock())) return;
     if (playback->at_end()) {
-      end_demo(std::nullopt);
+      end_demo(std::nullopt, true);
       next_demo();
       return;
     }
@@ -95,7 +99,7 @@ void Client::Impl::read_demo() {
     if (session.disconnected) {
       session.disconnected = false;
       log_info("Server disconnected");
-      end_demo(std::nullopt);
+      end_demo(std::nullopt, true);
       next_demo();
       return;
     }

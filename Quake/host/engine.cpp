@@ -209,7 +209,7 @@ void Engine::frame(const FramePlan& plan, const vec2& mouse, double now) {
 
 bool Engine::busy() {
   if (!console_.buffer_empty() || server_list_.searching() || (server_ && server_->active())) return true;
-  return client_ && (client_->playing() || client_->connected() || client_->connecting());
+  return client_ && (client_->playing() || client_->more_to_time() || client_->connected() || client_->connecting());
 }
 
 bool Engine::playing() const {

@@ -50,7 +50,8 @@ Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
       keys_(engine_->console(), facts_),
       demo_controls_(engine_->console(), engine_->client()),
       panel_(engine_->console()),
-      screen_(engine_->console(), bar_services(*engine_), keys_, engine_->rules()) {
+      screen_(engine_->console(), bar_services(*engine_), keys_, engine_->rules()),
+      timedemo_report_(*engine_) {
   facts_.set_display_size([this] { return window_ ? window_->display_size() : uvec2(0); });
   keys_.set_demo_keys([this](const platform::InputEvent& event) { return demo_controls_.handle(event); });
   keys_.set_panel([this](const platform::InputEvent& event) { return panel_.handle(event); });

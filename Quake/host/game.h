@@ -21,6 +21,7 @@
 #include "host/pass_report.h"
 #include "host/presets.h"
 #include "host/screen.h"
+#include "host/timedemo_report.h"
 #include "panel/panel.h"
 #include "platform/window.h"
 #include "render/renderer.h"
@@ -92,6 +93,7 @@ class Game {
   std::optional<FrameDrawer> drawer_;
   scene::FrameSnapshot snapshot_;
   PassReport pass_report_;
+  TimedemoReport timedemo_report_;
   std::optional<std::vector<std::string>> next_start_;
   bool quit_ = false, was_timing_ = false;
   bool started_ = false;                  // the configuration has been read
@@ -115,6 +117,8 @@ class Game {
     uvec2 size{0, 0};
     double input_time = 0;
     bool timed = false;
+    std::uint64_t message = 0;  // of the demo that plays
+    double demo_seconds = 0;
     int governed = 0;  // the governor's step
   };
   Drawn drawn_;

@@ -42,7 +42,7 @@ void Game::show_loading() {
   renderer_->finish();
   const render::RenderSettings wanted = settings();
   drawer_->draw(snapshot_, &screen_.draw_loading(engine_->client(), drawer_->size(wanted)), wanted);
-  drawn_ = {frame_, renderer_->output_size(), input_time_, false, governor_.step()};
+  drawn_ = {frame_, renderer_->output_size(), input_time_, false, 0, 0, governor_.step()};
   renderer_->finish();
   snapshot_.frame = ++frame_;
   loading_since_ = platform::now_seconds();
@@ -113,7 +113,8 @@ bool Game::draw_frame() {
       moment.panel = [&](scene::DrawList& list, ui::Atlas& atlas) { draw_panel(list, atlas, moment.size, now); };
   }
   drawer_->draw(snapshot_, &screen_.draw(client, moment), wanted);
-  drawn_ = {frame_, renderer_->output_size(), input_time_, client.timing(), governor_.step()};
+  drawn_ = {frame_,        renderer_->output_size(), input_time_, client.timing(), client.messages_read(),
+            client.time(), governor_.step()};
   if (pictured || !draws_ahead()) renderer_->finish();
   if (pictured) take_save_picture();
   ++frame_;
@@ -162,7 +163,10 @@ void Game::show_drawn() {
   if (engine_->client().active())
     governor_.add(drawn.governed, draws_ahead() ? std::max(host, device) : host + device, times.whole, now);
   if (engine_->client().active() && !engine_->client().timing()) follow_measurement(device, now);
-  if (drawn.timed) pass_report_.add(renderer_->pass_times(), times);
+  if (drawn.timed) {
+    pass_report_.add(renderer_->pass_times(), times);
+    timedemo_report_.add(drawn.message, drawn.demo_seconds, renderer_->pass_times(), times);
+  }
   panel_.add_frame(renderer_->pass_times(), times.whole);
   if (engine_->console().cvar("host_speeds").on())
     log_info("{:7.2f} ms, host {:6.2f}, input to picture {:7.2f}", times.whole, times.whole - times.waited,
@@ -172,12 +176,17 @@ void Game::show_drawn() {
 
 void Game::report_timing() {
   const bool timing = engine_->client().timing();
-  if (timing && !was_timing_) pass_report_.clear();
+  if (timing && !was_timing_) {
+    pass_report_.clear();
+    timedemo_report_.begin();
+  }
   if (!timing && was_timing_) {
     renderer_->finish();
     for (const std::string& line : {pass_report_.line(), pass_report_.times_line()}) {
       if (!line.empty()) log_info("{}", line);
     }
+    const auto& result = engine_->client().last_time_demo();
+    engine_->console().fail_unless(timedemo_report_.end(*result, device_->report(), renderer_->output_size()));
   }
   was_timing_ = timing;
 }

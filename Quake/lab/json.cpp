@@ -64,6 +64,11 @@ JsonWriter& JsonWriter::number(std::string_view key, double value) {
 
 JsonWriter& JsonWriter::text(std::string_view key, std::string_view value) { return raw(key, quoted(value)); }
 
+JsonWriter& JsonWriter::estimate(std::string_view key, const Estimate& e) {
+  open_object(key).number("value", e.value);
+  return open_array("interval95").number("", e.interval.low).number("", e.interval.high).close().close();
+}
+
 const std::string& JsonWriter::str() const {
   FB_CHECK(closing_.empty());
   return out_;

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "lab/statistics.h"
+
 namespace fb::lab {
 
 class JsonWriter {
@@ -21,6 +23,7 @@ class JsonWriter {
     return raw(key, std::to_string(value));
   }
   JsonWriter& text(std::string_view key, std::string_view value);
+  JsonWriter& estimate(std::string_view key, const Estimate& e);  // {"value": x, "interval95": [low, high]}
   JsonWriter& boolean(std::string_view key, bool value) { return raw(key, value ? "true" : "false"); }
   // All that was written; everything that was opened must be closed.
   const std::string& str() const;

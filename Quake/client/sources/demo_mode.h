@@ -20,6 +20,8 @@ struct DemoStatus {
 // The line that timedemo ends with.
 struct TimeDemoResult {
   std::string demo;
+  bool whole = false;     // played to its end
+  int index = 0, of = 1;  // in the list that one command asked for: demos times runs, from 0
   int frames = 0;
   double seconds = 0.0;
   double fps() const { return frames / seconds; }

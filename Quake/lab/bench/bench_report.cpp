@@ -74,11 +74,6 @@ void add_running(std::string& out, const BenchResult& result) {
   }
 }
 
-void write_estimate(JsonWriter& json, std::string_view key, const Estimate& e) {
-  json.open_object(key).number("value", e.value);
-  json.open_array("interval95").number("", e.interval.low).number("", e.interval.high).close().close();
-}
-
 void write_series(JsonWriter& json, std::string_view key, const std::vector<double>& values) {
   json.open_array(key);
   for (const double v : values) json.number("", v);
@@ -97,11 +92,11 @@ void write_window(JsonWriter& json, const ConfigurationResult& c, const WindowSt
   json.number("gpu_ms_median", s.gpu_ms).number("estimator_gpu_ms_median", s.estimator_ms);
   if (s.gains) {
     json.open_object("gain");
-    write_estimate(json, "equal_samples", s.gains->samples);
-    write_estimate(json, "equal_time", s.gains->time);
-    write_estimate(json, "equal_time_all_passes", s.gains->time_all);
-    write_estimate(json, "equal_time_paired", s.gains->time_paired);
-    write_estimate(json, "equal_time_median_frame", s.gains->typical_time);
+    json.estimate("equal_samples", s.gains->samples);
+    json.estimate("equal_time", s.gains->time);
+    json.estimate("equal_time_all_passes", s.gains->time_all);
+    json.estimate("equal_time_paired", s.gains->time_paired);
+    json.estimate("equal_time_median_frame", s.gains->typical_time);
     json.close();
   }
   if (still) {

@@ -88,16 +88,11 @@ std::vector<std::uint32_t> samples_of(const JudgeJob& job) {
   return spp;
 }
 
-void write_estimate(JsonWriter& json, std::string_view key, const Estimate& e) {
-  json.open_object(key).number("value", e.value);
-  json.open_array("interval95").number("", e.interval.low).number("", e.interval.high).close().close();
-}
-
 void write_lane(JsonWriter& json, const Lane& lane, const LaneFigures& figures, const ReferenceFacts& reference) {
   json.open_object().text("configuration", lane.name);
   for (std::size_t f = 0; f < kFigureCount; ++f) {
     const auto figure = static_cast<JudgeFigure>(f);
-    write_estimate(json, info(figure).key, over_seeds(figures, figure, f == kBias ? reference.bias_error : 0));
+    json.estimate(info(figure).key, over_seeds(figures, figure, f == kBias ? reference.bias_error : 0));
   }
   json.integer("isolated_dark_most", figures.most_dark).integer("isolated_bright_most", figures.most_bright);
   json.integer("pixels_not_finite", figures.not_finite);
@@ -131,10 +126,10 @@ void write_summary(JsonWriter& json, const std::vector<JudgedView>& views, const
   for (std::size_t i = 0; i < job.lanes.size(); ++i) {
     json.open_object().text("configuration", job.lanes[i].name);
     for (std::size_t f = 0; f < kFigureCount; ++f)
-      write_estimate(json, info(static_cast<JudgeFigure>(f)).key, over_views(figures, i, static_cast<JudgeFigure>(f)));
+      json.estimate(info(static_cast<JudgeFigure>(f)).key, over_views(figures, i, static_cast<JudgeFigure>(f)));
     const JudgeGain gain = gain_over_first(figures, i, samples_of(job));
-    write_estimate(json, "gain_equal_samples", gain.equal_samples);
-    write_estimate(json, "gain_equal_time", gain.equal_time);
+    json.estimate("gain_equal_samples", gain.equal_samples);
+    json.estimate("gain_equal_time", gain.equal_time);
     json.close();
   }
   json.close();
