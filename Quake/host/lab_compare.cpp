@@ -11,11 +11,16 @@ namespace {
 struct CompareOptions {
   lab::CompareJob job;
   std::string json, csv;
+  std::vector<std::string> former;
   bool no_flip = false;
 };
 
 int run_compare(CompareOptions& options) {
   options.job.flip = !options.no_flip;
+  if (!options.former.empty()) {
+    options.job.former_reference = options.former[0];
+    options.job.former_test = options.former[1];
+  }
   const auto comparison = lab::compare(options.job);
   if (!comparison) return fail(comparison.error());
   if (options.json != "-" && options.csv != "-") fmt::print("{}", lab::comparison_table(*comparison));
@@ -45,6 +50,13 @@ LabCommand add_compare_command(CLI::App& app) {
   add_number(*compare, "--ppd", job.pixels_per_degree, 1.0, 1000.0, "pixels per degree of FLIP's observer");
   add_number(*compare, "--exposure", job.exposure, -100.0, 100.0,
              "exposure of EXR files for LDR-FLIP, stops (HDR-FLIP chooses its own)");
+  add_number(*compare, "--peak", job.metrics.peak, 0.0, 1e30,
+             "largest value, for PSNR; 0: 1 for PNG, the reference's largest channel for EXR");
+  compare
+      ->add_option("--former", options->former,
+                   "the frame before: its reference and its TEST (EXR); adds flicker. Both references hold motion, as "
+                   "those that `picture` keeps do")
+      ->expected(2);
   compare->add_option("--flip-map", job.flip_map,
                       "write FLIP per pixel to this PNG, black 0 to white 1 (one TEST only)");
   compare->add_flag("--no-flip", options->no_flip, "do not compute FLIP, which takes most of the time");

@@ -28,9 +28,10 @@ int run_timedemos(const TimedemosOptions& o) {
 
 LabCommand add_timedemos_command(CLI::App& app) {
   auto options = std::make_shared<TimedemosOptions>();
-  CLI::App* command = app.add_subcommand("timedemos",
-                                         "compares two files of the game's scr_timedemo_json, of two builds, devices or "
-                                         "settings: how many times as fast the second is, with 95% intervals");
+  CLI::App* command =
+      app.add_subcommand("timedemos",
+                         "compares two files of the game's scr_timedemo_json, of two builds, devices or "
+                         "settings: how many times as fast the second is, with 95% intervals");
   command->add_option("A", options->a, "a file of scr_timedemo_json")->required();
   command->add_option("B", options->b, "another, of the same demos at the same size")->required();
   command->add_option("--json", options->json, "write JSON to this file; - is standard output, and omits the table");

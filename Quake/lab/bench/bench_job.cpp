@@ -11,7 +11,7 @@ namespace fb::lab {
 namespace {
 
 // A configuration at work.
-struct Lane {
+struct BenchLane {
   render::RenderSettings settings;
   std::unique_ptr<render::Renderer> renderer;
   ConfigurationResult result;
@@ -21,8 +21,9 @@ struct Lane {
   Runs frames;                     // of the last window, all runs
 };
 
-Result<Lane> open_lane(gpu::Device& device, const Configuration& configuration, const View& view, const BenchJob& job) {
-  Lane lane;
+Result<BenchLane> open_lane(gpu::Device& device, const Configuration& configuration, const View& view,
+                            const BenchJob& job) {
+  BenchLane lane;
   lane.settings = configuration.settings;
   lane.settings.accumulate = 0;
   auto renderer = render::Renderer::create(device, lane.settings);
@@ -39,7 +40,7 @@ Result<Lane> open_lane(gpu::Device& device, const Configuration& configuration, 
   return lane;
 }
 
-void add_times(Lane& lane, FrameRecord& record, bool measured) {
+void add_times(BenchLane& lane, FrameRecord& record, bool measured) {
   for (const render::PassTime& pass : lane.renderer->pass_times()) {
     record.gpu_ms += pass.milliseconds;
     if (pass.kind == render::PassKind::kEstimator) record.estimator_ms += pass.milliseconds;
@@ -54,8 +55,8 @@ void add_times(Lane& lane, FrameRecord& record, bool measured) {
   for (const auto& [name, milliseconds] : sums) lane.passes[name].push_back(milliseconds);
 }
 
-void add_running_errors(Lane& lane, FrameRecord& record, const Picture& picture, const Reference& reference, bool warm,
-                        const MetricOptions& metrics) {
+void add_running_errors(BenchLane& lane, FrameRecord& record, const Picture& picture, const Reference& reference,
+                        bool warm, const MetricOptions& metrics) {
   lane.run_average.add(picture);
   const Errors running = measure(reference, lane.run_average.mean(), metrics);
   record.running_mse = running.mse_corrected();
@@ -68,7 +69,7 @@ void add_running_errors(Lane& lane, FrameRecord& record, const Picture& picture,
   lane.frames.add(picture);
 }
 
-FrameRecord render_frame(Lane& lane, const View& view, std::uint32_t run, std::uint32_t index,
+FrameRecord render_frame(BenchLane& lane, const View& view, std::uint32_t run, std::uint32_t index,
                          const std::vector<Reference>& references, const BenchJob& job) {
   lane.renderer->render(view.at(run, index), nullptr, lane.settings);
   const bool warm = index >= view.warmup;
@@ -87,7 +88,7 @@ ConfigurationResult::Pass pass_times(std::string name, const std::vector<double>
   return {std::move(name), quantile(milliseconds, 0.5), quantile(milliseconds, 0.1), quantile(milliseconds, 0.9)};
 }
 
-void summarise(Lane& lane, const View& view, const std::vector<Reference>& references, const Frames* baseline) {
+void summarise(BenchLane& lane, const View& view, const std::vector<Reference>& references, const Frames* baseline) {
   ConfigurationResult& r = lane.result;
   std::vector<double> all, own;
   for (std::uint32_t run = 0; run < r.frames.runs; ++run) {
@@ -108,8 +109,8 @@ void summarise(Lane& lane, const View& view, const std::vector<Reference>& refer
   }
 }
 
-Status check_sizes(const std::vector<Lane>& lanes, const std::vector<Reference>& references) {
-  for (const Lane& lane : lanes) {
+Status check_sizes(const std::vector<BenchLane>& lanes, const std::vector<Reference>& references) {
+  for (const BenchLane& lane : lanes) {
     const uvec2 size = lane.renderer->render_size();
     for (const Reference& reference : references) {
       if (reference.mean.width == size.x && reference.mean.height == size.y) continue;
@@ -135,7 +136,7 @@ void describe_references(BenchResult& result, const std::vector<Reference>& refe
 
 Result<BenchResult> run_bench(gpu::Device& device, const View& view, const std::vector<Reference>& references,
                               const BenchJob& job) {
-  std::vector<Lane> lanes;
+  std::vector<BenchLane> lanes;
   for (const Configuration& configuration : job.configurations) {
     auto lane = open_lane(device, configuration, view, job);
     if (!lane) return lane.error();
@@ -146,14 +147,14 @@ Result<BenchResult> run_bench(gpu::Device& device, const View& view, const std::
   Progress progress("frame", std::uint64_t{job.runs} * view.frames(), {.quiet = job.quiet});
   for (std::uint32_t run = 0; run < job.runs; ++run) {
     for (std::size_t i = 0; i < lanes.size(); ++i) {
-      Lane& lane = lanes[i];
+      BenchLane& lane = lanes[i];
       lane.renderer->reset_learning();
       lane.settings.seed = job.configurations[i].settings.seed + 1 + static_cast<int>(run);
       lane.run_average = lane.warm_average = Runs();
     }
     for (std::uint32_t index = 0; index < view.frames(); ++index) {
       for (std::size_t k = 0; k < lanes.size(); ++k) {
-        Lane& lane = lanes[(k + index) % lanes.size()];
+        BenchLane& lane = lanes[(k + index) % lanes.size()];
         lane.result.frames.records.push_back(render_frame(lane, view, run, index, references, job));
       }
       progress.update(std::uint64_t{run} * view.frames() + index + 1);
@@ -168,10 +169,10 @@ Result<BenchResult> run_bench(gpu::Device& device, const View& view, const std::
   result.device = device.report().name;
   result.intersector = lanes.front().renderer->intersector_name();
   describe_references(result, references);
-  for (Lane& lane : lanes) {
+  for (BenchLane& lane : lanes) {
     summarise(lane, view, references, &lane == &lanes.front() ? nullptr : &lanes.front().result.frames);
   }
-  for (Lane& lane : lanes) result.configurations.push_back(std::move(lane.result));
+  for (BenchLane& lane : lanes) result.configurations.push_back(std::move(lane.result));
   return result;
 }
 

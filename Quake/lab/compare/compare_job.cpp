@@ -6,7 +6,11 @@
 #include <cctype>
 #include <cmath>
 
+#include "lab/compare/flicker.h"
+#include "lab/image_io.h"
 #include "lab/json.h"
+#include "shared/color.h"
+#include "shared/tone.h"
 
 namespace fb::lab {
 namespace {
@@ -59,12 +63,57 @@ Status check_pair(const CompareJob& job, const Loaded& reference, const Loaded& 
   return ok_status();
 }
 
-std::vector<Figure> error_figures(const Errors& e, const Loaded& reference) {
+// As a screen shows it: sRGB values. A linear picture is cut at 1 after the exposure, as for LDR-FLIP.
+Picture displayed(const Picture& picture, bool linear, double stops) {
+  if (!linear) return picture;
+  Picture shown = at_exposure(picture, stops);
+  for (vec3& p : shown.pixels) p = shared::srgb_from_linear(glm::clamp(p, 0.0f, 1.0f));
+  return shown;
+}
+
+std::vector<Figure> error_figures(const Errors& e, const Loaded& reference, const PicturePair& pair) {
   std::vector<Figure> figures;
   for (const Metric& metric : metrics())
     if (metric.holds(reference.is_linear, !reference.stored.variance.empty()))
-      figures.push_back({metric.name, metric.value(e)});
+      figures.push_back({metric.name, metric.value != nullptr ? metric.value(e) : metric.of_pictures(pair)});
   return figures;
+}
+
+// What a reference that `picture` kept says of where things were.
+Result<Guides> read_guides(const std::string& path) {
+  const auto image = read_exr(path);
+  if (!image) return image.error();
+  Guides guides{image->width(), image->height(), std::vector<vec2>(image->pixels()), {}, {}, {}, {}};
+  const std::vector<float>*x = image->channel("motion.X"), *y = image->channel("motion.Y"), *z = image->channel("Z"),
+        *before = image->channel("previous.Z");
+  if (x == nullptr || y == nullptr || z == nullptr || before == nullptr)
+    return Error{fmt::format(
+        "{}: flicker wants motion.X, motion.Y, Z and previous.Z, as references that `picture` keeps have", path)};
+  for (std::size_t i = 0; i < guides.motion.size(); ++i) guides.motion[i] = vec2((*x)[i], (*y)[i]);
+  guides.depth = *z;
+  guides.depth_before = *before;
+  return guides;
+}
+
+// Of the pair's frame after the former one.
+Result<double> flicker_of(const CompareJob& job, const PicturePair& pair) {
+  const auto reference = load(job.former_reference), test = load(job.former_test);
+  if (!reference) return reference.error();
+  if (!test) return test.error();
+  const auto guides_before = read_guides(job.former_reference), guides = read_guides(job.reference);
+  if (!guides_before) return guides_before.error();
+  if (!guides) return guides.error();
+  for (const auto& [loaded, path] :
+       {std::pair(&*reference, &job.former_reference), std::pair(&*test, &job.former_test)}) {
+    if (!loaded->is_linear) return Error{fmt::format("{}: flicker is of EXR files", *path)};
+    if (!loaded->stored.mean.same_size(pair.test))
+      return Error{fmt::format("{}: another size than {}", *path, job.reference)};
+  }
+  Picture before = test->stored.mean;
+  zero_what_is_not_finite(before);
+  const Picture shown_reference = displayed(reference->stored.mean, true, job.exposure),
+                shown_test = displayed(before, true, job.exposure);
+  return flicker({shown_reference, shown_test, *guides_before}, {pair.shown_reference, pair.shown_test, *guides});
 }
 
 // FLIP's figures, and its map for a picture.
@@ -106,6 +155,7 @@ Result<Comparison> compare(const CompareJob& job) {
   c.job = job;
   if (!job.flip_map.empty() && job.tests.size() != 1) return Error{"--flip-map shows one picture; give one TEST"};
   if (!job.flip_map.empty() && !job.flip) return Error{"--flip-map wants FLIP; leave out --no-flip"};
+  if (!job.former_reference.empty() && job.tests.size() != 1) return Error{"--former is of one picture; give one TEST"};
   auto reference = load(job.reference);
   if (!reference) return reference.error();
   const Picture& r = reference->stored.mean;
@@ -118,16 +168,28 @@ Result<Comparison> compare(const CompareJob& job) {
   c.width = r.width;
   c.height = r.height;
   if (c.linear && job.flip) c.exposures = flip::choose_exposures(r);
+  const Picture shown_reference = displayed(r, c.linear, job.exposure);
   Runs runs;
   for (const std::string& file : job.tests) {
     auto test = load(file);
     if (!test) return test.error();
     if (auto status = check_pair(job, *reference, *test, file); !status) return status.error();
     Picture& t = test->stored.mean;
-    const Errors errors = measure(reference->stored, t, job.metrics);
+    MetricOptions options = job.metrics;
+    if (!c.linear && !(options.peak > 0)) options.peak = 1;
+    const Errors errors = measure(reference->stored, t, options);
+    c.peak = errors.peak;
     if (!reference->stored.variance.empty()) c.reference_variance = errors.reference_variance;
     zero_what_is_not_finite(t);
-    ComparedFile& row = c.files.emplace_back(ComparedFile{file, error_figures(errors, *reference), errors.not_finite});
+    const Picture shown_test = displayed(t, c.linear, job.exposure);
+    const PicturePair pair{r, t, shown_reference, shown_test};
+    ComparedFile& row = c.files.emplace_back(
+        ComparedFile{file, error_figures(errors, *reference, pair), errors.not_finite, error_spectrum(r, t)});
+    if (!job.former_reference.empty()) {
+      const auto value = flicker_of(job, pair);
+      if (!value) return value.error();
+      row.figures.push_back({"flicker", *value});
+    }
     if (job.flip) {
       const auto map = add_flip(row.figures, c, r, t);
       if (!job.flip_map.empty()) {
@@ -179,6 +241,7 @@ std::string comparison_json(const Comparison& c) {
   json.integer("width", c.width).integer("height", c.height).number("reference_mean", c.reference_mean);
   if (c.reference_variance) json.number("reference_variance", *c.reference_variance);
   if (c.linear) json.number("epsilon", c.job.metrics.epsilon);
+  json.number("peak", c.peak);
   if (c.job.flip) json.number("pixels_per_degree", c.job.pixels_per_degree);
   if (c.exposures) {
     json.open_object("hdr_flip_exposures").number("start", c.exposures->start).number("stop", c.exposures->stop);
@@ -188,7 +251,13 @@ std::string comparison_json(const Comparison& c) {
   for (const ComparedFile& file : c.files) {
     json.open_object().text("file", file.file);
     for (const Figure& f : file.figures) json.number(f.name, f.value);
-    json.integer("not_finite", file.not_finite).close();
+    json.integer("not_finite", file.not_finite).open_object("error_spectrum");
+    json.number("low_frequencies_of_white_noise", file.spectrum.white);
+    json.open_array("cycles_per_pixel_up_to");
+    for (std::size_t i = 1; i <= kSpectrumBins; ++i) json.number("", static_cast<double>(i) / (2 * kSpectrumBins));
+    json.close().open_array("power");
+    for (const double p : file.spectrum.power) json.number("", p);
+    json.close().close().close();
   }
   json.close();
   const auto interval = [&](std::string_view key, const Interval& i) {

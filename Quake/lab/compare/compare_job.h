@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "lab/compare/flip.h"
 #include "lab/compare/metrics.h"
+#include "lab/compare/spectrum.h"
 #include "lab/statistics.h"
 
 namespace fb::lab {
@@ -18,7 +19,9 @@ struct CompareJob {
   MetricOptions metrics;
   bool flip = true;
   double pixels_per_degree = flip::kPixelsPerDegree;
-  double exposure = 0;   // stops at which LDR-FLIP looks at linear pictures, cut at 1
+  double exposure = 0;  // stops at which LDR-FLIP looks at linear pictures, cut at 1
+  // The frame before: its reference, with the reference's motion (`picture` keeps such), and its TEST; EXR, one test.
+  std::string former_reference, former_test;  // empty: no flicker
   std::string flip_map;  // PNG of FLIP per pixel (HDR-FLIP of linear pictures); one test only; empty: none
 };
 
@@ -31,6 +34,7 @@ struct ComparedFile {
   std::string file;
   std::vector<Figure> figures;  // the same names in the same order in all files
   std::uint64_t not_finite = 0;
+  Spectrum spectrum;  // of the error
 };
 struct Spread {
   std::string name;
@@ -43,6 +47,7 @@ struct Comparison {
   bool linear = true;  // EXR; otherwise figures are of sRGB values as stored, 0 to 1
   std::uint32_t width = 0, height = 0;
   double reference_mean = 0;  // over pixels and channels
+  double peak = 0;            // PSNR's
   std::optional<double> reference_variance;
   std::optional<flip::Exposures> exposures;
   std::vector<ComparedFile> files;

@@ -10,6 +10,7 @@
 #include "base/rng.h"
 #include "base/test_directory.h"
 #include "lab/image_io.h"
+#include "shared/tone.h"
 
 namespace fb::lab {
 namespace {
@@ -49,6 +50,38 @@ class CompareTest : public ::testing::Test {
   const TestDirectory directory_;
 };
 
+TEST_F(CompareTest, FlickerIsOfWhatDoesNotMoveWithThePicture) {
+  constexpr std::uint32_t kWidth = 24, kHeight = 16;
+  // Everything moves by a pixel to the right; so does the error, unless `flickers`.
+  const auto frame = [&](const std::string& name, int number, float error) {
+    ExrImage image(kWidth, kHeight);
+    std::vector<float> plane(image.pixels());
+    for (std::size_t i = 0; i < plane.size(); ++i)
+      plane[i] = 0.3f + ((static_cast<int>(i % kWidth) - number) % 2 == 0 ? error : 0.0f);
+    for (const char* channel : {"R", "G", "B"}) image.add_channel(channel, plane);
+    image.add_channel("motion.X", std::vector<float>(image.pixels(), -1.0f));
+    image.add_channel("motion.Y", std::vector<float>(image.pixels(), 0.0f));
+    for (const char* channel : {"Z", "previous.Z"})
+      image.add_channel(channel, std::vector<float>(image.pixels(), 5.0f));
+    EXPECT_TRUE(write_exr(path(name), image).ok());
+    return path(name);
+  };
+  CompareJob job;
+  job.flip = false;
+  job.former_reference = frame("r0.exr", 0, 0);
+  job.former_test = frame("t0.exr", 0, 0.1f);
+  job.reference = frame("r1.exr", 1, 0);
+  job.tests = {frame("carried.exr", 1, 0.1f)};
+  EXPECT_NEAR(figure(*compare(job), 0, "flicker"), 0, 1e-6);
+  job.tests = {frame("flickers.exr", 0, 0.1f)};
+  const float step = shared::srgb_from_linear(vec3(0.4f)).x - shared::srgb_from_linear(vec3(0.3f)).x;
+  EXPECT_NEAR(figure(*compare(job), 0, "flicker"), step, 1e-5) << "every pixel changes by the error";
+  job.reference = exr("still.exr", 0.3f, 0, 1, -1, kWidth, kHeight);
+  EXPECT_THAT(compare(job).error().message, HasSubstr("still.exr: flicker wants motion.X"));
+  job.tests.push_back(job.tests.front());
+  EXPECT_THAT(compare(job).error().message, HasSubstr("--former is of one picture"));
+}
+
 TEST_F(CompareTest, RunsOfOneThing) {
   CompareJob job;
   job.reference = exr("reference.exr", 1.0f, 0.3f, 1, 0.03f);
@@ -75,8 +108,8 @@ TEST_F(CompareTest, RunsOfOneThing) {
   EXPECT_THAT(comparison_json(*c), HasSubstr("\"bootstrap95\""));
   const std::string csv = comparison_csv(*c);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
-  EXPECT_THAT(csv, HasSubstr("file,mse,mse_corrected,rmse,relmse,relmse_corrected,mape,bias,mse_median_pixel,top_share,"
-                             "flip_ldr,flip_hdr,not_finite\n"));
+  EXPECT_THAT(csv, HasSubstr("file,mse,mse_corrected,rmse,relmse,relmse_corrected,mape,smape,psnr,bias,"
+                             "mse_median_pixel,top_share,ssim,ms_ssim,low_frequencies,flip_ldr,flip_hdr,not_finite\n"));
 }
 
 TEST_F(CompareTest, PngsAreComparedAsStored) {

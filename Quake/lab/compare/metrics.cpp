@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "base/check.h"
+#include "lab/compare/spectrum.h"
+#include "lab/compare/structure.h"
 
 namespace fb::lab {
 namespace {
@@ -32,6 +34,7 @@ double middle(std::vector<double>& values) {
 }  // namespace
 
 double Errors::rmse() const { return std::sqrt(mse); }
+double Errors::psnr() const { return 10 * std::log10(peak * peak / mse); }
 
 Errors measure(const Reference& reference, const Picture& test, const MetricOptions& options) {
   FB_CHECK(reference.mean.same_size(test));
@@ -40,6 +43,9 @@ Errors measure(const Reference& reference, const Picture& test, const MetricOpti
   if (pixels == 0) return e;
   std::vector<double> pixel_errors(pixels);
   double variance_of_bias = 0;
+  e.peak = options.peak;
+  if (!(e.peak > 0))
+    for (const vec3& p : reference.mean.pixels) e.peak = std::max(e.peak, double{std::max({p.x, p.y, p.z})});
   for (std::size_t i = 0; i < pixels; ++i) {
     const bool usable = finite(test.pixels[i]);
     e.not_finite += usable ? 0 : 1;
@@ -49,6 +55,7 @@ Errors measure(const Reference& reference, const Picture& test, const MetricOpti
       e.bias += x - r;
       e.rel_mse += squared / scale;
       e.mape += std::abs(x - r) / (std::abs(r) + options.epsilon);
+      e.smape += std::abs(x - r) / (std::abs(x) + std::abs(r) + options.epsilon);
       pixel_errors[i] += squared / 3;
       if (reference.variance.empty()) continue;
       const double v = reference.variance[i][c];
@@ -61,6 +68,7 @@ Errors measure(const Reference& reference, const Picture& test, const MetricOpti
   e.bias /= n;
   e.rel_mse /= n;
   e.mape /= n;
+  e.smape /= n;
   e.reference_rel_variance /= n;
   e.reference_variance = variance_of_bias / n;
   e.reference_bias_error = std::sqrt(variance_of_bias) / n;  // pixels and channels as if independent
@@ -86,6 +94,9 @@ bool Metric::holds(bool linear, bool variance_known) const {
 
 const std::vector<Metric>& metrics() {
   using When = Metric::When;
+  const auto of_pictures = [](const char* name, double (*value)(const PicturePair&)) {
+    return Metric{name, nullptr, When::kAlways, false, value};
+  };
   static const std::vector<Metric> rows{
       {"mse", [](const Errors& e) { return e.mse; }},
       {"mse_corrected", [](const Errors& e) { return e.mse_corrected(); }, When::kKnownVariance},
@@ -93,11 +104,15 @@ const std::vector<Metric>& metrics() {
       {"relmse", [](const Errors& e) { return e.rel_mse; }, When::kLinear},
       {"relmse_corrected", [](const Errors& e) { return e.rel_mse_corrected(); }, When::kLinearVariance},
       {"mape", [](const Errors& e) { return e.mape; }, When::kLinear},
-      // Decibels; infinite for equal pictures.
-      {"psnr", [](const Errors& e) { return -10 * std::log10(e.mse); }, When::kStored, false},
+      {"smape", [](const Errors& e) { return e.smape; }, When::kLinear, false},
+      {"psnr", [](const Errors& e) { return e.psnr(); }, When::kAlways, false},
       {"bias", [](const Errors& e) { return e.bias; }},
       {"mse_median_pixel", [](const Errors& e) { return e.median_mse; }},
       {"top_share", [](const Errors& e) { return e.top_share; }},
+      of_pictures("ssim", [](const PicturePair& p) { return ssim(p.shown_reference, p.shown_test); }),
+      of_pictures("ms_ssim", [](const PicturePair& p) { return ms_ssim(p.shown_reference, p.shown_test); }),
+      of_pictures("low_frequencies",
+                  [](const PicturePair& p) { return error_spectrum(p.reference, p.test).low_share; }),
   };
   return rows;
 }

@@ -13,7 +13,8 @@
 namespace fb::lab {
 
 struct MetricOptions {
-  double epsilon = 0.01;  // in the denominators of relMSE and MAPE, radiance squared and radiance
+  double epsilon = 0.01;  // in the denominators of relMSE, MAPE and SMAPE, radiance squared and radiance
+  double peak = 0;        // of PSNR; 0: the reference's largest channel
 };
 
 // The share of brightest errors that `top_share` looks at.
@@ -23,6 +24,8 @@ struct Errors {
   double mse = 0;         // mean (x - r)^2
   double rel_mse = 0;     // mean (x - r)^2 / (r^2 + epsilon)
   double mape = 0;        // mean |x - r| / (|r| + epsilon)
+  double smape = 0;       // mean |x - r| / (|x| + |r| + epsilon), 0 to 1
+  double peak = 0;        // what PSNR takes for the largest value
   double bias = 0;        // mean (x - r), signed
   double median_mse = 0;  // over pixels, each the mean of its channels
   double top_share = 0;  // of the squared error, what the 0.1% of pixels (at least one) with most of it hold: fireflies
@@ -31,13 +34,21 @@ struct Errors {
   double reference_bias_error = 0;    // standard error that the reference alone gives to `bias`
   std::uint64_t not_finite = 0;       // pixels of x with a channel that is not finite; these count as zero
   double rmse() const;
+  double psnr() const;  // decibels: 10 log10(peak^2 / mse); infinite for equal pictures
   double mse_corrected() const { return mse - reference_variance; }  // below zero where the noise is the reference's
   double rel_mse_corrected() const { return rel_mse - reference_rel_variance; }
 };
 // Both of one size.
 Errors measure(const Reference& reference, const Picture& test, const MetricOptions& options = {});
 
-// A figure of an error as `compare` and the frames of `bench` print it: a row is a metric.
+// What figures of whole pictures look at: the values as measured, and as a screen shows them (sRGB values, 0 to 1).
+struct PicturePair {
+  const Picture &reference, &test;
+  const Picture &shown_reference, &shown_test;
+};
+
+// A figure of an error as `compare` and the frames of `bench` print it: a row is a metric. It is computed from the
+// errors of pixels or, where that is null, from the pictures (by `compare` alone).
 struct Metric {
   enum class When {
     kAlways,
@@ -50,6 +61,7 @@ struct Metric {
   double (*value)(const Errors& errors);
   When when = When::kAlways;
   bool of_frames = true;  // a column of bench's frames
+  double (*of_pictures)(const PicturePair& pair) = nullptr;
   // Whether it means something for such pictures.
   bool holds(bool linear, bool variance_known) const;
 };

@@ -31,6 +31,10 @@ TEST(Metrics, OfAConstantDifference) {
   EXPECT_NEAR(e.rmse(), 0.2, 1e-7);
   EXPECT_NEAR(e.rel_mse, 0.04 / 0.26, 1e-6);
   EXPECT_NEAR(e.mape, 0.2 / 0.51, 1e-6);
+  EXPECT_NEAR(e.smape, 0.2 / 1.21, 1e-6);
+  EXPECT_NEAR(e.peak, 0.5, 1e-7) << "the reference's largest";
+  EXPECT_NEAR(e.psnr(), 10 * std::log10(0.25 / 0.04), 1e-5);
+  EXPECT_NEAR(measure(reference, flat(0.7f), {0.01, 2}).psnr(), 10 * std::log10(4 / 0.04), 1e-5);
   EXPECT_NEAR(e.bias, 0.2, 1e-6);
   EXPECT_NEAR(e.median_mse, 0.04, 1e-7);
   EXPECT_NEAR(e.top_share, 1.0 / 8, 1e-6) << "at least one pixel of the eight";

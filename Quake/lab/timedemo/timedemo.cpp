@@ -11,7 +11,8 @@ namespace {
 // Frames a second over the slowest share of frames, at least one; `slowest` is sorted, the slowest first.
 double low(const std::vector<double>& slowest, double share) {
   if (slowest.empty()) return 0;
-  const auto count = std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(share * static_cast<double>(slowest.size())));
+  const auto count =
+      std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(share * static_cast<double>(slowest.size())));
   const double sum = std::accumulate(slowest.begin(), slowest.begin() + count, 0.0);
   return sum > 0 ? 1e3 * static_cast<double>(count) / sum : 0;
 }

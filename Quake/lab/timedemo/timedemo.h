@@ -88,7 +88,7 @@ struct DemoRatio {
 };
 struct TimedemoComparison {
   std::vector<DemoRatio> demos;
-  Estimate speed;  // geometric mean over demos
+  Estimate speed;                        // geometric mean over demos
   std::vector<std::string> differences;  // of the manifests: "device: X and Y"
   std::string sentence;
 };

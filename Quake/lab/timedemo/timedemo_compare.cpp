@@ -82,7 +82,8 @@ Estimate ratio_of(const Series2& a, const Series2& b, const std::vector<double>&
 
 Status check_demo(const TimedDemo& a, const std::string& name_a, const TimedDemo& b, const std::string& name_b) {
   if (a.hash != b.hash) return Error{fmt::format("{}: another demo in {} than in {}", a.name, name_b, name_a)};
-  if (a.runs.empty() || b.runs.empty()) return Error{fmt::format("{}: {} has no run of it", a.name, a.runs.empty() ? name_a : name_b)};
+  if (a.runs.empty() || b.runs.empty())
+    return Error{fmt::format("{}: {} has no run of it", a.name, a.runs.empty() ? name_a : name_b)};
   const TimedRun& first = a.runs.front();
   for (const TimedDemo* demo : {&a, &b})
     for (const TimedRun& run : demo->runs) {
@@ -101,7 +102,8 @@ Status check_demo(const TimedDemo& a, const std::string& name_a, const TimedDemo
 std::vector<std::string> differences(const TimedManifest& a, const TimedManifest& b) {
   std::vector<std::string> list;
   const auto add = [&](std::string_view what, const std::string& x, const std::string& y) {
-    if (x != y) list.push_back(fmt::format("{}: {} and {}", what, x.empty() ? "nothing" : x, y.empty() ? "nothing" : y));
+    if (x != y)
+      list.push_back(fmt::format("{}: {} and {}", what, x.empty() ? "nothing" : x, y.empty() ? "nothing" : y));
   };
   add("program", a.program, b.program);
   add("build", a.build, b.build);
@@ -122,8 +124,8 @@ std::string judgement(const TimedemoComparison& c, const std::string& name_a, co
   const auto& [value, interval] = c.speed;
   const std::string over = fmt::format("over {} demo{}", c.demos.size(), c.demos.size() == 1 ? "" : "s");
   if (interval.low <= 1 && interval.high >= 1)
-    return fmt::format("No difference between {} and {} is shown {}: {:.3f} times as fast, 95% [{:.3f}, {:.3f}].", name_a,
-                       name_b, over, value, interval.low, interval.high);
+    return fmt::format("No difference between {} and {} is shown {}: {:.3f} times as fast, 95% [{:.3f}, {:.3f}].",
+                       name_a, name_b, over, value, interval.low, interval.high);
   return fmt::format("{} draws {:.3f} times as fast as {} {}, 95% [{:.3f}, {:.3f}]: {}.", name_b, value, name_a, over,
                      interval.low, interval.high, value > 1 ? "faster" : "slower");
 }
@@ -136,7 +138,8 @@ Result<TimedemoComparison> compare_timedemos(const Timedemos& a, const std::stri
     if (!t->complete) return Error{fmt::format("{}: its timedemos were not played to their end", *name)};
   const TimedManifest &ma = a.manifest, &mb = b.manifest;
   if (ma.width != mb.width || ma.height != mb.height)
-    return Error{fmt::format("{} is of {}x{} pixels, {} of {}x{}", name_a, ma.width, ma.height, name_b, mb.width, mb.height)};
+    return Error{
+        fmt::format("{} is of {}x{} pixels, {} of {}x{}", name_a, ma.width, ma.height, name_b, mb.width, mb.height)};
   if (a.demos.size() != b.demos.size())
     return Error{fmt::format("{} demos in {}, {} in {}", a.demos.size(), name_a, b.demos.size(), name_b)};
   TimedemoComparison c;
@@ -151,8 +154,12 @@ Result<TimedemoComparison> compare_timedemos(const Timedemos& a, const std::stri
     const Series2 times_a = whole_times(demo), times_b = whole_times(*other);
     const std::vector<double> ratios = resampled(times_a, times_b, c.demos.size() + 1);
     if (ratios.size() != log_ratios.size()) return Error{fmt::format("{}: a run took no time", demo.name)};
-    DemoRatio& ratio = c.demos.emplace_back(DemoRatio{demo.name, demo.runs.front().frames, demo.runs.size(),
-                                                      other->runs.size(), ratio_of(times_a, times_b, ratios), {}});
+    DemoRatio& ratio = c.demos.emplace_back(DemoRatio{demo.name,
+                                                      demo.runs.front().frames,
+                                                      demo.runs.size(),
+                                                      other->runs.size(),
+                                                      ratio_of(times_a, times_b, ratios),
+                                                      {}});
     for (std::size_t i = 0; i < ratios.size(); ++i) log_ratios[i] += std::log(ratios[i]);
     log_speed += std::log(ratio.speed.value);
     for (const TimedPass& pass : demo.runs.front().passes) {

@@ -11,13 +11,13 @@
 namespace fb::lab {
 namespace {
 
-using Json = nlohmann::json;
-constexpr const char* kFormat = "fullbright timedemos 1";
+using TimesJson = nlohmann::json;
+constexpr const char* kTimedemosFormat = "fullbright timedemos 1";
 
 // The columns of a run's frames.
 struct Column {
   const char* name;
-  double TimedFrame::* value;
+  double TimedFrame::*value;
 };
 constexpr Column kColumns[] = {{"demo_seconds", &TimedFrame::time},
                                {"frame_ms", &TimedFrame::whole},
@@ -60,7 +60,7 @@ void write_run(JsonWriter& json, const TimedRun& run) {
   json.close().close();
 }
 
-TimedManifest read_manifest(const Json& json) {
+TimedManifest read_manifest(const TimesJson& json) {
   TimedManifest m;
   m.program = json.at("program");
   m.build = json.at("build");
@@ -74,19 +74,21 @@ TimedManifest read_manifest(const Json& json) {
   return m;
 }
 
-TimedRun read_run(const Json& json) {
+TimedRun read_run(const TimesJson& json) {
   TimedRun run;
   run.frames = json.at("frames");
   run.seconds = json.at("seconds");
-  const Json& frames = json.at("each_frame");
-  for (const Json& message : frames.at("message")) run.times.emplace_back().message = message;
+  const TimesJson& frames = json.at("each_frame");
+  for (const TimesJson& message : frames.at("message")) run.times.emplace_back().message = message;
   for (const Column& column : kColumns) {
-    const Json& values = frames.at(column.name);
+    const TimesJson& values = frames.at(column.name);
     for (std::size_t i = 0; i < run.times.size(); ++i) run.times[i].*column.value = values.at(i);
   }
-  for (const Json& pass : json.at("passes")) {
-    TimedPass& added = run.passes.emplace_back(TimedPass{pass.at("name"), pass.at("kind") == "estimator", pass.at("ms")});
-    if (added.milliseconds.size() != run.times.size()) throw Json::other_error::create(501, "a pass of other frames", &pass);
+  for (const TimesJson& pass : json.at("passes")) {
+    TimedPass& added =
+        run.passes.emplace_back(TimedPass{pass.at("name"), pass.at("kind") == "estimator", pass.at("ms")});
+    if (added.milliseconds.size() != run.times.size())
+      throw TimesJson::other_error::create(501, "a pass of other frames", &pass);
   }
   return run;
 }
@@ -96,7 +98,7 @@ TimedRun read_run(const Json& json) {
 std::string timedemos_json(const Timedemos& t) {
   const TimedManifest& m = t.manifest;
   JsonWriter json;
-  json.open_object().text("format", kFormat).boolean("complete", t.complete);
+  json.open_object().text("format", kTimedemosFormat).boolean("complete", t.complete);
   json.open_object("manifest").text("program", m.program).text("build", m.build).text("device", m.device);
   json.text("driver", m.driver).text("started", m.started).integer("processors", m.processors);
   json.open_array("size").integer("", m.width).integer("", m.height).close().open_object("settings");
@@ -117,18 +119,19 @@ Result<Timedemos> read_timedemos(const std::string& path) {
   const auto bytes = fs::read_whole_file(path);
   if (!bytes) return bytes.error();
   try {
-    const Json json = Json::parse(bytes->data(), bytes->data() + bytes->size());
-    if (!json.is_object() || json.value("format", "") != kFormat)
-      return Error{fmt::format("{}: no file of scr_timedemo_json (its \"format\" is not \"{}\")", path, kFormat)};
+    const TimesJson json = TimesJson::parse(bytes->data(), bytes->data() + bytes->size());
+    if (!json.is_object() || json.value("format", "") != kTimedemosFormat)
+      return Error{
+          fmt::format("{}: no file of scr_timedemo_json (its \"format\" is not \"{}\")", path, kTimedemosFormat)};
     Timedemos t;
     t.complete = json.at("complete");
     t.manifest = read_manifest(json.at("manifest"));
-    for (const Json& demo : json.at("demos")) {
+    for (const TimesJson& demo : json.at("demos")) {
       TimedDemo& added = t.demos.emplace_back(TimedDemo{demo.at("name"), demo.at("hash"), {}});
-      for (const Json& run : demo.at("runs")) added.runs.push_back(read_run(run));
+      for (const TimesJson& run : demo.at("runs")) added.runs.push_back(read_run(run));
     }
     return t;
-  } catch (const Json::exception& error) {
+  } catch (const TimesJson::exception& error) {
     return Error{fmt::format("{}: {}", path, error.what())};
   }
 }

@@ -20,7 +20,8 @@ TimedRun run_of(int frames, double factor, std::uint64_t seed) {
   Rng rng(seed);
   for (int i = 0; i < frames; ++i) {
     const double ms = factor * (i % 40 == 39 ? 50 : 10) * rng.uniform(0.95f, 1.05f);
-    run.add({static_cast<std::uint64_t>(i + 3), 0.1 * i, ms, 0.5 * ms, ms}, {{"gbuffer", false, 0.2 * ms}, {"paths", true, 0.6 * ms}});
+    run.add({static_cast<std::uint64_t>(i + 3), 0.1 * i, ms, 0.5 * ms, ms},
+            {{"gbuffer", false, 0.2 * ms}, {"paths", true, 0.6 * ms}});
     run.seconds += 1e-3 * ms;
   }
   run.frames = frames;
@@ -30,7 +31,8 @@ TimedRun run_of(int frames, double factor, std::uint64_t seed) {
 Timedemos file_of(double factor, int runs, std::uint64_t seed) {
   Timedemos t;
   t.complete = true;
-  t.manifest = {"fullbright 1", "optimised", "a device", "a driver", "2026-01-01T00:00:00Z", 64, 36, 2, {{"r_bounces", "3"}}};
+  t.manifest = {"fullbright 1",      "optimised", "a device", "a driver", "2026-01-01T00:00:00Z", 64, 36, 2,
+                {{"r_bounces", "3"}}};
   TimedDemo& demo = t.demo("hub.dem");
   demo.hash = "12ab";
   for (int i = 0; i < runs; ++i) demo.runs.push_back(run_of(200, factor, seed + static_cast<std::uint64_t>(i)));
@@ -113,7 +115,8 @@ TEST(Timedemo, UnlikeFilesAreRefusedWithTheReason) {
   EXPECT_THAT(why([](Timedemos& b) { b.demos[0].hash = "other"; }), HasSubstr("another demo"));
   EXPECT_THAT(why([](Timedemos& b) { b.demos[0].name = "other.dem"; }), HasSubstr("not in B"));
   EXPECT_THAT(why([](Timedemos& b) { b.demos[0].runs[0].frames = 7; }), HasSubstr("7 frames"));
-  EXPECT_THAT(why([](Timedemos& b) { b.demos[0].runs[0].times[5].message = 99; }), HasSubstr("frame 5 shows message 99"));
+  EXPECT_THAT(why([](Timedemos& b) { b.demos[0].runs[0].times[5].message = 99; }),
+              HasSubstr("frame 5 shows message 99"));
   EXPECT_THAT(why([](Timedemos& b) { b.manifest.width = 65; }), HasSubstr("64x36"));
   EXPECT_THAT(why([](Timedemos& b) { b.complete = false; }), HasSubstr("to their end"));
   Timedemos b = a;
