@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include "base/log.h"
 #include "host/lab_numbers.h"
@@ -15,48 +14,12 @@ namespace {
 
 struct BenchOptions {
   StageOptions stage;
-  std::string frames = "0:31", reference, reference_folder, json, csv;
+  std::string frames = "0:31", reference, reference_folder, reference_estimator = "pt", json, csv;
   std::vector<std::string> estimators, configurations;
   std::uint32_t reference_spp = 4096, warmup = 0, runs = 1;
   double epsilon = lab::MetricOptions().epsilon;
   bool hold = false;
 };
-
-// Settings that may differ between configurations: the renderer's own.
-bool is_renderers(const std::string& cvar) {
-  static const std::set<std::string> names{
-#define FB_NAME(type, field, cvar, value, low, high, help) cvar,
-      FB_RENDER_SETTINGS(FB_NAME)
-#undef FB_NAME
-          "r_estimator",
-      "r_intersector", "r_arrays"};
-  return names.contains(cvar);
-}
-
-// The console's settings changed by the configuration's; the console itself is not changed.
-Result<lab::Configuration> configuration_of(con::Console& console, const ConfigurationText& text) {
-  const std::string option = "--config " + text.name;
-  lab::Configuration configuration{text.name, {}};
-  std::vector<std::pair<std::string, std::string>> before;
-  Status status = ok_status();
-  for (const std::string& assignment : text.assignments) {
-    const std::string name = assignment.substr(0, assignment.find('='));
-    if (!console.find_cvar(name)) {
-      status = Error{fmt::format("{}: there is no cvar {}", option, name)};
-    } else if (!is_renderers(name)) {
-      status = Error{fmt::format("{}: {} is not the renderer's; give it by --set, for all alike", option, name)};
-    } else {
-      before.emplace_back(name, console.cvar(name).string());
-      status = set_cvar(console, assignment, option);
-    }
-    if (!status) break;
-  }
-  configuration.settings = render::read_render_settings(console);
-  for (auto it = before.rbegin(); it != before.rend(); ++it) console.set(it->first, it->second);
-  if (!status) return status.error();
-  if (auto known = known_estimator(configuration.settings.estimator, option + ":"); !known) return known.error();
-  return configuration;
-}
 
 Result<std::vector<lab::Configuration>> configurations_of(con::Console& console, const BenchOptions& o) {
   const auto texts = parse_configurations(o.estimators, o.configurations, o.stage.estimator);
@@ -99,7 +62,8 @@ int jitter_of(const render::RenderSettings& settings, const std::optional<KnownR
 
 Status write_reports(const BenchOptions& o, const lab::BenchResult& result, const std::string& command) {
   lab::BenchTitle title{command, view_title(o), o.reference};
-  if (o.reference.empty()) title.reference = fmt::format("pt, {} samples a pixel", o.reference_spp);
+  if (o.reference.empty())
+    title.reference = fmt::format("{}, {} samples a pixel", o.reference_estimator, o.reference_spp);
   if (o.json != "-" && o.csv != "-") fmt::print("{}", lab::bench_table(result, title));
   if (!o.json.empty()) {
     if (auto status = write_text(o.json, lab::bench_json(result, title)); !status) return status;
@@ -110,6 +74,7 @@ Status write_reports(const BenchOptions& o, const lab::BenchResult& result, cons
 Result<lab::BenchResult> run_on_stage(Stage& stage, const BenchOptions& o, lab::BenchJob& job) {
   const auto range = parse_frames(o.frames);
   if (!range) return range.error();
+  if (auto status = unbiased_estimator(o.reference_estimator, "--reference-estimator"); !status) return status.error();
   std::optional<KnownReference> known;
   if (!o.reference.empty()) {
     auto read = read_reference(o.reference);
@@ -128,7 +93,8 @@ Result<lab::BenchResult> run_on_stage(Stage& stage, const BenchOptions& o, lab::
     if (!view->still) return Error{"--reference " + o.reference + ": the view moves; leave it out, or --hold a frame"};
     references.push_back(std::move(known->reference));
   } else {
-    const lab::ReferenceOptions options{o.reference_spp, stage.size.x, stage.size.y, o.reference_folder, o.stage.quiet};
+    const lab::ReferenceOptions options{o.reference_estimator, o.reference_spp,    stage.size.x,
+                                        stage.size.y,          o.reference_folder, o.stage.quiet};
     auto made = lab::make_references(*view, *stage.device, stage.settings, options);
     if (!made) return made.error();
     references = std::move(*made);
@@ -188,6 +154,10 @@ LabCommand add_bench_command(CLI::App& app, std::string command_line) {
   bench->add_option("--reference", o->reference, "EXR made by `reference`, for a still view; default: render one");
   add_number(*bench, "--reference-spp", o->reference_spp, 32u, kMostSamples,
              "samples per pixel of a reference rendered here");
+  bench
+      ->add_option("--reference-estimator", o->reference_estimator,
+                   "an unbiased estimator for references rendered here; nee finds small lamps")
+      ->capture_default_str();
   bench->add_option("--reference-dir", o->reference_folder,
                     "folder in which rendered references are kept and found again");
   add_number(*bench, "--epsilon", o->epsilon, 1e-30, 1e30, "added to r^2 in the denominator of relMSE");

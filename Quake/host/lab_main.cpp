@@ -1,5 +1,5 @@
-// fullbright-lab: render | reference | compare | ztest | bench | picture | timedemos | track | estimators | settings |
-// commands.
+// fullbright-lab: render | reference | compare | ztest | bench | picture | suite | suite-merge | timedemos | track |
+// estimators | settings | commands.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,6 +26,8 @@ int run(int argc, char** argv) {
                                  add_ztest_command(app),
                                  add_bench_command(app, command_line),
                                  add_picture_command(app, command_line),
+                                 add_suite_command(app),
+                                 add_suite_merge_command(app),
                                  add_timedemos_command(app),
                                  add_track_command(app),
                                  add_estimators_command(app),

@@ -105,40 +105,11 @@ Result<std::vector<lab::Lane>> lanes_of(const PictureOptions& o, const std::vect
 
 // --- where it is judged ---
 
-std::string librequake_folder(const PictureOptions& o) {
-  if (!o.librequake.empty()) return o.librequake;
-  const char* named = std::getenv("FULLBRIGHT_TEST_DATA");
-  return named != nullptr ? named : "../shared/librequake";
-}
-
 struct PlacedView {
   lab::SuiteView view;
   std::string basedir;
   std::vector<lab::JudgedReference> references;
 };
-
-// Why a view's data is missing, or where it is.
-struct Place {
-  std::string basedir, missing;
-};
-Place place_of(const lab::SuiteView& view, const PictureOptions& o) {
-  using Data = lab::SuiteView::Data;
-  std::error_code ignored;
-  if (view.data == Data::kGame) {
-    const std::string folder = o.basedir.empty() ? find_base_game(platform::program_directory()).string() : o.basedir;
-    if (!folder.empty() && std::filesystem::is_directory(std::filesystem::path(folder) / "id1", ignored))
-      return {folder, ""};
-    return {"", fmt::format("{}: skipped, there is no base game beside the program; --basedir names its folder",
-                            view.name)};
-  }
-  if (view.data == Data::kLibreQuake) {
-    const std::string folder = librequake_folder(o);
-    if (std::filesystem::is_directory(std::filesystem::path(folder) / "id1", ignored)) return {folder, ""};
-    return {"",
-            fmt::format("{}: skipped, there is no LibreQuake in {}; --librequake names its folder", view.name, folder)};
-  }
-  return {};
-}
 
 Result<std::vector<PlacedView>> place_views(const PictureOptions& o, std::vector<std::string>& skipped) {
   auto suite = lab::read_suite(o.suite);
@@ -155,7 +126,7 @@ Result<std::vector<PlacedView>> place_views(const PictureOptions& o, std::vector
   for (lab::SuiteView& view : suite->views) {
     if (!chosen.empty() && std::find(chosen.begin(), chosen.end(), view.name) == chosen.end()) continue;
     if (chosen.empty() && o.quick && !view.quick) continue;
-    Place place = place_of(view, o);
+    Place place = place_of(view, o.basedir, o.librequake);
     if (place.missing.empty())
       placed.push_back({std::move(view), std::move(place.basedir), {}});
     else
@@ -291,7 +262,7 @@ Status run_picture(const PictureOptions& o, const std::string& command) {
 void add_options(CLI::App& app, PictureOptions& o) {
   // One value each time, so that SUITE may stand behind it.
   const auto repeated = [](CLI::Option* option) { option->expected(1)->take_all()->allow_extra_args(false); };
-  app.add_option("SUITE", o.suite, "the views: a JSON file, such as Misc/suites/picture.json")->required();
+  app.add_option("SUITE", o.suite, "the views: a JSON file, such as testdemos/suites/picture.json")->required();
   repeated(app.add_option("--estimators", o.estimators, "one configuration for each of these estimators: pt,mcpg"));
   repeated(
       app.add_option("--config", o.configurations,

@@ -4,13 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <optional>
+#include <set>
+#include <system_error>
 
 #include "fs/file.h"
 #include "host/base_game.h"
 #include "host/lab_numbers.h"
 #include "host/options.h"
 #include "lab/client_source.h"
+#include "platform/program_directory.h"
 
 namespace fb::host {
 namespace {
@@ -74,6 +79,17 @@ Status open_source(Stage& stage, const StageOptions& o) {
   return ok_status();
 }
 
+// Settings that may differ between configurations: the renderer's own.
+bool is_renderers(const std::string& cvar) {
+  static const std::set<std::string> names{
+#define FB_NAME(type, field, cvar, value, low, high, help) cvar,
+      FB_RENDER_SETTINGS(FB_NAME)
+#undef FB_NAME
+          "r_estimator",
+      "r_intersector", "r_arrays"};
+  return names.contains(cvar);
+}
+
 }  // namespace
 
 void add_stage_options(CLI::App& app, StageOptions& o) {
@@ -84,7 +100,8 @@ void add_stage_options(CLI::App& app, StageOptions& o) {
   what->add_option("--demo", o.demo, "a demo: a file, or a name in the game data");
   what->add_option("--map", o.map, "a map, from its first player start");
   what->add_option("--scene", o.scene,
-                   "a built-in scene: " + fmt::format("{}", fmt::join(lab::code_scene_names(), ", ")));
+                   "a built-in scene: " + fmt::format("{}", fmt::join(lab::code_scene_names(), ", ")) +
+                       "; with N lights, triangles or moving boxes many:N, triangles:N, movers:N");
   what->require_option(1);
   app.add_option("--camera", o.camera, "x,y,z,pitch,yaw,roll of a fixed camera, in the place of the player's");
   add_number(app, "--fps", o.fps, 0.1, 10000.0, "frames per second of game time");
@@ -124,6 +141,55 @@ Status open_stage(Stage& stage, const StageOptions& o) {
 Status known_estimator(const std::string& name, const std::string& option) {
   if (render::find_technique(name) != nullptr) return ok_status();
   return Error{fmt::format("{} {}: there is no such estimator; `fullbright-lab estimators` lists them", option, name)};
+}
+
+// The console's settings changed by the configuration's; the console itself is not changed.
+Result<lab::Configuration> configuration_of(con::Console& console, const ConfigurationText& text) {
+  const std::string option = "--config " + text.name;
+  lab::Configuration configuration{text.name, {}};
+  std::vector<std::pair<std::string, std::string>> before;
+  Status status = ok_status();
+  for (const std::string& assignment : text.assignments) {
+    const std::string name = assignment.substr(0, assignment.find('='));
+    if (!console.find_cvar(name)) {
+      status = Error{fmt::format("{}: there is no cvar {}", option, name)};
+    } else if (!is_renderers(name)) {
+      status = Error{fmt::format("{}: {} is not the renderer's; give it by --set, for all alike", option, name)};
+    } else {
+      before.emplace_back(name, console.cvar(name).string());
+      status = set_cvar(console, assignment, option);
+    }
+    if (!status) break;
+  }
+  configuration.settings = render::read_render_settings(console);
+  for (auto it = before.rbegin(); it != before.rend(); ++it) console.set(it->first, it->second);
+  if (!status) return status.error();
+  if (auto known = known_estimator(configuration.settings.estimator, option + ":"); !known) return known.error();
+  return configuration;
+}
+
+Status unbiased_estimator(const std::string& name, const std::string& option) {
+  if (auto known = known_estimator(name, option); !known) return known;
+  if (render::find_technique(name)->unbiased()) return ok_status();
+  return Error{fmt::format("{} {}: it is biased; references need an unbiased one", option, name)};
+}
+
+Place place_of(const lab::SuiteView& view, const std::string& basedir, const std::string& librequake) {
+  using Data = lab::SuiteView::Data;
+  std::error_code ignored;
+  if (view.data == Data::kNone) return {};
+  const bool free = view.data == Data::kGame;
+  std::string folder = free ? basedir : librequake;
+  if (folder.empty() && free) folder = find_base_game(platform::program_directory()).string();
+  const char* named = std::getenv("FULLBRIGHT_TEST_DATA");
+  if (folder.empty() && !free) folder = named != nullptr ? named : "../shared/librequake";
+  if (!folder.empty() && std::filesystem::is_directory(std::filesystem::path(folder) / "id1", ignored))
+    return {folder, ""};
+  if (free)
+    return {"", fmt::format("{}: skipped, there is no base game beside the program; --basedir names its folder",
+                            view.name)};
+  return {"",
+          fmt::format("{}: skipped, there is no LibreQuake in {}; --librequake names its folder", view.name, folder)};
 }
 
 Status set_cvar(con::Console& console, const std::string& assignment, const std::string& option) {

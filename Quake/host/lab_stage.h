@@ -13,7 +13,9 @@
 
 #include "base/result.h"
 #include "host/engine.h"
+#include "lab/bench/bench_job.h"
 #include "lab/frame_source.h"
+#include "lab/judge/suite.h"
 #include "render/renderer.h"
 
 namespace fb::host {
@@ -31,6 +33,8 @@ LabCommand add_ztest_command(CLI::App& app);
 LabCommand add_bench_command(CLI::App& app, std::string command_line);
 LabCommand add_picture_command(CLI::App& app, std::string command_line);
 LabCommand add_timedemos_command(CLI::App& app);
+LabCommand add_suite_command(CLI::App& app);
+LabCommand add_suite_merge_command(CLI::App& app);
 LabCommand add_track_command(CLI::App& app);
 LabCommand add_estimators_command(CLI::App& app);
 LabCommand add_settings_command(CLI::App& app);
@@ -59,7 +63,16 @@ struct Stage {
 };
 Status open_stage(Stage& stage, const StageOptions& options);
 
+// The folder that holds a suite's view's id1, or why there is none: one sentence. Empty folders: the base game beside
+// the program; FULLBRIGHT_TEST_DATA, else ../shared/librequake.
+struct Place {
+  std::string basedir, missing;
+};
+Place place_of(const lab::SuiteView& view, const std::string& basedir, const std::string& librequake);
+
 Status known_estimator(const std::string& name, const std::string& option);
+// The same, and it may make a reference.
+Status unbiased_estimator(const std::string& name, const std::string& option);
 // Sets a cvar from "cvar=value"; `option` is named in the error.
 Status set_cvar(con::Console& console, const std::string& assignment, const std::string& option);
 // What `--config NAME:cvar=value,...` and `--estimators a,b` ask for: a name, and settings as "cvar=value".
@@ -72,6 +85,9 @@ Result<ConfigurationText> parse_configuration(const std::string& text);
 Result<std::vector<ConfigurationText>> parse_configurations(const std::vector<std::string>& estimators,
                                                             const std::vector<std::string>& configurations,
                                                             const std::string& otherwise);
+// The console's settings changed by the configuration's; the console itself is not changed. Only the renderer's own
+// settings may differ between configurations.
+Result<lab::Configuration> configuration_of(con::Console& console, const ConfigurationText& text);
 std::vector<std::string> split(const std::string& text, char separator);
 // Parses "A:B" or "A".
 Result<std::pair<std::uint64_t, std::uint64_t>> parse_frames(const std::string& text);

@@ -117,7 +117,7 @@ def laboratory(build, folder):
         "render": [*scene, "--spp", "64", "--frames", "0:100000", "--out", folder / "rendered"],
         "reference": [*scene, "--spp", "16777216", "--out", folder / "reference.exr"],
         "bench": [*scene, "--frames", "0:1000000", "--reference-spp", "32", "--json", folder / "bench.json"],
-        "picture": ["Misc/suites/picture_free.json", "--views", "cbox", "--reference-spp", "16777216", "--references", folder / "kept"],
+        "picture": ["testdemos/suites/picture_free.json", "--views", "cbox", "--reference-spp", "16777216", "--references", folder / "kept"],
         "ztest": [*scene, "--estimator", "pt", "--runs", "100000"],
     }
     for name, arguments in commands.items():

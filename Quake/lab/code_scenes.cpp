@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <functional>
+#include <optional>
 
+#include "base/number.h"
 #include "lab/frame_source.h"
 #include "scene/in_code/scene_of_kinds.h"
 #include "scene/in_code/scenes_in_code.h"
@@ -11,6 +14,7 @@
 #include "scene/in_code/scenes_of_fog.h"
 #include "scene/in_code/scenes_of_glass.h"
 #include "scene/in_code/scenes_of_light.h"
+#include "scene/in_code/scenes_of_scale.h"
 #include "scene/in_code/scenes_of_water.h"
 
 namespace fb::lab {
@@ -85,6 +89,38 @@ const std::vector<Entry>& entries() {
   return table;
 }
 
+// Scenes of as many things as their name says: "many:1000".
+struct CountedEntry {
+  std::string_view name;
+  std::uint64_t least, most;
+  Film (*open)(std::uint32_t count);
+};
+constexpr std::array kCounted{
+    CountedEntry{"many", 1, 100000, [](std::uint32_t count) { return still_film(scene::many_lights(count)); }},
+    CountedEntry{"triangles", 100, 4000000,
+                 [](std::uint32_t count) { return still_film(scene::many_triangles(count)); }},
+    CountedEntry{"movers", 1, 20000,
+                 [](std::uint32_t count) {
+                   return timed_film(scene::many_movers_assets(),
+                                     [count](const auto& assets, double now, double before) {
+                                       return scene::many_movers(assets, count, now, before);
+                                     });
+                 }},
+};
+
+Result<std::optional<Film>> counted_scene(std::string_view name) {
+  const std::size_t colon = name.find(':');
+  for (const CountedEntry& entry : kCounted) {
+    if (colon == name.npos || entry.name != name.substr(0, colon)) continue;
+    const auto count = parse_whole_number_unsigned(name.substr(colon + 1));
+    if (!count || *count < entry.least || *count > entry.most)
+      return Error{
+          fmt::format("--scene {}: {}:N is wanted, N from {} to {}", name, entry.name, entry.least, entry.most)};
+    return std::optional(entry.open(static_cast<std::uint32_t>(*count)));
+  }
+  return std::optional<Film>();
+}
+
 class CodeScene : public FrameSource {
  public:
   CodeScene(Film film, double frames_per_second) : film_(std::move(film)), frames_per_second_(frames_per_second) {}
@@ -112,8 +148,12 @@ Result<std::unique_ptr<FrameSource>> code_scene(std::string_view name, double fr
     if (entry.name != name) continue;
     return std::unique_ptr<FrameSource>(std::make_unique<CodeScene>(entry.open(), frames_per_second));
   }
-  return Error{
-      fmt::format("--scene {}: there is no such scene; there are {}", name, fmt::join(code_scene_names(), ", "))};
+  auto counted = counted_scene(name);
+  if (!counted) return counted.error();
+  if (*counted)
+    return std::unique_ptr<FrameSource>(std::make_unique<CodeScene>(*std::move(*counted), frames_per_second));
+  return Error{fmt::format("--scene {}: there is no such scene; there are {}, and many:N, triangles:N, movers:N", name,
+                           fmt::join(code_scene_names(), ", "))};
 }
 
 }  // namespace fb::lab

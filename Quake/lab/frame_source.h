@@ -20,7 +20,7 @@ class FrameSource {
 
 // A scene made in code by its name (code_scene_names); it never ends. In moving, candles_flicker, rocket and lightsout
 // something changes from frame to frame (scene/in_code/scenes_in_motion.h); the others stand still in space and in
-// time.
+// time. "many:N", "triangles:N" and "movers:N" have N lights, about N triangles, N moving boxes.
 Result<std::unique_ptr<FrameSource>> code_scene(std::string_view name, double frames_per_second);
 std::vector<std::string> code_scene_names();
 

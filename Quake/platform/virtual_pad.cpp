@@ -1,5 +1,6 @@
-// For tests: a game controller that is driven through a pipe. Preloaded into a program that uses SDL; FULLBRIGHT_TEST_PAD names
-// the pipe, whose lines are "button NUMBER 0|1" and "axis NUMBER VALUE", numbered as SDL_GameController numbers them.
+// For tests: a game controller that is driven through a pipe. Preloaded into a program that uses SDL;
+// FULLBRIGHT_TEST_PAD names the pipe, whose lines are "button NUMBER 0|1" and "axis NUMBER VALUE", numbered as
+// SDL_GameController numbers them.
 #ifndef SDL_MAIN_HANDLED
 #define SDL_MAIN_HANDLED
 #endif

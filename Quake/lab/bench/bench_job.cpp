@@ -17,6 +17,7 @@ struct BenchLane {
   ConfigurationResult result;
   std::map<std::string, std::vector<double>> passes;  // of measured frames
   std::vector<std::string> pass_order;
+  std::map<std::string, render::PassKind> pass_kinds;
   Runs run_average, warm_average;  // of this run
   Runs frames;                     // of the last window, all runs
 };
@@ -50,6 +51,7 @@ void add_times(BenchLane& lane, FrameRecord& record, bool measured) {
   for (const render::PassTime& pass : lane.renderer->pass_times()) {
     if (!lane.passes.contains(pass.name)) lane.pass_order.push_back(pass.name);
     lane.passes.try_emplace(pass.name);
+    lane.pass_kinds[pass.name] = pass.kind;
     sums[pass.name] += pass.milliseconds;
   }
   for (const auto& [name, milliseconds] : sums) lane.passes[name].push_back(milliseconds);
@@ -80,7 +82,10 @@ FrameRecord render_frame(BenchLane& lane, const View& view, std::uint32_t run, s
   const Picture picture = picture_of(lane.renderer->read().denoised(), lane.renderer->render_size());
   const Reference& reference = references[view.still ? 0 : index - view.warmup];
   record.errors = measure(reference, picture, job.metrics);
-  if (view.still) add_running_errors(lane, record, picture, reference, warm, job.metrics);
+  if (view.still)
+    add_running_errors(lane, record, picture, reference, warm, job.metrics);
+  else
+    lane.result.picture = picture;
   return record;
 }
 
@@ -99,11 +104,15 @@ void summarise(BenchLane& lane, const View& view, const std::vector<Reference>& 
   }
   r.all = pass_times("all", all);
   r.estimator_passes = pass_times("estimator", own);
-  for (const std::string& name : lane.pass_order) r.passes.push_back(pass_times(name, lane.passes[name]));
+  for (const std::string& name : lane.pass_order) {
+    r.passes.push_back(pass_times(name, lane.passes[name]));
+    r.passes.back().kind = lane.pass_kinds[name];
+  }
   r.not_finite = lane.renderer->read().counters().not_finite;
   if (view.still || view.warmup == 0) r.windows.push_back(window_statistics(r.frames, {false, 0}, baseline));
   if (view.warmup > 0) r.windows.push_back(window_statistics(r.frames, {true, view.warmup}, baseline));
   if (view.still) {
+    r.picture = lane.frames.mean();
     r.variance = lane.frames.variance();
     r.bias_squared = lane.frames.bias_squared(references[0]);
   }

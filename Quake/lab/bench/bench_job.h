@@ -33,6 +33,7 @@ struct ConfigurationResult {
   struct Pass {
     std::string name;
     double median = 0, p10 = 0, p90 = 0;  // milliseconds of the measured frames
+    render::PassKind kind = render::PassKind::kFrame;
   };
   std::vector<Pass> passes;
   Pass all, estimator_passes;    // of all passes' sums, and of the estimator's own
@@ -40,6 +41,7 @@ struct ConfigurationResult {
   std::vector<WindowStatistics> windows;
   // Still views, over the last window's frames of all runs: sample variance of a frame, squared bias of their mean.
   double variance = 0, bias_squared = 0;
+  Picture picture;  // the mean of those frames, or of a view that moves the last one
 };
 struct BenchResult {
   bool still = false;

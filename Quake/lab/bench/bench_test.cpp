@@ -35,7 +35,7 @@ class BenchTest : public render::DeviceTest {
   static std::vector<Reference> references_of(const View& view, std::uint32_t spp, const std::string& folder = "") {
     render::RenderSettings settings;
     settings.jitter = 0;
-    auto made = make_references(view, *device_, settings, {spp, kWidth, kHeight, folder, true});
+    auto made = make_references(view, *device_, settings, {"pt", spp, kWidth, kHeight, folder, true});
     EXPECT_TRUE(made.ok());
     return std::move(*made);
   }
@@ -123,7 +123,7 @@ TEST_F(BenchTest, FramesMeetTheirOwnReferences) {
   render::RenderSettings settings;
   settings.jitter = 0;
   settings.bounces = 0;
-  const auto references = *make_references(view, *device_, settings, {32, kWidth, kHeight, "", true});
+  const auto references = *make_references(view, *device_, settings, {"pt", 32, kWidth, kHeight, "", true});
   const auto right = run(view, references, {{"pt", settings}}, 1);
   const auto wrong = run(view, {references[2], references[2], references[2]}, {{"pt", settings}}, 1);
   for (std::uint32_t i = 2; i < 5; ++i) EXPECT_LT(right.configurations[0].frames.at(0, i).errors.mse, 1e-9);

@@ -159,7 +159,7 @@ Result<View> collect_view(FrameSource& source, const ViewOptions& options) {
 
 Result<std::vector<Reference>> make_references(const View& view, gpu::Device& device, render::RenderSettings settings,
                                                const ReferenceOptions& options) {
-  settings.estimator = "pt";
+  settings.estimator = options.estimator;
   if (!options.folder.empty()) {
     std::error_code failed;
     std::filesystem::create_directories(options.folder, failed);
@@ -167,7 +167,7 @@ Result<std::vector<Reference>> make_references(const View& view, gpu::Device& de
   }
   std::unique_ptr<render::Renderer> renderer;  // when the first is to be made
   const std::uint32_t count = view.still ? 1 : view.measured;
-  const std::uint64_t settings_hash = settings_key(settings) ^ render::shader_hash("pt");
+  const std::uint64_t settings_hash = settings_key(settings) ^ render::shader_hash(options.estimator);
   std::vector<Reference> references;
   Progress progress("reference sample", std::uint64_t{count} * options.spp, {.quiet = options.quiet});
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -3,11 +3,16 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
+#include "lab/json_reader.h"
 
 namespace fb::lab {
+
+// Letters, digits and _: what names files.
+bool names_files(std::string_view name);
 
 struct SuiteView {
   enum class Data { kNone, kGame, kLibreQuake };
@@ -27,8 +32,10 @@ struct Suite {
   std::vector<SuiteView> views;
 };
 
-// Demos are taken relative to the file's folder where they are there, else as names in the game data. A suite may
-// include others: their views come first. Fails with the file, the line and the cause.
+// One view, an object of a file. Demos are taken relative to the file's folder where they are there, else as names in
+// the game data.
+Result<SuiteView> read_suite_view(const JsonFile& file, const Json& value, const std::string& place);
+// A suite may include others: their views come first. Fails with the file, the line and the cause.
 Result<Suite> read_suite(const std::string& path);
 
 }  // namespace fb::lab

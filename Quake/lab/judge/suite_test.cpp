@@ -53,23 +53,24 @@ TEST_F(SuiteTest, ReadsViews) {
 TEST_F(SuiteTest, RefusesInOneSentenceWithThePlace) {
   const auto view = [&](const std::string& members) { return message("{\"views\": [\n{" + members + "}]}"); };
   EXPECT_THAT(view(R"("name": "a", "scene": "cbox")"),
-              HasSubstr("suite.json: views[0]: \"frames\": [FIRST, LAST] is wanted"));
+              HasSubstr("suite.json: line 2: views[0]: \"frames\": [FIRST, LAST] is wanted"));
   EXPECT_THAT(view(R"("name": "a", "scene": "cbox", "frames": [2, 1])"), HasSubstr("the last comes before the first"));
   EXPECT_THAT(view(R"("name": "a", "scene": "cbox", "frames": [2, 3], "warmup": 3)"), HasSubstr("only 2 frames"));
   EXPECT_THAT(view(R"("name": "a", "scene": "cbox", "frames": [0, 1.5])"), HasSubstr("a whole number"));
   EXPECT_THAT(view(R"("name": "a b", "scene": "cbox", "frames": [0, 1])"), HasSubstr("letters, digits"));
   EXPECT_THAT(view(R"("name": "a", "frames": [0, 1])"), HasSubstr("one of \"scene\", \"map\" and \"demo\""));
   EXPECT_THAT(view(R"("name": "a", "scene": "x", "map": "y", "frames": [0, 1])"), HasSubstr("one of"));
-  EXPECT_THAT(view(R"("name": "a", "scene": "x", "frames": [0, 1], "wramup": 3)"), HasSubstr("\"wramup\" is no key"));
+  EXPECT_THAT(view(R"("name": "a", "scene": "x", "frames": [0, 1], "wramup": 3)"),
+              HasSubstr("suite.json: line 2: views[0]: \"wramup\" is no key here; \"warmup\" is"));
   EXPECT_THAT(view(R"("name": "a", "map": "x", "data": "other", "frames": [0, 1])"), HasSubstr("librequake"));
   EXPECT_THAT(message("{\"views\": []}"), HasSubstr("holds no view"));
   EXPECT_THAT(message("{}"), HasSubstr("\"views\""));
   EXPECT_THAT(message(R"({"include": "suite.json", "views": []})"), HasSubstr("include each other"));
   const std::string twice = R"({"name": "a", "scene": "cbox", "frames": [0, 1]})";
   EXPECT_THAT(message("{\"views\": [" + twice + ",\n" + twice + "]}"),
-              HasSubstr("suite.json: views[1]: a is there twice"));
+              HasSubstr("suite.json: line 2: a is there twice"));
   EXPECT_THAT(view(R"("name": "a", "name": "b", "scene": "x", "frames": [0, 1])"),
-              HasSubstr("\"name\" is there twice"));
+              HasSubstr("line 2: the key \"name\" is there twice"));
   EXPECT_THAT(message("[1]"), HasSubstr("suite.json: an object in { } is wanted"));
   EXPECT_THAT(message("{\"views\": [\n5]}"), HasSubstr("views[0]: an object in { } is wanted"));
   EXPECT_THAT(message(std::string(100000, '[')), HasSubstr("suite.json: "));
@@ -81,7 +82,7 @@ TEST_F(SuiteTest, RefusesInOneSentenceWithThePlace) {
 }
 
 TEST_F(SuiteTest, TheProjectsSuitesAreWhole) {
-  const auto all = read_suite("Misc/suites/picture.json"), free = read_suite("Misc/suites/picture_free.json");
+  const auto all = read_suite("testdemos/suites/picture.json"), free = read_suite("testdemos/suites/picture_free.json");
   ASSERT_TRUE(all.ok()) << all.error().message;
   ASSERT_TRUE(free.ok()) << free.error().message;
   EXPECT_GT(all->views.size(), free->views.size());

@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""Suites of experiments, by the program: suite_test.py BUILD_DIR. The same errors to the last digit when run again, killed
+at any moment and started again, and when split in four and merged; and what is refused, with its sentence.
+Skipped, saying so, without a Vulkan device."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+SKIPPED = 77
+SUITE = {
+    "title": "Small", "size": [24, 16], "repeats": 2, "reference_samples": 64, "set": {"r_deterministic": 1},
+    "configurations": {"pt": {"r_estimator": "pt"}, "mcpg": {"r_estimator": "mcpg", "r_mc_states": 4096}},
+    "experiments": [
+        {"name": "cbox", "picture": True, "view": {"name": "cbox", "scene": "cbox", "frames": [4, 7], "warmup": 4}},
+        {"name": "moving", "view": {"name": "moving", "scene": "moving", "frames": [3, 4], "warmup": 2}},
+        {"name": "lights", "errors": False, "repeats": 1, "view": {"name": "lights", "scene": "many", "frames": [1, 2]},
+         "vary": {"what": "lights", "scene": "many", "values": [1, 4, 16]}},
+        {"name": "elsewhere", "view": {"name": "elsewhere", "map": "start", "data": "librequake", "frames": [0, 1]}},
+    ],
+}
+PIECES = 2 + 2 + 3
+
+
+class Lab:
+    def __init__(self, build, folder):
+        self.program, self.folder = build / "fullbright-lab", folder
+        self.suite = folder / "suite.json"
+        self.suite.write_text(json.dumps(SUITE, indent=1))
+
+    def command(self, *words):
+        return [self.program, *map(str, words)]
+
+    def run(self, *words):
+        return subprocess.run(self.command(*words), capture_output=True, text=True, timeout=300)
+
+    def measure(self, out, *words):
+        done = self.run("suite", self.suite, "--out", self.folder / out, "--librequake", "/nowhere", "--quiet", *words)
+        assert done.returncode == 0, done.stderr
+        return done
+
+    def errors(self, out):
+        """All that does not depend on the clock."""
+        results = json.loads((self.folder / out / "results.json").read_text())
+        kept = {}
+        for experiment in results["experiments"]:
+            for point in experiment["points"]:
+                key = experiment["name"], point["configuration"], point["value"], point["repeat"]
+                assert key not in kept, key
+                curve = point.get("curve", {})
+                kept[key] = (point.get("errors"), curve.get("mse"), curve.get("running_mse"))
+        return kept, results
+
+    def refuses(self, pattern, *words):
+        done = self.run(*words)
+        assert done.returncode == 1, (words, done.returncode)
+        assert pattern in done.stderr and done.stderr.count("\n") == 1, (pattern, done.stderr)
+
+
+def repeats(lab):
+    lab.measure("whole")
+    first, results = lab.errors("whole")
+    assert results["complete"] is False, "an experiment without its data was skipped"
+    assert [skipped["experiment"] for skipped in results["skipped"]] == ["elsewhere"]
+    assert len(list((lab.folder / "whole/pieces").glob("*.json"))) == PIECES
+    assert first["cbox", "pt", 0.0, 0][0]["mse"] > 0 and first["cbox", "pt", 0.0, 0] != first["cbox", "pt", 0.0, 1]
+    assert (lab.folder / "whole/pieces/cbox.0.0.mcpg.exr").stat().st_size > 1000
+    fits = {(fit["configuration"], fit["of"]) for fit in results["experiments"][2]["fits"]}
+    assert fits == {("pt", "estimator"), ("pt", "frame"), ("mcpg", "estimator"), ("mcpg", "frame")}, fits
+    return first
+
+
+def resumes(lab, first):
+    kills = 0
+    for wait in (0.3, 0.9, 1.4):
+        process = subprocess.Popen(lab.command("suite", lab.suite, "--out", lab.folder / "killed", "--librequake", "/nowhere", "--quiet"),
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(wait)
+        kills += process.poll() is None
+        process.kill()
+        process.wait()
+        for piece in (lab.folder / "killed").glob("pieces/*.json"):
+            json.loads(piece.read_text())
+    assert kills > 0, "it was never killed"
+    lab.measure("killed")
+    assert lab.errors("killed")[0] == first
+
+
+def merges(lab, first):
+    shards = [lab.folder / f"shard{i}" for i in (1, 2, 3, 4)]
+    for i in (1, 2, 3, 4):
+        lab.measure(f"shard{i}", "--shard", f"{i}/4")
+    merge = ["suite-merge", lab.suite, "--experiments", "cbox,moving,lights", "--out", lab.folder / "merged"]
+    lab.refuses("of 7 pieces are missing: ", *merge, *shards[:3])
+    lab.refuses("is in ", *merge, *shards, shards[0])
+    done = lab.run(*merge, *shards)
+    assert done.returncode == 0, done.stderr
+    merged, results = lab.errors("merged")
+    assert merged == first and results["complete"]
+    manifest = shards[1] / "manifest.json"
+    text = manifest.read_text()
+    manifest.write_text(text.replace('"device": "', '"device": "another '))
+    lab.refuses("of another device", *merge, *shards)
+    manifest.write_text(text)
+
+
+def refuses(lab):
+    lab.refuses("of another overrides", "suite", lab.suite, "--out", lab.folder / "whole", "--repeats", "3")
+    lab.refuses("--shard 5/4", "suite", lab.suite, "--out", lab.folder / "x", "--shard", "5/4")
+    lab.refuses("has no such experiment", "suite", lab.suite, "--out", lab.folder / "x", "--experiments", "cobx")
+    typo = lab.folder / "typo.json"
+    typo.write_text(lab.suite.read_text().replace('"repeats": 2', '"repaets": 2'))
+    lab.refuses('typo.json: line 7: "repaets" is no key here; "repeats" is', "suite", typo, "--out", lab.folder / "x")
+    typo.write_text(lab.suite.read_text().replace('"r_mc_states"', '"r_mc_stats"'))
+    lab.refuses("there is no cvar r_mc_stats", "suite", typo, "--out", lab.folder / "x")
+    (lab.folder / "file").write_text("")
+    lab.refuses("file", "suite", lab.suite, "--out", lab.folder / "file")
+
+
+def main():
+    build = pathlib.Path(sys.argv[1]).resolve()
+    if subprocess.run([build / "fullbright", "-listdevices"], capture_output=True).returncode != 0:
+        print("skipped for want of a Vulkan device")
+        return SKIPPED
+    with tempfile.TemporaryDirectory() as name:
+        lab = Lab(build, pathlib.Path(name))
+        first = repeats(lab)
+        resumes(lab, first)
+        merges(lab, first)
+        refuses(lab)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
