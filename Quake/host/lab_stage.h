@@ -32,6 +32,7 @@ LabCommand add_ztest_command(CLI::App& app);
 // command_line: as it was typed, for the report.
 LabCommand add_bench_command(CLI::App& app, std::string command_line);
 LabCommand add_picture_command(CLI::App& app, std::string command_line);
+LabCommand add_film_command(CLI::App& app);
 LabCommand add_timedemos_command(CLI::App& app);
 LabCommand add_suite_command(CLI::App& app);
 LabCommand add_suite_merge_command(CLI::App& app);

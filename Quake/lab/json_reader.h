@@ -59,6 +59,10 @@ class JsonReader {
   const Json* take(const std::string& key);
   void fail(std::string_view what) { fail_at(0, what); }
   void fail(const std::string& key, std::string_view what) { fail_at(file_.line(object_, key), what); }
+  // Of a part that another reader read, whose sentence names its place.
+  void fail_with(const std::string& sentence) {
+    if (error_.empty()) error_ = sentence;
+  }
   bool failed() const { return !error_.empty(); }
   // An error if one of the above found one, or if there is a member that nobody asked for.
   Status end();

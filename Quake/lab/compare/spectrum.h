@@ -12,8 +12,8 @@ constexpr double kLowFrequency = 0.125;  // cycles a pixel: features of eight pi
 constexpr std::size_t kSpectrumBins = 32;
 
 // Of luminance's error e = x - r (Rec.709 weights of the values as measured), without windowing, so that Parseval's
-// theorem holds: the power density at a frequency is |E|^2 / pixels, with E the discrete Fourier transform of e, and its
-// mean over all frequencies is the mean of e^2.
+// theorem holds: the power density at a frequency is |E|^2 / pixels, with E the discrete Fourier transform of e, and
+// its mean over all frequencies is the mean of e^2.
 struct Spectrum {
   // Bin i holds frequencies (hypot of both axes) above i / 64 and up to (i + 1) / 64 cycles a pixel. The mean density
   // of those frequencies; not a number where the picture has none. Constant error is in none of them.

@@ -39,8 +39,7 @@ std::vector<double> window_means(const Plane& a, const Plane* b) {
       }
   for (std::size_t y = 0; y < rows; ++y)
     for (std::size_t k = 0; k < kWindow; ++k)
-      for (std::size_t x = 0; x < columns; ++x)
-        means[y * columns + x] += weights[k] * across[(y + k) * columns + x];
+      for (std::size_t x = 0; x < columns; ++x) means[y * columns + x] += weights[k] * across[(y + k) * columns + x];
   return means;
 }
 

@@ -23,8 +23,8 @@ double luminance_factor(double a, double b) { return (2 * a * b + kC1) / (a * a 
 TEST(Structure, OfConstantsOnlyTheirLuminanceCounts) {
   EXPECT_NEAR(ssim(stripes(0.3f, 0), stripes(0.3f, 0)), 1, 1e-12);
   EXPECT_NEAR(ssim(stripes(0.2f, 0), stripes(0.7f, 0)), luminance_factor(0.2, 0.7), 1e-6);
-  EXPECT_NEAR(ms_ssim(stripes(0.2f, 0, 200, 190), stripes(0.7f, 0, 200, 190)), std::pow(luminance_factor(0.2, 0.7), 0.1333),
-              1e-6);
+  EXPECT_NEAR(ms_ssim(stripes(0.2f, 0, 200, 190), stripes(0.7f, 0, 200, 190)),
+              std::pow(luminance_factor(0.2, 0.7), 0.1333), 1e-6);
 }
 
 // The Gaussian's even taps less its odd ones: what is left of a stripe's depth in a window's mean.
@@ -44,7 +44,8 @@ TEST(Structure, OfStripesOfLessContrast) {
   const double contrast = (2 * k * variance + kC2) / ((1 + k * k) * variance + kC2);
   // Half of the windows stand on a bright column, half on a dark one.
   const double luminance = (luminance_factor(mean + depth * a, mean + k * depth * a) +
-                            luminance_factor(mean - depth * a, mean - k * depth * a)) / 2;
+                            luminance_factor(mean - depth * a, mean - k * depth * a)) /
+                           2;
   EXPECT_NEAR(ssim(stripes(0.5f, 0.2f), stripes(0.5f, 0.08f)), contrast * luminance, 1e-6);
   // Halved once, both are even: the first scale alone tells them apart.
   EXPECT_NEAR(ms_ssim(stripes(0.5f, 0.2f, 176, 176), stripes(0.5f, 0.08f, 176, 176)), std::pow(contrast, 0.0448), 1e-6);

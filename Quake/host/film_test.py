@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+"""`fullbright-lab film`: film_test.py BUILD_DIR. Films of a few frames at 64x36, of scenes in code and of a demo of the
+base game. Skipped, saying so, without a Vulkan device; what needs ffmpeg or the base game is skipped by itself."""
+
+import json
+import os
+import pathlib
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import zlib
+
+SKIPPED = 77
+BUILD = pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else pathlib.Path("build").resolve()
+SPEC = {"scene": "kinds", "frames": [0, 2], "fps": 25, "size": [64, 36], "set": {"r_bounces": 0},
+        "lanes": [{"name": "pt"}, {"name": "nee", "set": {"r_estimator": "nee"}}]}
+
+
+def read_png(path):
+    """Width, height and rows of RGB bytes of an 8-bit PNG (all that the program writes)."""
+    data, at, packed = path.read_bytes(), 8, b""
+    while at < len(data):
+        (size,), kind = struct.unpack_from(">I", data, at), data[at + 4 : at + 8]
+        if kind == b"IHDR":
+            width, height = struct.unpack_from(">II", data, at + 8)
+        if kind == b"IDAT":
+            packed += data[at + 8 : at + 8 + size]
+        at += 12 + size
+    raw, rows, former = zlib.decompress(packed), [], bytearray(3 * width)
+    for y in range(height):
+        kind, row = raw[y * (3 * width + 1)], bytearray(raw[y * (3 * width + 1) + 1 : (y + 1) * (3 * width + 1)])
+        for i in range(len(row)):
+            left, up, corner = (row[i - 3] if i > 2 else 0), former[i], (former[i - 3] if i > 2 else 0)
+            nearest = min((abs(up - corner), 0, left), (abs(left - corner), 1, up), (abs(left + up - 2 * corner), 2, corner))
+            row[i] = (row[i] + (0, left, up, (left + up) // 2, nearest[2])[kind]) & 255
+        rows.append(bytes(row))
+        former = row
+    return width, height, rows
+
+
+def write_png(path, width, height, color):
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    rows = (b"\0" + bytes(color) * width) * height
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
+                     chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+class Film(unittest.TestCase):
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.scratch.name)
+
+    def tearDown(self):
+        self.scratch.cleanup()
+
+    def command(self, spec, out, *options):
+        text = spec if isinstance(spec, str) else json.dumps(spec, indent=1)
+        (self.folder / "spec.json").write_text(text)
+        return [BUILD / "fullbright-lab", "film", self.folder / "spec.json", "--quiet", "--out", self.folder / out, *options]
+
+    def film(self, spec, out, *options, **how):
+        return subprocess.run(self.command(spec, out, *options), capture_output=True, text=True, timeout=120, check=False, **how)
+
+    def captured(self, name, color, count=3, width=64):
+        (self.folder / name).mkdir()
+        for i in range(count):
+            write_png(self.folder / name / f"f{i}.png", width, 36, color)
+        return {"name": name, "pictures": name}
+
+    def test_captured_pictures_stand_where_their_lanes_are(self):
+        lanes = [self.captured("red", (200, 0, 0)), self.captured("green", (0, 150, 0))]
+        view = {"frames": [0, 2], "size": [64, 36], "lanes": lanes}
+        said = self.film(view, "wipe")
+        self.assertEqual(said.returncode, 0, said.stderr)
+        width, height, rows = read_png(self.folder / "wipe/frame_000002.png")
+        self.assertEqual((width, height, len(list((self.folder / "wipe").iterdir()))), (64, 36, 3))
+        last = rows[35]
+        self.assertEqual(last[: 3 * 31], bytes((200, 0, 0)) * 31)
+        self.assertEqual(last[3 * 31 : 3 * 33], b"\xff" * 6, "the line")
+        self.assertEqual(last[3 * 33 :], bytes((0, 150, 0)) * 31)
+        self.assertNotEqual(rows[7][: 3 * 31], last[: 3 * 31], "the caption")
+        self.assertEqual(self.film({**view, "layout": "side"}, "side").returncode, 0)
+        width, _, rows = read_png(self.folder / "side/frame_000000.png")
+        self.assertEqual((width, rows[35]), (130, bytes((200, 0, 0)) * 64 + bytes(6) + bytes((0, 150, 0)) * 64))
+
+    def test_a_rendered_film_shows_the_lanes_own_pictures(self):
+        self.assertEqual(self.film({**SPEC, "layout": "side", "reference_samples": 4}, "f", "--validation").returncode, 0)
+        width, _, both = read_png(self.folder / "f/frame_000002.png")
+        self.assertEqual(width, 130)
+        # Below the captions a lane alone has the same picture as beside the other.
+        self.assertEqual(self.film({**SPEC, "lanes": SPEC["lanes"][1:]}, "alone").returncode, 0)
+        _, _, alone = read_png(self.folder / "alone/frame_000002.png")
+        self.assertEqual([row[3 * 66 :] for row in both[34:]], alone[34:])
+
+    def test_ffmpeg_makes_a_stream_of_the_right_size_length_and_sound(self):
+        if not shutil.which("ffprobe"):
+            self.skipTest("ffmpeg is not installed")
+        spec, options = SPEC, []
+        if (BUILD / "game/id1/progs.dat").exists():
+            spec, options = {**SPEC, "demo": "plain", "frames": [5, 14]}, ["--basedir", BUILD / "game"]
+            del spec["scene"]
+        said = self.film(spec, "f.mp4", *options)
+        self.assertEqual(said.returncode, 0, said.stderr)
+        probed = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-of", "json", "-show_streams", self.folder / "f.mp4"],
+                                capture_output=True, text=True, check=True)
+        streams = {s["codec_type"]: s for s in json.loads(probed.stdout)["streams"]}
+        frames = spec["frames"][1] - spec["frames"][0] + 1
+        video = streams["video"]
+        self.assertEqual((video["width"], video["height"], int(video["nb_read_frames"])), (64, 36, frames))
+        self.assertAlmostEqual(float(video["duration"]), frames / 25, places=3)
+        if options:
+            self.assertAlmostEqual(float(streams["audio"]["duration"]), frames / 25, delta=0.03)
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["f.mp4", "spec.json"])
+
+    def test_without_ffmpeg_frames_are_pictures_and_a_sentence_says_so(self):
+        said = self.film(SPEC, "f.mp4", env={**os.environ, "PATH": "/nowhere"})
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.assertIn("ffmpeg is not here", said.stdout)
+        self.assertEqual(len(list((self.folder / "f").glob("*.png"))), 3)
+
+    def test_what_is_wrong_is_named_with_its_line(self):
+        self.captured("few", (1, 2, 3), count=2)
+        self.captured("small", (1, 2, 3), width=32)
+        for change, words in (({"lains": []}, '"lains"'), ({"layout": "left"}, '"wipe" or "side"'), ({"frames": [3, 1]}, "before the first"),
+                              ({"zoom": {"to": [0, 0, 99, 36]}}, "not within 64x36"), ({"lanes": [{"name": "a", "sett": {}}]}, '"sett"'),
+                              ({"lanes": [{"name": "a", "set": {"r_bonces": 1}}]}, "r_bonces"),
+                              ({"lanes": [{"name": "few", "pictures": "few"}]}, "2 PNG files"),
+                              ({"lanes": [{"name": "small", "pictures": "small"}]}, "32x36"),
+                              ({"lanes": [{"name": "none", "pictures": "none"}]}, "No such file")):
+            said = self.film({**SPEC, **change}, "f")
+            self.assertEqual(said.returncode, 1, words)
+            self.assertIn(words, said.stderr)
+            self.assertEqual(said.stderr.strip().count("\n"), 0, said.stderr)
+            self.assertFalse((self.folder / "f").exists())
+        self.assertIn("line 3", self.film('{"frames": [0, 1],\n "lanes": [{"name": "a"}],\n "lains": 1\n}', "f").stderr)
+        (self.folder / "full").mkdir()
+        (self.folder / "full/kept").write_text("kept")
+        self.assertIn("a new folder", self.film(SPEC, "full").stderr)
+        self.assertEqual((self.folder / "full/kept").read_text(), "kept")
+
+    def test_killed_or_out_of_space_there_is_no_film(self):
+        for out in ["f"] + (["f.mp4"] if shutil.which("ffmpeg") else []):
+            running = subprocess.Popen(self.command({**SPEC, "frames": [0, 5000]}, out), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            until = time.monotonic() + 60
+            while not (self.folder / f"{out}.part").exists() and time.monotonic() < until:
+                time.sleep(0.02)
+            time.sleep(0.2)
+            running.send_signal(signal.SIGKILL)
+            running.wait()
+            self.assertFalse((self.folder / out).exists())
+            # A file may not grow beyond a kilobyte: as a full disk.
+            limit = ["sh", "-c", 'ulimit -f 2; trap "" XFSZ; exec "$@"', "sh"]
+            said = subprocess.run([*limit, *self.command({**SPEC, "size": [640, 360]}, out)], capture_output=True, text=True, timeout=120, check=False)
+            self.assertNotEqual(said.returncode, 0)
+            self.assertFalse((self.folder / out).exists())
+
+
+if __name__ == "__main__":
+    if subprocess.run([BUILD / "fullbright", "-listdevices"], capture_output=True, check=False).returncode != 0:
+        print("skipped: no Vulkan device")
+        sys.exit(SKIPPED)
+    unittest.main(argv=sys.argv[:1])
