@@ -1,5 +1,5 @@
-// fullbright-lab: render | reference | compare | ztest | bench | picture | suite | suite-merge | track | estimators |
-// settings | commands.
+// fullbright-lab: render | reference | compare | ztest | bench | picture | suite | suite-merge | report | track |
+// estimators | settings | commands.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,18 +20,12 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   const std::string command_line = fmt::format("{}", fmt::join(argv, argv + argc, " "));
-  const LabCommand commands[] = {add_render_command(app),
-                                 add_reference_command(app),
-                                 add_compare_command(app),
-                                 add_ztest_command(app),
-                                 add_bench_command(app, command_line),
-                                 add_picture_command(app, command_line),
-                                 add_suite_command(app),
-                                 add_suite_merge_command(app),
-                                 add_track_command(app),
-                                 add_estimators_command(app),
-                                 add_settings_command(app),
-                                 add_commands_command(app)};
+  const LabCommand commands[] = {
+      add_render_command(app),  add_reference_command(app),           add_compare_command(app),
+      add_ztest_command(app),   add_bench_command(app, command_line), add_picture_command(app, command_line),
+      add_suite_command(app),   add_suite_merge_command(app),         add_report_command(app),
+      add_track_command(app),   add_estimators_command(app),          add_settings_command(app),
+      add_commands_command(app)};
   CLI11_PARSE(app, argc, argv);
   for (const LabCommand& command : commands)
     if (*command.app) return command.run();

@@ -34,6 +34,7 @@ LabCommand add_bench_command(CLI::App& app, std::string command_line);
 LabCommand add_picture_command(CLI::App& app, std::string command_line);
 LabCommand add_suite_command(CLI::App& app);
 LabCommand add_suite_merge_command(CLI::App& app);
+LabCommand add_report_command(CLI::App& app);
 LabCommand add_track_command(CLI::App& app);
 LabCommand add_estimators_command(CLI::App& app);
 LabCommand add_settings_command(CLI::App& app);

@@ -96,8 +96,8 @@ Result<JsonFile> JsonFile::parse(std::string_view text, std::string path) {
   JsonFile file;
   file.path_ = std::move(path);
   try {
-    file.json_ = std::make_shared<Json>(Json::parse(LineCounter(text.data(), &line),
-                                                    LineCounter(text.data() + text.size(), &line), watch));
+    file.json_ = std::make_shared<Json>(
+        Json::parse(LineCounter(text.data(), &line), LineCounter(text.data() + text.size(), &line), watch));
   } catch (const Json::exception& error) {
     return Error{fmt::format("{}: {}", file.path_, error.what())};
   }

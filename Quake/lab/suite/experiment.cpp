@@ -39,7 +39,8 @@ void read_values(JsonReader& vary, Experiment::Vary& out) {
   const Json* list = values != nullptr ? values : sizes;
   if (list == nullptr || (values != nullptr && sizes != nullptr) || !list->is_array() || list->empty() ||
       list->size() > kMostValues)
-    return vary.fail(fmt::format("\"values\": [...] or \"sizes\": [[WIDTH, HEIGHT], ...] is wanted, up to {}", kMostValues));
+    return vary.fail(
+        fmt::format("\"values\": [...] or \"sizes\": [[WIDTH, HEIGHT], ...] is wanted, up to {}", kMostValues));
   out.values.clear();
   for (const Json& value : *list) {
     if (values != nullptr) {
@@ -140,7 +141,8 @@ Result<ExperimentSuite> read_experiments(const std::string& path) {
     auto experiment = read_experiment(*file, (*list)[i], defaults, fmt::format("experiments[{}]", i));
     if (!experiment) return experiment.error();
     if (!names.insert(experiment->name).second)
-      return Error{fmt::format("{}: line {}: {} is there twice", path, file->line((*list)[i], "name"), experiment->name)};
+      return Error{
+          fmt::format("{}: line {}: {} is there twice", path, file->line((*list)[i], "name"), experiment->name)};
     suite.experiments.push_back(std::move(*experiment));
   }
   return suite;
@@ -150,7 +152,8 @@ std::vector<Piece> pieces_of(const ExperimentSuite& suite) {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < suite.experiments.size(); ++i)
     for (std::size_t value = 0; value < suite.experiments[i].vary.values.size(); ++value)
-      for (std::uint32_t repeat = 0; repeat < suite.experiments[i].repeats; ++repeat) pieces.push_back({i, value, repeat});
+      for (std::uint32_t repeat = 0; repeat < suite.experiments[i].repeats; ++repeat)
+        pieces.push_back({i, value, repeat});
   return pieces;
 }
 

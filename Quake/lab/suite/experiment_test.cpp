@@ -29,7 +29,8 @@ class ExperimentTest : public testing::Test {
 };
 
 TEST_F(ExperimentTest, HasWhatTheSuiteSaysUnlessItSaysOtherwise) {
-  const auto suite = read(R"({"title": "T", "size": [8, 4], "repeats": 3, "reference_samples": 64, "set": {"r_bounces": 4},
+  const auto suite =
+      read(R"({"title": "T", "size": [8, 4], "repeats": 3, "reference_samples": 64, "set": {"r_bounces": 4},
     "configurations": {"pt": {"r_estimator": "pt"}, "two": {"r_spp": 2}},
     "experiments": [
       {"name": "a", "view": {"name": "v", "scene": "cbox", "frames": [0, 3], "set": {"r_spp": 5}}},
@@ -65,9 +66,11 @@ TEST_F(ExperimentTest, RefusesInOneSentenceWithFileAndLine) {
   EXPECT_THAT(message("\"name\": \"a\""), HasSubstr("\"view\" is wanted"));
   EXPECT_THAT(message("\"name\": \"a\", \"repeats\": 0, " + view), HasSubstr("from 1 to 1000"));
   EXPECT_THAT(message("\"name\": \"a\", \"size\": [1], " + view), HasSubstr("[WIDTH, HEIGHT]"));
-  EXPECT_THAT(message("\"name\": \"a\", \"titel\": \"x\", " + view), HasSubstr("\"titel\" is no key here; \"title\" is"));
+  EXPECT_THAT(message("\"name\": \"a\", \"titel\": \"x\", " + view),
+              HasSubstr("\"titel\" is no key here; \"title\" is"));
   EXPECT_THAT(message("\"name\": \"a\", \"configurations\": {}, " + view), HasSubstr("at least one"));
-  EXPECT_THAT(message("\"name\": \"a\", \"vary\": {\"what\": \"x\", \"values\": [1]}, " + view), HasSubstr("one of \"setting\""));
+  EXPECT_THAT(message("\"name\": \"a\", \"vary\": {\"what\": \"x\", \"values\": [1]}, " + view),
+              HasSubstr("one of \"setting\""));
   EXPECT_THAT(message("\"name\": \"a\", \"vary\": {\"what\": \"x\", \"setting\": \"r_spp\", \"values\": []}, " + view),
               HasSubstr("\"values\": [...]"));
   EXPECT_THAT(read("{\"experiments\": []}").error().message, HasSubstr("\"experiments\": [...] is wanted"));

@@ -11,7 +11,8 @@ namespace fb::lab {
 namespace {
 
 TEST(FitPower, FindsTheExponentOfAPower) {
-  const std::vector<double> x{1, 2, 5, 10}, y{3, 3 * std::pow(2.0, 1.5), 3 * std::pow(5.0, 1.5), 3 * std::pow(10.0, 1.5)};
+  const std::vector<double> x{1, 2, 5, 10},
+      y{3, 3 * std::pow(2.0, 1.5), 3 * std::pow(5.0, 1.5), 3 * std::pow(10.0, 1.5)};
   const auto fit = fit_power(x, y);
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->value, 1.5, 1e-12);

@@ -21,14 +21,11 @@ constexpr const char* kManifestFormat = "fullbright suite 1";
 
 struct Member {
   const char* name;
-  std::string Manifest::* value;
+  std::string Manifest::*value;
 };
-constexpr Member kMembers[] = {{"suite", &Manifest::suite},
-                               {"program", &Manifest::program},
-                               {"device", &Manifest::device},
-                               {"driver", &Manifest::driver},
-                               {"intersector", &Manifest::intersector},
-                               {"overrides", &Manifest::overrides}};
+constexpr Member kMembers[] = {
+    {"suite", &Manifest::suite},   {"program", &Manifest::program},         {"device", &Manifest::device},
+    {"driver", &Manifest::driver}, {"intersector", &Manifest::intersector}, {"overrides", &Manifest::overrides}};
 
 Json json_of(const Manifest& manifest) {
   Json json{{"format", kManifestFormat}};
@@ -105,6 +102,9 @@ Json point_of(const Experiment& experiment, const Piece& piece, const Configurat
   if (all.still) {
     curve["running_mse"] = column(c.frames, [](const FrameRecord& f) { return f.running_mse; });
     curve["running_rel_mse"] = column(c.frames, [](const FrameRecord& f) { return f.running_rel_mse; });
+    curve["warm_rel_mse"] = Json::array();
+    for (std::uint32_t i = c.frames.warmup; i < c.frames.warmup + c.frames.measured; ++i)
+      curve["warm_rel_mse"].push_back(c.frames.at(0, i).warm_running_rel_mse);
   }
   point["curve"] = std::move(curve);
   return point;
@@ -117,14 +117,16 @@ Json vary_of(const Experiment& experiment) {
 
 Json description_of(const Experiment& e) {
   Json json{{"name", e.name}, {"title", e.title.empty() ? e.name : e.title}};
-  for (const auto& [key, text] : {std::pair("source", &e.source), std::pair("paper", &e.paper), std::pair("differs", &e.differs)})
+  for (const auto& [key, text] :
+       {std::pair("source", &e.source), std::pair("paper", &e.paper), std::pair("differs", &e.differs)})
     if (!text->empty()) json[key] = *text;
   json["view"] = e.view.name;
   json["size"] = {e.size.x, e.size.y};
   json["vary"] = vary_of(e);
   if (e.errors) json["reference"] = {{"estimator", e.reference_estimator}, {"samples", e.reference_samples}};
   Json configurations = Json::array();
-  for (const ExperimentConfiguration& c : e.configurations) configurations.push_back({{"name", c.name}, {"set", c.sets}});
+  for (const ExperimentConfiguration& c : e.configurations)
+    configurations.push_back({{"name", c.name}, {"set", c.sets}});
   json["configurations"] = std::move(configurations);
   return json;
 }
@@ -215,8 +217,8 @@ std::string SuiteFolder::picture_path(const std::string& piece, const std::strin
   return fmt::format("{}/pieces/{}.{}.exr", path_, piece, configuration);
 }
 
-Status SuiteFolder::add(const ExperimentSuite& suite, const Piece& piece, const BenchResult& result, std::uint64_t scene,
-                        double reference_error) {
+Status SuiteFolder::add(const ExperimentSuite& suite, const Piece& piece, const BenchResult& result,
+                        std::uint64_t scene, double reference_error) {
   const Experiment& experiment = suite.experiments[piece.experiment];
   Json json{{"scene", fmt::format("{:016x}", scene)}, {"still", result.still}};
   if (experiment.errors) json["reference_error"] = reference_error;
@@ -313,9 +315,11 @@ Status merge_shards(const ExperimentSuite& suite, const std::vector<std::string>
   }
   constexpr std::size_t kNamed = 8;
   if (!missing.empty())
-    return Error{fmt::format("{} of {} pieces are missing: {}{}", missing.size(), wanted.size(),
-                             fmt::join(missing.begin(), missing.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, missing.size())), ", "),
-                             missing.size() > kNamed ? " ..." : "")};
+    return Error{
+        fmt::format("{} of {} pieces are missing: {}{}", missing.size(), wanted.size(),
+                    fmt::join(missing.begin(),
+                              missing.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, missing.size())), ", "),
+                    missing.size() > kNamed ? " ..." : "")};
   for (const auto& [piece, shard] : from)
     if (!wanted.contains(piece)) return Error{fmt::format("{}: the suite has no piece {}", shard->path(), piece)};
   auto merged = SuiteFolder::open(to, shards.front().manifest());

@@ -46,8 +46,8 @@ class SuiteFolder {
   std::vector<std::pair<std::string, std::string>> skipped_;
 };
 
-// Joins what shards have made into `to`. Fails where they differ, where a piece is there twice and where one is missing,
-// and names it.
+// Joins what shards have made into `to`. Fails where they differ, where a piece is there twice and where one is
+// missing, and names it.
 Status merge_shards(const ExperimentSuite& suite, const std::vector<std::string>& folders, const std::string& to,
                     const std::string& command);
 
