@@ -13,6 +13,7 @@ usage: Linux/install-deps.sh [--dry-run] [--quiet] [GROUP ...]
   bench     build, and what the benchmarks compare against
   fuzz      build, and clang with libFuzzer
   coverage  test, and gcovr
+  report    what `fullbright-lab report` draws with, and the browser that its test looks at it with
   check     what checks the source text: clang-format, clang-tidy, python3
   maps      what compiles the base game's maps anew (they are kept compiled)
   platforms what makes fresh roots of other Debian releases
@@ -32,10 +33,11 @@ packages_of() {
     bench) packages_of build; echo libbenchmark-dev libembree-dev python3 fteqcc ;;
     fuzz) packages_of build; echo clang libclang-rt-dev llvm ;;
     coverage) packages_of test; echo gcovr ;;
+    report) echo python3-numpy python3-matplotlib chromium ;;
     check) echo clang-format clang-tidy python3 ;;
     maps) echo mmdebstrap python3 python3-numpy ;;
     platforms) echo mmdebstrap git ;;
-    all) for group in test bench fuzz coverage check maps platforms; do packages_of "$group"; done ;;
+    all) for group in test bench fuzz coverage report check maps platforms; do packages_of "$group"; done ;;
     *) echo "install-deps.sh: unknown group '$1'; see --help" >&2; return 2 ;;
   esac
 }

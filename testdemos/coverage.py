@@ -23,8 +23,9 @@ from pathlib import Path
 
 import numpy as np
 
-from exr import read
-from scenes import lab_args, names
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "Misc/python"))
+from fullbright_lab.exr import read  # noqa: E402
+from scenes import lab_args, names  # noqa: E402
 
 PARTS = 4
 

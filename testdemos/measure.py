@@ -27,8 +27,9 @@ from pathlib import Path
 
 import numpy as np
 
-from exr import read, write
-from scenes import HERE, lab_args, load, names
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "Misc/python"))
+from fullbright_lab.exr import read, write  # noqa: E402
+from scenes import HERE, lab_args, load, names  # noqa: E402
 
 ROOT = HERE.parent
 REFERENCES, ERRORS, NOISE = HERE / "references", HERE / "errors.csv", HERE / "pictures.csv"

@@ -10,11 +10,11 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).resolve().parents[1] / "Misc/python")]
 
 import measure  # noqa: E402
 import numpy as np  # noqa: E402
-from exr import read, write  # noqa: E402
+from fullbright_lab.exr import read, write  # noqa: E402
 from scenes import HERE, names  # noqa: E402
 
 

@@ -14,11 +14,11 @@ import tempfile
 import unittest
 from pathlib import Path
 
-sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).resolve().parents[1] / "Misc/basegame")]
+sys.path[:0] = [str(Path(__file__).resolve().parent), *(str(Path(__file__).resolve().parents[1] / folder) for folder in ("Misc/basegame", "Misc/python"))]
 
-import exr  # noqa: E402
 import numpy as np  # noqa: E402
 from art.palette import LAMP, PALETTE, heat, hex_to_srgb, nearest  # noqa: E402
+from fullbright_lab import exr  # noqa: E402
 from make_demos import positions, record, timedemo_frames  # noqa: E402
 from measure import CENTRES, SIZE, Lab  # noqa: E402
 from scenes import HERE, demo_of, lab_args, load, names  # noqa: E402

@@ -1,5 +1,5 @@
-// fullbright-lab: render | reference | compare | ztest | bench | picture | suite | suite-merge | film | timedemos |
-// track | estimators | settings | commands.
+// fullbright-lab: render | reference | compare | ztest | bench | picture | suite | suite-merge | report | film |
+// timedemos | track | estimators | settings | commands.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
                                  add_picture_command(app, command_line),
                                  add_suite_command(app),
                                  add_suite_merge_command(app),
+                                 add_report_command(app),
                                  add_film_command(app),
                                  add_timedemos_command(app),
                                  add_track_command(app),

@@ -1,4 +1,5 @@
-// fullbright-lab suite, suite-merge: whole sets of measurements, resumed where they were interrupted, split over machines.
+// fullbright-lab suite, suite-merge: whole sets of measurements, resumed where they were interrupted, split over
+// machines.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -122,8 +123,8 @@ Status open_view(OpenView& open, const lab::Experiment& e, const SuiteOptions& o
     configuration->settings.jitter = open.stage.settings.jitter;
     open.configurations.push_back(std::move(*configuration));
   }
-  auto collected = lab::collect_view(*open.stage.source, {view.first, view.last, view.warmup,
-                                                          e.hold || !view.map.empty(), view.frames_per_second});
+  auto collected = lab::collect_view(
+      *open.stage.source, {view.first, view.last, view.warmup, e.hold || !view.map.empty(), view.frames_per_second});
   if (!collected) return Error{e.name + ": " + collected.error().message};
   open.view = std::move(*collected);
   for (const scene::FrameSnapshot& snapshot : open.view.snapshots) {
@@ -131,9 +132,9 @@ Status open_view(OpenView& open, const lab::Experiment& e, const SuiteOptions& o
     open.scene = hash_bytes(&key, sizeof key, open.scene);
   }
   const std::uint32_t samples = e.errors ? e.reference_samples : 1;
-  auto made = lab::make_references(open.view, *open.stage.device, open.stage.settings,
-                                   {e.errors ? e.reference_estimator : "pt", samples, size.x, size.y,
-                                    e.errors ? o.references : "", true});
+  auto made = lab::make_references(
+      open.view, *open.stage.device, open.stage.settings,
+      {e.errors ? e.reference_estimator : "pt", samples, size.x, size.y, e.errors ? o.references : "", o.quiet});
   if (!made) return Error{e.name + ": " + made.error().message};
   open.references = std::move(*made);
   open.stage.renderer.reset();  // each configuration has its own
@@ -240,7 +241,8 @@ int run_suite(SuiteOptions& o) {
         open = std::make_unique<OpenView>();
         open->experiment = piece.experiment;
         open->value = piece.value;
-        if (auto status = open_view(*open, suite->experiments[piece.experiment], o); !status) return fail(status.error());
+        if (auto status = open_view(*open, suite->experiments[piece.experiment], o); !status)
+          return fail(status.error());
       }
       if (auto status = measure_piece(*suite, piece, *open, *folder); !status) return fail(status.error());
       progress.update(i + 1);
@@ -256,18 +258,20 @@ int run_suite(SuiteOptions& o) {
 
 LabCommand add_suite_command(CLI::App& app) {
   auto o = std::make_shared<SuiteOptions>();
-  CLI::App* command = app.add_subcommand(
-      "suite",
-      "runs a set of experiments: views, configurations and what is varied, interleaved; started again it goes on where "
-      "it was interrupted");
-  command->add_option("SUITE", o->suite, "the experiments: a JSON file, such as testdemos/suites/quick.json")->required();
+  CLI::App* command = app.add_subcommand("suite",
+                                         "runs a set of experiments: views, configurations and what is varied, "
+                                         "interleaved; started again it goes on where "
+                                         "it was interrupted");
+  command->add_option("SUITE", o->suite, "the experiments: a JSON file, such as testdemos/suites/quick.json")
+      ->required();
   command->add_option("--out", o->out, "folder for the results")->required();
   command->add_option("--experiments", o->experiments, "only these, by their names: cbox,start");
   command->add_option("--size", o->size, "WIDTHxHEIGHT, in the place of the suite's");
   add_number(*command, "--repeats", o->repeats, 0u, 1000u, "runs of each measurement; 0: as the suite says");
   add_number(*command, "--reference-samples", o->reference_samples, 0u, kMostSamples,
              "samples per pixel of references; 0: as the suite says");
-  command->add_option("--references", o->references, "folder in which references are kept (default: references in --out)");
+  command->add_option("--references", o->references,
+                      "folder in which references are kept (default: references in --out)");
   command->add_option("--set", o->sets, "cvar=value, for all; may be repeated")
       ->expected(1)
       ->take_all()

@@ -102,6 +102,9 @@ Json point_of(const Experiment& experiment, const Piece& piece, const Configurat
   if (all.still) {
     curve["running_mse"] = column(c.frames, [](const FrameRecord& f) { return f.running_mse; });
     curve["running_rel_mse"] = column(c.frames, [](const FrameRecord& f) { return f.running_rel_mse; });
+    curve["warm_rel_mse"] = Json::array();
+    for (std::uint32_t i = c.frames.warmup; i < c.frames.warmup + c.frames.measured; ++i)
+      curve["warm_rel_mse"].push_back(c.frames.at(0, i).warm_running_rel_mse);
   }
   point["curve"] = std::move(curve);
   return point;

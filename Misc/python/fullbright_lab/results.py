@@ -1,0 +1,122 @@
+"""Results of suites (Misc/docs/formats.md, "Suites of experiments"), with what figures are drawn from: curves over runs, intervals,
+gains. Arrays have a row for each run."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from fullbright_lab import exr
+
+FORMAT = "fullbright suite results 1"
+RESAMPLES = 2000
+
+
+@dataclass
+class Interval:
+    """A value with its 95% interval."""
+
+    value: float
+    low: float
+    high: float
+
+
+def bootstrap(values: np.ndarray, statistic=np.mean, seed: int = 1) -> Interval:
+    """Percentile interval of a statistic of runs: whole runs (rows) are drawn with replacement. One run has no interval: nan."""
+    values = np.asarray(values, float)
+    if len(values) < 2:
+        return Interval(float(statistic(values, axis=0)), np.nan, np.nan)
+    chosen = np.random.default_rng(seed).integers(0, len(values), (RESAMPLES, len(values)))
+    drawn = np.array([statistic(values[rows], axis=0) for rows in chosen])
+    low, high = np.nanpercentile(drawn, [2.5, 97.5])
+    return Interval(float(statistic(values, axis=0)), float(low), float(high))
+
+
+class Experiment:
+    """One experiment of a suite: its description and its points."""
+
+    def __init__(self, folder: Path, data: dict):
+        self.folder, self.data = folder, data
+        self.name, self.title, self.points = data["name"], data["title"], data["points"]
+        self.configurations = [configuration["name"] for configuration in data["configurations"]]
+        vary = data["vary"]
+        self.what: str | None = vary and vary["what"]
+        self.values: list[float] = vary["values"] if vary else [0.0]
+
+    def chosen(self, configuration: str, value: float | None = None) -> list[dict]:
+        """Points of a configuration, at one value (default: the first), a run each."""
+        value = self.values[0] if value is None else value
+        return sorted((point for point in self.points if point["configuration"] == configuration and point["value"] == value),
+                      key=lambda point: point["repeat"])
+
+    def curve(self, configuration: str, name: str, value: float | None = None) -> np.ndarray | None:
+        """(runs, frames) of "mse", "rel_mse", "running_mse", "running_rel_mse", "warm_rel_mse" (of frames behind the warm-up alone) or "milliseconds"; nan where a frame was not
+        measured; None where there is no such curve."""
+        rows = [point["curve"][name] for point in self.chosen(configuration, value) if name in point.get("curve", {})]
+        return np.array(rows, float) if rows else None
+
+    def errors(self, configuration: str, name: str, value: float | None = None) -> np.ndarray:
+        """(runs,) of a metric of `fullbright-lab compare`, mean over the measured frames."""
+        return np.array([point["errors"][name] for point in self.chosen(configuration, value)], float)
+
+    def milliseconds(self, configuration: str, of: str = "estimator", value: float | None = None) -> np.ndarray:
+        """(runs,) of the "estimator"'s own passes or of the whole "frame", medians."""
+        return np.array([point["milliseconds"][of] for point in self.chosen(configuration, value)], float)
+
+    def gain(self, configuration: str, equal: str, value: float | None = None) -> Interval:
+        """How many times smaller the error (MSE less the reference's variance) is than the first configuration's, at equal
+        "samples" or "time"; nan where there is no error above the reference's noise."""
+        base = self.configurations[0]
+
+        def row(name):
+            points = self.chosen(name, value)
+            return np.array([[p["errors"].get("mse_corrected", p["errors"]["mse"]), p["samples"], p["milliseconds"]["estimator"]] for p in points])
+
+        both = np.concatenate([row(base), row(configuration)], axis=1)
+
+        def ratio(rows, axis=0):
+            mse, samples, time, own, own_samples, own_time = rows.mean(axis=axis)
+            if not (mse > 0 and own > 0):
+                return np.nan
+            return mse / own * (samples / own_samples if equal == "samples" else time / own_time)
+
+        return bootstrap(both, ratio)
+
+    def pictures(self, value_index: int = 0) -> dict[str, np.ndarray]:
+        """(H, W, 3) float32 linear radiance by configuration, and the "reference"; empty where none were kept."""
+        found = {}
+        for name in [*self.configurations, "reference"]:
+            path = self.folder / "pieces" / f"{self.name}.{value_index}.0.{name}.exr"
+            if path.exists():
+                planes, _ = exr.read(path)
+                found[name] = np.stack([planes[channel] for channel in "RGB"], axis=-1)
+        return found
+
+
+class Suite:
+    """results.json of a folder."""
+
+    def __init__(self, folder: Path, data: dict):
+        self.folder, self.data = folder, data
+        self.title, self.manifest, self.complete = data["title"], data["manifest"], data["complete"]
+        self.experiments = [Experiment(folder, experiment) for experiment in data["experiments"]]
+
+    def __getitem__(self, name: str) -> Experiment:
+        return next(experiment for experiment in self.experiments if experiment.name == name)
+
+
+def read(folder: str | Path) -> Suite:
+    """Raises ValueError with one sentence where the folder holds no results."""
+    path = Path(folder) / "results.json"
+    try:
+        data = json.loads(path.read_text())
+    except FileNotFoundError:
+        raise ValueError(f"{path}: there is no such file; `fullbright-lab suite SUITE --out {folder}` makes it") from None
+    except json.JSONDecodeError as error:
+        raise ValueError(f"{path}: line {error.lineno}: {error.msg}") from None
+    if not isinstance(data, dict) or data.get("format") != FORMAT:
+        raise ValueError(f"{path}: these are no results of a suite")
+    return Suite(Path(folder), data)
