@@ -31,7 +31,8 @@ void draw_over(lab::FilmFrame& frame, const scene::DrawList& list) {
         if (quad.uv_min != quad.uv_max) {
           const vec2 share = (vec2(x, y) + 0.5f - quad.min) / (quad.max - quad.min);
           const auto texel = uvec2(quad.uv_min + (quad.uv_max - quad.uv_min) * share);
-          color *= unpacked(list.atlas->texels[std::size_t{texel.y} * static_cast<std::size_t>(list.atlas->width) + texel.x]);
+          color *= unpacked(
+              list.atlas->texels[std::size_t{texel.y} * static_cast<std::size_t>(list.atlas->width) + texel.x]);
         }
         std::uint32_t& pixel = frame.pixels[std::size_t{y} * frame.size.x + x];
         pixel = packed(glm::mix(vec3(unpacked(pixel)), vec3(color), color.w));

@@ -21,8 +21,8 @@
 namespace fb::host {
 namespace {
 
-constexpr int kTimedFrames = 5;             // of each lane, to find its samples
-constexpr std::size_t kShownTimes = 15;     // frames whose median a caption shows: it can be read
+constexpr int kTimedFrames = 5;          // of each lane, to find its samples
+constexpr std::size_t kShownTimes = 15;  // frames whose median a caption shows: it can be read
 constexpr int kMostFilmSamples = 4096;
 
 struct FilmOptions {
@@ -35,7 +35,7 @@ struct FilmLaneAtWork {
   render::RenderSettings settings;
   std::unique_ptr<render::Renderer> renderer;  // none: its pictures come from files
   std::vector<std::filesystem::path> files;
-  std::deque<double> times;  // of the latest frames, milliseconds on the device
+  std::deque<double> times;             // of the latest frames, milliseconds on the device
   double estimator_ms = 0, all_ms = 0;  // sums over the film
   std::optional<double> error;
   std::vector<std::uint32_t> picture;
@@ -67,7 +67,8 @@ Result<render::RenderSettings> lane_settings(Stage& stage, const lab::FilmLane& 
     status = set_cvar(console, set, lane.name);
     if (!status) break;
   }
-  render::RenderSettings settings = render::as_in_game(render::read_render_settings(console), stage.device->is_software());
+  render::RenderSettings settings =
+      render::as_in_game(render::read_render_settings(console), stage.device->is_software());
   for (auto it = former.rbegin(); it != former.rend(); ++it) console.cvar(it->first).set(it->second);
   if (!status) return status.error();
   if (auto known = known_estimator(settings.estimator, lane.name); !known) return known.error();
@@ -90,7 +91,8 @@ Status open_pictures(const lab::FilmSpec& spec, const lab::FilmLane& lane, FilmL
   if (failed) return Error{fmt::format("{}: {}", lane.pictures, failed.message())};
   std::sort(work.files.begin(), work.files.end());
   if (work.files.size() >= spec.frames()) return ok_status();
-  return Error{fmt::format("{}: {} PNG files, the film has {} frames", lane.pictures, work.files.size(), spec.frames())};
+  return Error{
+      fmt::format("{}: {} PNG files, the film has {} frames", lane.pictures, work.files.size(), spec.frames())};
 }
 
 Status load_picture(const lab::FilmSpec& spec, FilmLaneAtWork& lane, std::uint32_t frame) {
@@ -162,8 +164,7 @@ Result<lab::Reference> reference_of(Film& film, const scene::FrameSnapshot& snap
   return reference;
 }
 
-Status render_lane(FilmLaneAtWork& lane, const scene::FrameSnapshot& snapshot,
-                   const lab::Reference* reference) {
+Status render_lane(FilmLaneAtWork& lane, const scene::FrameSnapshot& snapshot, const lab::Reference* reference) {
   lane.renderer->render(snapshot, nullptr, lane.settings);
   lane.times.push_back(lane.renderer->gpu_milliseconds());
   if (lane.times.size() > kShownTimes) lane.times.pop_front();
@@ -319,18 +320,21 @@ int run_film(const FilmOptions& o) {
 LabCommand add_film_command(CLI::App& app) {
   auto options = std::make_shared<FilmOptions>();
   StageOptions& stage = options->stage;
-  CLI::App* film = app.add_subcommand("film",
-                                      "makes a film of estimators, settings and captured pictures beside each other, at "
-                                      "equal samples or equal time");
+  CLI::App* film =
+      app.add_subcommand("film",
+                         "makes a film of estimators, settings and captured pictures beside each other, at "
+                         "equal samples or equal time");
   film->add_option("SPEC", options->spec, "what it shows: a JSON file (Misc/docs/formats.md)")->required();
-  film->add_option("--out", options->out, "an .mp4 or .mkv file, made by ffmpeg, or a new folder for pictures")->required();
+  film->add_option("--out", options->out, "an .mp4 or .mkv file, made by ffmpeg, or a new folder for pictures")
+      ->required();
   film->add_option("--basedir", stage.basedir, "folder that holds id1 (default: the current folder, or the base game)");
   film->add_option("--game", stage.games, "a mod's folder beside id1; may be repeated");
   film->add_option("--set", stage.sets, "cvar=value, a setting of all lanes; may be repeated")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  film->add_option("--device", stage.device, "Vulkan device: part of its name, or its index in `fullbright -listdevices`");
+  film->add_option("--device", stage.device,
+                   "Vulkan device: part of its name, or its index in `fullbright -listdevices`");
   film->add_flag("--validation", stage.validation, "enable Vulkan's validation layers");
   film->add_flag("--quiet", stage.quiet, "print no progress");
   return {film, [options] { return run_film(*options); }};

@@ -26,7 +26,9 @@ Result<std::string> python() {
     const auto tried = lab::run_program({program, "-c", "import numpy, matplotlib"});
     if (tried && tried->status == 0) return std::string(program);
   }
-  return Error{"report: Python with numpy and matplotlib is wanted; on Debian: apt-get install python3-numpy python3-matplotlib"};
+  return Error{
+      "report: Python with numpy and matplotlib is wanted; on Debian: apt-get install python3-numpy "
+      "python3-matplotlib"};
 }
 
 int run_report(const std::string& folder, const std::string& out) {
@@ -34,7 +36,8 @@ int run_report(const std::string& folder, const std::string& out) {
   if (!package) return fail(package.error());
   const auto interpreter = python();
   if (!interpreter) return fail(interpreter.error());
-  std::vector<std::string> command{"env", "PYTHONPATH=" + *package, *interpreter, "-m", "fullbright_lab.report", folder};
+  std::vector<std::string> command{"env", "PYTHONPATH=" + *package, *interpreter,
+                                   "-m",  "fullbright_lab.report",  folder};
   command.insert(command.end(), {"--lab", (platform::program_directory() / "fullbright-lab").string()});
   if (!out.empty()) command.insert(command.end(), {"--out", out});
   const auto end = lab::run_program(command);

@@ -42,9 +42,8 @@ FilmView zoomed_view(const FilmSpec& film, std::uint32_t frame) {
   }
   const FilmZoom& zoom = *film.zoom;
   const float length = static_cast<float>(std::max(zoom.ends - zoom.begins, 1u));
-  const float linear = zoom.ends == zoom.begins
-                           ? 1.0f
-                           : std::min(1.0f, static_cast<float>(frame - zoom.begins) / length);
+  const float linear =
+      zoom.ends == zoom.begins ? 1.0f : std::min(1.0f, static_cast<float>(frame - zoom.begins) / length);
   const float t = linear * linear * (3 - 2 * linear);
   // Its size shrinks by the same factor in equal steps, and a point stays where it is on the screen.
   const vec2 size = whole * vec2(std::pow(zoom.size.x / whole.x, t), std::pow(zoom.size.y / whole.y, t));

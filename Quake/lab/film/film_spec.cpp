@@ -21,8 +21,8 @@ std::string beside(const std::string& spec, const std::string& file) {
 }
 
 // `count` numbers in brackets.
-std::vector<double> numbers(JsonReader& reader, const std::string& key, const Json& value, std::size_t count, double low,
-                            double high) {
+std::vector<double> numbers(JsonReader& reader, const std::string& key, const Json& value, std::size_t count,
+                            double low, double high) {
   std::vector<double> list(count, low);
   if (!value.is_array() || value.size() != count) {
     reader.fail(key, fmt::format("\"{}\": {} numbers in [ ] are wanted", key, count));
@@ -74,7 +74,8 @@ FilmZoom read_zoom(const JsonFile& file, JsonReader& reader, const Json& value, 
     zoom.corner = vec2(rectangle[0], rectangle[1]);
     zoom.size = vec2(rectangle[2], rectangle[3]);
     const vec2 whole(film.size);
-    if (zoom.size.x < 1 || zoom.size.y < 1 || zoom.corner.x + zoom.size.x > whole.x || zoom.corner.y + zoom.size.y > whole.y)
+    if (zoom.size.x < 1 || zoom.size.y < 1 || zoom.corner.x + zoom.size.x > whole.x ||
+        zoom.corner.y + zoom.size.y > whole.y)
       part.fail("to", fmt::format("\"to\": not within {}x{} pixels", film.size.x, film.size.y));
     else if (std::abs(zoom.size.x * whole.y - zoom.size.y * whole.x) > std::max(whole.x, whole.y))
       part.fail("to", "\"to\": its sides are not as those of \"size\"");
@@ -143,7 +144,8 @@ Result<FilmSpec> read_film(const std::string& path) {
     film.lanes.push_back(std::move(*lane));
   }
   const int views = int{!film.scene.empty()} + int{!film.map.empty()} + int{!film.demo.empty()};
-  if (film.renders() && views != 1) return Error{fmt::format("{}: one of \"scene\", \"map\" and \"demo\" is wanted", path)};
+  if (film.renders() && views != 1)
+    return Error{fmt::format("{}: one of \"scene\", \"map\" and \"demo\" is wanted", path)};
   if (film.equal_time && !film.lanes.front().pictures.empty())
     return Error{fmt::format("{}: \"equal\": \"time\" is that of the first lane, which must be rendered", path)};
   return film;

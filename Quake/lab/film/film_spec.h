@@ -32,7 +32,7 @@ struct FilmSpec {
   double sweep = 0;  // seconds in which the lines between lanes go to and fro once; 0: they stand
   bool equal_time = false;
   bool sound = true;
-  bool exr = false;  // of frames in a folder
+  bool exr = false;                     // of frames in a folder
   std::uint32_t reference_samples = 0;  // 0: no error is measured
   std::string reference_estimator = "nee";
   std::optional<FilmZoom> zoom;

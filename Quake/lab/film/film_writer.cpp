@@ -37,7 +37,8 @@ class FolderWriter : public FilmWriter {
   }
   Status open() {
     std::error_code failed;
-    if (stdfs::exists(output_.path, failed) && !(stdfs::is_directory(output_.path, failed) && stdfs::is_empty(output_.path, failed)))
+    if (stdfs::exists(output_.path, failed) &&
+        !(stdfs::is_directory(output_.path, failed) && stdfs::is_empty(output_.path, failed)))
       return Error{fmt::format("{}: there is something of that name; a film wants a new folder", output_.path)};
     stdfs::remove_all(part_, failed);
     stdfs::create_directories(part_, failed);
@@ -88,12 +89,26 @@ class FfmpegWriter : public FilmWriter {
   Status open(uvec2 size) {
     said_.reset(std::tmpfile());
     int ends[2];
-    if (!said_ || ::pipe2(ends, O_CLOEXEC) != 0) return Error{fmt::format("ffmpeg cannot be started: {}", std::strerror(errno))};
-    std::vector<std::string> arguments{"ffmpeg", "-y", "-nostdin", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24",
-                                       "-s", fmt::format("{}x{}", size.x, size.y), "-r", fmt::format("{}", output_.fps), "-i", "pipe:0"};
+    if (!said_ || ::pipe2(ends, O_CLOEXEC) != 0)
+      return Error{fmt::format("ffmpeg cannot be started: {}", std::strerror(errno))};
+    std::vector<std::string> arguments{"ffmpeg",
+                                       "-y",
+                                       "-nostdin",
+                                       "-loglevel",
+                                       "error",
+                                       "-f",
+                                       "rawvideo",
+                                       "-pix_fmt",
+                                       "rgb24",
+                                       "-s",
+                                       fmt::format("{}x{}", size.x, size.y),
+                                       "-r",
+                                       fmt::format("{}", output_.fps),
+                                       "-i",
+                                       "pipe:0"};
     // Its chroma has half the resolution, so sides are even.
-    arguments.insert(arguments.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-preset", "medium", "-crf", "16",
-                                       "-pix_fmt", "yuv420p", "-f", format(), part_});
+    arguments.insert(arguments.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-preset", "medium",
+                                       "-crf", "16", "-pix_fmt", "yuv420p", "-f", format(), part_});
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -151,9 +166,15 @@ class FfmpegWriter : public FilmWriter {
   Status add_sound() {
     if (output_.sound.empty()) return ok_status();
     const std::string joined = output_.path + ".joined.part";
-    const auto end = run_program({"ffmpeg", "-y", "-nostdin", "-loglevel", "error", "-i", part_, "-sseof", fmt::format("-{}", static_cast<double>(frames_) / output_.fps), "-i", output_.sound, "-map", "0:v", "-map", "1:a",
-                                  "-c:v", "copy", "-c:a", "aac", "-t", fmt::format("{}", static_cast<double>(frames_) / output_.fps),
-                                  "-f", format(), joined});
+    const auto end =
+        run_program({"ffmpeg",    "-y",          "-nostdin",
+                     "-loglevel", "error",       "-i",
+                     part_,       "-sseof",      fmt::format("-{}", static_cast<double>(frames_) / output_.fps),
+                     "-i",        output_.sound, "-map",
+                     "0:v",       "-map",        "1:a",
+                     "-c:v",      "copy",        "-c:a",
+                     "aac",       "-t",          fmt::format("{}", static_cast<double>(frames_) / output_.fps),
+                     "-f",        format(),      joined});
     std::error_code failed;
     if (end && end->status == 0 && end->output.empty()) {
       stdfs::rename(joined, part_, failed);

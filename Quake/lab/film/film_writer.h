@@ -19,8 +19,8 @@ class FilmWriter {
 };
 
 struct FilmOutput {
-  std::string path;  // .mp4 or .mkv, or a folder
-  std::string sound; // a wave file that ends with the film; empty: none
+  std::string path;   // .mp4 or .mkv, or a folder
+  std::string sound;  // a wave file that ends with the film; empty: none
   double fps = 30;
   bool exr = false;  // in a folder
 };
