@@ -175,6 +175,12 @@ Status measure_piece(const lab::ExperimentSuite& suite, const lab::Piece& piece,
   return folder.add(suite, piece, *result, open.scene, error);
 }
 
+// What the command line changes of the suite.
+std::string overrides_of(const SuiteOptions& o) {
+  return fmt::format("size {}, repeats {}, reference samples {}, set {}", o.size.empty() ? "-" : o.size, o.repeats,
+                     o.reference_samples, fmt::join(o.sets, " "));
+}
+
 Result<lab::Manifest> manifest_of(const lab::ExperimentSuite& suite, const SuiteOptions& o) {
   gpu::DeviceOptions wanted;
   wanted.preferred = o.device;
@@ -188,8 +194,7 @@ Result<lab::Manifest> manifest_of(const lab::ExperimentSuite& suite, const Suite
   manifest.device = (*device)->report().name;
   manifest.driver = (*device)->report().driver;
   manifest.intersector = (*renderer)->intersector_name();
-  manifest.overrides = fmt::format("size {}, repeats {}, reference samples {}, set {}", o.size.empty() ? "-" : o.size,
-                                   o.repeats, o.reference_samples, fmt::join(o.sets, " "));
+  manifest.overrides = overrides_of(o);
   return manifest;
 }
 
@@ -299,10 +304,18 @@ LabCommand add_suite_merge_command(CLI::App& app) {
   command->add_option("--out", o->suite.out, "folder for the joined results")->required();
   command->add_option("--experiments", o->suite.experiments, "as the shards were given it");
   add_number(*command, "--repeats", o->suite.repeats, 0u, 1000u, "as the shards were given it");
+  command->add_option("--size", o->suite.size, "as the shards were given it");
+  add_number(*command, "--reference-samples", o->suite.reference_samples, 0u, kMostSamples,
+             "as the shards were given it");
+  command->add_option("--set", o->suite.sets, "as the shards were given it")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
   return {command, [o] {
             const auto suite = read_wanted(o->suite);
             if (!suite) return fail(suite.error());
-            const auto status = lab::merge_shards(*suite, o->folders, o->suite.out, command_of(o->suite));
+            const auto status =
+                lab::merge_shards(*suite, o->folders, o->suite.out, command_of(o->suite), overrides_of(o->suite));
             return status ? 0 : fail(status.error());
           }};
 }

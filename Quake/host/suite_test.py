@@ -95,6 +95,11 @@ def merges(lab, first):
     merge = ["suite-merge", lab.suite, "--experiments", "cbox,moving,lights", "--out", lab.folder / "merged"]
     lab.refuses("of 7 pieces are missing: ", *merge, *shards[:3])
     lab.refuses("is in ", *merge, *shards, shards[0])
+    lab.refuses("of another overrides", *merge, *shards, "--size", "48x32")
+    other = lab.folder / "other.json"
+    other.write_text(lab.suite.read_text().replace('"repeats": 2', '"picture": false, "repeats": 2'))
+    lab.refuses("of another suite", merge[0], other, *merge[2:], *shards)
+    assert not (lab.folder / "merged").exists()
     done = lab.run(*merge, *shards)
     assert done.returncode == 0, done.stderr
     merged, results = lab.errors("merged")
@@ -115,6 +120,7 @@ def refuses(lab):
     lab.refuses('typo.json: line 7: "repaets" is no key here; "repeats" is', "suite", typo, "--out", lab.folder / "x")
     typo.write_text(lab.suite.read_text().replace('"r_mc_states"', '"r_mc_stats"'))
     lab.refuses("there is no cvar r_mc_stats", "suite", typo, "--out", lab.folder / "x")
+    lab.measure("x", "--experiments", "lights")  # the folder of a mistake is not spoilt
     (lab.folder / "file").write_text("")
     lab.refuses("file", "suite", lab.suite, "--out", lab.folder / "file")
 

@@ -174,7 +174,11 @@ Result<SuiteFolder> SuiteFolder::open(const std::string& path, const Manifest& m
   if (std::filesystem::exists(file, failed)) {
     const auto there = read_manifest(file);
     if (!there) return there.error();
-    if (auto status = same(*there, manifest, path); !status) return status.error();
+    SuiteFolder begun;
+    begun.path_ = path;
+    const bool empty = begun.piece_names().empty();  // nothing was measured: a mistyped setting ended it
+    auto status = empty ? write_json(file, json_of(manifest)) : same(*there, manifest, path);
+    if (!status) return status.error();
   } else if (auto status = write_json(file, json_of(manifest)); !status) {
     return status.error();
   }
@@ -290,7 +294,7 @@ Status SuiteFolder::copy_from(const SuiteFolder& other, const std::string& piece
 }
 
 Status merge_shards(const ExperimentSuite& suite, const std::vector<std::string>& folders, const std::string& to,
-                    const std::string& command) {
+                    const std::string& command, const std::string& overrides) {
   std::vector<SuiteFolder> shards;
   std::map<std::string, const SuiteFolder*> from;
   for (const std::string& path : folders) {
@@ -300,6 +304,11 @@ Status merge_shards(const ExperimentSuite& suite, const std::vector<std::string>
       if (auto status = same(shards.front().manifest(), shard->manifest(), path); !status) return status;
     shards.push_back(std::move(*shard));
   }
+  // What describes the results must be what they were measured by.
+  Manifest asked = shards.front().manifest();
+  asked.suite = fmt::format("{:016x}", suite.hash);
+  asked.overrides = overrides;
+  if (auto status = same(shards.front().manifest(), asked, folders.front()); !status) return status;
   for (const SuiteFolder& shard : shards) {
     for (const std::string& piece : shard.piece_names()) {
       const auto [there, fresh] = from.try_emplace(piece, &shard);

@@ -48,7 +48,8 @@ class SuiteFolder {
 
 // Joins what shards have made into `to`. Fails where they differ, where a piece is there twice and where one is
 // missing, and names it.
+// `overrides`: Manifest's; where it or the suite is not what the pieces were measured by, that is refused, too.
 Status merge_shards(const ExperimentSuite& suite, const std::vector<std::string>& folders, const std::string& to,
-                    const std::string& command);
+                    const std::string& command, const std::string& overrides);
 
 }  // namespace fb::lab
