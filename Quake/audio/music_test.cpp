@@ -1,4 +1,5 @@
 // Music: every format is decoded, streams loop and change rates without a seam, and damaged files end with a sentence.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sndfile.h>

@@ -6,6 +6,7 @@
 
 #include "base/log.h"
 #include "client/client_impl.h"
+#include "console/console.h"
 #include "client/session/parse.h"
 #include "client/session/sounds.h"
 

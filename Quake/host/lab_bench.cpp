@@ -26,7 +26,7 @@ Result<std::vector<lab::Configuration>> configurations_of(con::Console& console,
   if (!texts) return texts.error();
   std::vector<lab::Configuration> list;
   for (const ConfigurationText& text : *texts) {
-    auto configuration = configuration_of(console, text);
+    auto configuration = configuration_of(console, text, "--config " + text.name);
     if (!configuration) return configuration.error();
     list.push_back(std::move(*configuration));
   }

@@ -56,26 +56,6 @@ double estimator_ms(const render::Renderer& renderer) {
 
 double median_of(const std::deque<double>& times) { return lab::median({times.begin(), times.end()}); }
 
-// The lane's settings on top of the film's, which are as they were afterwards.
-Result<render::RenderSettings> lane_settings(Stage& stage, const lab::FilmLane& lane) {
-  con::Console& console = stage.console();
-  std::vector<std::pair<std::string, std::string>> former;
-  Status status = ok_status();
-  for (const std::string& set : lane.sets) {
-    const std::string cvar = set.substr(0, set.find('='));
-    if (const con::Cvar* found = console.find_cvar(cvar)) former.emplace_back(cvar, found->string());
-    status = set_cvar(console, set, lane.name);
-    if (!status) break;
-  }
-  render::RenderSettings settings =
-      render::as_in_game(render::read_render_settings(console), stage.device->is_software());
-  for (auto it = former.rbegin(); it != former.rend(); ++it) console.cvar(it->first).set(it->second);
-  if (!status) return status.error();
-  if (auto known = known_estimator(settings.estimator, lane.name); !known) return known.error();
-  settings.accumulate = 0;
-  return settings;
-}
-
 Status open_renderer(Film& film, FilmLaneAtWork& lane) {
   auto renderer = render::Renderer::create(*film.stage.device, lane.settings);
   if (!renderer) return renderer.error();
@@ -196,7 +176,8 @@ Status open_lanes(Film& film, const FilmOptions& o) {
   options.size = fmt::format("{}x{}", film.spec.size.x, film.spec.size.y);
   options.sets.insert(options.sets.begin(), film.spec.sets.begin(), film.spec.sets.end());
   if (film.spec.renders()) {
-    if (auto status = known_estimator(film.spec.reference_estimator, "reference_estimator"); !status) return status;
+    if (auto status = unbiased_estimator(film.spec.reference_estimator, "\"reference_estimator\":"); !status)
+      return status;
     if (auto status = open_stage(film.stage, options); !status) return status;
     film.stage.renderer->resize(film.spec.size.x, film.spec.size.y);
   }
@@ -206,9 +187,10 @@ Status open_lanes(Film& film, const FilmOptions& o) {
       if (auto status = open_pictures(film.spec, lane, work); !status) return status;
       continue;
     }
-    auto settings = lane_settings(film.stage, lane);
-    if (!settings) return settings.error();
-    work.settings = *settings;
+    const auto configuration = configuration_of(film.stage.console(), {lane.name, lane.sets}, lane.name);
+    if (!configuration) return configuration.error();
+    work.settings = render::as_in_game(configuration->settings, film.stage.device->is_software());
+    work.settings.accumulate = 0;
     if (auto status = open_renderer(film, work); !status) return status;
   }
   return ok_status();

@@ -144,27 +144,27 @@ Status known_estimator(const std::string& name, const std::string& option) {
 }
 
 // The console's settings changed by the configuration's; the console itself is not changed.
-Result<lab::Configuration> configuration_of(con::Console& console, const ConfigurationText& text) {
-  const std::string option = "--config " + text.name;
+Result<lab::Configuration> configuration_of(con::Console& console, const ConfigurationText& text,
+                                            const std::string& place) {
   lab::Configuration configuration{text.name, {}};
   std::vector<std::pair<std::string, std::string>> before;
   Status status = ok_status();
   for (const std::string& assignment : text.assignments) {
     const std::string name = assignment.substr(0, assignment.find('='));
     if (!console.find_cvar(name)) {
-      status = Error{fmt::format("{}: there is no cvar {}", option, name)};
+      status = Error{fmt::format("{}: there is no cvar {}", place, name)};
     } else if (!is_renderers(name)) {
-      status = Error{fmt::format("{}: {} is not the renderer's; give it by --set, for all alike", option, name)};
+      status = Error{fmt::format("{}: {} is not the renderer's; it is set for all alike", place, name)};
     } else {
       before.emplace_back(name, console.cvar(name).string());
-      status = set_cvar(console, assignment, option);
+      status = set_cvar(console, assignment, place);
     }
     if (!status) break;
   }
   configuration.settings = render::read_render_settings(console);
   for (auto it = before.rbegin(); it != before.rend(); ++it) console.set(it->first, it->second);
   if (!status) return status.error();
-  if (auto known = known_estimator(configuration.settings.estimator, option + ":"); !known) return known.error();
+  if (auto known = known_estimator(configuration.settings.estimator, place + ":"); !known) return known.error();
   return configuration;
 }
 

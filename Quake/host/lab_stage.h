@@ -88,8 +88,9 @@ Result<std::vector<ConfigurationText>> parse_configurations(const std::vector<st
                                                             const std::vector<std::string>& configurations,
                                                             const std::string& otherwise);
 // The console's settings changed by the configuration's; the console itself is not changed. Only the renderer's own
-// settings may differ between configurations.
-Result<lab::Configuration> configuration_of(con::Console& console, const ConfigurationText& text);
+// settings may differ between configurations. `place` is named in errors.
+Result<lab::Configuration> configuration_of(con::Console& console, const ConfigurationText& text,
+                                            const std::string& place);
 std::vector<std::string> split(const std::string& text, char separator);
 // Parses "A:B" or "A".
 Result<std::pair<std::uint64_t, std::uint64_t>> parse_frames(const std::string& text);

@@ -14,7 +14,7 @@
 #include "base/hash.h"
 #include "base/log.h"
 #include "base/progress.h"
-#include "fs/file.h"
+#include "host/build_text.h"
 #include "host/lab_numbers.h"
 #include "host/lab_stage.h"
 #include "host/options.h"
@@ -78,13 +78,6 @@ Result<lab::ExperimentSuite> read_wanted(const SuiteOptions& o) {
   return suite;
 }
 
-// The program's version and contents: two builds are two programs.
-std::string program_identity() {
-  const auto bytes = fs::read_whole_file("/proc/self/exe");
-  if (!bytes) return version_text();
-  return fmt::format("{}, {:016x}", version_text(), hash_bytes(bytes->data(), bytes->size()));
-}
-
 double machine_load() {
   double load = -1.0;
   std::ifstream("/proc/loadavg") >> load;
@@ -118,7 +111,7 @@ Status open_view(OpenView& open, const lab::Experiment& e, const SuiteOptions& o
   if (auto status = open_stage(open.stage, stage); !status) return Error{e.name + ": " + status.error().message};
   open.stage.settings.jitter = std::max(open.stage.settings.jitter, 0);
   for (const lab::ExperimentConfiguration& text : e.configurations) {
-    auto configuration = configuration_of(open.stage.console(), {text.name, text.sets});
+    auto configuration = configuration_of(open.stage.console(), {text.name, text.sets}, text.name);
     if (!configuration) return Error{fmt::format("{}: {}", e.name, configuration.error().message)};
     configuration->settings.jitter = open.stage.settings.jitter;
     open.configurations.push_back(std::move(*configuration));
@@ -145,11 +138,7 @@ Status keep_pictures(const lab::SuiteFolder& folder, const std::string& piece, c
                      const lab::BenchResult& result) {
   const auto write = [&](const std::string& name, const lab::Picture& picture) {
     lab::ExrImage exr(picture.width, picture.height);
-    for (int c = 0; c < 3; ++c) {
-      std::vector<float> plane(picture.pixels.size());
-      std::ranges::transform(picture.pixels, plane.begin(), [&](const vec3& pixel) { return pixel[c]; });
-      exr.add_channel(std::string(1, "RGB"[c]), std::move(plane));
-    }
+    exr.add_colors("", picture.pixels);
     return lab::write_exr(folder.picture_path(piece, name), exr);
   };
   for (const lab::ConfigurationResult& c : result.configurations)
@@ -190,7 +179,7 @@ Result<lab::Manifest> manifest_of(const lab::ExperimentSuite& suite, const Suite
   if (!renderer) return renderer.error();
   lab::Manifest manifest;
   manifest.suite = fmt::format("{:016x}", suite.hash);
-  manifest.program = program_identity();
+  manifest.program = version_text() + ", " + build_text();
   manifest.device = (*device)->report().name;
   manifest.driver = (*device)->report().driver;
   manifest.intersector = (*renderer)->intersector_name();

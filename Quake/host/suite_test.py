@@ -74,7 +74,7 @@ def repeats(lab):
 
 def resumes(lab, first):
     kills = 0
-    for wait in (0.3, 0.9, 1.4):
+    for wait in (0.3, 1.2, 2.0):
         process = subprocess.Popen(lab.command("suite", lab.suite, "--out", lab.folder / "killed", "--librequake", "/nowhere", "--quiet"),
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         time.sleep(wait)
@@ -84,7 +84,10 @@ def resumes(lab, first):
         for piece in (lab.folder / "killed").glob("pieces/*.json"):
             json.loads(piece.read_text())
     assert kills > 0, "it was never killed"
+    made = {piece: piece.stat().st_mtime_ns for piece in (lab.folder / "killed").glob("pieces/*.json")}
+    assert made, "nothing was measured before it was killed"
     lab.measure("killed")
+    assert all(piece.stat().st_mtime_ns == when for piece, when in made.items()), "a piece was measured again"
     assert lab.errors("killed")[0] == first
 
 

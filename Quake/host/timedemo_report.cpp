@@ -4,35 +4,17 @@
 #include <fmt/format.h>
 
 #include <ctime>
-#include <filesystem>
 #include <span>
-#include <system_error>
 #include <thread>
 
 #include "base/hash.h"
 #include "base/log.h"
 #include "fs/file.h"
+#include "host/build_text.h"
 #include "host/options.h"
 
 namespace fb::host {
 namespace {
-
-// Tells builds of one version apart; the program's own bytes, where the system tells where they are.
-std::string build_text() {
-#ifdef NDEBUG
-  std::string text = "optimised";
-#else
-  std::string text = "with checks";
-#endif
-#ifdef __VERSION__
-  text += ", compiler " __VERSION__;
-#endif
-  std::error_code none;
-  const auto path = std::filesystem::read_symlink("/proc/self/exe", none);
-  if (none) return text;
-  const auto bytes = fs::read_whole_file(path);
-  return bytes ? text + fmt::format(", program {:016x}", hash_bytes(bytes->data(), bytes->size())) : text;
-}
 
 std::map<std::string, std::string> changed_settings(const con::Console& console) {
   std::map<std::string, std::string> changed;

@@ -79,6 +79,14 @@ void ExrImage::add_channel(const std::string& name, std::vector<float> values) {
   channels_[name] = std::move(values);
 }
 
+void ExrImage::add_colors(const std::string& prefix, std::span<const vec3> colors) {
+  for (int c = 0; c < 3; ++c) {
+    std::vector<float> plane(colors.size());
+    std::ranges::transform(colors, plane.begin(), [c](const vec3& color) { return color[c]; });
+    add_channel(prefix + "RGB"[c], std::move(plane));
+  }
+}
+
 const std::vector<float>* ExrImage::channel(const std::string& name) const {
   const auto found = channels_.find(name);
   return found == channels_.end() ? nullptr : &found->second;

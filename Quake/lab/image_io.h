@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/maths.h"
 #include "base/result.h"
 
 namespace fb::lab {
@@ -24,6 +25,8 @@ class ExrImage {
 
   // values: width*height of them. The same name again replaces the plane.
   void add_channel(const std::string& name, std::vector<float> values);
+  // Colours as prefix + "R", "G" and "B".
+  void add_colors(const std::string& prefix, std::span<const vec3> colors);
   const std::vector<float>* channel(const std::string& name) const;  // null if there is none
   const std::map<std::string, std::vector<float>>& channels() const { return channels_; }
 

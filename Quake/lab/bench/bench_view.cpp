@@ -78,16 +78,8 @@ std::optional<Reference> kept_reference(const std::string& path, const Reference
 
 Status keep_reference(const std::string& path, const Reference& reference) {
   ExrImage exr(reference.mean.width, reference.mean.height);
-  for (int c = 0; c < 3; ++c) {
-    const auto plane = [&](const std::vector<vec3>& colors) {
-      std::vector<float> values(colors.size());
-      std::transform(colors.begin(), colors.end(), values.begin(), [&](const vec3& v) { return v[c]; });
-      return values;
-    };
-    const std::string name(1, "RGB"[c]);
-    exr.add_channel(name, plane(reference.mean.pixels));
-    exr.add_channel("variance." + name, plane(reference.variance));
-  }
+  exr.add_colors("", reference.mean.pixels);
+  exr.add_colors("variance.", reference.variance);
   return write_exr(path, exr);
 }
 

@@ -37,14 +37,14 @@ LaneColumns lane_columns(const FilmSpec& film, std::size_t lane, std::uint32_t f
 
 FilmView zoomed_view(const FilmSpec& film, std::uint32_t frame) {
   const vec2 whole(film.size);
-  if (!film.zoom || frame <= film.zoom->begins) {
-    if (!film.zoom || film.zoom->ends > film.zoom->begins || frame < film.zoom->begins) return {vec2(0.0f), whole};
-  }
+  if (!film.zoom || frame < film.zoom->begins) return {vec2(0.0f), whole};
   const FilmZoom& zoom = *film.zoom;
-  const float length = static_cast<float>(std::max(zoom.ends - zoom.begins, 1u));
-  const float linear =
-      zoom.ends == zoom.begins ? 1.0f : std::min(1.0f, static_cast<float>(frame - zoom.begins) / length);
-  const float t = linear * linear * (3 - 2 * linear);
+  // Of the way, slow at both ends.
+  float t = 1.0f;
+  if (frame < zoom.ends) {
+    t = static_cast<float>(frame - zoom.begins) / static_cast<float>(zoom.ends - zoom.begins);
+    t = t * t * (3.0f - 2.0f * t);
+  }
   // Its size shrinks by the same factor in equal steps, and a point stays where it is on the screen.
   const vec2 size = whole * vec2(std::pow(zoom.size.x / whole.x, t), std::pow(zoom.size.y / whole.y, t));
   const vec2 shrunk = (whole - size) / glm::max(whole - zoom.size, vec2(1e-3f));

@@ -50,13 +50,8 @@ class FolderWriter : public FilmWriter {
     Picture shown{frame.size.x, frame.size.y, {}};
     for (const std::uint32_t p : frame.pixels)
       shown.pixels.push_back(vec3(p & 0xffu, (p >> 8u) & 0xffu, (p >> 16u) & 0xffu) / 255.0f);
-    const Picture linear = decoded(shown);
     ExrImage exr(frame.size.x, frame.size.y);
-    for (int c = 0; c < 3; ++c) {
-      std::vector<float> plane;
-      for (const vec3& p : linear.pixels) plane.push_back(p[c]);
-      exr.add_channel(std::string(1, "RGB"[c]), std::move(plane));
-    }
+    exr.add_colors("", decoded(shown).pixels);
     return write_exr(name + ".exr", exr);
   }
   Result<std::string> finish() override {

@@ -30,11 +30,8 @@ std::vector<float> plane(const std::vector<Item>& items, const Part& part) {
 
 Status keep(const std::string& path, const JudgedReference& reference) {
   ExrImage exr(reference.guides.width, reference.guides.height);
-  for (int c = 0; c < 3; ++c) {
-    const std::string name(1, "RGB"[c]);
-    exr.add_channel(name, plane(reference.radiance.mean.pixels, [&](const vec3& v) { return v[c]; }));
-    exr.add_channel("variance." + name, plane(reference.radiance.variance, [&](const vec3& v) { return v[c]; }));
-  }
+  exr.add_colors("", reference.radiance.mean.pixels);
+  exr.add_colors("variance.", reference.radiance.variance);
   exr.add_channel("motion.X", plane(reference.guides.motion, [](const vec2& v) { return v.x; }));
   exr.add_channel("motion.Y", plane(reference.guides.motion, [](const vec2& v) { return v.y; }));
   exr.add_channel("Z", reference.guides.depth);
