@@ -17,6 +17,8 @@ usage: Linux/install-deps.sh [--dry-run] [--quiet] [GROUP ...]
   check     what checks the source text: clang-format, clang-tidy, python3
   maps      what compiles the base game's maps anew (they are kept compiled)
   platforms what makes fresh roots of other Debian releases
+  slurm     what tests Linux/slurm: a Slurm cluster of this machine alone
+  outside   Blender, whose Cycles judges references (testdemos/outside)
   all       every group
   --dry-run say what would be installed, install nothing
   --quiet   say nothing where nothing is missing
@@ -37,7 +39,9 @@ packages_of() {
     check) echo clang-format clang-tidy python3 ;;
     maps) echo mmdebstrap python3 python3-numpy ;;
     platforms) echo mmdebstrap git ;;
-    all) for group in test bench fuzz coverage report check maps platforms; do packages_of "$group"; done ;;
+    slurm) echo slurm-wlm munge python3-numpy ;;
+    outside) echo blender python3-numpy ;;
+    all) for group in test bench fuzz coverage report check maps platforms slurm outside; do packages_of "$group"; done ;;
     *) echo "install-deps.sh: unknown group '$1'; see --help" >&2; return 2 ;;
   esac
 }

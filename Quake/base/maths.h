@@ -14,6 +14,7 @@
 
 namespace fb {
 
+using glm::dvec3;
 using glm::ivec2;
 using glm::mat3;
 using glm::mat4x3;  // column-major, four columns of vec3: x axis, y axis, z axis, origin

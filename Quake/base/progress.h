@@ -26,6 +26,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   void update(std::uint64_t done);
+  // Another total, where it turns out on the way.
+  void expect(std::uint64_t total) { total_ = total; }
 
  private:
   std::string what_;

@@ -1,8 +1,13 @@
-// fullbright-lab render and reference: chosen frames, or one with many samples.
+// fullbright-lab render, render-merge: chosen frames.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <tuple>
 
 #include "host/lab_numbers.h"
 #include "host/lab_stage.h"
+#include "host/options.h"
+#include "lab/frame_shards.h"
 #include "lab/jobs.h"
 
 namespace fb::host {
@@ -11,23 +16,38 @@ namespace {
 struct RenderOptions {
   StageOptions stage;
   std::string frames = "0:0", format = "png";
+  std::string shard;
+  std::uint32_t warmup = 0;
   bool hash = false, denoised = false;
 };
-struct ReferenceOptions {
-  StageOptions stage;
-  std::uint64_t frame = 0;
-  std::uint32_t warmup = 0;
-};
+
+// What shards must have in common.
+std::string subject_of(const RenderOptions& options) {
+  const StageOptions& o = options.stage;
+  std::string text = fmt::format("{} {} {} {}, {} at {} fps, {}x{} samples, {}, camera {}, {} {}", version_text(),
+                                 o.map, o.demo, o.scene, o.size, o.fps, o.estimator, o.spp, options.format,
+                                 o.camera.empty() ? "the player's" : o.camera, options.denoised ? "denoised" : "raw",
+                                 fmt::join(o.sets, " "));
+  for (const std::string& game : o.games) text += " " + game;
+  return text;
+}
 
 int run_render(const RenderOptions& options) {
   StageOptions o = options.stage;
   if (options.denoised) o.sets.insert(o.sets.begin(), "r_denoise=1");
   auto range = parse_frames(options.frames);
   if (!range) return fail(range.error());
+  const auto shard = parse_shard(options.shard);
+  if (!shard) return fail(shard.error());
+  if (shard->count > 1 && o.out.empty()) return fail(Error{"--shard: it needs --out, a folder of its own"});
+  const auto own = lab::frames_of_shard(range->first, range->second, shard->index, shard->count);
+  if (own.first > own.second)
+    return fail(Error{fmt::format("--shard {}: there are fewer frames than shards", options.shard)});
   Stage stage;
   if (auto status = open_stage(stage, o); !status) return fail(status.error());
   lab::RenderJob job;
-  std::tie(job.first, job.last) = *range;
+  std::tie(job.first, job.last) = own;
+  job.warmup = options.warmup;
   job.width = stage.size.x;
   job.height = stage.size.y;
   job.spp = o.spp;
@@ -37,8 +57,14 @@ int run_render(const RenderOptions& options) {
                                           : lab::ImageFormat::kPng;
   job.hash = options.hash;
   job.quiet = o.quiet;
+  if (shard->count > 1) lab::begin_shard(o.out);
   const auto summary = lab::render_frames(*stage.source, *stage.renderer, stage.settings, job);
   if (!summary) return fail(summary.error());
+  if (shard->count > 1) {
+    const auto told =
+        lab::tell_shard(o.out, {subject_of(options), range->first, range->second, shard->index, shard->count});
+    if (!told) return fail(told.error());
+  }
   if (o.timing) {
     double total = 0;
     for (const auto& pass : summary->passes) {
@@ -48,25 +74,6 @@ int run_render(const RenderOptions& options) {
     fmt::print("{:12} {:9.3f} ms a frame (sum of the passes' medians)\n", "all", total);
   }
   if (!o.out.empty() && !o.quiet) fmt::print("{} frames in {}\n", summary->frames, o.out);
-  return finish(stage);
-}
-
-int run_reference(const ReferenceOptions& options) {
-  const StageOptions& o = options.stage;
-  Stage stage;
-  if (auto status = open_stage(stage, o); !status) return fail(status.error());
-  lab::ReferenceJob job;
-  job.frame = options.frame;
-  job.width = stage.size.x;
-  job.height = stage.size.y;
-  job.spp = o.spp;
-  job.warmup = options.warmup;
-  job.out = o.out;
-  job.quiet = o.quiet;
-  const auto summary = lab::render_reference(*stage.source, *stage.renderer, stage.settings, job);
-  if (!summary) return fail(summary.error());
-  fmt::print("{}: mean luminance {:.6g}, pixels' standard error {:.3g} of it\n", o.out, summary->mean_luminance,
-             summary->relative_error);
   return finish(stage);
 }
 
@@ -82,21 +89,29 @@ LabCommand add_render_command(CLI::App& app) {
       ->check(CLI::IsMember({"png", "exr", "both"}))
       ->capture_default_str();
   render->add_flag("--denoised", options->denoised, "write the denoised picture, as the game shows it (r_denoise 1)");
+  add_number(*render, "--warmup", options->warmup, 0u, kMostFrames,
+             "frames before FIRST that are rendered and not written, for an estimator and a denoiser to learn from");
+  render->add_option("--shard", options->shard,
+                     "I/N: only the I-th of N parts of the frames, into a folder of its own: render-merge joins them");
   render->add_flag("--hash", options->hash, "print a hash of each frame's linear image");
   return {render, [options] { return run_render(*options); }};
 }
 
-LabCommand add_reference_command(CLI::App& app) {
-  auto options = std::make_shared<ReferenceOptions>();
-  CLI::App* reference =
-      app.add_subcommand("reference", "averages many samples of one frame and writes mean and variance to an EXR file");
-  add_stage_options(*reference, options->stage);
-  add_number(*reference, "--frame", options->frame, std::uint64_t{0}, std::uint64_t{kMostFrames},
-             "number of the frame, from 0");
-  add_number(*reference, "--warmup", options->warmup, 0u, kMostSamples,
-             "samples per pixel discarded at the start, from which an estimator learns");
-  reference->add_option("--out", options->stage.out, "the EXR file to write")->required();
-  return {reference, [options] { return run_reference(*options); }};
+LabCommand add_render_merge_command(CLI::App& app) {
+  struct MergeOptions {
+    std::vector<std::string> folders;
+    std::string out;
+  };
+  auto options = std::make_shared<MergeOptions>();
+  CLI::App* merge = app.add_subcommand("render-merge", "joins the frames that the shards of a render have written");
+  merge->add_option("FOLDERS", options->folders, "the shards' folders")->required();
+  merge->add_option("--out", options->out, "folder for the frames; it must not be there")->required();
+  return {merge, [options] {
+            const auto frames = lab::merge_frames(options->folders, options->out);
+            if (!frames) return fail(frames.error());
+            fmt::print("{} frames in {}\n", *frames, options->out);
+            return 0;
+          }};
 }
 
 LabCommand add_estimators_command(CLI::App& app) {

@@ -255,6 +255,16 @@ Result<std::pair<std::uint64_t, std::uint64_t>> parse_frames(const std::string& 
   return std::pair(*first, *last);
 }
 
+Result<Shard> parse_shard(const std::string& text) {
+  if (text.empty()) return Shard{};
+  const std::size_t slash = text.find('/');
+  const auto index = parse_whole_number_unsigned(std::string_view(text).substr(0, slash));
+  const auto count = parse_whole_number_unsigned(slash == text.npos ? "" : std::string_view(text).substr(slash + 1));
+  if (!index || !count || *index < 1 || *index > *count || *count > 100000)
+    return Error{fmt::format("--shard {}: I/N is wanted, I from 1 to N", text)};
+  return Shard{static_cast<std::uint32_t>(*index), static_cast<std::uint32_t>(*count)};
+}
+
 Status write_text(const std::string& path, const std::string& text) {
   if (path != "-")
     return fs::write_file_atomically(path, ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));

@@ -26,7 +26,9 @@ struct LabCommand {
   std::function<int()> run;
 };
 LabCommand add_render_command(CLI::App& app);
+LabCommand add_render_merge_command(CLI::App& app);
 LabCommand add_reference_command(CLI::App& app);
+LabCommand add_reference_merge_command(CLI::App& app);
 LabCommand add_compare_command(CLI::App& app);
 LabCommand add_ztest_command(CLI::App& app);
 // command_line: as it was typed, for the report.
@@ -94,6 +96,11 @@ Result<lab::Configuration> configuration_of(con::Console& console, const Configu
 std::vector<std::string> split(const std::string& text, char separator);
 // Parses "A:B" or "A".
 Result<std::pair<std::uint64_t, std::uint64_t>> parse_frames(const std::string& text);
+// Parses "I/N"; all of it, 1/1, if empty.
+struct Shard {
+  std::uint32_t index = 1, count = 1;  // index from 1
+};
+Result<Shard> parse_shard(const std::string& text);
 // Writes to standard output for "-".
 Status write_text(const std::string& path, const std::string& text);
 

@@ -18,6 +18,7 @@
 #include "host/lab_numbers.h"
 #include "host/lab_stage.h"
 #include "host/options.h"
+#include "lab/content_key.h"
 #include "lab/image_io.h"
 #include "lab/suite/suite_results.h"
 
@@ -30,20 +31,6 @@ struct SuiteOptions {
   std::uint32_t repeats = 0, reference_samples = 0;
   bool quiet = false;
 };
-
-struct Shard {
-  std::uint32_t index = 1, count = 1;  // index from 1
-};
-Result<Shard> parse_shard(const std::string& text) {
-  if (text.empty()) return Shard{};
-  const std::size_t slash = text.find('/');
-  const auto index = parse_whole_number_unsigned(std::string_view(text).substr(0, slash));
-  const auto count =
-      slash == text.npos ? std::nullopt : parse_whole_number_unsigned(std::string_view(text).substr(slash + 1));
-  if (!index || !count || *index < 1 || *index > *count || *count > 100000)
-    return Error{fmt::format("--shard {}: I/N is wanted, I from 1 to N", text)};
-  return Shard{static_cast<std::uint32_t>(*index), static_cast<std::uint32_t>(*count)};
-}
 
 // The suite with what the command line changes. Experiments that are not asked for are left out.
 Result<lab::ExperimentSuite> read_wanted(const SuiteOptions& o) {

@@ -1,4 +1,4 @@
-// What fullbright-lab does: render chosen frames, or accumulate one frame's reference.
+// Renders chosen frames of a source, each of so many samples.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,7 @@ enum class ImageFormat { kNone, kPng, kExr, kBoth };
 
 struct RenderJob {
   std::uint64_t first = 0, last = 0;  // frames, inclusive; earlier ones are played and not written
+  std::uint64_t warmup = 0;           // of these, so many are rendered, for an estimator and a denoiser to learn from
   std::uint32_t width = 640, height = 360;
   std::uint32_t spp = 1;  // samples a pixel and frame
   std::string out;        // folder; empty: nothing is written
@@ -34,6 +35,9 @@ struct RenderSummary {
   };
   std::vector<Pass> passes;
 };
+// Samples of each of the passes that make `spp`: a divisor of it, at most 16, so that progress shows and no device's
+// watchdog bites.
+std::uint32_t samples_per_pass(std::uint32_t spp);
 // Averages `spp` samples of one snapshot in the renderer's linear image, in passes of equally many, whose scatter gives
 // its variance. Adds the time they took to `summary` as a frame; tells `progress` how many samples are done.
 void render_samples(render::Renderer& renderer, render::RenderSettings& settings, const scene::FrameSnapshot& snapshot,
@@ -42,23 +46,5 @@ void render_samples(render::Renderer& renderer, render::RenderSettings& settings
 // Renders frames in order. A demo that ends before job.last is an error that says how many frames there were.
 Result<RenderSummary> render_frames(FrameSource& source, render::Renderer& renderer, render::RenderSettings settings,
                                     const RenderJob& job);
-
-struct ReferenceJob {
-  std::uint64_t frame = 0;
-  std::uint32_t width = 640, height = 360;
-  std::uint32_t spp = 1024;
-  std::uint32_t warmup =
-      0;            // samples that are thrown away: an estimator that learns has learnt from them, in whole passes
-  std::string out;  // an .exr file
-  bool quiet = false;
-};
-struct ReferenceSummary {
-  std::uint32_t frames = 0;  // that were averaged
-  double mean_luminance = 0;
-  double relative_error = 0;  // standard error of pixels' luminance, RMS, over the mean luminance
-};
-// Writes R, G, B (mean radiance), variance.R, .G, .B (of that mean, from the averaged frames), albedo, normal, depth.
-Result<ReferenceSummary> render_reference(FrameSource& source, render::Renderer& renderer,
-                                          render::RenderSettings settings, const ReferenceJob& job);
 
 }  // namespace fb::lab

@@ -55,6 +55,12 @@ Result<Picture> read_png_picture(const std::string& path) {
   return picture;
 }
 
+Picture picture_of(const std::vector<vec4>& linear, uvec2 size) {
+  Picture picture{size.x, size.y, std::vector<vec3>(linear.size())};
+  std::transform(linear.begin(), linear.end(), picture.pixels.begin(), [](const vec4& p) { return vec3(p); });
+  return picture;
+}
+
 Picture decoded(const Picture& srgb) {
   Picture linear = srgb;
   for (vec3& p : linear.pixels)

@@ -31,6 +31,8 @@ struct ExrPicture {
 Result<ExrPicture> read_exr_picture(const std::string& path);
 // PNG: sRGB as stored, 0 to 1; alpha is ignored.
 Result<Picture> read_png_picture(const std::string& path);
+// Of a renderer's image; its fourth component is left out.
+Picture picture_of(const std::vector<vec4>& linear, uvec2 size);
 // From sRGB as stored to linear.
 Picture decoded(const Picture& srgb);
 

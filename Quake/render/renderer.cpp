@@ -269,8 +269,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   if (technique->salt() != 0) constants.frame = shared::hash_combine(constants.frame, technique->salt());
   const bool always = settings.jitter > 0 || (settings.jitter < 0 && Denoiser::antialiases(settings));
   if (always || (settings.jitter < 0 && accumulated > 0)) {
-    const vec2 jitter =
-        jitter_at(always && accumulated == 0 ? static_cast<std::uint32_t>(snapshot.frame) : accumulated);
+    const vec2 jitter = jitter_at(always ? static_cast<std::uint32_t>(snapshot.frame) + accumulated : accumulated);
     constants.jitter_x = jitter.x;
     constants.jitter_y = jitter.y;
   }

@@ -1,4 +1,5 @@
 // bench on scenes in code: what it measures agrees with itself and with arithmetic.
+#include "lab/content_key.h"
 #include "lab/bench/bench_job.h"
 
 #include <gmock/gmock.h>
@@ -135,7 +136,8 @@ TEST_F(BenchTest, ReferencesAreKeptByTheirContent) {
   const auto& folder = directory.path();
   const View view = view_of("cbox", {0, 0, 0}), other = view_of("one_light", {0, 0, 0});
   const auto files = [&] {
-    return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator{});
+    return std::ranges::count_if(std::filesystem::recursive_directory_iterator(folder),
+                                 [](const auto& entry) { return entry.is_regular_file(); });
   };
   const auto made = references_of(view, 64, folder.string());
   EXPECT_EQ(files(), 1);

@@ -36,20 +36,15 @@ Result<View> collect_view(FrameSource& source, const ViewOptions& options);
 // time) stands, too.
 scene::FrameSnapshot held(scene::FrameSnapshot snapshot, double frames_per_second);
 
-// Equal for what looks the same: everything of a snapshot but its frame number, and the contents of its assets.
-std::uint64_t content_key(const scene::FrameSnapshot& snapshot);
-
 struct ReferenceOptions {
   std::string estimator = "pt";  // an unbiased one
   std::uint32_t spp = 4096;
   std::uint32_t width = 320, height = 180;
-  std::string folder;  // where they are kept under their content's key; empty: nowhere
+  std::string folder;  // where their blocks are kept under their content's key; empty: nowhere
   bool quiet = false;
 };
 // References of the view's measured frames (of a still one: one), with these settings.
 Result<std::vector<Reference>> make_references(const View& view, gpu::Device& device, render::RenderSettings settings,
                                                const ReferenceOptions& options);
-
-Picture picture_of(const std::vector<vec4>& linear, uvec2 size);
 
 }  // namespace fb::lab

@@ -1,3 +1,4 @@
+#include "lab/content_key.h"
 #include "lab/judge/judged_reference.h"
 
 #include <fmt/format.h>

@@ -1,0 +1,75 @@
+#include "lab/content_key.h"
+
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "base/hash.h"
+
+namespace fb::lab {
+namespace {
+
+template <typename T>
+std::uint64_t hash_vector(const std::vector<T>& items, std::uint64_t seed) {
+  return hash_span(std::span<const T>(items), hash_bytes(nullptr, 0, seed ^ items.size()));
+}
+template <typename T>
+std::uint64_t hash_value(const T& value, std::uint64_t seed) {
+  static_assert(std::has_unique_object_representations_v<T> || std::is_floating_point_v<T>);
+  return hash_bytes(&value, sizeof value, seed);
+}
+
+std::uint64_t material_key(const scene::Material& m, std::uint64_t key) {
+  key = hash_vector(m.frames, hash_vector(m.alternate_frames, hash_vector(m.end_times, key)));
+  const float numbers[] = {m.frames_per_second, m.base_color.x, m.base_color.y, m.base_color.z,
+                           m.emission.x,        m.emission.y,   m.emission.z,   m.roughness,
+                           m.specular,          m.metalness,    m.alpha,        m.absorption.x,
+                           m.absorption.y,      m.absorption.z};
+  key = hash_span(std::span<const float>(numbers), key);
+  return hash_value(m.flags, hash_value(static_cast<std::uint32_t>(m.emission_kind), key));
+}
+
+std::uint64_t assets_key(const scene::Assets& assets) {
+  std::uint64_t key = hash_bytes(&assets.palette, sizeof assets.palette);
+  for (const scene::Image& image : assets.images)
+    key =
+        hash_vector(image.texels, hash_value(image.width, hash_value(static_cast<std::uint32_t>(image.encoding), key)));
+  for (const scene::Material& material : assets.materials) key = material_key(material, key);
+  for (const scene::Mesh& mesh : assets.meshes) {
+    key = hash_vector(mesh.triangles, key);
+    key = hash_vector(mesh.positions, hash_vector(mesh.normals, hash_vector(mesh.poses, key)));
+    const float pose[] = {mesh.pose_scale.x,  mesh.pose_scale.y,  mesh.pose_scale.z,
+                          mesh.pose_origin.x, mesh.pose_origin.y, mesh.pose_origin.z};
+    key = hash_span(std::span<const float>(pose), key);
+  }
+  return key;
+}
+
+std::uint64_t sky_key(const scene::Sky& sky, std::uint64_t key) {
+  const std::uint32_t images[] = {static_cast<std::uint32_t>(sky.mode), sky.solid, sky.alpha, sky.beyond_everything};
+  key = hash_span(std::span<const std::uint32_t>(images), hash_bytes(&sky.color, sizeof sky.color, key));
+  key = hash_span(std::span<const std::uint32_t>(sky.box), key);
+  return hash_vector(sky.suns, key);
+}
+
+}  // namespace
+
+std::uint64_t content_key(const scene::FrameSnapshot& s) {
+  static_assert(sizeof(scene::Instance) == 4 * 43, "hashed as bytes: no padding");
+  std::uint64_t key = s.assets ? assets_key(*s.assets) : 0;
+  key = hash_vector(s.instances, key);
+  key = sky_key(s.sky, hash_bytes(&s.camera, sizeof s.camera, key));
+  key = hash_value(s.camera_liquid, hash_bytes(&s.medium, sizeof s.medium, key));
+  return hash_value(s.time, hash_bytes(&s.ambient, sizeof s.ambient, key));
+}
+
+std::uint64_t settings_key(const render::RenderSettings& s) {
+  const float numbers[] = {
+#define FB_NUMBER(type, field, cvar, value, low, high, help) static_cast<float>(s.field),
+      FB_RENDER_SETTINGS(FB_NUMBER)
+#undef FB_NUMBER
+  };
+  return hash_span(std::span<const float>(numbers), hash_bytes(s.estimator.data(), s.estimator.size()));
+}
+
+}  // namespace fb::lab
