@@ -47,7 +47,7 @@ SUBFOLDERS = {
     "scene": ["", "library", "in_code"],
     "ui": ["", "menu"],
     "client": ["effects", "session", "input", "sources", ""],
-    "lab": ["", "reference", "compare", "timedemo", "ztest", "bench", "judge", "film", "suite"],
+    "lab": ["", "gltf", "reference", "compare", "timedemo", "ztest", "bench", "judge", "film", "suite"],
 }
 # Modules whose C++ code shares structs and pure functions with the shaders.
 USES_SHARED = {"scene", "gpu", "render", "lab", "host"}

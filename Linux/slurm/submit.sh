@@ -71,7 +71,7 @@ esac
 # Commands as scripts, so that they can be read and run by hand.
 {
   echo '#!/usr/bin/env bash'
-  echo "$(printf '%q ' "${one[@]}")" | sed 's/%SHARD%/${SLURM_ARRAY_TASK_ID}/g; s/\\\$/$/g; s/\\{/{/g; s/\\}/}/g'
+  echo "$(printf '%q ' "${one[@]}")" | sed 's/%SHARD%/${SLURM_ARRAY_TASK_ID}/g'
 } >"$out/shard.sh"
 folders=()
 for ((i = 1; i <= count; ++i)); do folders+=("$out/shards/$i"); done

@@ -49,6 +49,7 @@ Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
       facts_(*engine_),
       keys_(engine_->console(), facts_),
       demo_controls_(engine_->console(), engine_->client()),
+      demo_capture_(engine_->console(), engine_->files(), sound_),
       panel_(engine_->console()),
       screen_(engine_->console(), bar_services(*engine_), keys_, engine_->rules()),
       timedemo_report_(*engine_) {
@@ -223,10 +224,19 @@ void Game::follow_gamepads() {
 }
 
 // Waits if frames are faster than allowed: in a window, and on another machine's server, where time is real.
+TimeSettings Game::time_settings() const {
+  TimeSettings settings = read_time_settings(engine_->console());
+  if (demo_capture_.active()) settings = {demo_capture_.frame_seconds(), 0.0, settings.max_fps};
+  return settings;
+}
+
+// Pictures are saved, which must show the same whatever the machine does.
+bool Game::records() const { return !options_.capture.empty() || demo_capture_.active(); }
+
 double Game::seconds_passed() {
   const cl::Client& client = engine_->client();
   const bool elsewhere = client.connecting() || (client.connected() && !engine_->server().active());
-  const TimeSettings settings = read_time_settings(engine_->console());
+  const TimeSettings settings = time_settings();
   const bool real = settings.time_scale > 0.0 || settings.frame_rate <= 0.0;
   double now = platform::now_seconds();
   if (real && (window_ || elsewhere) && !client.timing()) {
@@ -270,7 +280,11 @@ bool Game::frame() {
   apply_video();
   open_first_menu();
   const double passed = seconds_passed();
-  engine_->frame(timer_.plan(passed, read_time_settings(engine_->console())), mouse_, platform::now_seconds());
+  engine_->frame(timer_.plan(passed, time_settings()), mouse_, platform::now_seconds());
+  if (demo_capture_.active()) {
+    if (!engine_->client().playing()) renderer_->finish();  // its last frame
+    demo_capture_.follow(engine_->client().playing());
+  }
   report_timing();
   sound_.update(!window_ || window_->focused());
   if (draw_frame())
@@ -300,6 +314,7 @@ int Game::run() {
     if (renderer_) renderer_->finish();
   } catch (const gpu::DeviceLost&) {  // nothing is drawn any more
   }
+  demo_capture_.stop();
   engine_->client().disconnect();  // ends a recording, which may fail, too
   end_unless(sound_.finish());
   if (options_.headless && engine_->went_wrong()) exit_status_ = 1;

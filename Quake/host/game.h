@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "gpu/device.h"
 #include "gpu/swapchain.h"
+#include "host/demo_capture.h"
 #include "host/demo_controls.h"
 #include "host/engine.h"
 #include "host/frame_drawer.h"
@@ -57,6 +58,8 @@ class Game {
   void follow_focus();
   void follow_gamepads();
   double seconds_passed();
+  TimeSettings time_settings() const;
+  bool records() const;
   render::RenderSettings settings() const;
   float largest_scale() const;
   void govern();
@@ -84,6 +87,7 @@ class Game {
   MenuFacts facts_;
   KeyRouter keys_;
   DemoControls demo_controls_;
+  DemoCapture demo_capture_;
   panel::Panel panel_;
   Screen screen_;
   std::unique_ptr<platform::Window> window_;
@@ -119,7 +123,8 @@ class Game {
     bool timed = false;
     std::uint64_t message = 0;  // of the demo that plays
     double demo_seconds = 0;
-    int governed = 0;  // the governor's step
+    int governed = 0;       // the governor's step
+    bool captured = false;  // a frame of capturedemo's film
   };
   Drawn drawn_;
   double drawn_time_ = 0;  // when the last frame's 2D was drawn

@@ -64,7 +64,7 @@ bool Game::waits_for_level() {
 
 void Game::govern() {
   // What is measured or recorded must not depend on the machine's load.
-  const bool window = window_ != nullptr && options_.capture.empty() && !engine_->client().timing();
+  const bool window = window_ != nullptr && !records() && !engine_->client().timing();
   governor_.follow(target_milliseconds(engine_->console(), window, device_->is_software()), largest_scale());
 }
 
@@ -106,15 +106,21 @@ bool Game::draw_frame() {
   // Recorded frames show what the game shows, but not what the console says, which would not repeat.
   const bool pictured = takes_save_picture();
   Screen::Moment moment{drawer_->size(wanted), now, now - std::exchange(drawn_time_, now),
-                        window_ != nullptr && !pictured};
-  if (window_ && options_.capture.empty() && !pictured) {
+                        window_ != nullptr && !pictured && !demo_capture_.active()};
+  if (window_ && !records() && !pictured) {
     moment.demo_bar = demo_controls_.frame(moment.size, now);
     if (panel_.open() && !client.timing())
       moment.panel = [&](scene::DrawList& list, ui::Atlas& atlas) { draw_panel(list, atlas, moment.size, now); };
   }
   drawer_->draw(snapshot_, &screen_.draw(client, moment), wanted);
-  drawn_ = {frame_,        renderer_->output_size(), input_time_, client.timing(), client.messages_read(),
-            client.time(), governor_.step()};
+  drawn_ = {frame_,
+            renderer_->output_size(),
+            input_time_,
+            client.timing(),
+            client.messages_read(),
+            client.time(),
+            governor_.step(),
+            demo_capture_.active() && client.playing()};
   if (pictured || !draws_ahead()) renderer_->finish();
   if (pictured) take_save_picture();
   ++frame_;
@@ -172,6 +178,7 @@ void Game::show_drawn() {
     log_info("{:7.2f} ms, host {:6.2f}, input to picture {:7.2f}", times.whole, times.whole - times.waited,
              times.latency);
   capture(drawn.number, drawn.size);
+  if (drawn.captured) demo_capture_.add(drawn.size, read_picture());
 }
 
 void Game::report_timing() {

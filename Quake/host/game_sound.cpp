@@ -58,6 +58,32 @@ Status GameSound::record() {
   return file_->write(frames_);
 }
 
+Status GameSound::begin_recording(const std::string& path) {
+  if (file_) return ok_status();
+  const auto rate = static_cast<std::uint32_t>(engine_.console().cvar("snd_mixspeed").integer());
+  auto file = audio::WavWriter::create(path, rate);
+  if (!file) return file.error();
+  had_device_ = device_ != nullptr;
+  device_.reset();
+  engine_.sound().stop();
+  file_.emplace(std::move(*file));
+  recorded_seconds_ = 0.0;
+  recorded_frames_ = 0;
+  recording_ = true;
+  engine_.sound().start(rate, audio::SoundOutput::kRecording, path);
+  return ok_status();
+}
+
+Status GameSound::end_recording() {
+  if (!recording_) return ok_status();
+  recording_ = false;
+  Status status = file_->finish();
+  file_.reset();
+  engine_.sound().stop();
+  if (had_device_) open_device(static_cast<std::uint32_t>(engine_.console().cvar("snd_mixspeed").integer()));
+  return status;
+}
+
 Status GameSound::finish() { return file_ ? file_->finish() : ok_status(); }
 
 }  // namespace fb::host

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "audio/wav_writer.h"
@@ -32,12 +33,19 @@ class GameSound {
   // Completes the file.
   Status finish();
 
+  // Records into a file while the game goes on, in the place of the device; then the device plays again. No file is
+  // written where the game is silent or records already (-wavcapture). Fails if it cannot be created.
+  Status begin_recording(const std::string& path);
+  bool records() const { return recording_; }
+  Status end_recording();
+
  private:
   void open_device(std::uint32_t rate);
 
   Engine& engine_;
   std::unique_ptr<platform::AudioDevice> device_;
   std::optional<audio::WavWriter> file_;
+  bool recording_ = false, had_device_ = false;  // begin_recording
   double frame_seconds_ = 0.0, recorded_seconds_ = 0.0;
   std::uint64_t recorded_frames_ = 0;
   std::vector<float> frames_;

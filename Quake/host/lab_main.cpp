@@ -1,5 +1,5 @@
-// fullbright-lab: render | render-merge | reference | reference-merge | compare | ztest | bench | picture | suite |
-// suite-merge | report | film | timedemos | track | estimators | settings | commands.
+// fullbright-lab: render | render-merge | reference | reference-merge | export | compare | ztest | bench | picture |
+// suite | suite-merge | report | film | timedemos | track | estimators | settings | commands.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
                                  add_render_merge_command(app),
                                  add_reference_command(app),
                                  add_reference_merge_command(app),
+                                 add_export_command(app),
                                  add_compare_command(app),
                                  add_ztest_command(app),
                                  add_bench_command(app, command_line),

@@ -23,6 +23,7 @@ std::string view_text(const ReferenceOptions& o) {
                      : o.stage.demo.empty() ? "--map " + o.stage.map
                                             : "--demo " + o.stage.demo;
   if (!o.stage.camera.empty()) text += " --camera " + o.stage.camera;
+  if (o.stage.lambert) text += " --lambert";
   return text + fmt::format(" --frame {}", o.frame);
 }
 
@@ -78,12 +79,14 @@ LabCommand add_reference_command(CLI::App& app) {
   add_stage_options(*reference, options->stage);
   add_number(*reference, "--frame", options->frame, std::uint64_t{0}, std::uint64_t{kMostFrames},
              "number of the frame, from 0");
-  add_number(*reference, "--error", options->relative_error, 0.0, 10.0,
-             "end at this standard error of a pixel's luminance, relative to the mean luminance, --spp at most; 0: at --spp");
+  add_number(
+      *reference, "--error", options->relative_error, 0.0, 10.0,
+      "end at this standard error of a pixel's luminance, relative to the mean luminance, --spp at most; 0: at --spp");
   add_number(*reference, "--time", options->seconds, 0.0, 1e7, "end after so many seconds, --spp at most; 0: at --spp");
   add_number(*reference, "--warmup", options->warmup, 0u, kMostSamples,
              "samples per pixel discarded at the start of each block, from which an estimator learns");
-  reference->add_option("--blocks", options->blocks, "folder in which blocks of samples are kept (default: OUT.blocks)");
+  reference->add_option("--blocks", options->blocks,
+                        "folder in which blocks of samples are kept (default: OUT.blocks)");
   reference->add_option("--shard", options->shard,
                         "I/N: only every N-th block from the I-th on, and no picture: reference-merge joins them");
   reference->add_option("--out", options->stage.out, "the EXR file to write")->required();

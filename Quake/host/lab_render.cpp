@@ -29,6 +29,7 @@ std::string subject_of(const RenderOptions& options) {
                                  o.camera.empty() ? "the player's" : o.camera, options.denoised ? "denoised" : "raw",
                                  fmt::join(o.sets, " "));
   for (const std::string& game : o.games) text += " " + game;
+  if (o.lambert) text += ", Lambert";
   return text;
 }
 

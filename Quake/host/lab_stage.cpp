@@ -15,6 +15,7 @@
 #include "host/lab_numbers.h"
 #include "host/options.h"
 #include "lab/client_source.h"
+#include "lab/lambert_source.h"
 #include "platform/program_directory.h"
 
 namespace fb::host {
@@ -114,16 +115,23 @@ void add_stage_options(CLI::App& app, StageOptions& o) {
       ->take_all()
       ->allow_extra_args(false);
   app.add_option("--device", o.device, "Vulkan device: part of its name, or its index in `fullbright -listdevices`");
+  app.add_flag("--lambert", o.lambert, "no coats, metals and normal maps: materials that other renderers have alike");
   app.add_flag("--validation", o.validation, "enable Vulkan's validation layers");
   app.add_flag("--quiet", o.quiet, "print no progress");
   app.add_flag("--timing", o.timing, "print the median GPU time of each pass");
 }
 
-Status open_stage(Stage& stage, const StageOptions& o) {
+Status open_view(Stage& stage, const StageOptions& o) {
   auto size = parse_size(o.size);
   if (!size) return Error{"--size: " + size.error().message};
   stage.size = *size;
-  if (auto status = open_source(stage, o); !status) return status;
+  auto status = open_source(stage, o);
+  if (status && o.lambert) stage.source = lab::lambert_source(std::move(stage.source));
+  return status;
+}
+
+Status open_stage(Stage& stage, const StageOptions& o) {
+  if (auto status = open_view(stage, o); !status) return status;
   if (auto status = known_estimator(o.estimator, "--estimator"); !status) return status;
   stage.settings.estimator = o.estimator;
   gpu::DeviceOptions wanted;

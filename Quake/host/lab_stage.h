@@ -29,6 +29,7 @@ LabCommand add_render_command(CLI::App& app);
 LabCommand add_render_merge_command(CLI::App& app);
 LabCommand add_reference_command(CLI::App& app);
 LabCommand add_reference_merge_command(CLI::App& app);
+LabCommand add_export_command(CLI::App& app);
 LabCommand add_compare_command(CLI::App& app);
 LabCommand add_ztest_command(CLI::App& app);
 // command_line: as it was typed, for the report.
@@ -49,7 +50,7 @@ struct StageOptions {
   std::vector<std::string> games, sets;
   double fps = 60.0;
   std::uint32_t spp = 1;
-  bool validation = false, quiet = false, timing = false;
+  bool lambert = false, validation = false, quiet = false, timing = false;
 };
 void add_stage_options(CLI::App& app, StageOptions& options);
 
@@ -66,6 +67,8 @@ struct Stage {
   con::Console& console() { return engine ? engine->console() : own_console; }
 };
 Status open_stage(Stage& stage, const StageOptions& options);
+// The same without a device: settings and frames alone.
+Status open_view(Stage& stage, const StageOptions& options);
 
 // The folder that holds a suite's view's id1, or why there is none: one sentence. Empty folders: the base game beside
 // the program; FULLBRIGHT_TEST_DATA, else ../shared/librequake.

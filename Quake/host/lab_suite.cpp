@@ -81,7 +81,7 @@ struct OpenView {
   std::uint64_t scene = 0;
 };
 
-Status open_view(OpenView& open, const lab::Experiment& e, const SuiteOptions& o) {
+Status open_suite_view(OpenView& open, const lab::Experiment& e, const SuiteOptions& o) {
   const lab::SuiteView view = lab::view_at(e, open.value);
   const uvec2 size = lab::size_at(e, open.value);
   StageOptions stage;
@@ -222,7 +222,7 @@ int run_suite(SuiteOptions& o) {
         open = std::make_unique<OpenView>();
         open->experiment = piece.experiment;
         open->value = piece.value;
-        if (auto status = open_view(*open, suite->experiments[piece.experiment], o); !status)
+        if (auto status = open_suite_view(*open, suite->experiments[piece.experiment], o); !status)
           return fail(status.error());
       }
       if (auto status = measure_piece(*suite, piece, *open, *folder); !status) return fail(status.error());

@@ -45,9 +45,10 @@ Result<std::map<std::uint32_t, std::string>> folders_by_shard(const std::vector<
     if (!common) common = *shard;
     if (shard->of != common->of || shard->first != common->first || shard->last != common->last ||
         shard->count != common->count)
-      return Error{fmt::format("{}: its frames are of {} ({} to {}, {} shards), those of {} of {} ({} to {}, {} shards)",
-                               folder, shard->of, shard->first, shard->last, shard->count, folders.front(), common->of,
-                               common->first, common->last, common->count)};
+      return Error{
+          fmt::format("{}: its frames are of {} ({} to {}, {} shards), those of {} of {} ({} to {}, {} shards)", folder,
+                      shard->of, shard->first, shard->last, shard->count, folders.front(), common->of, common->first,
+                      common->last, common->count)};
     const auto [there, fresh] = by_index.emplace(shard->index, folder);
     if (!fresh) return Error{fmt::format("shard {} is there twice: {} and {}", shard->index, there->second, folder)};
   }

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 MAGIC = 20000630
+LONG_NAMES = 0x400  # of attributes and channels: they are read alike
 TYPES = {0: np.dtype("<u4"), 1: np.dtype("<f2"), 2: np.dtype("<f4")}
 LINES = {0: 1, 2: 1, 3: 16}  # of a chunk, by compression: none, ZIPS, ZIP
 
@@ -42,7 +43,7 @@ def read(path: Path) -> tuple[dict[str, np.ndarray], dict[str, tuple[str, bytes]
     """Channels (H, W) float32 by name, and the header's attributes as (type, bytes)."""
     data = path.read_bytes()
     magic, version = struct.unpack_from("<II", data)
-    if magic != MAGIC or version & ~0xFF:
+    if magic != MAGIC or version & ~(0xFF | LONG_NAMES):
         raise ValueError(f"{path}: no OpenEXR file of scan lines")
     at, header = 8, {}
     while data[at]:

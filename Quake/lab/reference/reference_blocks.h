@@ -1,6 +1,7 @@
-// A reference is the mean of blocks: runs of samples that begin with nothing learnt and have random numbers of their own.
-// Blocks made at another time or on another machine are the same blocks, so a reference that was interrupted, made more
-// precise or split over machines is, to the bit, the one that was made in one run (r_deterministic where the estimator learns).
+// A reference is the mean of blocks: runs of samples that begin with nothing learnt and have random numbers of their
+// own. Blocks made at another time or on another machine are the same blocks, so a reference that was interrupted, made
+// more precise or split over machines is, to the bit, the one that was made in one run (r_deterministic where the
+// estimator learns).
 #pragma once
 
 #include <cstdint>

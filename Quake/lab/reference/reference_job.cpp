@@ -28,7 +28,9 @@ namespace {
 constexpr const char* kReferenceFormat = "fullbright reference 1";
 constexpr std::uint32_t kBlockSeed = 0x5eed0000u, kWarmupSeed = 0x5eed8000u;
 
-double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 // What a reference's blocks are of, for people and for whoever joins them.
 struct ReferenceManifest {
@@ -41,7 +43,11 @@ std::string manifest_path(const std::string& folder) { return folder + "/manifes
 
 Status write_reference_manifest(const std::string& folder, const ReferenceManifest& m, const ReferenceError* error) {
   JsonWriter json;
-  json.open_object().text("format", kReferenceFormat).text("key", m.key).text("view", m.view).text("program", m.program);
+  json.open_object()
+      .text("format", kReferenceFormat)
+      .text("key", m.key)
+      .text("view", m.view)
+      .text("program", m.program);
   json.text("estimator", m.estimator).integer("width", m.width).integer("height", m.height).boolean("jitter", m.jitter);
   json.integer("wanted_samples", m.spp).integer("samples", m.samples);
   if (error != nullptr) json.number("mean_luminance", error->mean_luminance).number("relative_error", error->relative);
@@ -104,8 +110,8 @@ Status write_picture(const std::string& path, const Reference& reference, ExrIma
                      const ReferenceError& error) {
   picture.add_colors("", reference.mean.pixels);
   // A single pass tells no variance.
-  picture.add_colors("variance.", reference.variance.empty() ? std::vector<vec3>(reference.mean.pixels.size())
-                                                             : reference.variance);
+  picture.add_colors("variance.",
+                     reference.variance.empty() ? std::vector<vec3>(reference.mean.pixels.size()) : reference.variance);
   // What a comparison must do alike: where in a pixel its rays go.
   picture.set_text("fullbright.jitter", m.jitter ? "1" : "0");
   picture.set_text("fullbright.spp", fmt::format("{}", m.samples));
@@ -153,7 +159,8 @@ Result<ReferenceBlock> make_block(render::Renderer& renderer, const ReferenceSub
   // What it has learnt from must not be drawn again: that would bias the mean.
   settings.seed = static_cast<int>(shared::hash_combine(seed, kWarmupSeed + plan.index));
   if (subject.warmup > 0)
-    render_samples(renderer, settings, snapshot, (subject.warmup + per_pass - 1) / per_pass * per_pass, ignored, nullptr);
+    render_samples(renderer, settings, snapshot, (subject.warmup + per_pass - 1) / per_pass * per_pass, ignored,
+                   nullptr);
   settings.seed = static_cast<int>(shared::hash_combine(seed, kBlockSeed + plan.index));
   render_samples(renderer, settings, snapshot, plan.samples, ignored, progress);
   ReferenceBlock block{plan, {picture_of(renderer.read().linear(), renderer.render_size()), {}}};
@@ -173,8 +180,15 @@ Result<ReferenceSummary> render_reference(FrameSource& source, render::Renderer&
   }
   const auto folder = BlockFolder::open(job.blocks, subject.key(), {job.width, job.height});
   if (!folder) return folder.error();
-  ReferenceManifest manifest{fmt::format("{:016x}", subject.key()), job.view, job.program, subject.settings.estimator,
-                    job.width, job.height, job.spp, 0, subject.settings.jitter != 0};
+  ReferenceManifest manifest{fmt::format("{:016x}", subject.key()),
+                             job.view,
+                             job.program,
+                             subject.settings.estimator,
+                             job.width,
+                             job.height,
+                             job.spp,
+                             0,
+                             subject.settings.jitter != 0};
   if (!folder->path().empty())
     if (auto status = write_reference_manifest(folder->path(), manifest, nullptr); !status) return status.error();
 
@@ -194,7 +208,8 @@ Result<ReferenceSummary> render_reference(FrameSource& source, render::Renderer&
     auto block = folder->read(plan);
     if (!block) {
       auto made = make_block(renderer, subject, plan, *folder, [&](std::uint32_t done) {
-        progress.update(job.seconds > 0 ? static_cast<std::uint64_t>(seconds_now() - begin) : std::uint64_t{plan.first} + done);
+        progress.update(job.seconds > 0 ? static_cast<std::uint64_t>(seconds_now() - begin)
+                                        : std::uint64_t{plan.first} + done);
       });
       if (!made) return made.error();
       block = std::move(*made);
@@ -212,7 +227,8 @@ Result<ReferenceSummary> render_reference(FrameSource& source, render::Renderer&
   if (sum.samples() > 0) summary.error = error_of(sum.reference());
   if (job.shards > 1) return summary;
   if (!folder->path().empty())
-    if (auto status = write_reference_manifest(folder->path(), manifest, &summary.error); !status) return status.error();
+    if (auto status = write_reference_manifest(folder->path(), manifest, &summary.error); !status)
+      return status.error();
   if (auto status = write_picture(job.out, sum.reference(), guides, manifest, summary.error); !status)
     return status.error();
   return summary;

@@ -1,4 +1,5 @@
-// Renders a reference block by block, to so many samples, to an error or for a time; what is there already is not made again.
+// Renders a reference block by block, to so many samples, to an error or for a time; what is there already is not made
+// again.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,8 @@ struct ReferenceSubject {
   scene::FrameSnapshot snapshot;
   render::RenderSettings settings;  // estimator and seed included; jitter other than 0 covers the whole pixel
   std::uint32_t width = 0, height = 0;
-  std::uint32_t warmup = 0;  // samples of each block that are thrown away: who learns has learnt from them, in whole passes
+  std::uint32_t warmup =
+      0;  // samples of each block that are thrown away: who learns has learnt from them, in whole passes
   std::uint64_t key() const;
 };
 
@@ -33,10 +35,11 @@ struct ReferenceJob {
   double relative_error = 0;  // it ends when the standard error is no larger (ReferenceError); 0: no matter
   double seconds = 0;         // it ends when the next block would take longer; 0: no matter
   std::uint32_t warmup = 0;
-  std::uint32_t shard = 1, shards = 1;  // with more than one: every `shards`-th block from `shard` on (from 1), and no picture
-  std::string out;                      // an .exr file
-  std::string blocks;                   // folder in which blocks are kept; empty: nowhere
-  std::string view, program;            // told in the manifest: what is looked at, which build looked
+  std::uint32_t shard = 1,
+                shards = 1;   // with more than one: every `shards`-th block from `shard` on (from 1), and no picture
+  std::string out;            // an .exr file
+  std::string blocks;         // folder in which blocks are kept; empty: nowhere
+  std::string view, program;  // told in the manifest: what is looked at, which build looked
   bool quiet = false;
 };
 struct ReferenceSummary {
@@ -49,8 +52,8 @@ struct ReferenceSummary {
 Result<ReferenceSummary> render_reference(FrameSource& source, render::Renderer& renderer,
                                           render::RenderSettings settings, const ReferenceJob& job);
 
-// Joins what shards have made into the file `out`. Each folder is a shard's (ReferenceJob::blocks). Fails where they are of
-// different things, where a block is there twice and where one is missing, and names it.
+// Joins what shards have made into the file `out`. Each folder is a shard's (ReferenceJob::blocks). Fails where they
+// are of different things, where a block is there twice and where one is missing, and names it.
 Result<ReferenceSummary> merge_references(const std::vector<std::string>& folders, const std::string& out);
 
 }  // namespace fb::lab

@@ -157,8 +157,9 @@ TEST_F(ReferenceTest, InterruptedSplitOrGrownItIsTheSame) {
   // What cannot be joined is named.
   EXPECT_NE(merge_references({folders[0], folders[0]}, path("no.exr")).error().message.find("block 0 is there twice"),
             std::string::npos);
-  EXPECT_NE(merge_references({folders[0]}, path("no.exr")).error().message.find("block 1 (samples 256 to 512) is missing"),
-            std::string::npos);
+  EXPECT_NE(
+      merge_references({folders[0]}, path("no.exr")).error().message.find("block 1 (samples 256 to 512) is missing"),
+      std::string::npos);
   render::RenderSettings other = settings;
   other.bounces = 1;
   ReferenceJob unlike = job("unlike", 24, 24, kSpp);
@@ -214,9 +215,9 @@ TEST_F(ReferenceTest, WarmingUpTeachesWhoLearnsAndChangesNothingElse) {
 
 TEST_F(ReferenceTest, StatedUncertaintyIsStatistical) {
   // Deviations of 20 independent references' pixels from the mean of all, in stated standard errors: a standard normal.
-  // (Those that were resumed or split are the same to the bit.) By chance alone the box's lamp is found too seldom in 768
-  // samples to be normal; lava is not. Without jitter: positions within pixels are spread evenly, not by chance, so the
-  // stated error, which takes them for chance, is too large with it (z^2 0.90 here).
+  // (Those that were resumed or split are the same to the bit.) By chance alone the box's lamp is found too seldom in
+  // 768 samples to be normal; lava is not. Without jitter: positions within pixels are spread evenly, not by chance, so
+  // the stated error, which takes them for chance, is too large with it (z^2 0.90 here).
   constexpr std::uint32_t kReferences = 20;
   std::vector<std::vector<float>> values, variances;
   for (std::uint32_t i = 0; i < kReferences; ++i) {

@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""Tables of Misc/docs/results.md from the results that are stored beside this file: no figure of theirs is typed by hand.
+
+    tables.py keep DIR NAME    stores the results of a suite (DIR/results.json) as NAME.json, without curves and passes
+    tables.py write            writes every table between its marks in results.md: <!-- table NAME --> ... <!-- end -->
+    tables.py check            exit status 1 where one is not what the stored results give
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import re
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+DOCUMENT = HERE.parents[1] / "Misc" / "docs" / "results.md"
+sys.path.insert(0, str(HERE.parents[1] / "Misc" / "python"))
+from fullbright_lab import results  # noqa: E402
+
+KEPT_ERRORS = ("mse", "mse_corrected", "relmse_corrected", "flip_hdr")
+DIGITS = 5
+
+
+def rounded(value):
+    if isinstance(value, float):
+        return float(f"{value:.{DIGITS}g}")
+    if isinstance(value, dict):
+        return {key: rounded(item) for key, item in value.items()}
+    return [rounded(item) for item in value] if isinstance(value, list) else value
+
+
+def keep(folder: str, name: str) -> None:
+    data = results.read(folder).data
+    for experiment in data["experiments"]:
+        for point in experiment["points"]:
+            point.pop("curve", None)
+            point.pop("passes", None)
+            if "errors" in point:
+                point["errors"] = {key: point["errors"][key] for key in KEPT_ERRORS if key in point["errors"]}
+    text = json.dumps(rounded(data), indent=1)
+    text = re.sub(r"\n {5,}", " ", text)  # a point a line
+    (HERE / f"{name}.json").write_text(text + "\n")
+
+
+def stored(name: str) -> results.Suite:
+    return results.Suite(HERE, json.loads((HERE / f"{name}.json").read_text()))
+
+
+def rows_of(head: list[str], rows: list[list[str]]) -> str:
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def made_with(suite: results.Suite) -> str:
+    manifest = suite.manifest
+    return f"{manifest['driver']}, {manifest['program']}."
+
+
+def scaling() -> str:
+    suite = stored("scaling")
+    names = suite.experiments[0].configurations
+    words = {"lights": "lights", "triangles": "triangles", "movers": "moving things", "pixels": "pixels", "bounces": "reflections",
+             "reflections": "reflections", "samples": "samples"}
+    rows = []
+    for experiment in suite.experiments:
+        fits = {fit["configuration"]: fit for fit in experiment.data["fits"] if fit["of"] == "estimator"}
+        cells = [f"{fits[n]['exponent']:.2f} ({fits[n]['low']:.2f} to {fits[n]['high']:.2f})" if n in fits else "" for n in names]
+        rows.append([f"{words.get(experiment.name, experiment.name)}, {experiment.values[0]:,.0f} to {experiment.values[-1]:,.0f}", *cells])
+    return rows_of(["varied", *(f"`{n}`" for n in names)], rows) + "\n\n" + made_with(suite)
+
+
+def number(value: float) -> str:
+    return f"{value:.0f}" if value >= 99.5 else f"{value:.3g}"
+
+
+def gains_of(name: str, label: str) -> str:
+    suite = stored(name)
+    names = suite.experiments[0].configurations
+    rows = []
+    for experiment in suite.experiments:
+        cells = []
+        for other in names[1:]:
+            if not experiment.chosen(other):
+                cells.append("")
+                continue
+            samples, time = (experiment.gain(other, equal) for equal in ("samples", "time"))
+            interval = "" if math.isnan(samples.low) else f" ({number(samples.low)} to {number(samples.high)})"
+            cells.append(f"{number(samples.value)}{interval} / {number(time.value)}")
+        rows.append([experiment.title, *cells])
+    return rows_of([label, *(f"`{n}`" for n in names[1:])], rows) + "\n\n" + made_with(suite)
+
+
+def outside() -> str:
+    data = json.loads((HERE / "outside.json").read_text())
+    rows = []
+    for name, view in data["views"].items():
+        differs = "; ".join(view["differs"]) or "nothing"
+        rows.append([f"`{name}`: {view['about']}", differs, f"{view['mean']:.4g}", f"{view['ratio']:.4f} ({view['low']:.4f} to {view['high']:.4f})",
+                     f"{view['blocks_median_abs_z']:.2f}", f"{view['blocks_beyond_4']} of {view['blocks']}"])
+    head = ["view", "differs from play", "mean", "Cycles over ours", "median abs(z) of blocks", "beyond 4"]
+    return rows_of(head, rows) + f"\n\n{data['blender']}, {data['samples']} samples a pixel of each, {data['size']}."
+
+
+TABLES = {
+    "scaling": scaling,
+    "alber2025": lambda: gains_of("alber2025", "figure"),
+    "default": lambda: gains_of("default", "scene"),
+    "outside": outside,
+}
+MARKED = re.compile(r"(<!-- table (\w+) -->\n)(?:.*?\n)??(<!-- end -->)", re.S)
+
+
+def written(text: str) -> str:
+    unknown = sorted({name for _, name, _ in MARKED.findall(text)} - TABLES.keys())
+    if unknown:
+        raise ValueError(f"{DOCUMENT.name}: there is no table {', '.join(unknown)}")
+    return MARKED.sub(lambda match: match[1] + TABLES[match[2]]() + "\n" + match[3], text)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(dest="command", required=True)
+    keeping = commands.add_parser("keep")
+    keeping.add_argument("folder")
+    keeping.add_argument("name", choices=[name for name in TABLES if name != "outside"])
+    commands.add_parser("write")
+    commands.add_parser("check")
+    options = parser.parse_args()
+    if options.command == "keep":
+        keep(options.folder, options.name)
+        return 0
+    text = DOCUMENT.read_text()
+    try:
+        now = written(text)
+    except (OSError, ValueError) as error:
+        print(error, file=sys.stderr)
+        return 1
+    if options.command == "write":
+        DOCUMENT.write_text(now)
+    elif now != text:
+        print("a table of Misc/docs/results.md is not what testdemos/results has: testdemos/results/tables.py write", file=sys.stderr)
+        return 1
+    else:
+        print(f"{len(MARKED.findall(text))} tables are what the stored results give")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
