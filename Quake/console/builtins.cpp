@@ -128,6 +128,8 @@ void Console::exec(const std::string& name) {
   std::string text(script->begin(), script->end());
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   std::replace(text.begin(), text.end(), '\0', ' ');
+  if (const auto follower = followers_.find(found); follower != followers_.end())
+    text += "\n" + follower->second + "\n";
   if (insert_once(text, {CommandBuffer::Origin::kFile, found})) log_info("execing {}", name);
 }
 

@@ -102,6 +102,8 @@ class Console {
 
   // The source of `exec`'s scripts; without one `exec` finds none.
   void set_file_loader(FileLoader loader);
+  // Commands that follow a script's own whenever it is run.
+  void follow_script(const std::string& script, std::string commands) { followers_[script] = std::move(commands); }
   // Whether a script may contain unknown commands without a message; for a server, whose configuration is mostly a
   // player's.
   void set_scripts_may_name_nothing(bool may) { scripts_may_name_nothing_ = may; }
@@ -148,6 +150,7 @@ class Console {
   std::map<std::string, std::unique_ptr<Cvar>, NameLess> cvars_;
   std::map<std::string, std::string, NameLess> aliases_;
   CommandBuffer buffer_;
+  std::map<std::string, std::string> followers_;  // by the script's name
   bool executing_ = false, wait_ = false, scripts_may_name_nothing_ = false, failed_ = false;
   FileLoader files_;
   std::vector<std::string> command_line_;

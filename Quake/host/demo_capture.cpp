@@ -18,10 +18,11 @@ constexpr int kFramesToBegin = 10;  // a demo that does not play by then was not
 DemoCapture::DemoCapture(con::Console& console, fs::FileSystem& files, GameSound& sound)
     : console_(console), files_(files), sound_(sound) {
   console.add_cvar({"capture_fps", "30", "frames a second of films that capturedemo makes", con::kCvarArchive, 1, 240});
-  console.add_command("capturedemo",
-                      "capturedemo <demo> [film]: play a demo and save it as captures/FILM.mp4 (default: the demo's name; .mkv, or a "
-                      "folder's name for pictures) with its sound, capture_fps frames a second however long they take",
-                      [this](const con::Args& args) { begin(args); });
+  console.add_command(
+      "capturedemo",
+      "capturedemo <demo> [film]: play a demo and save it as captures/FILM.mp4 (default: the demo's name; .mkv, or a "
+      "folder's name for pictures) with its sound, capture_fps frames a second however long they take",
+      [this](const con::Args& args) { begin(args); });
   console.add_command("capturestop", "capturestop: end the film that capturedemo makes", [this](const con::Args&) {
     if (!active()) return log_info("no demo is captured");
     stop();
@@ -38,7 +39,9 @@ void DemoCapture::begin(const con::Args& args) {
   const bool named = std::filesystem::path(name).has_extension() && lab::is_film_file(name);
   if (!named && args.size() == 2 && lab::has_ffmpeg()) name += ".mp4";
   if (lab::is_film_file(name) && !lab::has_ffmpeg())
-    return console_.fail(fmt::format("capturedemo: {} needs ffmpeg, which is not there; a name without .mp4 or .mkv is a folder for pictures", name));
+    return console_.fail(fmt::format(
+        "capturedemo: {} needs ffmpeg, which is not there; a name without .mp4 or .mkv is a folder for pictures",
+        name));
   const auto path = files_.write_path("captures/" + name);
   if (!path) return console_.fail(path.error().message);
   std::error_code failed;

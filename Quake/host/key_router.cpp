@@ -48,6 +48,20 @@ bool starts_typing(int key) {
          (key >= platform::kKeySpace && key < platform::kKeyBackspace && key != kKeyGrave);
 }
 
+// What a game controller's buttons do where default.cfg, as id's, knows none.
+constexpr std::pair<int, const char*> kPadBindings[] = {
+    {platform::kKeyRightTrigger, "+attack"},
+    {platform::kKeyLeftTrigger, "+jump"},
+    {platform::kKeyAButton, "+jump"},
+    {platform::kKeyBButton, "+movedown"},
+    {platform::kKeyXButton, "impulse 10"},
+    {platform::kKeyYButton, "impulse 12"},
+    {platform::kKeyRightShoulder, "impulse 10"},
+    {platform::kKeyLeftShoulder, "impulse 12"},
+    {platform::kKeyLeftThumb, "+speed"},
+    {platform::kKeyRightThumb, "centerview"},
+};
+
 }  // namespace
 
 KeyRouter::KeyRouter(con::Console& console, ui::menu::Facts& facts)
@@ -58,9 +72,17 @@ KeyRouter::KeyRouter(con::Console& console, ui::menu::Facts& facts)
       menu_(console, bindings_, facts) {
   register_commands();
   bindings_.bind(kKeyGrave, "toggleconsole");
+  console.follow_script("default.cfg", "bindpad");
 }
 
 void KeyRouter::register_commands() {
+  console_.add_command(
+      "bindpad",
+      "bindpad: give a game controller's buttons that have no command their usual ones; default.cfg ends with it",
+      [this](const con::Args&) {
+        for (const auto& [key, command] : kPadBindings)
+          if (bindings_.command(key).empty()) bindings_.bind(key, command);
+      });
   console_.add_command("toggleconsole", "toggleconsole: open or close the console",
                        [this](const con::Args&) { toggle_console(); });
   const auto begin_message = [this](bool to_team) {

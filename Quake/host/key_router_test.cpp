@@ -91,6 +91,27 @@ TEST_F(KeyRouterTest, ButtonsAreReleasedWhenTheMenuOpens) {
   EXPECT_THAT(ran, ElementsAre("+forward 119", "-forward 119"));
 }
 
+TEST_F(KeyRouterTest, ControllersHaveCommandsWhereDefaultCfgKnowsNone) {
+  for (const char* name : {"+attack", "-attack", "+speed", "-speed"})
+    console.add_command(name, "", [this](const con::Args& args) { ran.push_back(args[0]); });
+  std::string script = "unbindall\nbind LTHUMB +attack";  // as id's, but for a button of its own
+  console.set_file_loader([&](std::string_view name) -> std::optional<FileData> {
+    if (name != "default.cfg" && name != "config.cfg") return std::nullopt;
+    return FileData(Bytes(script.begin(), script.end()));
+  });
+  console.execute("exec default.cfg");
+  press(platform::kKeyRightTrigger);
+  EXPECT_THAT(ran, ElementsAre("+attack", "-attack")) << "who has a pad can shoot";
+  ran.clear();
+  press(platform::kKeyLeftThumb);
+  EXPECT_THAT(ran, ElementsAre("+attack", "-attack")) << "the script's own command stays";
+  ran.clear();
+  script = "unbindall\n";
+  console.execute("exec config.cfg");  // a player who has taken them away
+  press(platform::kKeyRightTrigger);
+  EXPECT_THAT(ran, IsEmpty());
+}
+
 TEST_F(KeyRouterTest, EscapeClosesTheConsole) {
   press('`');
   EXPECT_TRUE(keys.console_open());

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A player at the window: play_test.py BUILD_DIR [--pictures DIR]. The base game is played with a real keyboard and a real
 mouse (xdotool): a new game from the menu, settings, a key, saves, hurt, death and what comes after, quitting, and a second
-start that has kept it all; then the same rows by mouse alone; then a new game, a walk, a shot, a setting and the end by a game
+start that has kept it all; then a new game, hurt, death, a save, loading, settings and the end by mouse alone, and with a walk by a game
 controller alone (virtual_pad.cpp). It has an X server of its own, since a window that others open would take the keys. Skipped, saying so, without Xvfb, xdotool, the base game or a Vulkan device."""
 import argparse
 import os
@@ -17,6 +17,7 @@ from network_game_test import SKIPPED, Program
 
 SLOW = float(os.environ.get("FULLBRIGHT_TEST_SLOWNESS", "1"))
 WIDTH, HEIGHT = 640, 360
+SLOT = (200, 69)  # the first row of saves
 PAGE = ((WIDTH - 320) // 2, (HEIGHT - 200) // 2)  # of a page with a plaque, at scale 1
 
 
@@ -229,15 +230,83 @@ def die_and_go_back(player, saves):
     player.keys("Escape", "Escape", "Escape")
 
 
+# What a player has on buttons: everything, the rocket launcher, and, for the test to see, the player's fields and place.
+ARMED, FACTS = "impulse 9; wait; impulse 7", "edict 1; viewpos"
+
+
+class Fight:
+    """Hurt, death and what comes after, however keys are pressed: `press(what)` of "armed", "facts" and "on", `fire(True)`."""
+
+    def __init__(self, player, press, fire, name):
+        self.player, self.press, self.fire, self.name = player, press, fire, name
+
+    def fields(self):
+        """The player's health and rockets."""
+        self.player.running.catch_up()
+        self.player.said = before = len(self.player.running.lines)
+        self.press("facts")
+        self.player.says("^Viewpos")  # behind the fields
+        words = (line.split() for line in self.player.running.lines[before:])
+        return {line[0]: float(line[1]) for line in words if line and line[0] in ("health", "ammo_rockets")}
+
+    def burst(self, seconds):
+        self.fire(True)
+        self.player.plays(seconds)
+        self.fire(False)
+        self.player.plays(0.7)
+
+    def hurt_and_die(self):
+        player = self.player
+        self.press("armed")
+        player.plays(1.0)
+        whole = self.fields()
+        self.burst(0.1)
+        hurt = self.fields()
+        assert hurt["health"] < whole["health"] and hurt["ammo_rockets"] < whole["ammo_rockets"], f"{whole} to {hurt}: a rocket at one's feet hurts"
+        player.show(f"{self.name}_hurt")
+        self.fire(True)
+        player.says("stood too near to the rocket", 60)
+        self.fire(False)
+        player.plays(1.5)
+        player.show(f"{self.name}_dead")
+        assert self.fields()["health"] <= 0
+        self.press("on")
+        player.says("^FULLBRIGHT SERVER")
+        player.frames(6)
+        assert self.fields()["health"] == 100, "the level's beginning again"
+
+
 def by_mouse(build, folder, pictures):
     """With keys for nothing but the first look at the menu."""
-    player = Player(build, folder, pictures)
+    player = Player(build, folder, pictures, "+bind", "MOUSE2", ARMED, "+bind", "MOUSE3", FACTS)
     player.keys("Escape")
     player.point(*player.row(0), 1)  # single player
     player.point(*player.row(0), 1)  # new game
     if "trigger_setskill" not in start_map(build):
         player.point(*player.row(1), 1)
     player.says("Server spawned|entered the game")
+    player.frames(6)
+    buttons = {"armed": 3, "facts": 2, "on": 1}
+
+    def press(what):
+        player.tool("click", str(buttons[what]))
+        player.frames(3)
+
+    for _ in range(12):  # looks down
+        player.tool("mousemove_relative", "--", "0", "200")
+        player.frames(1)
+    Fight(player, press, lambda down: player.tool("mousedown" if down else "mouseup", "1"), "22_mouse").hurt_and_die()
+    player.keys("Escape")
+    player.point(*player.row(0), 1)  # single player
+    player.point(*player.row(2), 1)  # save
+    player.point(*SLOT, 1)
+    player.says("saved as s0")
+    player.keys("Escape")
+    player.point(*player.row(0), 1)
+    player.point(*player.row(1), 1)  # load
+    player.show("23_mouse_load")
+    player.point(*SLOT, 1)
+    player.says("^FULLBRIGHT SERVER")
     player.frames(6)
     player.keys("Escape")
     player.point(*player.row(2), 1)  # options
@@ -255,7 +324,7 @@ def by_mouse(build, folder, pictures):
 
 
 A, B, START, UP, DOWN, LEFT, RIGHT = 0, 1, 6, 11, 12, 13, 14  # SDL's numbers of a controller's buttons
-MOVE_Y, LOOK_X, TRIGGER = 1, 2, 5  # and of its axes: sticks, the right trigger
+MOVE_Y, LOOK_X, LOOK_Y, TRIGGER = 1, 2, 3, 5  # and of its axes: sticks, the right trigger
 
 
 def by_pad(build, folder, pictures):
@@ -263,7 +332,7 @@ def by_pad(build, folder, pictures):
     pipe = folder / "pad"
     os.mkfifo(pipe)
     writing = os.open(pipe, os.O_RDWR)  # it opens before there is a reader
-    player = Player(build, folder, pictures, "+bind", "LEFTARROW", "viewpos", pad=pipe)
+    player = Player(build, folder, pictures, "+bind", "LEFTARROW", "viewpos", "+bind", "RIGHTARROW", ARMED, "+bind", "UPARROW", FACTS, pad=pipe)
 
     def tell(line):
         os.write(writing, (line + "\n").encode())
@@ -297,6 +366,19 @@ def by_pad(build, folder, pictures):
     tell(f"axis {LOOK_X} 0")
     turned = whereabouts()
     assert turned[4] != walked[4], f"{walked} to {turned}: the right stick turns"
+    tell(f"axis {LOOK_Y} 32767")
+    player.plays(1.5)
+    tell(f"axis {LOOK_Y} 0")
+    buttons = {"armed": RIGHT, "facts": UP, "on": A}
+    Fight(player, lambda what: press(buttons[what]), lambda down: tell(f"axis {TRIGGER} {32767 if down else -32768}"),
+          "32_pad").hurt_and_die()
+    press(START, A, DOWN, DOWN, A, A)  # single player, save, the first slot
+    player.says("saved as s0")
+    press(START, A, UP, A)  # load, one row above where the page was left
+    player.show("33_pad_load")
+    press(A)
+    player.says("^FULLBRIGHT SERVER")
+    player.frames(6)
     press(START, DOWN, DOWN, A)  # options
     press(*[DOWN] * 8, RIGHT, RIGHT)  # mouse speed: 3 to 4
     player.show("30_pad_options")

@@ -15,10 +15,9 @@ class LambertSource : public FrameSource {
     if (!more || !*more || !snapshot.assets) return more;
     const scene::Assets& assets = *snapshot.assets;
     // Assets only grow within a generation.
-    const bool same = lambert_ && lambert_->generation == assets.generation &&
-                      lambert_->images.size() == assets.images.size() &&
-                      lambert_->materials.size() == assets.materials.size() &&
-                      lambert_->meshes.size() == assets.meshes.size();
+    const bool same =
+        lambert_ && lambert_->generation == assets.generation && lambert_->images.size() == assets.images.size() &&
+        lambert_->materials.size() == assets.materials.size() && lambert_->meshes.size() == assets.meshes.size();
     if (!same) {
       auto copy = std::make_shared<scene::Assets>(assets);
       for (scene::Material& m : copy->materials) {

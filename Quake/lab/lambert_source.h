@@ -1,4 +1,5 @@
-// A source's frames with every material Lambert's alone: for comparison with renderers whose coats and normal maps differ.
+// A source's frames with every material Lambert's alone: for comparison with renderers whose coats and normal maps
+// differ.
 #pragma once
 
 #include <memory>

@@ -65,8 +65,7 @@ std::uint32_t GltfDocument::add_vec3(std::span<const vec3> values) {
   Bounds bounds;
   for (const vec3& value : values) bounds.add(value);
   const auto list = [](const vec3& v) { return Json{v.x, v.y, v.z}; };
-  return add_accessor(bytes_of(values), values.size(), "VEC3",
-                      {{"min", list(bounds.min)}, {"max", list(bounds.max)}});
+  return add_accessor(bytes_of(values), values.size(), "VEC3", {{"min", list(bounds.min)}, {"max", list(bounds.max)}});
 }
 
 std::uint32_t GltfDocument::add_png(const std::string& name, const Bytes& png) {

@@ -13,7 +13,6 @@
 
 namespace fb::lab {
 
-
 class GltfDocument {
  public:
   explicit GltfDocument(const std::string& generator);

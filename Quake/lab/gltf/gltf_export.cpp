@@ -88,8 +88,11 @@ class Exporter {
         const auto& rgb = assets_.palette.rgb[*bytes];
         return vec3(rgb[0], rgb[1], rgb[2]);
       }
-      case scene::ImageEncoding::kLinearGray: return vec3(*bytes);
-      default: hole = bytes[3] < 128; return vec3(bytes[0], bytes[1], bytes[2]);
+      case scene::ImageEncoding::kLinearGray:
+        return vec3(*bytes);
+      default:
+        hole = bytes[3] < 128;
+        return vec3(bytes[0], bytes[1], bytes[2]);
     }
   }
 
@@ -111,7 +114,8 @@ class Exporter {
       return sum / std::max(static_cast<float>(count), 1.0f);
     };
     switch (sky.mode) {
-      case scene::SkyMode::kConstant: return sky.color;
+      case scene::SkyMode::kConstant:
+        return sky.color;
       case scene::SkyMode::kLayers: {
         const vec4 front = mean(sky.alpha);
         return (vec3(front) + vec3(mean(sky.solid)) * (1.0f - front.w)) * sky.color;
@@ -121,7 +125,8 @@ class Exporter {
         for (const std::uint32_t side : sky.box) sum += vec3(mean(side)) / 6.0f;
         return sum * sky.color;
       }
-      default: return vec3(0.0f);
+      default:
+        return vec3(0.0f);
     }
   }
 
@@ -148,8 +153,8 @@ class Exporter {
       return 0;
     }
     const int wrap = clamped ? kClamp : kRepeat;
-    const std::uint32_t sampler = document_.add(
-        "samplers", {{"magFilter", kNearest}, {"minFilter", kNearest}, {"wrapS", wrap}, {"wrapT", wrap}});
+    const std::uint32_t sampler =
+        document_.add("samplers", {{"magFilter", kNearest}, {"minFilter", kNearest}, {"wrapS", wrap}, {"wrapT", wrap}});
     ++summary_.images;
     known->second = document_.add("textures", {{"sampler", sampler}, {"source", document_.add_png(image.name, *png)}});
     return known->second;
@@ -215,7 +220,8 @@ class Exporter {
       base = vec3(0.0f);
       set_emission(out, mean_sky() * factor);
       if (snapshot_.sky.mode > scene::SkyMode::kConstant) missing_.insert("skies have their mean colour alone");
-      if (!snapshot_.sky.suns.empty()) missing_.insert("suns shine through sky surfaces here: take these away for lamps");
+      if (!snapshot_.sky.suns.empty())
+        missing_.insert("suns shine through sky surfaces here: take these away for lamps");
     } else {
       set_textures(out, pbr, m, key, factor);
     }
@@ -237,8 +243,12 @@ class Exporter {
   MaterialKey key_of(const scene::Instance& instance, std::uint32_t relative) const {
     const bool own_color = (instance.flags & scene::kInstanceColor) != 0;
     const bool own_clock = (instance.flags & scene::kInstanceShareTime) == 0;
-    MaterialKey key{relative + instance.material_base, (instance.flags & scene::kInstanceAlternate) != 0, own_color,
-                    snapshot_.time - (own_clock ? static_cast<double>(instance.time_offset) : 0.0), instance.alpha, {}};
+    MaterialKey key{relative + instance.material_base,
+                    (instance.flags & scene::kInstanceAlternate) != 0,
+                    own_color,
+                    snapshot_.time - (own_clock ? static_cast<double>(instance.time_offset) : 0.0),
+                    instance.alpha,
+                    {}};
     if (own_color)
       key.color = {instance.color.x,    instance.color.y,    instance.color.z,
                    instance.emission.x, instance.emission.y, instance.emission.z};
@@ -270,7 +280,8 @@ class Exporter {
       std::vector<vec2> uvs;
       for (const scene::MeshTriangle* t : triangles) {
         vec3 corners[3];
-        for (int i = 0; i < 3; ++i) corners[i] = position(mesh, instance.pose, t->vertices[static_cast<std::size_t>(i)]);
+        for (int i = 0; i < 3; ++i)
+          corners[i] = position(mesh, instance.pose, t->vertices[static_cast<std::size_t>(i)]);
         const vec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         if (!(glm::dot(across, across) > 0.0f)) continue;  // no renderer sees it
         for (std::size_t i = 0; i < 3; ++i) {
@@ -313,10 +324,10 @@ class Exporter {
                     {"perspective",
                      {{"yfov", 2.0f * std::atan(tan_y)}, {"aspectRatio", tan_x / tan_y}, {"znear", kMetresPerUnit}}},
                     {"extras", {{"fullbright", {{"width", size.x}, {"height", size.y}}}}}});
-    return document_.add("nodes", {{"name", "camera"},
-                                   {"camera", camera},
-                                   {"matrix", matrix(frame.right / tan_x, frame.up / tan_y, -frame.forward,
-                                                     frame.position)}});
+    return document_.add("nodes",
+                         {{"name", "camera"},
+                          {"camera", camera},
+                          {"matrix", matrix(frame.right / tan_x, frame.up / tan_y, -frame.forward, frame.position)}});
   }
 
   // A directional lamp shines along its own -z.
@@ -349,8 +360,8 @@ class Exporter {
 
 }  // namespace
 
-Result<GltfSummary> export_gltf(const scene::FrameSnapshot& snapshot, const render::RenderSettings& settings, uvec2 size,
-                                const std::string& path, const std::string& generator) {
+Result<GltfSummary> export_gltf(const scene::FrameSnapshot& snapshot, const render::RenderSettings& settings,
+                                uvec2 size, const std::string& path, const std::string& generator) {
   return Exporter(snapshot, settings, generator).write(size, path);
 }
 

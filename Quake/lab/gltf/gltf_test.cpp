@@ -97,8 +97,8 @@ TEST_F(GltfTest, TexturesAreTheTexelsAsAScreenShowsThem) {
     EXPECT_EQ(gltf["samplers"][texture["sampler"].get<std::size_t>()]["magFilter"], 9728) << "nearest";
     const Json& image = gltf["images"][texture["source"].get<std::size_t>()];
     const Json& view = gltf["bufferViews"][image["bufferView"].get<std::size_t>()];
-    const std::string data = bytes(path("scene.bin"))
-                                 .substr(view["byteOffset"].get<std::size_t>(), view["byteLength"].get<std::size_t>());
+    const std::string data =
+        bytes(path("scene.bin")).substr(view["byteOffset"].get<std::size_t>(), view["byteLength"].get<std::size_t>());
     return *formats::parse_png({reinterpret_cast<const std::uint8_t*>(data.data()), data.size()}, "texture");
   };
   const Json& material = gltf["materials"][0];
@@ -148,7 +148,8 @@ TEST_F(GltfTest, SunsAndWhatOnlySomeRaysSee) {
     return n.contains("extras") && !n["extras"]["fullbright"]["seen_by_camera"].get<bool>();
   });
   EXPECT_EQ(hidden, 1);
-  EXPECT_EQ(std::ranges::count_if(gltf["materials"], [](const Json& m) { return m.value("alphaMode", "") == "BLEND"; }), 1);
+  EXPECT_EQ(std::ranges::count_if(gltf["materials"], [](const Json& m) { return m.value("alphaMode", "") == "BLEND"; }),
+            1);
 }
 
 TEST_F(GltfTest, OneFileHoldsBoth) {
