@@ -61,6 +61,7 @@ Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
 Game::~Game() {
   set_reproduction_hint(nullptr);
   if (renderer_) renderer_->set_finished(nullptr);
+  start_picture_.release();
   swapchain_.reset();  // before the device, the device before the window
   renderer_.reset();
   device_.reset();
@@ -274,6 +275,7 @@ bool Game::frame() {
   mouse_ = vec2(0.0f);
   handle_events();
   input_time_ = platform::now_seconds();
+  show_start("loading");
   engine_->execute_commands(platform::now_seconds());
   started_ |= !stop_wanted();
   if (quit_ || stop_wanted()) return false;

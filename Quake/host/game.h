@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -22,6 +23,7 @@
 #include "host/pass_report.h"
 #include "host/presets.h"
 #include "host/screen.h"
+#include "host/start_picture.h"
 #include "host/timedemo_report.h"
 #include "panel/panel.h"
 #include "platform/window.h"
@@ -69,6 +71,7 @@ class Game {
   bool draw_frame();
   void draw_panel(scene::DrawList& list, ui::Atlas& atlas, uvec2 output, double now);
   void show_loading();
+  void show_start(std::string_view what);
   bool waits_for_level();
   bool draws_ahead() const;
   void show_drawn();
@@ -127,8 +130,11 @@ class Game {
     bool captured = false;  // a frame of capturedemo's film
   };
   Drawn drawn_;
-  double drawn_time_ = 0;  // when the last frame's 2D was drawn
-  double shown_time_ = 0;  // when a picture was shown last
+  StartPicture start_picture_;
+  bool pictured_ = false;                       // the renderer has drawn a picture
+  double start_since_ = -1, start_shown_ = -1;  // when the start's picture was shown first, and last
+  double drawn_time_ = 0;                       // when the last frame's 2D was drawn
+  double shown_time_ = 0;                       // when a picture was shown last
   bool was_in_game_ = false;
   double loading_since_ = -1.0;  // when the plaque of a level that is loaded was shown; negative: none is
   std::string pictured_save_;    // NAME of a save whose picture is to be taken; empty: none

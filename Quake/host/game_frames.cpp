@@ -15,6 +15,7 @@ namespace fb::host {
 namespace {
 
 constexpr double kLongestLoading = 60.0, kLongestLeaving = 0.5;  // seconds that a plaque stays where no level comes
+constexpr double kShortestStart = 0.04;                          // seconds between two of the start's pictures
 
 }  // namespace
 
@@ -33,6 +34,17 @@ float Game::largest_scale() const {
   const float scale = render::rendered_fraction(settings), most = engine_->console().cvar("r_cpu_pixels").value();
   if (!window_ || !device_->is_software() || most <= 0) return scale;
   return std::min(scale, render::scale_for_pixels(drawer_->size(settings), most));
+}
+
+// Until the renderer's first picture something moves, whatever takes long.
+void Game::show_start(std::string_view what) {
+  if (!swapchain_ || pictured_) return;
+  const double now = platform::now_seconds();
+  if (start_since_ < 0) start_since_ = now;
+  if (now - start_shown_ < kShortestStart) return;
+  start_shown_ = now;
+  const uvec2 size(swapchain_->width(), swapchain_->height());
+  start_picture_.show(*device_, *swapchain_, screen_.draw_start(engine_->client(), size, now - start_since_, what));
 }
 
 // The level that is left, with a plaque over it; it stays till the next one can be shown.
@@ -159,6 +171,7 @@ bool Game::draws_ahead() const {
 // The renderer has finished the frame that it was given last.
 void Game::show_drawn() {
   const Drawn drawn = drawn_;
+  if (!std::exchange(pictured_, true)) start_picture_.release();
   if (swapchain_ && !swapchain_->present({&renderer_->output_pixels(), drawn.size.x, drawn.size.y})) fit_to_window();
   const double now = platform::now_seconds();
   const FrameTimes times{1e3 * (now - std::exchange(shown_time_, now)), renderer_->wait_milliseconds(),

@@ -85,17 +85,24 @@ Status Game::open_device() {
   auto device = gpu::Device::create(wanted);
   if (!device) return device.error();
   device_ = std::move(*device);
+  if (window_) {
+    if (auto status = open_swapchain(); !status) return status;
+    show_start("starting");
+  }
   auto renderer = render::Renderer::create(*device_, render::read_render_settings(engine_->console()));
   if (!renderer) return renderer.error();
   renderer_ = std::move(*renderer);
   renderer_->set_finished([this] { show_drawn(); });
+  renderer_->set_waiting([this] { show_start("compiling shaders"); });
+  if (swapchain_) renderer_->set_swap_red_blue(swapchain_->swaps_red_and_blue());
   drawer_.emplace(*renderer_);
   drawer_->resize(size);
   renderer_->resize(size.x, size.y);
   if (auto status = renderer_->fit(settings()); !status) return status.error();
   engine_->client().set_view_size(static_cast<int>(size.x), static_cast<int>(size.y));
   log_info("{}: {}, rays by {}", version_text(), device_->report().name, renderer_->intersector_name());
-  return window_ ? open_swapchain() : ok_status();
+  if (swapchain_) fit_to_window();
+  return ok_status();
 }
 
 Status Game::open_swapchain() {
@@ -107,6 +114,7 @@ Status Game::open_swapchain() {
   auto made = gpu::Swapchain::create(*device_, *surface, size.x, size.y, vsync_);
   if (!made) return made.error();
   swapchain_ = std::move(*made);
+  if (!renderer_) return ok_status();
   renderer_->set_swap_red_blue(swapchain_->swaps_red_and_blue());
   fit_to_window();
   return ok_status();
@@ -139,6 +147,7 @@ void Game::apply_video() {
 void Game::replace_device(const std::string& why) {
   const bool again = lost_at_ && frame_ - *lost_at_ < kFewFrames;
   lost_at_ = frame_;
+  start_picture_.release();
   swapchain_.reset();
   drawer_.reset();
   renderer_.reset();

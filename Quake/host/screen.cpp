@@ -119,4 +119,11 @@ const scene::DrawList& Screen::draw_loading(const cl::Client& client, uvec2 size
   return list_;
 }
 
+const scene::DrawList& Screen::draw_start(const cl::Client& client, uvec2 size, double seconds, std::string_view what) {
+  list_.clear();
+  ui::draw_start(list_, atlas_, view_of(client, size), seconds, what);
+  list_.atlas = atlas_.image();
+  return list_;
+}
+
 }  // namespace fb::host

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "client/client.h"
 #include "console/console.h"
@@ -37,6 +38,8 @@ class Screen {
   const scene::DrawList& draw(const cl::Client& client, const Moment& moment);
   // The plaque of a level that is about to be loaded.
   const scene::DrawList& draw_loading(const cl::Client& client, uvec2 size);
+  // Before there is a first picture (ui::draw_start).
+  const scene::DrawList& draw_start(const cl::Client& client, uvec2 size, double seconds, std::string_view what);
 
  private:
   ui::HudView view_of(const cl::Client& client, uvec2 size);

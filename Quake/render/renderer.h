@@ -53,6 +53,9 @@ class Renderer {
   void finish();
   // Called when a frame that was begun is finished, before the next one can overwrite its output.
   void set_finished(std::function<void()> finished);
+  // Called some twenty times a second, on the caller's thread, while a frame waits for shaders that are compiled. It
+  // must not call this renderer, nor throw.
+  void set_waiting(std::function<void()> waiting);
   // Starts accumulation anew at the next frame.
   void restart_accumulation();
 

@@ -12,15 +12,18 @@ const gpu::ComputePipeline& ShaderSet::get(std::string_view name, const Variant&
   return found->second;
 }
 
-void ShaderSet::make() {
+bool ShaderSet::make() {
   const auto asked = std::exchange(asked_, {});
   try {
-    parallel_for(asked.size(), 1, [&](std::size_t i) { asked[i]->second = compile(asked[i]->first); });
+    if (asked.empty()) return false;
+    parallel_for(
+        asked.size(), 1, [&](std::size_t i) { asked[i]->second = compile(asked[i]->first); }, waiting_);
   } catch (...) {
     for (const auto& pipeline : asked)
       if (!pipeline->second) pipelines_.erase(pipeline);
     throw;
   }
+  return true;
 }
 
 gpu::ComputePipeline ShaderSet::compile(const Key& key) const {

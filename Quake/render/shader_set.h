@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "gpu/pipeline.h"
@@ -37,8 +39,11 @@ class ShaderSet {
   // `name`: of a shader in Shaders/CMakeLists.txt. Passes that trace nothing have one variant. It stays where it is,
   // and is to be used after make().
   const gpu::ComputePipeline& get(std::string_view name, const Variant& variant = {});
-  // Makes what was asked for since. May throw OutOfMemory: then what is left is to be asked for again.
-  void make();
+  // Makes what was asked for since, and tells whether that was anything. May throw OutOfMemory: then what is left is to
+  // be asked for again.
+  bool make();
+  // Called some twenty times a second while make() waits.
+  void set_waiting(std::function<void()> waiting) { waiting_ = std::move(waiting); }
 
  private:
   using Key = std::tuple<std::string, Variant>;
@@ -49,6 +54,7 @@ class ShaderSet {
   bool by_address_;
   std::map<Key, gpu::ComputePipeline> pipelines_;
   std::vector<std::map<Key, gpu::ComputePipeline>::iterator> asked_;
+  std::function<void()> waiting_;
 };
 
 }  // namespace fb::render

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "ui/named_pictures.h"
@@ -52,6 +53,21 @@ void draw_pause(scene::DrawList& list, Atlas& atlas, const HudView& view) {
 
 void draw_loading(scene::DrawList& list, Atlas& atlas, const HudView& view) {
   draw_plaque(list, atlas, view, "gfx/loading.lmp");
+}
+
+void draw_start(scene::DrawList& list, Atlas& atlas, const HudView& view, double seconds, std::string_view what) {
+  constexpr float kWidth = 128.0f, kHeight = 4.0f, kPart = 0.3f, kSweep = 1.6f;  // kSweep: seconds from end to end
+  constexpr vec4 kGround(0.2f, 0.16f, 0.13f, 1.0f), kBar(0.75f, 0.5f, 0.2f, 1.0f);
+  draw_loading(list, atlas, view);
+  Painter painter(list, atlas, view.output.x, view.output.y, automatic_scale(view.output.x, view.output.y));
+  const float x = 0.5f * (static_cast<float>(painter.width()) - kWidth);
+  const float y = 0.62f * static_cast<float>(painter.height());
+  const auto turn = static_cast<float>(std::fmod(seconds / kSweep, 2.0));
+  const float at = (1.0f - kPart) * kWidth * (turn < 1.0f ? turn : 2.0f - turn);
+  painter.fill(x, y, kWidth, kHeight, kGround);
+  painter.fill(x + at, y, kPart * kWidth, kHeight, kBar);
+  const float length = kGlyph * static_cast<float>(what.size());
+  painter.text(0.5f * (static_cast<float>(painter.width()) - length), y + 2.0f * kHeight, what);
 }
 
 void draw_readings(scene::DrawList& list, Atlas& atlas, const HudView& view) {

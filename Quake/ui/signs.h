@@ -1,6 +1,8 @@
 // Small things over the game: crosshair, plaques, warnings, clock, speed. QuakeSpasm's places.
 #pragma once
 
+#include <string_view>
+
 #include "scene/draw_list.h"
 #include "ui/atlas.h"
 #include "ui/hud_view.h"
@@ -12,6 +14,9 @@ void draw_crosshair(scene::DrawList& list, Atlas& atlas, const HudView& view);
 void draw_warnings(scene::DrawList& list, Atlas& atlas, const HudView& view);
 void draw_pause(scene::DrawList& list, Atlas& atlas, const HudView& view);
 void draw_loading(scene::DrawList& list, Atlas& atlas, const HudView& view);
+// What is shown before there is a first picture: the same plaque, a bar that goes to and fro, and a line of text.
+// `seconds` since it was shown first.
+void draw_start(scene::DrawList& list, Atlas& atlas, const HudView& view, double seconds, std::string_view what);
 // Frame rate, the level's time, the player's speed.
 void draw_readings(scene::DrawList& list, Atlas& atlas, const HudView& view);
 
