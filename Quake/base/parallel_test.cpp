@@ -4,8 +4,11 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
+#include <mutex>
 #include <set>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace fb {
@@ -33,6 +36,32 @@ TEST(Parallel, WhatAPieceThrowsIsThrownAndTheRestLeftOut) {
   };
   EXPECT_THROW(parallel_for(100000, 1, work), std::runtime_error);
   EXPECT_LT(begun, 100000u);
+}
+
+TEST(Parallel, MeanwhileSomethingElseIsDoneHere) {
+  std::atomic<int> done{0};
+  std::set<std::thread::id> workers, here;
+  std::mutex mutex;
+  int calls = 0;
+  const auto work = [&](std::size_t) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(120));
+    const std::lock_guard lock(mutex);
+    workers.insert(std::this_thread::get_id());
+    ++done;
+  };
+  parallel_for(3, 1, work, [&] {
+    here.insert(std::this_thread::get_id());
+    ++calls;
+    EXPECT_LT(done, 3) << "not once all is done";
+  });
+  EXPECT_EQ(done, 3);
+  EXPECT_GE(calls, 2);
+  EXPECT_EQ(here, std::set{std::this_thread::get_id()});
+  EXPECT_FALSE(workers.contains(std::this_thread::get_id()));
+  EXPECT_THROW(parallel_for(
+                   2, 1, [](std::size_t) { throw std::runtime_error("two"); }, [] {}),
+               std::runtime_error);
+  parallel_for(0, 1, work, [] { FAIL(); });
 }
 
 }  // namespace

@@ -73,6 +73,7 @@ class Game {
   void show_loading();
   void show_start(std::string_view what);
   bool waits_for_level();
+  bool starts_with_level() const;
   bool draws_ahead() const;
   void show_drawn();
   std::vector<std::uint32_t> read_picture() const;

@@ -36,6 +36,12 @@ float Game::largest_scale() const {
   return std::min(scale, render::scale_for_pixels(drawer_->size(settings), most));
 }
 
+// The first picture is the level's, where one comes: shaders for an empty world would be compiled for nothing.
+bool Game::starts_with_level() const {
+  if (pictured_ || !window_ || engine_->client().active() || keys_.menu_open() || keys_.console_open()) return false;
+  return !configured_ || (engine_->busy() && platform::now_seconds() - start_since_ < kLongestLoading);
+}
+
 // Until the renderer's first picture something moves, whatever takes long.
 void Game::show_start(std::string_view what) {
   if (!swapchain_ || pictured_) return;
@@ -108,7 +114,7 @@ void Game::follow_measurement(double milliseconds, double now) {
 bool Game::draw_frame() {
   cl::Client& client = engine_->client();
   if (!client.active() && !window_) return false;
-  if (waits_for_level()) return false;
+  if (waits_for_level() || starts_with_level()) return false;
   client.build_snapshot(snapshot_);
   if (!client.active()) snapshot_.assets = nullptr;  // frees the GPU memory of a level that was left
   snapshot_.frame = frame_;

@@ -17,10 +17,10 @@ void PassList::dispatch(std::string name, PassKind kind, const gpu::ComputePipel
   });
 }
 
-void PassList::record(gpu::Commands& commands, std::size_t first, std::size_t end) const {
-  for (std::size_t i = first; i < end; ++i) {
-    gpu::Commands::Scope scope(commands, passes_[i].name);
-    passes_[i].record(commands);
+void PassList::record(gpu::Commands& commands) const {
+  for (const Pass& pass : passes_) {
+    gpu::Commands::Scope scope(commands, pass.name);
+    pass.record(commands);
   }
 }
 

@@ -1,7 +1,6 @@
 // The frame's work as a list of passes: who has some adds them in order, the renderer records them.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -33,9 +32,8 @@ class PassList {
   // One dispatch and a barrier.
   void dispatch(std::string name, PassKind kind, const gpu::ComputePipeline& pipeline, uvec2 groups);
 
-  std::size_t size() const { return passes_.size(); }
-  // The passes from `first` to before `end`, each in a timed scope of its name.
-  void record(gpu::Commands& commands, std::size_t first, std::size_t end) const;
+  // Each pass in a timed scope of its name.
+  void record(gpu::Commands& commands) const;
   // What a timer read after record(), with each pass's kind.
   std::vector<PassTime> times(const std::vector<gpu::PassTime>& measured) const;
 

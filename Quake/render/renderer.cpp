@@ -106,7 +106,6 @@ struct Renderer::Impl {
   GpuScene scene;
   Overlay overlay;
   ShaderSet shaders;
-  std::function<void()> waiting;
   Denoiser denoiser;
   gpu::PassTimer timer;
 
@@ -416,32 +415,19 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   table.flush();
 
   passes = list_passes();
-  // lavapipe compiles a shader when it first runs: who waits is called between passes, too.
-  const bool in_pieces = shaders.make() && waiting;
-  const std::size_t piece = in_pieces ? 1 : passes.size();
-  for (std::size_t first = 0; first < passes.size(); first += piece) {
-    const auto record = [&](gpu::Commands& commands) {
-      if (first == 0) timer.reset(commands.handle());
-      commands.set_timer(&timer);
-      commands.bind(table);
-      passes.record(commands, first, first + piece);
-    };
-    if (first + piece == passes.size()) {
-      device.start(record);
-    } else {
-      device.run(record);
-      waiting();
-    }
-  }
+  shaders.make();
+  device.start([&](gpu::Commands& commands) {
+    timer.reset(commands.handle());
+    commands.set_timer(&timer);
+    commands.bind(table);
+    passes.record(commands);
+  });
   under_way = true;
   ++accumulated;
   previous_valid = true;
 }
 
-void Renderer::set_waiting(std::function<void()> waiting) {
-  impl_->waiting = waiting;
-  impl_->shaders.set_waiting(std::move(waiting));
-}
+void Renderer::set_waiting(std::function<void()> waiting) { impl_->shaders.set_waiting(std::move(waiting)); }
 void Renderer::restart_accumulation() { impl_->restart = true; }
 void Renderer::reset_learning() {
   if (impl_->technique) impl_->technique->forget();

@@ -12,10 +12,10 @@ const gpu::ComputePipeline& ShaderSet::get(std::string_view name, const Variant&
   return found->second;
 }
 
-bool ShaderSet::make() {
+void ShaderSet::make() {
   const auto asked = std::exchange(asked_, {});
   try {
-    if (asked.empty()) return false;
+    if (asked.empty()) return;
     parallel_for(
         asked.size(), 1, [&](std::size_t i) { asked[i]->second = compile(asked[i]->first); }, waiting_);
   } catch (...) {
@@ -23,7 +23,6 @@ bool ShaderSet::make() {
       if (!pipeline->second) pipelines_.erase(pipeline);
     throw;
   }
-  return true;
 }
 
 gpu::ComputePipeline ShaderSet::compile(const Key& key) const {

@@ -39,9 +39,8 @@ class ShaderSet {
   // `name`: of a shader in Shaders/CMakeLists.txt. Passes that trace nothing have one variant. It stays where it is,
   // and is to be used after make().
   const gpu::ComputePipeline& get(std::string_view name, const Variant& variant = {});
-  // Makes what was asked for since, and tells whether that was anything. May throw OutOfMemory: then what is left is to
-  // be asked for again.
-  bool make();
+  // Makes what was asked for since. May throw OutOfMemory: then what is left is to be asked for again.
+  void make();
   // Called some twenty times a second while make() waits.
   void set_waiting(std::function<void()> waiting) { waiting_ = std::move(waiting); }
 

@@ -27,6 +27,20 @@ TEST_F(SignsTest, PlaquesAreALittleAboveTheMiddle) {
   EXPECT_EQ(picture_at(drawn(view(), draw_loading), 88, 84), "gfx/loading.lmp");
 }
 
+TEST_F(SignsTest, AtTheStartABarGoesToAndFro) {
+  const auto at = [&](double seconds) {
+    return drawn(view(), [&](auto& list, auto& pictures, const HudView& v) {
+      draw_start(list, pictures, v, seconds, "loading");
+    });
+  };
+  const Raster first = at(0.0), last = at(1.6), back = at(3.2);
+  EXPECT_EQ(picture_at(first, 160, 90), "gfx/loading.lmp");
+  EXPECT_EQ(first.text(atlas, 160 - 28, 132, 7), "loading");
+  EXPECT_NE(first.at(100, 125), first.at(220, 125)) << "it is at the left";
+  EXPECT_EQ(last.at(220, 125), first.at(100, 125)) << "and at the right";
+  EXPECT_EQ(back.at(100, 125), first.at(100, 125));
+}
+
 TEST_F(SignsTest, Warnings) {
   HudView v = view();
   v.silence = 0.29;
