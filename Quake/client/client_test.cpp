@@ -211,7 +211,7 @@ TEST_F(Game, ATimedemoOfAListPlaysItAsOftenAsAsked) {
 
 TEST_F(Game, WhatBeginsInTheMeantimeEndsTheListOfATimedemo) {
   put("walk.dem", walk(10));
-  for (const char* command : {"stopdemo", "playdemo walk"}) {
+  for (const char* command : {"stopdemo", "disconnect", "playdemo walk"}) {
     console.execute("timedemo walk walk walk");
     frame();
     EXPECT_TRUE(client.more_to_time());

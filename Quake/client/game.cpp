@@ -225,6 +225,7 @@ void Client::Impl::register_game_commands() {
                       });
   console.add_command("disconnect", "disconnect: leave the game or the demo", [this](const con::Args&) {
     demo_loop_next = -1;
+    next_time_demo = time_demos.size();
     end_demo(std::nullopt);
     disconnect();
   });

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -64,6 +65,8 @@ Result<lab::ExperimentSuite> read_wanted(const SuiteOptions& o) {
   }
   return suite;
 }
+
+constexpr double kMostFitting = 4096;  // samples a frame
 
 double machine_load() {
   double load = -1.0;
@@ -133,6 +136,34 @@ Status keep_pictures(const lab::SuiteFolder& folder, const std::string& piece, c
   return write("reference", open.references.back().mean);
 }
 
+// The first frames of a view, enough to tell how long they take.
+lab::View beginning(const lab::View& view) {
+  lab::View few = view;
+  few.warmup = std::min(view.warmup, 4u);
+  few.measured = std::min(view.measured, 4u);
+  if (!few.still) few.snapshots.resize(few.frames());
+  return few;
+}
+
+// Each configuration's samples a frame, so many that its own passes last as long, one at least. The time of a sample
+// depends on their number, so what was found is corrected once.
+Status fit_to_time(lab::BenchJob& job, OpenView& open, double milliseconds) {
+  const lab::View view = beginning(open.view);
+  std::vector<lab::Reference> references = open.references;
+  if (!view.still) references.resize(view.measured);
+  for (lab::Configuration& c : job.configurations) c.settings.spp = 1;
+  for (int step = 0; step < 2; ++step) {
+    const auto result = lab::run_bench(*open.stage.device, view, references, job);
+    if (!result) return result.error();
+    for (std::size_t i = 0; i < job.configurations.size(); ++i) {
+      render::RenderSettings& settings = job.configurations[i].settings;
+      const double took = std::max(result->configurations[i].estimator_passes.median, 1e-6);
+      settings.spp = static_cast<int>(std::clamp(std::round(settings.spp * milliseconds / took), 1.0, kMostFitting));
+    }
+  }
+  return ok_status();
+}
+
 Status measure_piece(const lab::ExperimentSuite& suite, const lab::Piece& piece, OpenView& open,
                      lab::SuiteFolder& folder) {
   const lab::Experiment& e = suite.experiments[piece.experiment];
@@ -143,6 +174,8 @@ Status measure_piece(const lab::ExperimentSuite& suite, const lab::Piece& piece,
   job.width = size.x;
   job.height = size.y;
   job.quiet = true;
+  if (e.vary.of_time())
+    if (auto status = fit_to_time(job, open, e.vary.values[piece.value]); !status) return status;
   const auto result = lab::run_bench(*open.stage.device, open.view, open.references, job);
   if (!result) return Error{e.name + ": " + result.error().message};
   const double error = result->reference_mean > 0 ? std::sqrt(result->reference_variance) / result->reference_mean : 0;

@@ -114,6 +114,20 @@ def merges(lab, first):
     manifest.write_text(text)
 
 
+def fits_time(lab):
+    """More time, more samples; a frame takes one at least."""
+    path = lab.folder / "time.json"
+    path.write_text(json.dumps({**SUITE, "repeats": 1, "experiments": [
+        {"name": "time", "view": {"name": "time", "scene": "cbox", "frames": [0, 3]}, "vary": {"what": "time", "values": [0.001, 60]}}]}))
+    done = lab.run("suite", path, "--out", lab.folder / "time", "--quiet")
+    assert done.returncode == 0, done.stderr
+    points = json.loads((lab.folder / "time/results.json").read_text())["experiments"][0]["points"]
+    for configuration in SUITE["configurations"]:
+        few, many = (next(p for p in points if p["configuration"] == configuration and p["value"] == value) for value in (0.001, 60))
+        assert few["samples"] == 1 and many["samples"] >= 4, (few["samples"], many["samples"])
+        assert many["errors"]["mse"] < few["errors"]["mse"], configuration
+
+
 def refuses(lab):
     lab.refuses("of another overrides", "suite", lab.suite, "--out", lab.folder / "whole", "--repeats", "3")
     lab.refuses("--shard 5/4", "suite", lab.suite, "--out", lab.folder / "x", "--shard", "5/4")
@@ -138,6 +152,7 @@ def main():
         first = repeats(lab)
         resumes(lab, first)
         merges(lab, first)
+        fits_time(lab)
         refuses(lab)
     return 0
 

@@ -62,8 +62,11 @@ Status read_vary(const JsonFile& file, JsonReader& reader, Experiment& experimen
   out.scene = vary.text("scene");
   read_values(vary, out);
   if (out.what.empty()) vary.fail("\"what\" is wanted: the name of what is varied");
-  if (int{!out.setting.empty()} + int{!out.scene.empty()} + int{!out.sizes.empty()} != 1)
-    vary.fail("one of \"setting\", \"scene\" and \"sizes\" is wanted");
+  const int how = int{!out.setting.empty()} + int{!out.scene.empty()} + int{!out.sizes.empty()};
+  if (out.of_time() ? how != 0 : how != 1)
+    vary.fail("one of \"setting\", \"scene\" and \"sizes\" is wanted; none where \"what\" is \"time\"");
+  if (out.of_time() && std::ranges::any_of(out.values, [](double value) { return value <= 0; }))
+    vary.fail("\"values\" of time are milliseconds above 0");
   return vary.end();
 }
 

@@ -71,6 +71,12 @@ TEST_F(ExperimentTest, RefusesInOneSentenceWithFileAndLine) {
   EXPECT_THAT(message("\"name\": \"a\", \"configurations\": {}, " + view), HasSubstr("at least one"));
   EXPECT_THAT(message("\"name\": \"a\", \"vary\": {\"what\": \"x\", \"values\": [1]}, " + view),
               HasSubstr("one of \"setting\""));
+  EXPECT_EQ(message("\"name\": \"a\", \"vary\": {\"what\": \"time\", \"values\": [5, 10]}, " + view), "");
+  EXPECT_THAT(message("\"name\": \"a\", \"vary\": {\"what\": \"time\", \"values\": [0]}, " + view),
+              HasSubstr("milliseconds above 0"));
+  EXPECT_THAT(
+      message("\"name\": \"a\", \"vary\": {\"what\": \"time\", \"setting\": \"r_spp\", \"values\": [1]}, " + view),
+      HasSubstr("none where"));
   EXPECT_THAT(message("\"name\": \"a\", \"vary\": {\"what\": \"x\", \"setting\": \"r_spp\", \"values\": []}, " + view),
               HasSubstr("\"values\": [...]"));
   EXPECT_THAT(read("{\"experiments\": []}").error().message, HasSubstr("\"experiments\": [...] is wanted"));
