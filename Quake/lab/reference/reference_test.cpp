@@ -116,7 +116,7 @@ TEST_F(ReferenceTest, OfTheFurnaceIsItsClosedFormWithItsUncertainty) {
 TEST_F(ReferenceTest, InterruptedSplitOrGrownItIsTheSame) {
   // An estimator that learns, so that what one block has learnt would show in the next.
   const render::RenderSettings settings = repeatable("mcpg_nee");
-  const ReferenceJob whole = job("whole", 24, 24, kSpp);
+  const ReferenceJob whole = job("whole", 12, 12, kSpp);
   ASSERT_TRUE(make("one_light", settings, whole).ok());
 
   // Interrupted: a block is missing, another one was cut off while it was written.
@@ -131,7 +131,7 @@ TEST_F(ReferenceTest, InterruptedSplitOrGrownItIsTheSame) {
   expect_same(whole.out, again.out);
 
   // Grown from fewer samples; and there already.
-  ReferenceJob grown = job("grown", 24, 24, 300);
+  ReferenceJob grown = job("grown", 12, 12, 300);
   ASSERT_TRUE(make("one_light", settings, grown).ok());
   grown.spp = kSpp;
   EXPECT_TRUE(make("one_light", settings, grown).ok());
@@ -141,7 +141,7 @@ TEST_F(ReferenceTest, InterruptedSplitOrGrownItIsTheSame) {
   // Split.
   std::vector<std::string> folders;
   for (std::uint32_t shard = 1; shard <= 2; ++shard) {
-    ReferenceJob part = job(fmt::format("part{}", shard), 24, 24, kSpp);
+    ReferenceJob part = job(fmt::format("part{}", shard), 12, 12, kSpp);
     part.view = whole.view;
     part.shard = shard;
     part.shards = 2;
@@ -162,7 +162,7 @@ TEST_F(ReferenceTest, InterruptedSplitOrGrownItIsTheSame) {
       std::string::npos);
   render::RenderSettings other = settings;
   other.bounces = 1;
-  ReferenceJob unlike = job("unlike", 24, 24, kSpp);
+  ReferenceJob unlike = job("unlike", 12, 12, kSpp);
   unlike.shard = unlike.shards = 2;
   ASSERT_TRUE(make("one_light", other, unlike).ok());
   EXPECT_NE(merge_references({folders[0], unlike.blocks}, path("no.exr")).error().message.find("blocks are of"),
