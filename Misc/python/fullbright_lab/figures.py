@@ -90,7 +90,7 @@ def over_values(experiment: Experiment, quantity: str):
         fits = [fit for fit in experiment.data["fits"] if fit["configuration"] == name and fit["of"] == "estimator"]
         label = f'{name}: exponent {fits[0]["exponent"]:.2f} ({fits[0]["low"]:.2f} to {fits[0]["high"]:.2f})' if fits and quantity == "time" else name
         _band(axes, np.array(experiment.values), rows, color, label, marker)
-    axes.set(xscale="log", yscale="log", xlabel=experiment.what, ylabel="milliseconds of the estimator's passes" if quantity == "time" else "relMSE of a frame")
+    axes.set(xscale="log", yscale="log", xlabel=experiment.label, ylabel="milliseconds of the estimator's passes" if quantity == "time" else "relMSE of a frame")
     axes.legend(fontsize=8)
     return svg(figure, f"{experiment.title}: {quantity} over {experiment.what}")
 

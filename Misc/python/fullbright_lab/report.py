@@ -121,9 +121,11 @@ def section(experiment: Experiment, lab: str | None) -> str:
         return "".join(parts) + "<p>Not measured yet.</p></section>"
     measured = "errors" in experiment.points[0]
     if experiment.what:
-        drawings = [figure(figures.over_values(experiment, "time"), f"Time over {experiment.what}; bands are 95% over runs.")]
+        drawings = []
+        if experiment.what != "time":
+            drawings.append(figure(figures.over_values(experiment, "time"), f"Time over {experiment.what}; bands are 95% over runs."))
         if measured:
-            drawings.append(figure(figures.over_values(experiment, "error"), f"Error over {experiment.what}."))
+            drawings.append(figure(figures.over_values(experiment, "error"), f"Error over {experiment.label}; bands are 95% over runs."))
         parts.append(f"<div class='grid plots'>{''.join(drawings)}</div>")
     elif measured:
         drawings = []
@@ -132,7 +134,7 @@ def section(experiment: Experiment, lab: str | None) -> str:
                          figure(figures.over_frames(experiment, "time"), "The same over time.")]
         drawings.append(figure(figures.adaptation(experiment), "Adaptation: error of each frame alone."))
         parts.append(f"<div class='grid plots'>{''.join(drawings)}</div>{gains(experiment)}{errors_table(experiment)}")
-    parts.append(figure(figures.passes(experiment, experiment.values[-1]), "Time of a frame by pass" + (f" at {number(experiment.values[-1])} {experiment.what}" if experiment.what else "") + "; grey: the frame's, coloured: the estimator's."))
+    parts.append(figure(figures.passes(experiment, experiment.values[-1]), "Time of a frame by pass" + (f" at {number(experiment.values[-1])} {experiment.label}" if experiment.what else "") + "; grey: the frame's, coloured: the estimator's."))
     parts.append(gallery(experiment, lab))
     parts.append(f"<p class=command>Again: <code>{html.escape(experiment.data['command'])}</code></p></section>")
     return "".join(parts)

@@ -44,6 +44,7 @@ class Experiment:
         self.configurations = [configuration["name"] for configuration in data["configurations"]]
         vary = data["vary"]
         self.what: str | None = vary and vary["what"]
+        self.label = "milliseconds that the estimator may take" if self.what == "time" else self.what
         self.values: list[float] = vary["values"] if vary else [0.0]
 
     def chosen(self, configuration: str, value: float | None = None) -> list[dict]:
