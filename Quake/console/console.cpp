@@ -260,7 +260,7 @@ std::string Console::config_text() const {
 
 Status Console::write_config(const std::filesystem::path& path) const {
   const std::string text = config_text();
-  return fs::write_file_atomically(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  return fs::write_text_atomically(path, text);
 }
 
 }  // namespace fb::con

@@ -170,6 +170,10 @@ Result<FileData> read_whole_file(const std::filesystem::path& path) {
   return file->read(0, file->size());
 }
 
+Status write_text_atomically(const std::filesystem::path& path, std::string_view text) {
+  return write_file_atomically(path, ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
 Status write_file_atomically(const std::filesystem::path& path, ByteView data) {
   const std::string name = path.generic_string();
   std::error_code code;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string_view>
 
 #include "base/bytes.h"
 #include "base/file_data.h"
@@ -48,5 +49,6 @@ class RandomAccessFile {
 Result<FileData> read_whole_file(const std::filesystem::path& path);
 // Writes to a temporary name beside the path, then renames. Creates missing directories.
 Status write_file_atomically(const std::filesystem::path& path, ByteView data);
+Status write_text_atomically(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace fb::fs

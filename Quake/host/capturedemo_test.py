@@ -12,7 +12,8 @@ import time
 import unittest
 import wave
 
-SKIPPED = 77
+from programs_needed import need
+
 BUILD = pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else pathlib.Path("build").resolve()
 SECONDS = 4.3  # of the demo
 
@@ -77,6 +78,15 @@ class CaptureDemo(unittest.TestCase):
         self.assertEqual([p.name for p in self.captures.iterdir()], ["full"])
         self.assertEqual((self.captures / "full/kept").read_text(), "kept")
 
+    def test_a_full_disk_ends_the_film_and_not_the_game(self):
+        # No file may grow beyond 32 KB, which the sound does within a quarter of a second.
+        limit = ["sh", "-c", 'ulimit -f 64; trap "" XFSZ; exec "$@"', "sh"]
+        said = subprocess.run([*limit, *self.command("+capturedemo", "cbox", "film")], capture_output=True, text=True, timeout=300, check=False)
+        self.assertEqual(said.returncode, 1)
+        self.assertEqual(said.stderr.count("nothing was saved"), 1, said.stderr)
+        self.assertIn("Server disconnected", said.stdout, "the demo was played to its end")
+        self.assertEqual(list(self.captures.iterdir()), [])
+
     def test_killed_there_is_no_film(self):
         running = subprocess.Popen(self.command("+capturedemo", "cbox", "killed", size="640x360"), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         until = time.monotonic() + 60
@@ -89,10 +99,5 @@ class CaptureDemo(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not (BUILD / "game/id1").is_dir():
-        print("skipped: no base game")
-        sys.exit(SKIPPED)
-    if subprocess.run([BUILD / "fullbright", "-listdevices"], capture_output=True, check=False).returncode != 0:
-        print("skipped: no Vulkan device")
-        sys.exit(SKIPPED)
+    need(BUILD, base_game=True)
     unittest.main(argv=sys.argv[:1])

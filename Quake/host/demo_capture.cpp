@@ -35,9 +35,8 @@ DemoCapture::~DemoCapture() { stop(); }
 void DemoCapture::begin(const con::Args& args) {
   if (args.size() < 2 || args.size() > 3) return log_info("capturedemo <demo> [film]");
   if (active()) return console_.fail("capturedemo: a demo is captured already; capturestop ends it");
-  std::string name = args.size() > 2 ? args[2] : std::filesystem::path(args[1]).stem().string();
-  const bool named = std::filesystem::path(name).has_extension() && lab::is_film_file(name);
-  if (!named && args.size() == 2 && lab::has_ffmpeg()) name += ".mp4";
+  const std::string stem = std::filesystem::path(args[1]).stem().string();
+  const std::string name = args.size() > 2 ? args[2] : stem + (lab::has_ffmpeg() ? ".mp4" : "");
   if (lab::is_film_file(name) && !lab::has_ffmpeg())
     return console_.fail(fmt::format(
         "capturedemo: {} needs ffmpeg, which is not there; a name without .mp4 or .mkv is a folder for pictures",
@@ -70,7 +69,10 @@ void DemoCapture::add(uvec2 size, std::vector<std::uint32_t> pixels) {
     if (!film) return give_up(film.error().message);
     film_ = std::move(*film);
   }
-  if (size != size_) return give_up("the picture's size has changed");
+  if (size != size_) {
+    log_warning("capturedemo: the picture's size has changed: the film ends here");
+    return stop();
+  }
   if (auto status = film_->add({size, std::move(pixels)}); !status) give_up(status.error().message);
 }
 

@@ -31,11 +31,12 @@ class DemoCapture {
   void add(uvec2 size, std::vector<std::uint32_t> pixels);
   // Ends it: the film gets its name.
   void stop();
+  // Ends it without a film.
+  void give_up(const std::string& why);
 
  private:
   enum class State { kNone, kAsked, kPlaying };
   void begin(const con::Args& args);
-  void give_up(const std::string& why);
   std::string sound_path() const { return path_ + ".wav.part"; }
 
   con::Console& console_;

@@ -15,7 +15,8 @@ import time
 import unittest
 import zlib
 
-SKIPPED = 77
+from programs_needed import need
+
 BUILD = pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else pathlib.Path("build").resolve()
 SPEC = {"scene": "kinds", "frames": [0, 2], "fps": 25, "size": [64, 36], "set": {"r_bounces": 0},
         "lanes": [{"name": "pt"}, {"name": "nee", "set": {"r_estimator": "nee"}}]}
@@ -163,7 +164,5 @@ class Film(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if subprocess.run([BUILD / "fullbright", "-listdevices"], capture_output=True, check=False).returncode != 0:
-        print("skipped: no Vulkan device")
-        sys.exit(SKIPPED)
+    need(BUILD)
     unittest.main(argv=sys.argv[:1])

@@ -251,6 +251,13 @@ double Game::seconds_passed() {
   return passed;
 }
 
+// A film that cannot be saved does not end the game.
+void Game::record_sound() {
+  const Status status = sound_.record();
+  if (!status && demo_capture_.active()) return demo_capture_.give_up(status.error().message);
+  end_unless(status);
+}
+
 // What cannot go on ends the program.
 void Game::end_unless(const Status& status) {
   if (status) return;
@@ -290,7 +297,7 @@ bool Game::frame() {
   report_timing();
   sound_.update(!window_ || window_->focused());
   if (draw_frame())
-    end_unless(sound_.record());
+    record_sound();
   else
     renderer_->finish();
   return !options_.headless || engine_->busy();

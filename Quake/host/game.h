@@ -50,6 +50,7 @@ class Game {
   Status open_window();
   Status open_device();
   Status open_swapchain();
+  void join_swapchain();
   void fit_to_window();
   void register_commands();
   void change_game(const con::Args& args);
@@ -78,6 +79,7 @@ class Game {
   void show_drawn();
   std::vector<std::uint32_t> read_picture() const;
   void capture(std::uint64_t frame, uvec2 size);
+  void record_sound();
   void end_unless(const Status& status);
   Status write_screenshot(const std::string& name);
   void report_timing();

@@ -33,8 +33,8 @@ class GameSound {
   // Completes the file.
   Status finish();
 
-  // Records into a file while the game goes on, in the place of the device; then the device plays again. No file is
-  // written where the game is silent or records already (-wavcapture). Fails if it cannot be created.
+  // Records into a file while the game goes on, in the place of the device; then the device plays again, if there was
+  // one. Does nothing where the game is recorded already (-wavcapture). Fails if the file cannot be created.
   Status begin_recording(const std::string& path);
   bool records() const { return recording_; }
   Status end_recording();

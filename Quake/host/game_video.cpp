@@ -94,14 +94,13 @@ Status Game::open_device() {
   renderer_ = std::move(*renderer);
   renderer_->set_finished([this] { show_drawn(); });
   renderer_->set_waiting([this] { show_start("compiling shaders"); });
-  if (swapchain_) renderer_->set_swap_red_blue(swapchain_->swaps_red_and_blue());
   drawer_.emplace(*renderer_);
   drawer_->resize(size);
   renderer_->resize(size.x, size.y);
   if (auto status = renderer_->fit(settings()); !status) return status.error();
   engine_->client().set_view_size(static_cast<int>(size.x), static_cast<int>(size.y));
   log_info("{}: {}, rays by {}", version_text(), device_->report().name, renderer_->intersector_name());
-  if (swapchain_) fit_to_window();
+  if (swapchain_) join_swapchain();
   return ok_status();
 }
 
@@ -114,10 +113,13 @@ Status Game::open_swapchain() {
   auto made = gpu::Swapchain::create(*device_, *surface, size.x, size.y, vsync_);
   if (!made) return made.error();
   swapchain_ = std::move(*made);
-  if (!renderer_) return ok_status();
+  return ok_status();
+}
+
+// The renderer draws for the swapchain from now on.
+void Game::join_swapchain() {
   renderer_->set_swap_red_blue(swapchain_->swaps_red_and_blue());
   fit_to_window();
-  return ok_status();
 }
 
 void Game::fit_to_window() {
@@ -140,7 +142,10 @@ void Game::apply_video() {
   if (!window_ || !std::exchange(video_asked_, false)) return;
   renderer_->finish();  // what is under way is of the former size
   window_->set_mode(asked_mode(engine_->console()));
-  if (vsync_ != engine_->console().cvar("vid_vsync").on()) end_unless(open_swapchain());
+  if (vsync_ == engine_->console().cvar("vid_vsync").on()) return;
+  const Status opened = open_swapchain();
+  if (opened) join_swapchain();
+  end_unless(opened);
 }
 
 // Everything on the device is made anew. The game is the host's and goes on.

@@ -94,21 +94,15 @@ LabCommand add_reference_command(CLI::App& app) {
 }
 
 LabCommand add_reference_merge_command(CLI::App& app) {
-  struct MergeOptions {
-    std::vector<std::string> folders;
-    std::string out;
-  };
-  auto options = std::make_shared<MergeOptions>();
-  CLI::App* merge = app.add_subcommand("reference-merge", "joins the blocks that the shards of a reference have made");
-  merge->add_option("FOLDERS", options->folders, "the shards' folders of blocks (OUT.blocks)")->required();
-  merge->add_option("--out", options->out, "the EXR file to write")->required();
-  return {merge, [options] {
-            const auto summary = lab::merge_references(options->folders, options->out);
-            if (!summary) return fail(summary.error());
-            fmt::print("{}: mean luminance {:.6g}, pixels' standard error {:.3g} of it, {} samples\n", options->out,
-                       summary->error.mean_luminance, summary->error.relative, summary->samples);
-            return 0;
-          }};
+  return add_merge_command(app, "reference-merge", "joins the blocks that the shards of a reference have made",
+                           "the shards' folders of blocks (OUT.blocks)", "the EXR file to write",
+                           [](const std::vector<std::string>& folders, const std::string& out) {
+                             const auto summary = lab::merge_references(folders, out);
+                             if (!summary) return fail(summary.error());
+                             fmt::print("{}: mean luminance {:.6g}, pixels' standard error {:.3g} of it, {} samples\n",
+                                        out, summary->error.mean_luminance, summary->error.relative, summary->samples);
+                             return 0;
+                           });
 }
 
 }  // namespace fb::host

@@ -99,20 +99,14 @@ LabCommand add_render_command(CLI::App& app) {
 }
 
 LabCommand add_render_merge_command(CLI::App& app) {
-  struct MergeOptions {
-    std::vector<std::string> folders;
-    std::string out;
-  };
-  auto options = std::make_shared<MergeOptions>();
-  CLI::App* merge = app.add_subcommand("render-merge", "joins the frames that the shards of a render have written");
-  merge->add_option("FOLDERS", options->folders, "the shards' folders")->required();
-  merge->add_option("--out", options->out, "folder for the frames; it must not be there")->required();
-  return {merge, [options] {
-            const auto frames = lab::merge_frames(options->folders, options->out);
-            if (!frames) return fail(frames.error());
-            fmt::print("{} frames in {}\n", *frames, options->out);
-            return 0;
-          }};
+  return add_merge_command(app, "render-merge", "joins the frames that the shards of a render have written",
+                           "the shards' folders", "folder for the frames; it must not be there",
+                           [](const std::vector<std::string>& folders, const std::string& out) {
+                             const auto frames = lab::merge_frames(folders, out);
+                             if (!frames) return fail(frames.error());
+                             fmt::print("{} frames in {}\n", *frames, out);
+                             return 0;
+                           });
 }
 
 LabCommand add_estimators_command(CLI::App& app) {

@@ -274,10 +274,23 @@ Result<Shard> parse_shard(const std::string& text) {
 }
 
 Status write_text(const std::string& path, const std::string& text) {
-  if (path != "-")
-    return fs::write_file_atomically(path, ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  if (path != "-") return fs::write_text_atomically(path, text);
   fmt::print("{}", text);
   return ok_status();
+}
+
+LabCommand add_merge_command(CLI::App& app, const std::string& name, const std::string& help,
+                             const std::string& folders, const std::string& out,
+                             std::function<int(const std::vector<std::string>&, const std::string&)> merge) {
+  struct Options {
+    std::vector<std::string> folders;
+    std::string out;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(name, help);
+  command->add_option("FOLDERS", options->folders, folders)->required();
+  command->add_option("--out", options->out, out)->required();
+  return {command, [options, merge] { return merge(options->folders, options->out); }};
 }
 
 int fail(const Error& error) {

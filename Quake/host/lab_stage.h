@@ -107,6 +107,11 @@ Result<Shard> parse_shard(const std::string& text);
 // Writes to standard output for "-".
 Status write_text(const std::string& path, const std::string& text);
 
+// A command that joins what shards have made: folders, and --out.
+LabCommand add_merge_command(CLI::App& app, const std::string& name, const std::string& help,
+                             const std::string& folders, const std::string& out,
+                             std::function<int(const std::vector<std::string>&, const std::string&)> merge);
+
 // Prints the error and returns the exit status.
 int fail(const Error& error);
 // Reports samples that were not finite. Returns the exit status, which depends on validation messages.

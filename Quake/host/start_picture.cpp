@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <new>
 
+#include "gpu/vulkan_error.h"
 #include "host/film_caption.h"
 
 namespace fb::host {
@@ -24,6 +25,7 @@ void StartPicture::show(gpu::Device& device, gpu::Swapchain& swapchain, const sc
     swapchain.present({&*pixels_, size.x, size.y});
   } catch (const std::bad_alloc&) {
     release();
+  } catch (const gpu::DeviceLost&) {  // whoever needs the device says so
   }
 }
 

@@ -9,7 +9,9 @@ import sys
 import tempfile
 import time
 
-SKIPPED = 77
+from programs_needed import need
+
+
 SUITE = {
     "title": "Small", "size": [24, 16], "repeats": 2, "reference_samples": 64, "set": {"r_deterministic": 1},
     "configurations": {"pt": {"r_estimator": "pt"}, "mcpg": {"r_estimator": "mcpg", "r_mc_states": 4096}},
@@ -144,9 +146,7 @@ def refuses(lab):
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
-    if subprocess.run([build / "fullbright", "-listdevices"], capture_output=True).returncode != 0:
-        print("skipped for want of a Vulkan device")
-        return SKIPPED
+    need(build)
     with tempfile.TemporaryDirectory() as name:
         lab = Lab(build, pathlib.Path(name))
         first = repeats(lab)

@@ -83,8 +83,7 @@ Status TimedemoReport::write(const gpu::DeviceReport& device, uvec2 size) {
   const auto path = engine_.files().write_path(name);
   if (!path) return path.error();
   const std::string text = lab::timedemos_json(all_);
-  const Status status =
-      fs::write_file_atomically(*path, ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  const Status status = fs::write_text_atomically(*path, text);
   if (status && all_.complete) log_info("wrote {}", path->string());
   return status;
 }

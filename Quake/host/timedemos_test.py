@@ -10,7 +10,8 @@ import sys
 import tempfile
 import unittest
 
-SKIPPED = 77
+from programs_needed import need
+
 BUILD = pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else pathlib.Path("build").resolve()
 COUNTS = {"cbox.dem": 84, "plain.dem": 63}  # what the classic line has
 
@@ -91,10 +92,5 @@ class Timedemos(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not (BUILD / "game/id1/progs.dat").exists():
-        print("skipped: the base game is not built")
-        sys.exit(SKIPPED)
-    if subprocess.run([BUILD / "fullbright", "-listdevices"], capture_output=True, check=False).returncode != 0:
-        print("skipped: no Vulkan device")
-        sys.exit(SKIPPED)
+    need(BUILD, base_game=True)
     unittest.main(argv=sys.argv[:1])

@@ -75,8 +75,7 @@ Status tell_shard(const std::string& folder, const ShardOfFrames& shard) {
   json.open_object().text("format", kShardFormat).text("of", shard.of).integer("first", shard.first);
   json.integer("last", shard.last).integer("shard", shard.index).integer("shards", shard.count).close();
   const std::string& text = json.str();
-  return fs::write_file_atomically(shard_path(folder),
-                                   ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  return fs::write_text_atomically(shard_path(folder), text);
 }
 
 Result<std::uint64_t> merge_frames(const std::vector<std::string>& folders, const std::string& to) {

@@ -92,7 +92,7 @@ Status GltfDocument::write(const std::string& path) const {
   root["buffers"][0]["uri"] = binary.filename().string();
   if (auto status = fs::write_file_atomically(binary, bytes_); !status) return status;
   const std::string text = root.dump(1) + "\n";
-  return fs::write_file_atomically(file, ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  return fs::write_text_atomically(file, text);
 }
 
 }  // namespace fb::lab

@@ -53,8 +53,7 @@ Status write_reference_manifest(const std::string& folder, const ReferenceManife
   if (error != nullptr) json.number("mean_luminance", error->mean_luminance).number("relative_error", error->relative);
   json.close();
   const std::string& text = json.str();
-  return fs::write_file_atomically(manifest_path(folder),
-                                   ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  return fs::write_text_atomically(manifest_path(folder), text);
 }
 
 Result<ReferenceManifest> read_reference_manifest(const std::string& folder) {

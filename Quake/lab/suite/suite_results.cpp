@@ -34,8 +34,7 @@ Json json_of(const Manifest& manifest) {
 }
 
 Status write_json(const std::string& path, const Json& json) {
-  const std::string text = json.dump(1) + "\n";
-  return fs::write_file_atomically(path, ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  return fs::write_text_atomically(path, json.dump(1) + "\n");
 }
 
 Result<Manifest> read_manifest(const std::string& path) {
@@ -273,8 +272,7 @@ Status SuiteFolder::write_results(const ExperimentSuite& suite, const std::strin
   for (const auto& [experiment, why] : skipped_)
     results["skipped"].push_back({{"experiment", experiment}, {"why", why}});
   if (auto status = write_json(path_ + "/results.json", results); !status) return status;
-  return fs::write_file_atomically(path_ + "/results.csv",
-                                   ByteView(reinterpret_cast<const std::uint8_t*>(csv.data()), csv.size()));
+  return fs::write_text_atomically(path_ + "/results.csv", csv);
 }
 
 Status SuiteFolder::copy_from(const SuiteFolder& other, const std::string& piece) const {
