@@ -282,7 +282,7 @@ bool Game::frame() {
   mouse_ = vec2(0.0f);
   handle_events();
   input_time_ = platform::now_seconds();
-  show_start("loading");
+  show_start("reading the level");
   engine_->execute_commands(platform::now_seconds());
   started_ |= !stop_wanted();
   if (quit_ || stop_wanted()) return false;
