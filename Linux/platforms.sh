@@ -59,7 +59,7 @@ for release in "${releases[@]}"; do
   echo "platforms.sh: $release: a fresh root, make demo (log: out/platforms/$release/log)"
   if try_release "$release"; then
     printf 'platforms.sh: %s: passed in %d s: %s\n' "$release" $((SECONDS - start)) \
-      "$(grep -E '^[0-9]+ frames [0-9.]+ seconds' "out/platforms/$release/log" | tail -1)"
+      "$(grep -aE '^[0-9]+ frames +[0-9.]+ seconds' "out/platforms/$release/log" | tail -1)"
   else
     failed+=("$release")
     tail -40 "out/platforms/$release/log" >&2
