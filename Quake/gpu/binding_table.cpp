@@ -93,7 +93,6 @@ struct BindingTable::Impl {
   std::array<std::vector<Slot>, kSetCount> arrays;
   std::array<Slot, kUniforms.size()> uniforms;
   std::array<Slot, kTexelBuffers> texels;
-  std::array<VkDeviceSize, kTexelBuffers> texel_bytes{};
   std::array<VkBufferView, kTexelBuffers> views{};
   VkAccelerationStructureKHR tlas = VK_NULL_HANDLE;
   bool tlas_dirty = false, dirty = true;
@@ -148,7 +147,7 @@ void BindingTable::Impl::make_views() {
     auto info = vk_struct<VkBufferViewCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO);
     info.buffer = texels[i].buffer;
     info.format = VK_FORMAT_R32G32B32A32_UINT;
-    info.range = texel_bytes[i];
+    info.range = VK_WHOLE_SIZE;
     VkBufferView view = VK_NULL_HANDLE;
     FB_VK(vkCreateBufferView(device.handle(), &info, nullptr, &view));
     vkDestroyBufferView(device.handle(), std::exchange(views[i], view), nullptr);
@@ -205,9 +204,7 @@ void BindingTable::set_uniform(std::uint32_t set, const Buffer& buffer) {
 void BindingTable::set_texels(std::uint32_t index, const Buffer& buffer) {
   FB_CHECK_LT(index, kTexelBuffers);
   const Buffer& seen = buffer ? buffer : impl_->unset_storage;
-  if (!impl_->texels[index].set(seen.handle(), seen.serial())) return;
-  impl_->texel_bytes[index] = seen.size();
-  impl_->dirty = true;
+  impl_->dirty |= impl_->texels[index].set(seen.handle(), seen.serial());
 }
 
 void BindingTable::set_tlas(VkAccelerationStructureKHR tlas) {

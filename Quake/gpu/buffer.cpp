@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "base/check.h"
@@ -59,6 +60,15 @@ bool is_mapped(BufferUse use) {
   return use == BufferUse::kUpload || use == BufferUse::kUniform || use == BufferUse::kReadback;
 }
 
+// Mesa's lavapipe before 24 compiles a shader anew where a texel buffer's size becomes or ceases to be a power of two,
+// or has none of these bits: its key of compiled shaders holds what it would ask of an image. So no array has such a
+// size.
+VkDeviceSize size_of_one_kind(VkDeviceSize size) {
+  constexpr VkDeviceSize kLevelBits = 0xff00, kStep = 0x100;
+  while (std::has_single_bit(size) || (size & kLevelBits) == 0) size += kStep;
+  return size;
+}
+
 VkDeviceMemory allocate(const Device::Impl& device, BufferUse use, const VkMemoryRequirements& needs) {
   auto flags = vk_struct<VkMemoryAllocateFlagsInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO);
   flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
@@ -110,7 +120,9 @@ Buffer::Buffer(Device& device, BufferUse use, VkDeviceSize bytes, std::string na
   size_ = size;
 
   auto info = vk_struct<VkBufferCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO);
-  info.size = size_;
+  const bool as_texels = (usage_flags(use, d) & VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT) != 0;
+  info.size =
+      as_texels && d.report.is_software ? std::min(size_of_one_kind(size_), largest_buffer(device, use)) : size_;
   info.usage = usage_flags(use, d);
   info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
   const VkResult made = FB_VK_TRY(vkCreateBuffer(d.device, &info, nullptr, &buffer_));

@@ -140,6 +140,7 @@ Result<std::unique_ptr<Device>> Device::make(const DeviceOptions& options) {
 
   auto impl = std::make_unique<Impl>();
   impl->instance = std::move(*instance);
+  impl->options = options;
   impl->report = physical.report;
   impl->report.would_be_chosen = true;
   impl->physical = physical.handle;
@@ -202,6 +203,7 @@ bool Device::has_ray_query() const { return impl_->ray_query; }
 bool Device::has_addresses() const { return impl_->report.has_addresses; }
 bool Device::is_software() const { return impl_->report.is_software; }
 const DeviceLimits& Device::limits() const { return impl_->limits; }
+const DeviceOptions& Device::options() const { return impl_->options; }
 std::uint64_t Device::validation_messages() const { return impl_->instance->validation().count(); }
 std::uint64_t Device::allocated_bytes() const { return impl_->allocated_bytes; }
 VkInstance Device::instance() const { return impl_->instance->handle(); }

@@ -61,6 +61,7 @@ class Device {
   bool has_addresses() const;  // shaders may read buffers by their device address
   bool is_software() const;    // lavapipe and its like
   const DeviceLimits& limits() const;
+  const DeviceOptions& options() const;  // that it was made by
   // Warnings and errors of the validation layers so far, each logged once; tests hold this to zero.
   std::uint64_t validation_messages() const;
   // Device memory allocated now, bytes.

@@ -43,6 +43,7 @@ struct Device::Impl {
   void set_name(VkObjectType type, std::uint64_t object, std::string_view name) const;
 
   std::unique_ptr<Instance> instance;
+  DeviceOptions options;
   DeviceReport report;
   DeviceLimits limits;
   bool ray_query = false;

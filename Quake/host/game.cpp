@@ -246,7 +246,9 @@ double Game::seconds_passed() {
     slept_ += platform::now_seconds() - now;
     now = platform::now_seconds();
   }
-  const double passed = frame_ == 0 ? 0.0 : now - last_time_;
+  // Before the first picture a window's game joins its level in real time; without one, games start at the same moment.
+  const bool counts = last_time_ >= 0.0 && (window_ || frame_ > 0);
+  const double passed = counts ? now - last_time_ : 0.0;
   last_time_ = now;
   return passed;
 }

@@ -113,7 +113,7 @@ class Game {
   std::optional<std::uint64_t> lost_at_;  // frame at which the device was lost last
   int frames_without_game_ = 0;
   int exit_status_ = 0;
-  double last_time_ = 0;
+  double last_time_ = -1;
   FrameTimer timer_;
   Governor governor_;
   std::optional<DeviceSpeed> speed_;       // while it is measured

@@ -84,6 +84,7 @@ void Game::govern() {
   // What is measured or recorded must not depend on the machine's load.
   const bool window = window_ != nullptr && !records() && !engine_->client().timing();
   governor_.follow(target_milliseconds(engine_->console(), window, device_->is_software()), largest_scale());
+  renderer_->set_hurries(window);
 }
 
 // What the device can do is not known yet; the preset that is likely to fit draws what it is measured by.
@@ -97,7 +98,7 @@ void Game::measure_device() {
 
 // A frame of a level took the device so long.
 void Game::follow_measurement(double milliseconds, double now) {
-  if (!speed_) return;
+  if (!speed_ || !renderer_->settled()) return;
   con::Console& console = engine_->console();
   if (preset_in_force(console) != measured_with_) return speed_.reset();  // the player has chosen
   const uvec2 rendered = renderer_->render_size();

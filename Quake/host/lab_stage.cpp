@@ -143,6 +143,7 @@ Status open_stage(Stage& stage, const StageOptions& o) {
   auto renderer = render::Renderer::create(*stage.device, stage.settings);
   if (!renderer) return renderer.error();
   stage.renderer = std::move(*renderer);
+  stage.renderer->set_precompiles(true);
   return ok_status();
 }
 

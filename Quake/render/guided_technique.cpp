@@ -159,7 +159,10 @@ void GuidedTechnique::add_passes(const TechniquePasses& passes) {
     });
   }
   if (seen_) seen_->add_reset(passes.list);
-  add_paths_pass(passes, name_, {resolve_, accesses_, bucket_, 1}, {resolve_, accesses_, bucket_, guides_fog_});
+  PathSpecs specs{{resolve_, accesses_, bucket_, 1}, {}, {resolve_, accesses_, bucket_, guides_fog_}};
+  // Paths that look for light alone are nearly as good.
+  if (seen_ && !resolve_) specs.meanwhile = {0, 1, 1, 0};
+  add_paths_pass(passes, name_, specs);
   if (seen_) seen_->add_fold(passes.list, passes.shaders);
   if (resolve_) {
     const auto groups = static_cast<std::uint32_t>((vertices_ + 63) / 64);

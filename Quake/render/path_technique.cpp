@@ -51,14 +51,18 @@ class NeeTechnique : public PathTechnique {
 
 }  // namespace
 
-void add_paths_pass(const TechniquePasses& passes, std::string_view name, const TechniqueSpecs& constants,
-                    const TechniqueSpecs& in_medium) {
+void add_paths_pass(const TechniquePasses& passes, std::string_view name, const PathSpecs& constants) {
   Variant variant = passes.variant;
-  variant.technique = constants;
+  variant.technique = constants.surfaces;
   variant.one_bounce = passes.bounces == 1;
-  passes.list.dispatch("paths", PassKind::kEstimator, passes.shaders.get(name, variant), groups_over(passes.size, 8));
+  Variant meanwhile = variant;
+  meanwhile.small = true;
+  meanwhile.technique = constants.meanwhile.value_or(constants.surfaces);
+  const gpu::ComputePipeline& paths =
+      constants.meanwhile ? passes.shaders.get(name, variant, meanwhile) : passes.shaders.get(name, variant);
+  passes.list.dispatch("paths", PassKind::kEstimator, paths, groups_over(passes.size, 8));
   if (passes.medium_size.x == 0) return;
-  variant.technique = in_medium;
+  variant.technique = constants.medium;
   variant.one_bounce = passes.medium_bounces == 1;
   variant.show_view = false;
   passes.list.dispatch("fog", PassKind::kEstimator, passes.shaders.get(std::string(name) + "_medium", variant),

@@ -428,6 +428,9 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
 }
 
 void Renderer::set_waiting(std::function<void()> waiting) { impl_->shaders.set_waiting(std::move(waiting)); }
+void Renderer::set_precompiles(bool precompiles) { impl_->shaders.set_precompiles(precompiles); }
+void Renderer::set_hurries(bool hurries) { impl_->shaders.set_hurries(hurries); }
+bool Renderer::settled() const { return impl_->shaders.settled(); }
 void Renderer::restart_accumulation() { impl_->restart = true; }
 void Renderer::reset_learning() {
   if (impl_->technique) impl_->technique->forget();

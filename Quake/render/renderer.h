@@ -56,6 +56,11 @@ class Renderer {
   // Called some twenty times a second, on the caller's thread, while a frame waits for shaders that are compiled. It
   // must not call this renderer, nor throw.
   void set_waiting(std::function<void()> waiting);
+  // What ShaderSet says of them (render/shader_set.h). Off; a change is for shaders not made yet.
+  void set_precompiles(bool precompiles);
+  void set_hurries(bool hurries);
+  // No shader is being made beside the frames: they take the time that they will take.
+  bool settled() const;
   // Starts accumulation anew at the next frame.
   void restart_accumulation();
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -89,9 +90,15 @@ std::unique_ptr<Technique> make_nee_technique(const TechniqueTools& tools, std::
 std::unique_ptr<Technique> make_guided_technique(const TechniqueTools& tools, std::string_view name);
 std::unique_ptr<Technique> make_guided_tail_technique(const TechniqueTools& tools, std::string_view name);
 
-// The passes that trace paths, of a technique's shader: from surfaces and, where there is one, from the medium.
 using TechniqueSpecs = std::array<std::uint32_t, shared::kTechniqueSpecs>;
-void add_paths_pass(const TechniquePasses& passes, std::string_view name, const TechniqueSpecs& constants = {},
-                    const TechniqueSpecs& in_medium = {});
+// Constants of the shaders that trace paths: from surfaces, those with which a smaller shader may stand in while theirs
+// is made, and from the medium.
+struct PathSpecs {
+  TechniqueSpecs surfaces{};
+  std::optional<TechniqueSpecs> meanwhile;
+  TechniqueSpecs medium{};
+};
+// The passes that trace paths, of a technique's shader: from surfaces and, where there is one, from the medium.
+void add_paths_pass(const TechniquePasses& passes, std::string_view name, const PathSpecs& constants = {});
 
 }  // namespace fb::render

@@ -33,7 +33,7 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
   vec3 sum = vec3(0.0), throughput = vec3(1.0);
   Field here = field_at(v, path);
   bool under_water = FEATURE_WATER && frame.camera_liquid != kNoIndex;
-  bool last_apart = kLooksForLight && path_bounces() > 1u && !under_water, goes_on = true;
+  bool last_apart = kLooksForLight && !SMALL && path_bounces() > 1u && !under_water, goes_on = true;
   uint bounces = path_bounces() - (last_apart ? 1u : 0u);
   uint bounce = 0u;
   do {
@@ -94,7 +94,7 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
     here = incident.field;
     goes_on = true;
   } while (!ONE_BOUNCE && ++bounce < bounces);
-  if (kLooksForLight && !ONE_BOUNCE && goes_on) {
+  if (kLooksForLight && !SMALL && !ONE_BOUNCE && goes_on) {
     Direct direct = last_light(v, rng);
     sum += throughput * direct.radiance;
     learn_last(here, direct, path, rng);

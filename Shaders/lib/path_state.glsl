@@ -14,6 +14,7 @@ struct Path {
 
 // Whether that is one: without the second vertex's code a shader is compiled in half the time.
 layout(constant_id = kSpecOneBounce) const bool ONE_BOUNCE = false;
+layout(constant_id = kSpecSmall) const bool SMALL = false;
 
 // Most reflections of a path; scattering in a medium is the first of those that begin there.
 uint path_bounces() { return ONE_BOUNCE ? 1u : IN_MEDIUM ? uint(frame.medium_bounces) : uint(frame.bounces); }

@@ -96,6 +96,8 @@ FB_CONST uint kTechniqueSpecs = 4u;
 FB_CONST uint kSpecMedium = 8u;
 // Whether paths have one reflection at most (scattering in a medium counts as one):
 FB_CONST uint kSpecOneBounce = 10u;
+// Whether less code counts more than speed: a shader that stands in while another is compiled.
+FB_CONST uint kSpecSmall = 11u;
 // Whether some surface is a dielectric interface, of water or glass (kMaterialDielectric):
 FB_CONST uint kSpecWater = 9u;
 // Of passes/pose.comp:

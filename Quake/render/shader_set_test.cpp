@@ -1,0 +1,82 @@
+// Pipelines made for a frame, and those made beside the frames.
+#include "render/shader_set.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "gpu/binding_table.h"
+#include "render/test_device.h"
+
+namespace fb::render {
+namespace {
+
+class ShaderSetTest : public DeviceTest {
+ protected:
+  // Of a shader that is small, whatever they are specialised for.
+  static Variant whole() {
+    Variant variant;
+    variant.specular = true;
+    return variant;
+  }
+  static Variant small() {
+    Variant variant;
+    variant.small = true;
+    return variant;
+  }
+};
+
+TEST_F(ShaderSetTest, WhatIsAskedForIsMadeAtOnce) {
+  const gpu::BindingTable table(*device_);
+  ShaderSet set(*device_, table, false);
+  set.set_precompiles(true);
+  const gpu::ComputePipeline& made = set.get("exposure", whole(), small());
+  EXPECT_FALSE(made);
+  set.make();
+  EXPECT_TRUE(made);
+  EXPECT_EQ(&made, &set.get("exposure", whole()));
+  EXPECT_TRUE(set.settled());
+}
+
+TEST_F(ShaderSetTest, ASetThatHurriesGivesASmallOneMeanwhile) {
+  const gpu::BindingTable table(*device_);
+  ShaderSet set(*device_, table, false);
+  set.set_precompiles(true);
+  set.set_hurries(true);
+  const bool waits = device_->is_software() && (lavapipe_version(*device_) < 24 || !gpu::Precompiler::helps(*device_));
+  const gpu::ComputePipeline& first = set.get("exposure", whole(), small());
+  set.make();
+  EXPECT_TRUE(first);
+  EXPECT_EQ(&first == &set.get("exposure", small()), !waits);
+  EXPECT_EQ(set.settled(), waits);
+  const auto start = std::chrono::steady_clock::now();
+  while (!set.settled() && std::chrono::steady_clock::now() - start < std::chrono::minutes(2)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    set.get("exposure", whole(), small());
+    set.make();
+  }
+  EXPECT_TRUE(set.settled());
+  const gpu::ComputePipeline& last = set.get("exposure", whole(), small());
+  EXPECT_TRUE(last);
+  EXPECT_EQ(&last, &set.get("exposure", whole()));
+  EXPECT_EQ(&last == &first, waits);
+}
+
+TEST_F(ShaderSetTest, OneThatHurriesNoLongerWaitsForWhatIsUnderWay) {
+  const gpu::BindingTable table(*device_);
+  ShaderSet set(*device_, table, false);
+  set.set_precompiles(true);
+  set.set_hurries(true);
+  set.get("exposure", whole(), small());
+  set.make();
+  set.set_hurries(false);
+  const gpu::ComputePipeline& whole_one = set.get("exposure", whole(), small());
+  set.make();
+  EXPECT_TRUE(set.settled());
+  EXPECT_TRUE(whole_one);
+  EXPECT_EQ(&whole_one, &set.get("exposure", whole()));
+}
+
+}  // namespace
+}  // namespace fb::render
