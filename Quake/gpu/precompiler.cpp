@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "base/log.h"
