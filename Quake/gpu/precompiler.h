@@ -35,8 +35,8 @@ class Precompiler {
   // Whether the driver is of the kind above, and its cache is not off (by Mesa's variables, or for want of a folder).
   static bool helps(const Device& device);
 
-  // Makes the code of one shader and waits for it; several threads may at once. After it failed for want of memory or of
-  // a device it does nothing. Nothing can be seen of it but time.
+  // Makes the code of one shader and waits for it; several threads may at once. After it failed for want of memory or
+  // of a device it does nothing. Nothing can be seen of it but time.
   void compile(const ShaderSource& shader) noexcept;
   // The same; false: the code was in the cache, as far as the time that it took tells.
   bool compile_if_new(const ShaderSource& shader) noexcept;

@@ -81,7 +81,8 @@ void main() {
   // Standard deviation of what was gathered, not of a sample.
   float weight_of_frame = max(1.0 / max(c.frames, 1.0), frame.svgf_alpha);
   float deviation = sqrt(spread / pooled * weight_of_frame), y = luminance(c.light);
-  float scale = c.frames >= 4.0 ? 1.0 / (frame.sigma_luminance * deviation + 1e-4 + 0.02 * y) : 0.0;
+  // The first frame counts as several, which say nothing of their spread.
+  float scale = c.frames >= 4.0 && frame.history_age >= 3u ? 1.0 / (frame.sigma_luminance * deviation + 1e-4 + 0.02 * y) : 0.0;
   vec3 sum = c.light;
   float weights = 1.0;
   for (int i = 0; i < 4; ++i) {
