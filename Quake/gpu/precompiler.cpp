@@ -9,7 +9,6 @@
 #include <system_error>
 #include <utility>
 
-#include "base/log.h"
 #include "gpu/binding_table.h"
 #include "gpu/commands.h"
 
