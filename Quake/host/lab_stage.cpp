@@ -143,7 +143,6 @@ Status open_stage(Stage& stage, const StageOptions& o) {
   auto renderer = render::Renderer::create(*stage.device, stage.settings);
   if (!renderer) return renderer.error();
   stage.renderer = std::move(*renderer);
-  stage.renderer->set_precompiles(!o.timing);  // the first frame's times are to hold what a driver compiles
   return ok_status();
 }
 
