@@ -52,12 +52,15 @@ bool cache_is_on() {
 
 // Its instance is its own, too: when that goes, its part of the driver has written what it put into the cache.
 struct Precompiler::Sibling {
-  explicit Sibling(std::unique_ptr<Device> made) : device(std::move(made)), table(*device) {}
+  Sibling(std::unique_ptr<Device> made, const ShaderSource& shader)
+      : device(std::move(made)), table(*device), first(*device, table, shader.spirv, shader.name, shader.constants) {}
   std::unique_ptr<Device> device;
   BindingTable table;
+  ComputePipeline first;
 };
 
-Precompiler::Precompiler(const Device& device) : options_(device.options()) {
+Precompiler::Precompiler(const Device& device, ShaderSource first)
+    : options_(device.options()), first_(std::move(first)) {
   options_.preferred = device.report().name;
   options_.validation = options_.synchronization_validation = options_.present = false;
   options_.instance_extensions.clear();
@@ -77,7 +80,7 @@ std::unique_ptr<Precompiler::Sibling> Precompiler::take() {
     }
   }
   auto device = Device::create(options_);
-  return device ? std::make_unique<Sibling>(std::move(*device)) : nullptr;
+  return device ? std::make_unique<Sibling>(std::move(*device), first_) : nullptr;
 }
 
 void Precompiler::compile(const ShaderSource& shader) noexcept { compile_if_new(shader); }
@@ -95,6 +98,7 @@ bool Precompiler::compile_if_new(const ShaderSource& shader) noexcept {
       read = Clock::now();
       sibling->device->run([&](Commands& commands) {
         commands.bind(sibling->table);
+        commands.dispatch(sibling->first, 0, 0, 0);
         commands.dispatch(pipeline, 0, 0, 0);
       });
     }

@@ -25,8 +25,9 @@ struct ShaderSource {
 
 class Precompiler {
  public:
-  // For pipelines of `device`.
-  explicit Precompiler(const Device& device);
+  // For pipelines of `device`, which are dispatched behind `first`, one of another shader: for the first dispatch after
+  // uniforms are bound Mesa's lavapipe before 24 may compile code of its own, with their values in it.
+  Precompiler(const Device& device, ShaderSource first);
   // What was made is in the cache when it goes.
   ~Precompiler();
   Precompiler(const Precompiler&) = delete;
@@ -46,6 +47,7 @@ class Precompiler {
   std::unique_ptr<Sibling> take();
 
   DeviceOptions options_;
+  ShaderSource first_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<Sibling>> idle_;
   std::atomic<bool> failed_{false};

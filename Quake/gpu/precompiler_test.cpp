@@ -38,6 +38,7 @@ class PrecompilerTest : public testing::Test {
     return bytes;
   }
   static ShaderSource arithmetic() { return {test_arithmetic_spv, "arithmetic", {}}; }
+  static ShaderSource texels() { return {test_texels_spv, "texels", {}}; }
 
   TestDirectory cache_;
 };
@@ -56,7 +57,7 @@ void dispatch_once(const ShaderSource& shader, VkDeviceSize bytes) {
 
 TEST_F(PrecompilerTest, TheDeviceThatDrawsFindsTheCode) {
   const auto device = Device::create({}).value();
-  Precompiler(*device).compile(arithmetic());
+  Precompiler(*device, texels()).compile(arithmetic());
   const std::uintmax_t made = cached_bytes();
   EXPECT_GT(made, 0u);
   dispatch_once(arithmetic(), 16);
@@ -66,8 +67,8 @@ TEST_F(PrecompilerTest, TheDeviceThatDrawsFindsTheCode) {
 TEST_F(PrecompilerTest, SeveralThreadsCompileAtOnce) {
   const auto device = Device::create({}).value();
   {
-    Precompiler precompiler(*device);
-    std::jthread other([&] { precompiler.compile({test_texels_spv, "texels", {}}); });
+    Precompiler precompiler(*device, texels());
+    std::jthread other([&] { precompiler.compile(texels()); });
     precompiler.compile(arithmetic());
   }
   const std::uintmax_t made = cached_bytes();
@@ -83,11 +84,10 @@ TEST_F(PrecompilerTest, ACacheThatIsOffIsNoHelp) {
 
 // Sizes that were compiled for apart: a power of two, one with the bits of a first level alone, any other.
 TEST_F(PrecompilerTest, NoSizeOfATexelBufferIsCompiledForAnew) {
-  const ShaderSource texels{test_texels_spv, "texels", {}};
-  dispatch_once(texels, 0x12340);
+  dispatch_once(texels(), 0x12340);
   const std::uintmax_t made = cached_bytes();
   EXPECT_GT(made, 0u);
-  for (const VkDeviceSize bytes : {0x10000, 0x30000, 0x30010, 0x100, 0x40}) dispatch_once(texels, bytes);
+  for (const VkDeviceSize bytes : {0x10000, 0x30000, 0x30010, 0x100, 0x40}) dispatch_once(texels(), bytes);
   EXPECT_EQ(cached_bytes(), made);
 }
 

@@ -311,10 +311,10 @@ void GpuScene::Impl::bind() {
 void GpuScene::Impl::record_tables(gpu::Commands& commands) {
   for (const Transfer& t : transfers) commands.copy(staging, *t.target, t.bytes, t.from, t.to);
   commands.barrier();
-  if (!job_table.empty()) {
-    commands.dispatch(pose, static_cast<std::uint32_t>(job_table.size()));
-    commands.barrier();
-  }
+  // Where there is nothing to do, too: drivers may compile code of its own for the first dispatch of a frame, and it is
+  // to be this one's always (gpu/precompiler.h).
+  commands.dispatch(pose, static_cast<std::uint32_t>(job_table.size()));
+  commands.barrier();
 }
 
 void GpuScene::Impl::record_rays(gpu::Commands& commands) {

@@ -19,14 +19,14 @@ const CompiledShader& find_shader(std::string_view name) {
   return *found;
 }
 
-}  // namespace
-
-// "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
+// Mesa's version where the device is lavapipe ("llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"); high for anything else.
 int lavapipe_version(const gpu::Device& device) {
   const std::string& driver = device.report().driver;
   const auto at = driver.find("Mesa ");
   return device.is_software() && at != std::string::npos ? std::atoi(driver.c_str() + at + 5) : 99;
 }
+
+}  // namespace
 
 bool arrays_by_address(const gpu::Device& device, std::optional<bool> asked) {
   // Before Mesa 24, lavapipe loads lane by lane; since, a load by address is one gather instruction, and one through a

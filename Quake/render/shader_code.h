@@ -10,9 +10,6 @@
 
 namespace fb::render {
 
-// Mesa's version where the device is its lavapipe; high for anything else.
-int lavapipe_version(const gpu::Device& device);
-
 // Whether shaders reach arrays by device address, not through descriptors (Shaders/lib/arrays.glsl). Both give the same
 // picture; which is faster depends on the driver. `asked`: what is asked for; a device without addresses has none all
 // the same.

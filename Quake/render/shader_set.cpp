@@ -21,11 +21,7 @@ ShaderSet::ShaderSet(gpu::Device& device, const gpu::BindingTable& table, bool b
 
 void ShaderSet::set_precompiles(bool precompiles) { precompiles_ = precompiles && gpu::Precompiler::helps(device_); }
 
-void ShaderSet::set_hurries(bool hurries) {
-  // Before Mesa 24 one in ten shaders is not found in the cache by the device that draws.
-  const bool waits = device_.is_software() && !(precompiles_ && lavapipe_version(device_) >= 24);
-  hurries_ = hurries && !waits;
-}
+void ShaderSet::set_hurries(bool hurries) { hurries_ = hurries && (precompiles_ || !device_.is_software()); }
 
 const gpu::ComputePipeline& ShaderSet::get(std::string_view name, const Variant& variant) {
   const auto [found, fresh] = pipelines_.try_emplace(Key(name, variant));
@@ -66,7 +62,7 @@ void ShaderSet::make() {
   std::optional<gpu::Precompiler> precompiler;
   std::atomic<bool> cached{false};
   if (precompiles_ && !asked.empty()) {
-    precompiler.emplace(device_);
+    precompiler.emplace(device_, first_dispatch());
     const auto small =
         std::find_if(order.rbegin(), order.rend(), [&](std::size_t i) { return words(i) >= kProbeWords; });
     const std::size_t probe = small != order.rend() ? *small : order.back();
@@ -97,12 +93,15 @@ void ShaderSet::make() {
 
 void ShaderSet::make_late(Late& late) const {
   try {
-    if (precompiles_) gpu::Precompiler(device_).compile(source(late.key));
+    if (precompiles_) gpu::Precompiler(device_, first_dispatch()).compile(source(late.key));
     late.pipeline = compile(late.key);
   } catch (const std::exception&) {  // it is made, or fails, where it is asked for
   }
   late.done = true;
 }
+
+// A frame begins with it (GpuScene::record).
+gpu::ShaderSource ShaderSet::first_dispatch() const { return {shader_code("pose", false, by_address_), "pose", {}}; }
 
 gpu::ShaderSource ShaderSet::source(const Key& key) const {
   const auto& [name, variant] = key;

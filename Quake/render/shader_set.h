@@ -68,6 +68,7 @@ class ShaderSet {
     std::jthread thread;
   };
   gpu::ShaderSource source(const Key& key) const;
+  gpu::ShaderSource first_dispatch() const;
   gpu::ComputePipeline compile(const Key& key) const;
   void make_late(Late& late) const;
 

@@ -44,7 +44,7 @@ TEST_F(ShaderSetTest, ASetThatHurriesGivesASmallOneMeanwhile) {
   ShaderSet set(*device_, table, false);
   set.set_precompiles(true);
   set.set_hurries(true);
-  const bool waits = device_->is_software() && (lavapipe_version(*device_) < 24 || !gpu::Precompiler::helps(*device_));
+  const bool waits = device_->is_software() && !gpu::Precompiler::helps(*device_);
   const gpu::ComputePipeline& first = set.get("exposure", whole(), small());
   set.make();
   EXPECT_TRUE(first);
