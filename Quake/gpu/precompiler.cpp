@@ -42,10 +42,7 @@ bool cache_is_on() {
   return !folder.empty() && access(folder.c_str(), W_OK) == 0;
 }
 #else
-bool cache_is_on() {
-  if (getenv("FB_NOAHEAD")) return false;
-  return false;
-}
+bool cache_is_on() { return false; }
 #endif
 
 }  // namespace
