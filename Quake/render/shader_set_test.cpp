@@ -2,12 +2,17 @@
 #include "render/shader_set.h"
 
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
 #include <chrono>
+#include <cstdint>
+#include <filesystem>
 #include <thread>
 
+#include "base/test_directory.h"
 #include "gpu/binding_table.h"
 #include "render/test_device.h"
+#include "scene/in_code/scenes_in_code.h"
 
 namespace fb::render {
 namespace {
@@ -76,6 +81,33 @@ TEST_F(ShaderSetTest, OneThatHurriesNoLongerWaitsForWhatIsUnderWay) {
   EXPECT_TRUE(set.settled());
   EXPECT_TRUE(whole_one);
   EXPECT_EQ(&whole_one, &set.get("exposure", whole()));
+}
+
+// By the bytes in Mesa's cache: the devices that compile ahead make what the one that draws asks for, and nothing else.
+TEST(Precompiled, TheDeviceThatDrawsCompilesNothingElse) {
+  const auto cached_bytes = [](bool precompiles) -> std::uintmax_t {
+    const TestDirectory cache;
+    ::setenv("MESA_SHADER_CACHE_DIR", cache.path().c_str(), 1);
+    {
+      const auto device = gpu::Device::create({});
+      if (!device || !gpu::Precompiler::helps(**device)) return 0;
+      RenderSettings settings;
+      settings.intersector = Intersector::kBvh;
+      const auto renderer = Renderer::create(**device, settings).value();
+      renderer->resize(8, 8);
+      renderer->set_precompiles(precompiles);
+      renderer->render(scene::cornell_box(), nullptr, settings);
+    }
+    std::uintmax_t bytes = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(cache.path()))
+      if (entry.is_regular_file() && entry.path().filename() != "index") bytes += entry.file_size();
+    return bytes;
+  };
+  const std::uintmax_t plain = cached_bytes(false), ahead = cached_bytes(true);
+  ::unsetenv("MESA_SHADER_CACHE_DIR");
+  if (plain == 0) GTEST_SKIP() << "no driver that compiles at the first dispatch";
+  // Times of compilation and the like may be in it: less than any shader's code.
+  EXPECT_NEAR(static_cast<double>(ahead), static_cast<double>(plain), 1000);
 }
 
 }  // namespace
