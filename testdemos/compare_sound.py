@@ -14,6 +14,7 @@ import argparse
 import os
 import pathlib
 import shutil
+import signal
 import struct
 import subprocess
 import sys
@@ -153,11 +154,14 @@ def record_quakespasm(base, home, work):
     environment = dict(os.environ, HOME=str(home), SDL_AUDIODRIVER="disk", SDL_DISKAUDIOFILE=str(mix),
                        LIBGL_ALWAYS_SOFTWARE="1")
     program = shutil.which("quakespasm") or "/usr/games/quakespasm"
-    command = ["timeout", str(LENGTH + 12), "xvfb-run", "-a", program, "-basedir", base, "-window", "-width", "320",
-               "-height", "240", "+volume", "1", "+bgmvolume", "0", "+ambient_level", "0", "+r_drawworld", "0",
-               "+r_drawentities", "0", "+_snd_mixahead", "0.2", "+playdemo", "sounds"]
-    subprocess.run([str(word) for word in command], check=False, env=environment, stdout=subprocess.DEVNULL,
-                   stderr=subprocess.DEVNULL)
+    command = ["xvfb-run", "-a", program, "-basedir", base, "-window", "-width", "320", "-height", "240", "+volume", "1",
+               "+bgmvolume", "0", "+ambient_level", "0", "+r_drawworld", "0", "+r_drawentities", "0",
+               "+_snd_mixahead", "0.2", "+playdemo", "sounds"]
+    process = subprocess.Popen([str(word) for word in command], env=environment, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL, start_new_session=True)
+    time.sleep(LENGTH + 12)
+    os.killpg(process.pid, signal.SIGKILL)  # it goes on after a demo, and without its display, too
+    process.wait()
     if not blocks.data:
         raise SystemExit("QuakeSpasm wrote no sound: can it open a window, and has it SDL's disk driver?")
     blocks.join()
