@@ -13,6 +13,8 @@ namespace {
 // The shader whose code, if it comes from the driver's cache, says that the others' would: as specialised as the
 // largest ones, and soon read.
 constexpr std::size_t kProbeWords = 20'000;
+// Frames that need nothing new before what can wait is begun: the first of them are drawn while those before are shown.
+constexpr int kQuiet = 2;
 
 }  // namespace
 
@@ -46,6 +48,7 @@ const gpu::ComputePipeline& ShaderSet::get(std::string_view name, const Variant&
 
 void ShaderSet::make() {
   const auto asked = std::exchange(asked_, {});
+  quiet_ = asked.empty() ? quiet_ + 1 : 0;
   std::vector<gpu::ShaderSource> sources;
   for (const auto& pipeline : asked) sources.push_back(source(pipeline->first));
   // Long ones first, so that the processors end together.
@@ -87,6 +90,7 @@ void ShaderSet::make() {
       if (!pipeline->second) pipelines_.erase(pipeline);
     throw;
   }
+  if (quiet_ < kQuiet) return;  // the frame just asked for would wait for its processors
   for (Late& late : late_)
     if (!late.thread.joinable() && !late.done) late.thread = std::jthread([this, &late] { make_late(late); });
 }

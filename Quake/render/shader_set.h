@@ -75,6 +75,7 @@ class ShaderSet {
   gpu::Device& device_;
   const gpu::BindingTable& table_;
   bool by_address_, precompiles_ = false, hurries_ = false;
+  int quiet_ = 0;  // make()s in a row that had nothing to make
   std::map<Key, gpu::ComputePipeline> pipelines_;
   std::vector<std::map<Key, gpu::ComputePipeline>::iterator> asked_;
   std::list<Late> late_;
