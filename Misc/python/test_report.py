@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The package fullbright_lab, and its report as a browser shows it: test_report.py. What needs matplotlib or Chromium is skipped, saying so,
 where it is absent."""
+import base64
 import importlib.util
 import json
 import re
@@ -20,6 +21,7 @@ REFERENCE = Path(__file__).resolve().parents[2] / "testdemos/references/cbox.exr
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
          "--disable-component-update", "--disable-sync", "--enable-logging=stderr", "--virtual-time-budget=5000", "--window-size=1280,2000"]
+PNG = base64.b64decode("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==")  # one pixel
 # Moves the slider, zooms one picture with the wheel, drags, and says in the title what came of it.
 SELF_TEST = """<script>
 const told = [];
@@ -43,6 +45,12 @@ def point(configuration, repeat, mse, spp=1, ms=10.0, value=0.0):
                       "running_rel_mse": [mse / n for n in (1, 2, 3, 4)], "milliseconds": [ms] * 4}}
 
 
+def judged(configuration, flip):
+    figures = {name: {"value": 0.125, "interval95": [0.0625, 0.1875]} for name in
+               ("flip_silhouettes", "relmse", "bias", "flicker", "all_ms", "paths_ms", "isolated_dark", "isolated_bright")}
+    return {"configuration": configuration, "flip": {"value": flip, "interval95": [None, None]}, **figures, "most": {"isolated_dark": 3, "isolated_bright": 4}}
+
+
 def made_results():
     def experiment(name, points, vary=None, fits=()):
         return {"name": name, "title": f"Of <{name}>", "view": name, "size": [96, 54], "vary": vary, "reference": {"estimator": "nee", "samples": 64, "relative_error": 0.01},
@@ -51,8 +59,11 @@ def made_results():
 
     fit = {"configuration": "pt", "of": "estimator", "exponent": 0.5, "low": 0.4, "high": 0.6}
     lights = [point(name, r, 0.1, value=v, ms=10 * v) for name in ("pt", "nee") for v in (1.0, 10.0, 100.0) for r in (0, 1)]
-    return {"format": results.FORMAT, "title": "Made", "command": "all", "complete": True, "manifest": {"format": "x", "device": "d"}, "skipped": [],
-            "experiments": [experiment("box", [point("pt", 0, 0.8), point("pt", 1, 0.4), point("nee", 0, 0.1, 2, 40.0), point("nee", 1, 0.2, 2, 40.0)]),
+    seen = experiment("seen", [point(name, r, 0.1) for name in ("pt", "nee") for r in (0, 1)])
+    seen |= {"judge": True, "truth": {"flip": 0.0625}, "judged": [judged("pt", 0.5), judged("nee", 0.25)]}
+    summary = [judged(name, 0.5) | {f"gain_equal_{equal}": {"value": 7.5, "interval95": [3.5, None]} for equal in ("samples", "time")} for name in ("pt", "nee")]
+    return {"format": results.FORMAT, "title": "Made", "command": "all", "complete": True, "manifest": {"format": "x", "device": "d"}, "skipped": [], "judged": summary,
+            "experiments": [seen, experiment("box", [point("pt", 0, 0.8), point("pt", 1, 0.4), point("nee", 0, 0.1, 2, 40.0), point("nee", 1, 0.2, 2, 40.0)]),
                             experiment("lights", lights, {"what": "lights", "values": [1.0, 10.0, 100.0]}, [fit])]}
 
 
@@ -62,6 +73,7 @@ class Made(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
         (self.folder / "pieces").mkdir()
         (self.folder / "results.json").write_text(json.dumps(made_results()))
+        (self.folder / "pieces/seen.0.0.png").write_bytes(PNG)
         for name in ("pt", "nee", "reference"):
             shutil.copy(REFERENCE, self.folder / "pieces" / f"box.0.0.{name}.exr")
 
@@ -116,7 +128,16 @@ class Report(Made):
         self.assertEqual(re.findall(r'(?:src|href)="(?!data:|#)([^"]*)"', text), [])
         self.assertFalse("<box>" in text)
         self.assertTrue("A paper, Figure 1" in text and "exponent 0.50 (0.40 to 0.60)" in text)
-        self.assertEqual(text.count("<svg"), 3 + 1 + 2 + 1)
+        self.assertEqual(text.count("<svg"), 3 + 1 + 2 + 1 + 1)
+
+    def test_judged_pictures_have_their_table_and_are_shown(self):
+        text = self.page()
+        section = text[text.index('id="seen"'):]
+        section = section[:section.index("</section>")]
+        self.assertTrue("<td>0.25</td>" in section and "12.5 <small>6.25 to 18.8</small>" in section and "most 3" in section and "noise: 0.0625" in section)
+        self.assertTrue("data:image/png;base64," + base64.b64encode(PNG).decode() in section)
+        summary = text[text.index("Final pictures of all 1 views"):text.index('id="seen"')]
+        self.assertTrue("over pt" in summary and "7.5 <small>3.5 to –</small>" in summary)
 
     def test_pictures_are_shown_alike(self):
         from fullbright_lab import pictures

@@ -5,6 +5,7 @@ base game. Skipped, saying so, without a Vulkan device; what needs ffmpeg or the
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import struct
@@ -125,6 +126,51 @@ class Film(unittest.TestCase):
         self.assertEqual(said.returncode, 0, said.stderr)
         self.assertIn("ffmpeg is not here", said.stdout)
         self.assertEqual(len(list((self.folder / "f").glob("*.png"))), 3)
+
+    def test_a_film_zooms_and_its_line_sweeps(self):
+        lanes = [self.captured("red", (200, 0, 0), count=9), self.captured("green", (0, 150, 0), count=9)]
+        film = {"frames": [0, 8], "fps": 8, "size": [64, 36], "lanes": lanes}
+        self.assertEqual(self.film({**film, "sweep": 1}, "sweep").returncode, 0)
+        at = [read_png(self.folder / f"sweep/frame_{i:06}.png")[2][35].count(b"\xc8\0\0") for i in range(9)]
+        self.assertEqual(max(at), at[2])
+        self.assertEqual(min(at), at[6])
+        self.assertTrue(at[6] < 20 < 42 < at[2] and abs(at[0] - at[8]) <= 1, at)
+        # A picture whose right half is green: what is zoomed in is green alone.
+        (self.folder / "halves").mkdir()
+        self.assertEqual(self.film({**film, "frames": [0, 2]}, "f").returncode, 0)
+        for i in range(3):
+            shutil.copy(self.folder / f"f/frame_{i:06}.png", self.folder / f"halves/{i}.png")
+        said = self.film({**film, "frames": [0, 2], "lanes": [{"name": "halves", "pictures": "halves"}],
+                          "zoom": {"to": [40, 20, 16, 9], "frames": [0, 2]}}, "zoom")
+        self.assertEqual(said.returncode, 0, said.stderr)
+        first, middle, last = (read_png(self.folder / f"zoom/frame_{i:06}.png")[2][35] for i in range(3))
+        self.assertTrue(first.count(b"\0\x96\0") < middle.count(b"\0\x96\0") < 64, "on the way")
+        self.assertEqual(last, b"\0\x96\0" * 64)
+
+    def test_frames_can_be_linear(self):
+        film = {"frames": [0, 0], "size": [64, 36], "format": "exr"}
+        for name, color in (("grey", (188, 188, 188)), ("black", (0, 0, 0))):
+            said = self.film({**film, "lanes": [{**self.captured(name, color, count=1), "name": "-"}]}, f"{name} film")
+            self.assertEqual(said.returncode, 0, said.stderr)
+        said = subprocess.run([BUILD / "fullbright-lab", "compare", self.folder / "black film/frame_000000.exr", self.folder / "grey film/frame_000000.exr", "--json", "-"],
+                              capture_output=True, text=True, check=True)
+        # 188 of 255 is 0.5 of the light; the caption, the same in both, covers some of it.
+        self.assertTrue(0.2 < json.loads(said.stdout)["files"][0]["mse"] <= 0.2504, said.stdout)
+
+    def test_lanes_of_equal_time_take_samples_until_they_last_as_long(self):
+        few = {"name": "long", "set": {"r_spp": 8, "r_estimator": "nee", "r_bounces": 3}}
+        for equal in ("samples", "time"):
+            short = {"name": "short", "set": {"r_estimator": "pt"}}
+            command = self.command({**SPEC, "scene": "cbox", "size": [160, 90], "equal": equal, "lanes": [few, short]}, equal)
+            command.remove("--quiet")
+            said = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+            self.assertEqual(said.returncode, 0, said.stderr)
+            samples = dict(re.findall(r"^(\w+): (\d+) samples a pixel", said.stdout, re.M))
+            self.assertEqual(samples["long"], "8")
+            if equal == "samples":
+                self.assertEqual(samples["short"], "1")
+            else:
+                self.assertGreater(int(samples["short"]), 8, "a path without reflections is shorter")
 
     def test_what_is_wrong_is_named_with_its_line(self):
         self.captured("few", (1, 2, 3), count=2)

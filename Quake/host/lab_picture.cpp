@@ -6,22 +6,18 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
-#include <random>
 #include <system_error>
 
 #include "base/log.h"
-#include "base/number.h"
 #include "base/progress.h"
 #include "host/base_game.h"
+#include "host/judged_view.h"
 #include "host/lab_numbers.h"
 #include "host/lab_stage.h"
 #include "lab/judge/judge_report.h"
-#include "platform/program_directory.h"
 
 namespace fb::host {
 namespace {
-
-constexpr const char* kThisProgram = "this";
 
 struct PictureOptions {
   std::string suite, basedir, librequake, size = "320x180", device, json, pictures, references = "out/references";
@@ -38,72 +34,6 @@ void choose_quick(PictureOptions& o, const CLI::App& app) {
   if (app.count("--seeds") == 0) o.seeds = 3;
   if (app.count("--reference-spp") == 0) o.reference_spp = 512;
 }
-
-// --- what is judged ---
-
-Result<std::vector<lab::Program>> open_programs(const PictureOptions& o) {
-  std::vector<std::pair<std::string, std::string>> wanted{
-      {kThisProgram, (platform::program_directory() / "fullbright-lab").string()}};
-  for (const std::string& text : o.programs) {
-    const std::size_t equals = text.find('=');
-    if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
-      return Error{fmt::format("--binary {}: NAME=PROGRAM is wanted", text)};
-    for (const auto& [name, path] : wanted)
-      if (name == text.substr(0, equals))
-        return Error{fmt::format("--binary {}: there is a program {} already", text, name)};
-    wanted.emplace_back(text.substr(0, equals), text.substr(equals + 1));
-  }
-  std::vector<lab::Program> programs;
-  for (auto& [name, path] : wanted) {
-    auto program = lab::open_program(name, path);
-    if (!program) return program.error();
-    programs.push_back(std::move(*program));
-  }
-  return programs;
-}
-
-Result<lab::Lane> lane_of(const ConfigurationText& text, const std::string& name, const lab::Program& program) {
-  lab::Lane lane;
-  lane.name = program.name == kThisProgram ? name : name + "@" + program.name;
-  lane.program = program;
-  for (const std::string& assignment : text.assignments) {
-    const std::size_t equals = assignment.find('=');
-    const std::string cvar = assignment.substr(0, equals), value = assignment.substr(equals + 1);
-    if (cvar == "r_estimator") {
-      lane.estimator = value;
-    } else if (cvar == "r_spp") {
-      const auto spp = whole_number_in<std::uint32_t>("--config " + text.name + ": r_spp", value, 1, kMostSamples);
-      if (!spp) return spp.error();
-      lane.spp = *spp;
-    } else {
-      lane.sets.push_back(assignment);
-    }
-  }
-  return lane;
-}
-
-// A configuration NAME@PROGRAM is of that program; NAME alone of every program.
-Result<std::vector<lab::Lane>> lanes_of(const PictureOptions& o, const std::vector<lab::Program>& programs) {
-  const auto texts = parse_configurations(o.estimators, o.configurations, lab::Lane().estimator);
-  if (!texts) return texts.error();
-  std::vector<lab::Lane> lanes;
-  for (const ConfigurationText& text : *texts) {
-    const std::size_t at = text.name.find('@');
-    const std::string name = text.name.substr(0, at), wanted = at == std::string::npos ? "" : text.name.substr(at + 1);
-    bool found = false;
-    for (const lab::Program& program : programs) {
-      if (!wanted.empty() && program.name != wanted) continue;
-      auto lane = lane_of(text, name, program);
-      if (!lane) return lane.error();
-      lanes.push_back(std::move(*lane));
-      found = true;
-    }
-    if (!found) return Error{fmt::format("--config {}: there is no program {}; --binary names it", text.name, wanted)};
-  }
-  return lanes;
-}
-
-// --- where it is judged ---
 
 struct PlacedView {
   lab::SuiteView view;
@@ -138,69 +68,6 @@ Result<std::vector<PlacedView>> place_views(const PictureOptions& o, std::vector
   return placed;
 }
 
-// --- references ---
-
-StageOptions stage_options(const PlacedView& placed, const PictureOptions& o) {
-  const lab::SuiteView& view = placed.view;
-  StageOptions stage;
-  stage.basedir = placed.basedir;
-  stage.scene = view.scene;
-  stage.map = view.map;
-  stage.demo = view.demo;
-  stage.camera = view.camera;
-  stage.fps = view.frames_per_second;
-  stage.size = o.size;
-  stage.device = o.device;
-  stage.estimator = o.reference_estimator;
-  stage.sets = view.sets;
-  stage.sets.insert(stage.sets.end(), o.sets.begin(), o.sets.end());
-  return stage;
-}
-
-// Makes or finds the references of a view. Returns the device's name.
-Result<std::string> find_references(PlacedView& placed, const PictureOptions& o, const std::string& label) {
-  const StageOptions options = stage_options(placed, o);
-  Stage stage;
-  if (auto status = open_stage(stage, options); !status) return Error{placed.view.name + ": " + status.error().message};
-  const auto view = lab::collect_view(*stage.source, {.first = placed.view.first,
-                                                      .last = placed.view.last,
-                                                      .warmup = 0,
-                                                      .hold = false,
-                                                      .frames_per_second = options.fps});
-  if (!view) return Error{placed.view.name + ": " + view.error().message};
-  const lab::JudgedReferenceOptions wanted{o.reference_estimator, o.reference_spp, stage.size.x, stage.size.y,
-                                           o.references,          label,           o.quiet};
-  auto references = lab::make_judged_references(*view, *stage.renderer, stage.settings, wanted);
-  if (!references) return references.error();
-  placed.references = std::move(*references);
-  return stage.device->report().name;
-}
-
-// --- the command ---
-
-// A folder of its own for the frames of a sequence, which are removed when they have been read.
-std::string scratch_folder() {
-  return (std::filesystem::temp_directory_path() / fmt::format("fullbright-picture-{:08x}", std::random_device{}()))
-      .string();
-}
-
-Status describe_tone_curves(const std::vector<lab::Program>& programs, const lab::JudgeJob& job,
-                            lab::JudgeTitle& title) {
-  for (const lab::Program& program : programs) {
-    const auto used = [&](const lab::Lane& lane) { return lane.program.name == program.name; };
-    if (std::none_of(job.lanes.begin(), job.lanes.end(), used)) continue;
-    const auto steps = lab::tone_curve_difference(program, job);
-    if (!steps) return steps.error();
-    if (*steps > lab::kSameToneCurve)
-      title.other_curves.push_back(
-          fmt::format("{}: its tone curve differs from this program's, which shows the references, by up to {:.0f} of "
-                      "255: its errors "
-                      "contain that",
-                      program.name, *steps));
-  }
-  return ok_status();
-}
-
 Status judge_views(std::vector<PlacedView>& views, const PictureOptions& o, const lab::JudgeJob& job,
                    const lab::JudgeTitle& title) {
   const bool tables = o.json != "-";
@@ -230,9 +97,11 @@ Status run_picture(const PictureOptions& o, const std::string& command) {
   if (auto status = known_estimator(o.reference_estimator, "--reference-estimator"); !status) return status;
   auto views = place_views(o, title.skipped);
   if (!views) return views.error();
-  const auto programs = open_programs(o);
+  const auto programs = open_programs(o.programs);
   if (!programs) return programs.error();
-  auto lanes = lanes_of(o, *programs);
+  const auto texts = parse_configurations(o.estimators, o.configurations, lab::Lane().estimator);
+  if (!texts) return texts.error();
+  auto lanes = lanes_of(*texts, *programs);
   if (!lanes) return lanes.error();
   lab::JudgeJob job;
   job.lanes = std::move(*lanes);
@@ -244,14 +113,18 @@ Status run_picture(const PictureOptions& o, const std::string& command) {
   job.scratch = scratch_folder();
   job.pictures = o.pictures;
   if (!o.references_only) {
-    if (auto status = describe_tone_curves(*programs, job, title); !status) return status;
+    auto curves = other_tone_curves(*programs, job);
+    if (!curves) return curves.error();
+    title.other_curves = std::move(*curves);
   }
   for (std::size_t i = 0; i < views->size(); ++i) {
-    const std::string label = fmt::format("view {} of {}, {}", i + 1, views->size(), (*views)[i].view.name);
-    auto device = find_references((*views)[i], o, label);
-    if (!device) return device.error();
-    title.device = *device;
-    if (o.references_only) (*views)[i].references.clear();
+    PlacedView& placed = (*views)[i];
+    const std::string label = fmt::format("view {} of {}, {}", i + 1, views->size(), placed.view.name);
+    auto truth = find_truth(placed.view, placed.basedir, o.sets, o.device,
+                            {o.reference_estimator, o.reference_spp, size->x, size->y, o.references, label, o.quiet});
+    if (!truth) return truth.error();
+    title.device = truth->device;
+    if (!o.references_only) placed.references = std::move(truth->references);
   }
   if (!o.references_only) return judge_views(*views, o, job, title);
   for (const std::string& line : title.skipped) fmt::print("{}\n", line);

@@ -9,6 +9,7 @@
 #include "host/options.h"
 #include "lab/frame_shards.h"
 #include "lab/jobs.h"
+#include "lab/judge/sequence.h"
 
 namespace fb::host {
 namespace {
@@ -70,7 +71,8 @@ int run_render(const RenderOptions& options) {
     double total = 0;
     for (const auto& pass : summary->passes) {
       total += pass.median();
-      fmt::print("{:12} {:9.3f} ms a frame, first {:.0f}\n", pass.name, pass.median(), pass.milliseconds.front());
+      fmt::print("{:12} {:9.3f} ms a frame, first {:.0f}{}\n", pass.name, pass.median(), pass.milliseconds.front(),
+                 pass.kind == render::PassKind::kEstimator ? lab::kEstimatorsPass : "");
     }
     fmt::print("{:12} {:9.3f} ms a frame (sum of the passes' medians)\n", "all", total);
   }

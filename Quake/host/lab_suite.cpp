@@ -15,23 +15,16 @@
 #include "base/hash.h"
 #include "base/log.h"
 #include "base/progress.h"
+#include "fs/file.h"
 #include "host/build_text.h"
+#include "host/judged_view.h"
 #include "host/lab_numbers.h"
 #include "host/lab_stage.h"
 #include "host/options.h"
-#include "lab/content_key.h"
-#include "lab/image_io.h"
-#include "lab/suite/suite_results.h"
+#include "host/suite_view.h"
 
 namespace fb::host {
 namespace {
-
-struct SuiteOptions {
-  std::string suite, out, basedir, librequake, size, device, shard, references;
-  std::vector<std::string> experiments, sets;
-  std::uint32_t repeats = 0, reference_samples = 0;
-  bool quiet = false;
-};
 
 // The suite with what the command line changes. Experiments that are not asked for are left out.
 Result<lab::ExperimentSuite> read_wanted(const SuiteOptions& o) {
@@ -66,128 +59,23 @@ Result<lab::ExperimentSuite> read_wanted(const SuiteOptions& o) {
   return suite;
 }
 
-constexpr double kMostFitting = 4096;  // samples a frame
-
 double machine_load() {
   double load = -1.0;
   std::ifstream("/proc/loadavg") >> load;
   return load;
 }
 
-// A view of an experiment at one of its values, ready to be measured again and again.
-struct OpenView {
-  std::size_t experiment = 0, value = 0;
-  Stage stage;
-  lab::View view;
-  std::vector<lab::Reference> references;
-  std::vector<lab::Configuration> configurations;
-  std::uint64_t scene = 0;
-};
-
-Status open_suite_view(OpenView& open, const lab::Experiment& e, const SuiteOptions& o) {
-  const lab::SuiteView view = lab::view_at(e, open.value);
-  const uvec2 size = lab::size_at(e, open.value);
-  StageOptions stage;
-  stage.basedir = place_of(view, o.basedir, o.librequake).basedir;
-  stage.scene = view.scene;
-  stage.map = view.map;
-  stage.demo = view.demo;
-  stage.camera = view.camera;
-  stage.fps = view.frames_per_second;
-  stage.size = fmt::format("{}x{}", size.x, size.y);
-  stage.device = o.device;
-  stage.sets = view.sets;
-  stage.quiet = true;
-  if (auto status = open_stage(open.stage, stage); !status) return Error{e.name + ": " + status.error().message};
-  open.stage.settings.jitter = std::max(open.stage.settings.jitter, 0);
-  for (const lab::ExperimentConfiguration& text : e.configurations) {
-    auto configuration = configuration_of(open.stage.console(), {text.name, text.sets}, text.name);
-    if (!configuration) return Error{fmt::format("{}: {}", e.name, configuration.error().message)};
-    configuration->settings.jitter = open.stage.settings.jitter;
-    open.configurations.push_back(std::move(*configuration));
-  }
-  auto collected = lab::collect_view(
-      *open.stage.source, {view.first, view.last, view.warmup, e.hold || !view.map.empty(), view.frames_per_second});
-  if (!collected) return Error{e.name + ": " + collected.error().message};
-  open.view = std::move(*collected);
-  for (const scene::FrameSnapshot& snapshot : open.view.snapshots) {
-    const std::uint64_t key = lab::content_key(snapshot);
-    open.scene = hash_bytes(&key, sizeof key, open.scene);
-  }
-  const std::uint32_t samples = e.errors ? e.reference_samples : 1;
-  auto made = lab::make_references(
-      open.view, *open.stage.device, open.stage.settings,
-      {e.errors ? e.reference_estimator : "pt", samples, size.x, size.y, e.errors ? o.references : "", o.quiet});
-  if (!made) return Error{e.name + ": " + made.error().message};
-  open.references = std::move(*made);
-  open.stage.renderer.reset();  // each configuration has its own
-  return ok_status();
-}
-
-Status keep_pictures(const lab::SuiteFolder& folder, const std::string& piece, const OpenView& open,
-                     const lab::BenchResult& result) {
-  const auto write = [&](const std::string& name, const lab::Picture& picture) {
-    lab::ExrImage exr(picture.width, picture.height);
-    exr.add_colors("", picture.pixels);
-    return lab::write_exr(folder.picture_path(piece, name), exr);
-  };
-  for (const lab::ConfigurationResult& c : result.configurations)
-    if (auto status = write(c.name, c.picture); !status) return status;
-  return write("reference", open.references.back().mean);
-}
-
-// The first frames of a view, enough to tell how long they take.
-lab::View beginning(const lab::View& view) {
-  lab::View few = view;
-  few.warmup = std::min(view.warmup, 4u);
-  few.measured = std::min(view.measured, 4u);
-  if (!few.still) few.snapshots.resize(few.frames());
-  return few;
-}
-
-// Each configuration's samples a frame, so many that its own passes last as long, one at least. The time of a sample
-// depends on their number, so what was found is corrected once.
-Status fit_to_time(lab::BenchJob& job, OpenView& open, double milliseconds) {
-  const lab::View view = beginning(open.view);
-  std::vector<lab::Reference> references = open.references;
-  if (!view.still) references.resize(view.measured);
-  for (lab::Configuration& c : job.configurations) c.settings.spp = 1;
-  for (int step = 0; step < 2; ++step) {
-    const auto result = lab::run_bench(*open.stage.device, view, references, job);
-    if (!result) return result.error();
-    for (std::size_t i = 0; i < job.configurations.size(); ++i) {
-      render::RenderSettings& settings = job.configurations[i].settings;
-      const double took = std::max(result->configurations[i].estimator_passes.median, 1e-6);
-      settings.spp = static_cast<int>(std::clamp(std::round(settings.spp * milliseconds / took), 1.0, kMostFitting));
-    }
-  }
-  return ok_status();
-}
-
-Status measure_piece(const lab::ExperimentSuite& suite, const lab::Piece& piece, OpenView& open,
-                     lab::SuiteFolder& folder) {
-  const lab::Experiment& e = suite.experiments[piece.experiment];
-  const uvec2 size = lab::size_at(e, piece.value);
-  lab::BenchJob job;
-  job.configurations = open.configurations;
-  for (lab::Configuration& c : job.configurations) c.settings.seed += static_cast<int>(1000 * piece.repeat);
-  job.width = size.x;
-  job.height = size.y;
-  job.quiet = true;
-  if (e.vary.of_time())
-    if (auto status = fit_to_time(job, open, e.vary.values[piece.value]); !status) return status;
-  const auto result = lab::run_bench(*open.stage.device, open.view, open.references, job);
-  if (!result) return Error{e.name + ": " + result.error().message};
-  const double error = result->reference_mean > 0 ? std::sqrt(result->reference_variance) / result->reference_mean : 0;
-  if (e.picture && e.errors && piece.repeat == 0)
-    if (auto status = keep_pictures(folder, lab::piece_name(suite, piece), open, *result); !status) return status;
-  return folder.add(suite, piece, *result, open.scene, error);
-}
-
 // What the command line changes of the suite.
 std::string overrides_of(const SuiteOptions& o) {
-  return fmt::format("size {}, repeats {}, reference samples {}, set {}", o.size.empty() ? "-" : o.size, o.repeats,
-                     o.reference_samples, fmt::join(o.sets, " "));
+  std::string text = fmt::format("size {}, repeats {}, reference samples {}, set {}", o.size.empty() ? "-" : o.size,
+                                 o.repeats, o.reference_samples, fmt::join(o.sets, " "));
+  for (const std::string& binary : o.binaries) {  // by what it is, not where
+    const std::size_t equals = std::min(binary.find('='), binary.size());
+    const auto bytes = fs::read_whole_file(binary.substr(std::min(equals + 1, binary.size())));
+    text += fmt::format(", binary {} {:016x}", binary.substr(0, equals),
+                        bytes ? hash_bytes(bytes->data(), bytes->size()) : 0);
+  }
+  return text;
 }
 
 Result<lab::Manifest> manifest_of(const lab::ExperimentSuite& suite, const SuiteOptions& o) {
@@ -213,7 +101,37 @@ std::string command_of(const SuiteOptions& o) {
   if (o.repeats > 0) command += fmt::format(" --repeats {}", o.repeats);
   if (o.reference_samples > 0) command += fmt::format(" --reference-samples {}", o.reference_samples);
   for (const std::string& set : o.sets) command += " --set " + set;
+  for (const std::string& binary : o.binaries) command += " --binary " + binary;
   return command;
+}
+
+Status measure(const lab::ExperimentSuite& suite, const std::vector<lab::Piece>& pieces, lab::SuiteFolder& folder,
+               const SuiteOptions& o) {
+  std::vector<lab::Program> programs;
+  if (std::ranges::any_of(suite.experiments, &lab::Experiment::judged)) {
+    auto opened = open_programs(o.binaries);
+    if (!opened) return opened.error();
+    programs = std::move(*opened);
+  }
+  std::unique_ptr<OpenView> open;
+  lab::Piece opened;
+  Progress progress("piece", pieces.size(), {.quiet = o.quiet});
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const lab::Piece& piece = pieces[i];
+    if (!open || opened.experiment != piece.experiment || opened.value != piece.value) {
+      open.reset();  // before the next one takes memory
+      auto made = open_suite_view(suite.experiments[piece.experiment], piece.value, programs, o);
+      if (!made) return made.error();
+      open = std::move(*made);
+      opened = piece;
+    }
+    const std::string name = lab::piece_name(suite, piece);
+    const auto json = open->measure(piece, name, folder);
+    if (!json) return json.error();
+    if (auto status = folder.add(name, *json); !status) return status;
+    progress.update(i + 1);
+  }
+  return ok_status();
 }
 
 int run_suite(SuiteOptions& o) {
@@ -246,26 +164,18 @@ int run_suite(SuiteOptions& o) {
   if (left.size() < own.size() && !o.quiet)
     fmt::print(stderr, "{} of {} pieces are there already\n", own.size() - left.size(), own.size());
 
-  std::unique_ptr<OpenView> open;
-  {
-    Progress progress("piece", left.size(), {.quiet = o.quiet});
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      const lab::Piece& piece = left[i];
-      if (!open || open->experiment != piece.experiment || open->value != piece.value) {
-        open = std::make_unique<OpenView>();
-        open->experiment = piece.experiment;
-        open->value = piece.value;
-        if (auto status = open_suite_view(*open, suite->experiments[piece.experiment], o); !status)
-          return fail(status.error());
-      }
-      if (auto status = measure_piece(*suite, piece, *open, *folder); !status) return fail(status.error());
-      progress.update(i + 1);
-    }
-  }
+  if (auto status = measure(*suite, left, *folder, o); !status) return fail(status.error());
   if (auto status = folder->write_results(*suite, command_of(o), machine_load()); !status) return fail(status.error());
   fmt::print("{}/results.json: {} pieces{}\n", o.out, own.size(),
              shard->count > 1 ? fmt::format(", shard {}; suite-merge joins them", o.shard) : "");
   return 0;
+}
+
+void add_binaries(CLI::App& app, std::vector<std::string>& binaries, const std::string& help) {
+  app.add_option("--binary", binaries, "NAME=PROGRAM: " + help + "; may be repeated")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
 }
 
 }  // namespace
@@ -290,6 +200,7 @@ LabCommand add_suite_command(CLI::App& app) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
+  add_binaries(*command, o->binaries, "another fullbright-lab, for configurations NAME@THAT of judged pictures");
   command->add_option("--shard", o->shard, "I/N: only this of N parts, I from 1; each into a folder of its own");
   command->add_option("--basedir", o->basedir, "the base game's folder, which holds id1; default: beside the program");
   command->add_option("--librequake", o->librequake,
@@ -320,6 +231,7 @@ LabCommand add_suite_merge_command(CLI::App& app) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
+  add_binaries(*command, o->suite.binaries, "as the shards were given it");
   return {command, [o] {
             const auto suite = read_wanted(o->suite);
             if (!suite) return fail(suite.error());

@@ -119,6 +119,45 @@ def merges(lab, first):
     manifest.write_text(text)
 
 
+def judges(lab):
+    """Pictures that a player sees are pieces like others: the same again, split and merged."""
+    (lab.folder / "views.json").write_text(json.dumps({"views": [
+        {"name": "cbox", "scene": "cbox", "frames": [1, 2], "warmup": 1, "quick": True}, {"name": "moving", "scene": "moving", "frames": [1, 2]}]}))
+    path = lab.folder / "judge.json"
+    whole = {"title": "Judged", "size": [24, 16], "repeats": 2, "reference_samples": 64, "picture": True, "set": {"r_deterministic": 1},
+             "configurations": {"pt": {"r_estimator": "pt"}, "nee": {"r_estimator": "nee", "r_spp": 4}}, "judge": {"views": "views.json"}}
+
+    def run(suite, out, *words):
+        path.write_text(json.dumps(suite))
+        done = lab.run("suite", path, "--out", lab.folder / out, "--references", lab.folder / "judged references", "--quiet", *words)
+        assert done.returncode == 0, done.stderr
+
+    def figures(out):
+        results = json.loads((lab.folder / out / "results.json").read_text())
+        points = {(e["name"], p["configuration"], p["repeat"]): (p["errors"], p["most"]) for e in results["experiments"] for p in e["points"]}
+        return points, [[entry["flip"], entry["bias"], entry["gain_equal_samples"]] for entry in results["judged"]], results
+
+    run(whole, "judged")
+    points, summary, results = figures("judged")
+    assert len(points) == 2 * 2 * 2 and results["complete"]
+    assert points["cbox", "nee", 0][0]["flip"] < points["cbox", "pt", 0][0]["flip"], "four shadow rays look better than a path"
+    assert points["cbox", "pt", 0] != points["cbox", "pt", 1], "runs have their own seeds"
+    passes = {p["name"]: p["kind"] for p in results["experiments"][0]["points"][0]["passes"]}
+    assert passes["paths"] == "estimator" and passes["gbuffer"] == passes["denoise_temporal"] == "frame", passes
+    assert (lab.folder / "judged/pieces/moving.0.0.png").stat().st_size > 1000
+    for i in (1, 2):
+        run(whole, f"judged{i}", "--shard", f"{i}/2")
+    done = lab.run("suite-merge", path, lab.folder / "judged1", lab.folder / "judged2", "--out", lab.folder / "judged merged")
+    assert done.returncode == 0, done.stderr
+    assert figures("judged merged")[:2] == (points, summary)
+    run({**whole, "judge": {"views": "views.json", "quick": True}, "repeats": 1}, "judged quick")
+    assert set(figures("judged quick")[0]) == {("cbox", "pt", 0), ("cbox", "nee", 0)}
+    path.write_text(json.dumps({**whole, "configurations": {"old@1234": {"r_estimator": "pt"}}}))
+    lab.refuses("there is no program 1234; --binary names it", "suite", path, "--out", lab.folder / "x1", "--quiet")
+    path.write_text(json.dumps({**whole, "judge": {"views": "views.json", "qiuck": True}}))
+    lab.refuses('"qiuck" is no key here; "quick" is', "suite", path, "--out", lab.folder / "x2")
+
+
 def fits_time(lab):
     """More time, more samples; a frame takes one at least."""
     path = lab.folder / "time.json"
@@ -155,6 +194,7 @@ def main():
         first = repeats(lab)
         resumes(lab, first)
         merges(lab, first)
+        judges(lab)
         fits_time(lab)
         refuses(lab)
     return 0

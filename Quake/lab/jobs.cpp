@@ -36,7 +36,8 @@ void add_times(RenderSummary& summary, const std::vector<render::PassTime>& time
   for (const render::PassTime& pass : times) {
     auto same =
         std::find_if(summary.passes.begin(), summary.passes.end(), [&](const auto& p) { return p.name == pass.name; });
-    if (same == summary.passes.end()) same = summary.passes.insert(same, {pass.name, std::vector<double>(frames, 0.0)});
+    if (same == summary.passes.end())
+      same = summary.passes.insert(same, {pass.name, std::vector<double>(frames, 0.0), pass.kind});
     same->milliseconds.back() += pass.milliseconds;
   }
 }

@@ -31,6 +31,7 @@ struct RenderSummary {
   struct Pass {
     std::string name;
     std::vector<double> milliseconds;
+    render::PassKind kind = render::PassKind::kFrame;
     double median() const;
   };
   std::vector<Pass> passes;

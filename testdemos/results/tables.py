@@ -38,7 +38,7 @@ def keep(folder: str, name: str) -> None:
         for point in experiment["points"]:
             point.pop("curve", None)
             point.pop("passes", None)
-            if "errors" in point:
+            if "errors" in point and "judge" not in experiment:
                 point["errors"] = {key: point["errors"][key] for key in KEPT_ERRORS if key in point["errors"]}
     text = json.dumps(rounded(data), indent=1)
     text = re.sub(r"\n {5,}", " ", text)  # a point a line
@@ -93,6 +93,29 @@ def gains_of(name: str, label: str) -> str:
     return rows_of([label, *(f"`{n}`" for n in names[1:])], rows) + "\n\n" + made_with(suite)
 
 
+def shown(entry: dict, name: str, factor: float = 1) -> str:
+    figure = results.judged_figure(entry, name)
+    if math.isnan(figure.value):
+        return ""
+    interval = "" if math.isnan(figure.low) else f" ({factor * figure.low:.3g} to {factor * figure.high:.3g})"
+    return f"{factor * figure.value:.3g}{interval}"
+
+
+def judge(name: str) -> str:
+    """FLIP of every configuration, and all that the judge says of the last one, the game's."""
+    suite = stored(name)
+    names = suite.experiments[0].configurations
+    rows = []
+    for title, judged in [*((e.name, e.data["judged"]) for e in suite.experiments if e.points), ("all", suite.data["judged"])]:
+        of = {entry["configuration"]: entry for entry in judged}
+        game = of[names[-1]]
+        rows.append([title, *(shown(of[n], "flip") for n in names), shown(game, "bias", 100), shown(game, "flicker").split(" ")[0],
+                     *(f"{game[key]['value']:.3g} ({game['most'][key]})" for key in ("isolated_dark", "isolated_bright")),
+                     " / ".join(shown(of[n], "all_ms").split(" ")[0] for n in names)])
+    head = ["view", *(f"FLIP: `{n}`" if i == 0 else f"`{n}`" for i, n in enumerate(names)), f"bias of `{names[-1]}`, %", "flicker", "isolated dark", "isolated bright", "ms"]
+    return rows_of(head, rows) + "\n\n" + made_with(suite)
+
+
 def outside() -> str:
     data = json.loads((HERE / "outside.json").read_text())
     rows = []
@@ -108,6 +131,7 @@ TABLES = {
     "scaling": scaling,
     "alber2025": lambda: gains_of("alber2025", "figure"),
     "default": lambda: gains_of("default", "scene"),
+    "judge_quick": lambda: judge("judge_quick"),
     "outside": outside,
 }
 MARKED = re.compile(r"(<!-- table (\w+) -->\n)(?:.*?\n)??(<!-- end -->)", re.S)

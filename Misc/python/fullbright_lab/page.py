@@ -12,6 +12,7 @@ body { margin: 0 auto; max-width: 76rem; padding: 1.5rem; font: 16px/1.5 system-
 h1 { font-size: 1.9rem; margin: 0 0 .5rem } h2 { margin: 2.5rem 0 .5rem; border-top: 1px solid var(--line); padding-top: 1.2rem } h3 { margin: 1.2rem 0 .4rem }
 nav ol { columns: 2; padding-left: 1.4rem } nav a { color: inherit }
 .grid { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); gap: 1rem; margin: .8rem 0 }
+.wide { width: 100%; height: auto; border-radius: 4px }
 figure { margin: 0 } figcaption { font-size: .85rem; color: var(--soft) }
 .plot svg { width: 100%; height: auto; max-width: 42rem; background: var(--plot); border-radius: 4px }
 .plots { grid-template-columns: repeat(auto-fit, minmax(min(100%, 30rem), 1fr)) }

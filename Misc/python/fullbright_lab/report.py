@@ -6,6 +6,7 @@ pass, and beside each the command that repeats it. PROGRAM, a fullbright-lab, ad
 from __future__ import annotations
 
 import argparse
+import base64
 import html
 import math
 import os
@@ -109,18 +110,57 @@ def words(experiment: Experiment) -> str:
     return "".join(f"<p class=paper><b>{label}:</b> {html.escape(text)}</p>" for label, text in rows if text)
 
 
+JUDGED = (("FLIP", "flip", 1), ("silhouettes", "flip_silhouettes", 1), ("relMSE", "relmse", 1), ("bias, %", "bias", 100), ("flicker", "flicker", 1),
+          ("ms of a frame", "all_ms", 1), ("ms of the estimator", "paths_ms", 1))
+
+
+def judged_table(judged: list[dict], caption: str) -> str:
+    rows = []
+    for entry in judged:
+        cells = []
+        for _, name, factor in JUDGED:
+            figure = results.judged_figure(entry, name)
+            cells.append(interval(Interval(factor * figure.value, factor * figure.low, factor * figure.high)))
+        cells += [f"{number(results.judged_figure(entry, name).value)} <small>most {entry['most'][name]}</small>" for name in ("isolated_dark", "isolated_bright")]
+        if "gain_equal_samples" in entry:
+            cells += [interval(results.judged_figure(entry, f"gain_equal_{equal}")) for equal in ("samples", "time")]
+        rows.append([entry["configuration"], *cells])
+    head = ["", *(label for label, _, _ in JUDGED), "isolated dark", "isolated bright"]
+    if judged and "gain_equal_samples" in judged[0]:
+        head += ["gain, equal samples", "gain, equal time"]
+    return table(head, rows, caption)
+
+
+def side_by_side(experiment: Experiment) -> str:
+    path = experiment.folder / "pieces" / f"{experiment.name}.0.0.png"
+    if not path.exists():
+        return ""
+    source = "data:image/png;base64," + base64.b64encode(path.read_bytes()).decode()
+    text = f"{experiment.title}: the reference, then {', '.join(experiment.configurations)}; below them silhouettes and FLIP"
+    return f'<figure><img class=wide alt="{html.escape(text)}" src="{source}"><figcaption>{html.escape(text)}</figcaption></figure>'
+
+
+def judged_section(experiment: Experiment) -> str:
+    truth = experiment.data["truth"]
+    runs = len(experiment.chosen(experiment.configurations[0]))
+    caption = f"Final pictures of {runs} seeds; 95% intervals over them. FLIP of the reference's own noise: {number(truth['flip'])}"
+    return judged_table(experiment.data["judged"], caption) + side_by_side(experiment)
+
+
 def section(experiment: Experiment, lab: str | None) -> str:
     parts = [f'<section class=experiment id="{html.escape(experiment.name)}"><h2>{html.escape(experiment.title)}</h2>', words(experiment)]
     width, height = experiment.data["size"]
     reference = experiment.data.get("reference")
     text = f"View {experiment.data['view']}, {width}x{height}."
     if reference:
-        text += f" Reference: {reference['samples']} samples of {reference['estimator']}; root mean square error of its pixels {100 * reference['relative_error']:.2g}% of its mean."
+        text += f" Reference: {reference['samples']} samples of {reference['estimator']}; {'standard error of its mean' if experiment.judged else 'root mean square error of its pixels'} {100 * reference['relative_error']:.2g}% of its mean."
     parts.append(f"<p>{html.escape(text)}</p>")
     if not experiment.points:
         return "".join(parts) + "<p>Not measured yet.</p></section>"
     measured = "errors" in experiment.points[0]
-    if experiment.what:
+    if experiment.judged:
+        parts.append(judged_section(experiment))
+    elif experiment.what:
         drawings = []
         if experiment.what != "time":
             drawings.append(figure(figures.over_values(experiment, "time"), f"Time over {experiment.what}; bands are 95% over runs."))
@@ -135,7 +175,8 @@ def section(experiment: Experiment, lab: str | None) -> str:
         drawings.append(figure(figures.adaptation(experiment), "Adaptation: error of each frame alone."))
         parts.append(f"<div class='grid plots'>{''.join(drawings)}</div>{gains(experiment)}{errors_table(experiment)}")
     parts.append(figure(figures.passes(experiment, experiment.values[-1]), "Time of a frame by pass" + (f" at {number(experiment.values[-1])} {experiment.label}" if experiment.what else "") + "; grey: the frame's, coloured: the estimator's."))
-    parts.append(gallery(experiment, lab))
+    if not experiment.judged:
+        parts.append(gallery(experiment, lab))
     parts.append(f"<p class=command>Again: <code>{html.escape(experiment.data['command'])}</code></p></section>")
     return "".join(parts)
 
@@ -146,6 +187,9 @@ def report(suite: Suite, lab: str | None) -> str:
     skipped = "".join(f"<p class=paper>{html.escape(entry['why'])}</p>" for entry in suite.data["skipped"])
     state = "" if suite.complete else "<p class=paper><b>Incomplete:</b> some pieces are not measured yet, or were skipped.</p>"
     body = "".join(section(experiment, lab) for experiment in suite.experiments)
+    if "judged" in suite.data:
+        views = sum(experiment.judged and bool(experiment.points) for experiment in suite.experiments)
+        state += judged_table(suite.data["judged"], f"Final pictures of all {views} views: geometric means; bias and isolated pixels are plain means. Gains in relMSE over {suite.data['judged'][0]['configuration']}")
     return page.html_page(suite.title, f"<nav><ol>{contents}</ol></nav>{state}{skipped}{body}<section><h2>Measured with</h2><dl>{manifest}</dl><p class=command>All of it: <code>{html.escape(suite.data['command'])}</code></p></section>")
 
 

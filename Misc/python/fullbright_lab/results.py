@@ -46,6 +46,7 @@ class Experiment:
         self.what: str | None = vary and vary["what"]
         self.label = "milliseconds that the estimator may take" if self.what == "time" else self.what
         self.values: list[float] = vary["values"] if vary else [0.0]
+        self.judged = "judge" in data  # pictures that a player sees, in place of raw samples
 
     def chosen(self, configuration: str, value: float | None = None) -> list[dict]:
         """Points of a configuration, at one value (default: the first), a run each."""
@@ -95,6 +96,13 @@ class Experiment:
                 planes, _ = exr.read(path)
                 found[name] = np.stack([planes[channel] for channel in "RGB"], axis=-1)
         return found
+
+
+def judged_figure(entry: dict, name: str) -> Interval:
+    """A figure of an entry of a "judged" list, with the judge's own interval over seeds (Student's t); nan where it is unknown."""
+    value = entry[name]["value"]
+    low, high = entry[name]["interval95"]
+    return Interval(*(np.nan if number is None else number for number in (value, low, high)))
 
 
 class Suite:

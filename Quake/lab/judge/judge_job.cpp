@@ -148,7 +148,7 @@ Result<JudgedView> judge_view(const SuiteView& view, const std::string& basedir,
   std::vector<Beside> columns(job.lanes.size());
   for (std::uint32_t seed = 0; seed < job.seeds; ++seed) {
     for (std::size_t k = 0; k < job.lanes.size(); ++k) {
-      const std::size_t lane = (k + seed) % job.lanes.size();
+      const std::size_t lane = (k + job.first_seed + seed) % job.lanes.size();
       SequenceRequest request{&job.lanes[lane], &view,      basedir,  job.device,
                               job.width,        job.height, job.sets, job.scratch};
       const auto exposure = fixed_exposure(result.exposure);
@@ -164,7 +164,8 @@ Result<JudgedView> judge_view(const SuiteView& view, const std::string& basedir,
   }
   if (!job.pictures.empty()) {
     const std::size_t last = view.frames() - 1;
-    auto status = write_side_by_side(job.pictures, view.name, truth.shown_at(last), truth.edges_at(last), columns);
+    auto status = write_side_by_side(job.pictures, job.picture_name.empty() ? view.name : job.picture_name,
+                                     truth.shown_at(last), truth.edges_at(last), columns);
     if (!status) return status.error();
   }
   return result;

@@ -28,8 +28,9 @@ struct JudgeJob {
   std::uint32_t first_seed = 1;  // r_seed of the first; the reference has another
   double pixels_per_degree = flip::kPixelsPerDegree;
   std::string device;
-  std::string scratch;   // folder for the sequences' files
-  std::string pictures;  // folder for pictures to look at, one a view; empty: none
+  std::string scratch;       // folder for the sequences' files
+  std::string pictures;      // folder for pictures to look at, one a view; empty: none
+  std::string picture_name;  // of its file; empty: the view's
   SequenceRunner runner = run_sequence;
 };
 

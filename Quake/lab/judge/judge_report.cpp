@@ -69,13 +69,6 @@ std::vector<std::string> cells(const std::string& name, const EstimateOf& estima
           plain(kDenoiserMs)};
 }
 
-std::string view_title(const SuiteView& view) {
-  const std::string& what = !view.scene.empty() ? view.scene : !view.map.empty() ? view.map : view.demo;
-  const char* kind = !view.scene.empty() ? "scene" : !view.map.empty() ? "map" : "demo";
-  const std::string after = view.warmup > 0 ? fmt::format("after {} of warm-up", view.warmup) : "from a cold start";
-  return fmt::format("{}: {} {}, frames {} to {} {}", view.name, kind, what, view.first, view.last, after);
-}
-
 std::vector<ViewFigures> figures_of(const std::vector<JudgedView>& views) {
   std::vector<ViewFigures> figures;
   for (const JudgedView& view : views) figures.push_back(view.figures);

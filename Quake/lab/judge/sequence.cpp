@@ -80,6 +80,7 @@ std::vector<std::string> render_arguments(const SequenceRequest& request, const 
 
 PassTimes parse_times(const std::string& output) {
   PassTimes times;
+  bool kinds = false;
   for (std::size_t begin = 0; begin < output.size();) {
     const std::size_t end = std::min(output.find('\n', begin), output.size());
     const std::string_view line = std::string_view(output).substr(begin, end - begin);
@@ -89,10 +90,21 @@ PassTimes parse_times(const std::string& output) {
     const std::size_t number = line.find_last_of(' ', unit - 1) + 1;
     const auto milliseconds = parse_number(line.substr(number, unit - number));
     if (!milliseconds) continue;
-    if (line.starts_with("gbuffer ")) times.gbuffer += *milliseconds;
-    if (line.starts_with("paths ") || line.starts_with("guide ")) times.paths += *milliseconds;
-    if (line.starts_with("denoise")) times.denoiser += *milliseconds;
-    if (line.starts_with("all ")) times.all = *milliseconds;
+    const std::size_t name_end = line.find_last_not_of(' ', number - 1);
+    PassTimes::Pass pass{std::string(line.substr(0, name_end + 1)), *milliseconds, line.ends_with(kEstimatorsPass)};
+    if (pass.name == "all") {
+      times.all = pass.milliseconds;
+      continue;
+    }
+    kinds = kinds || pass.estimators;
+    times.passes.push_back(std::move(pass));
+  }
+  for (PassTimes::Pass& pass : times.passes) {
+    const std::string_view name = pass.name;
+    if (!kinds) pass.estimators = name == "paths" || name.starts_with("guide ");
+    if (pass.estimators) times.paths += pass.milliseconds;
+    if (name == "gbuffer") times.gbuffer += pass.milliseconds;
+    if (name.starts_with("denoise")) times.denoiser += pass.milliseconds;
   }
   return times;
 }

@@ -43,8 +43,16 @@ struct SequenceRequest {
 };
 
 struct PassTimes {  // milliseconds a frame on the device, medians over the sequence
-  double gbuffer = 0, paths = 0, denoiser = 0, all = 0;  // paths: with those in which an estimator learns
+  double gbuffer = 0, paths = 0, denoiser = 0, all = 0;  // paths: all passes of the estimator's, as their kind says
+  struct Pass {
+    std::string name;
+    double milliseconds = 0;
+    bool estimators = false;
+  };
+  std::vector<Pass> passes;
 };
+// Behind a pass of the estimator's own in a report of times. Programs that say it of none are older: their names tell.
+constexpr const char* kEstimatorsPass = ", of the estimator";
 struct JudgedFrame {
   Picture shown;                  // sRGB as stored, 0 to 1
   std::optional<Picture> linear;  // radiance before tone mapping; none if it has another size (r_scale)

@@ -101,6 +101,21 @@ TEST_F(SequenceTest, TimesAreReadFromTheReport) {
   EXPECT_EQ(times.paths, 102);
   EXPECT_EQ(times.denoiser, 9);
   EXPECT_EQ(times.all, 123.75);
+  ASSERT_EQ(times.passes.size(), 7u);
+  EXPECT_EQ(times.passes[3].name, "guide states");
+  EXPECT_TRUE(times.passes[3].estimators);
+  EXPECT_FALSE(times.passes[0].estimators);
+}
+
+TEST_F(SequenceTest, APassCountsForTheEstimatorByItsKind) {
+  const PassTimes times = parse_times(
+      "gbuffer         12.000 ms a frame, first 30\n"
+      "guide reset      3.000 ms a frame, first 3\n"
+      "seen             1.000 ms a frame, first 3, of the estimator\n"
+      "fog              4.000 ms a frame, first 3, of the estimator\n"
+      "all             20.000 ms a frame (sum of the passes' medians)\n");
+  EXPECT_EQ(times.paths, 5) << "where a program tells kinds, names count for nothing";
+  EXPECT_EQ(times.all, 20);
 }
 
 TEST_F(SequenceTest, AFailureIsOneSentenceAndLeavesNothing) {

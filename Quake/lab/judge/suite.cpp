@@ -91,6 +91,15 @@ bool names_files(std::string_view name) {
   });
 }
 
+std::string view_title(const SuiteView& view) {
+  const std::string what = !view.scene.empty() ? view.scene
+                           : !view.map.empty() ? view.map
+                                               : std::filesystem::path(view.demo).filename().string();
+  const char* kind = !view.scene.empty() ? "scene" : !view.map.empty() ? "map" : "demo";
+  const std::string after = view.warmup > 0 ? fmt::format("after {} of warm-up", view.warmup) : "from a cold start";
+  return fmt::format("{}: {} {}, frames {} to {} {}", view.name, kind, what, view.first, view.last, after);
+}
+
 Result<SuiteView> read_suite_view(const JsonFile& file, const Json& value, const std::string& place) {
   JsonReader reader(file, value, place);
   SuiteView view;

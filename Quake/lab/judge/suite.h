@@ -32,6 +32,9 @@ struct Suite {
   std::vector<SuiteView> views;
 };
 
+// "hub_300: demo hub.dem, frames 300 to 301 after 32 of warm-up".
+std::string view_title(const SuiteView& view);
+
 // One view, an object of a file. Demos are taken relative to the file's folder where they are there, else as names in
 // the game data.
 Result<SuiteView> read_suite_view(const JsonFile& file, const Json& value, const std::string& place);

@@ -1,9 +1,11 @@
 #include "lab/suite/experiment.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "base/hash.h"
@@ -118,6 +120,37 @@ Result<Experiment> read_experiment(const JsonFile& file, const Json& object, con
   return e;
 }
 
+// All that a view says, wherever the file is read from.
+std::string text_of(const SuiteView& view) {
+  return fmt::format("{} {} {} {}", view_title(view), view.camera, view.frames_per_second, fmt::join(view.sets, " "));
+}
+
+// An experiment of each view that is judged.
+Status add_judged(const JsonFile& file, const Json& object, const Defaults& defaults, ExperimentSuite& suite) {
+  JsonReader reader(file, object, "judge");
+  const std::string views = reader.text("views");
+  const bool quick = reader.boolean("quick");
+  if (views.empty()) reader.fail("\"views\" is wanted: a file of views, such as picture.json");
+  if (defaults.experiment.configurations.empty()) reader.fail("\"configurations\" are wanted for the whole suite");
+  if (!defaults.experiment.errors) reader.fail("\"errors\": false leaves nothing to judge");
+  if (auto status = reader.end(); !status) return status;
+  auto read = read_suite((std::filesystem::path(file.path()).parent_path() / views).lexically_normal().string());
+  if (!read) return read.error();
+  for (SuiteView& view : read->views) {
+    if (quick && !view.quick) continue;
+    Experiment e = defaults.experiment;
+    e.name = view.name;
+    e.title = view_title(view);
+    e.judged = true;
+    view.sets.insert(view.sets.begin(), defaults.sets.begin(), defaults.sets.end());
+    const std::string text = text_of(view);
+    suite.hash = hash_bytes(text.data(), text.size(), suite.hash);
+    e.view = std::move(view);
+    suite.experiments.push_back(std::move(e));
+  }
+  return ok_status();
+}
+
 }  // namespace
 
 Result<ExperimentSuite> read_experiments(const std::string& path) {
@@ -136,11 +169,16 @@ Result<ExperimentSuite> read_experiments(const std::string& path) {
     if (!read) return read.error();
     defaults.experiment.configurations = std::move(*read);
   }
+  const Json* judge = reader.take("judge");
   const Json* list = reader.take("experiments");
-  if (list == nullptr || !list->is_array() || list->empty()) reader.fail("\"experiments\": [...] is wanted");
+  if (list == nullptr ? judge == nullptr : !list->is_array() || list->empty())
+    reader.fail("\"experiments\": [...] is wanted, or \"judge\": {...}");
   if (auto status = reader.end(); !status) return status.error();
+  if (judge != nullptr)
+    if (auto status = add_judged(*file, *judge, defaults, suite); !status) return status.error();
   std::set<std::string> names;
-  for (std::size_t i = 0; i < list->size(); ++i) {
+  for (const Experiment& e : suite.experiments) names.insert(e.name);
+  for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
     auto experiment = read_experiment(*file, (*list)[i], defaults, fmt::format("experiments[{}]", i));
     if (!experiment) return experiment.error();
     if (!names.insert(experiment->name).second)

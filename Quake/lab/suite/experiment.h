@@ -39,6 +39,9 @@ struct Experiment {
   std::string reference_estimator = "nee";
   bool errors = true;    // else only times are measured, and no reference is made
   bool picture = false;  // keeps the mean of the first repeat's frames
+  // The picture that a player sees is judged (judge/judge_job.h), in place of raw samples. Configurations are then
+  // lanes: a name may end in @PROGRAM.
+  bool judged = false;
 };
 
 struct ExperimentSuite {
@@ -46,7 +49,8 @@ struct ExperimentSuite {
   std::vector<Experiment> experiments;
   std::uint64_t hash = 0;  // of all that it says
 };
-// Fails with the file, the line and the cause.
+// `"judge": {"views": FILE, "quick": true}` makes an experiment of each view of a file (judge/suite.h), or of its quick
+// ones. Fails with the file, the line and the cause.
 Result<ExperimentSuite> read_experiments(const std::string& path);
 
 struct Piece {

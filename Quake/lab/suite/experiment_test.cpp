@@ -99,5 +99,33 @@ TEST_F(ExperimentTest, TheProjectsSuitesAreWhole) {
   EXPECT_GE(read, 2);
 }
 
+TEST_F(ExperimentTest, ViewsThatAreJudgedAreExperiments) {
+  directory_.put("views.json", R"({"views": [
+      {"name": "a", "scene": "cbox", "frames": [1, 2], "quick": true, "set": {"r_bounces": 4}},
+      {"name": "b", "scene": "many", "frames": [3, 3]}]})");
+  const std::string head = R"({"size": [8, 4], "repeats": 3, "set": {"r_spp": 2}, "configurations": {"pt": {}}, )";
+  const auto suite = read(head + R"("judge": {"views": "views.json"}})");
+  ASSERT_TRUE(suite.ok()) << suite.error().message;
+  ASSERT_EQ(suite->experiments.size(), 2u);
+  EXPECT_TRUE(suite->experiments[0].judged);
+  EXPECT_EQ(suite->experiments[0].title, "a: scene cbox, frames 1 to 2 from a cold start");
+  EXPECT_THAT(suite->experiments[0].view.sets, ElementsAre("r_spp=2", "r_bounces=4"));
+  EXPECT_EQ(suite->experiments[1].size, uvec2(8, 4));
+  EXPECT_EQ(suite->experiments[1].repeats, 3u);
+  const auto quick = read(head + R"("judge": {"views": "views.json", "quick": true}})");
+  ASSERT_TRUE(quick.ok());
+  EXPECT_EQ(quick->experiments.size(), 1u);
+  EXPECT_NE(quick->hash, suite->hash);
+  directory_.put("views.json", R"({"views": [{"name": "a", "scene": "cbox", "frames": [1, 3]}]})");
+  EXPECT_NE(read(head + R"("judge": {"views": "views.json"}})")->hash, suite->hash) << "what the views are counts";
+  const auto twice = read(head + R"("judge": {"views": "views.json"}, "experiments": [
+      {"name": "a", "view": {"name": "a", "scene": "cbox", "frames": [0, 0]}}]})");
+  ASSERT_FALSE(twice.ok());
+  EXPECT_THAT(twice.error().message, HasSubstr("a is there twice"));
+  const auto nothing = read(R"({"configurations": {"pt": {}}, "judge": {"views": "nowhere.json"}})");
+  ASSERT_FALSE(nothing.ok());
+  EXPECT_THAT(nothing.error().message, HasSubstr("nowhere.json"));
+}
+
 }  // namespace
 }  // namespace fb::lab

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <set>
 #include <system_error>
 
 #include "fs/file.h"
-#include "lab/compare/metrics.h"
 #include "lab/suite/fit.h"
+#include "lab/suite/judged_piece.h"
 
 namespace fb::lab {
 namespace {
@@ -56,59 +55,6 @@ Status same(const Manifest& a, const Manifest& b, const std::string& where) {
   return ok_status();
 }
 
-// Numbers that JSON cannot say are null.
-Json column(const Frames& frames, const std::function<double(const FrameRecord&)>& figure) {
-  Json list = Json::array();
-  for (const FrameRecord& record : frames.records) list.push_back(record.measured ? Json(figure(record)) : Json());
-  return list;
-}
-
-Json errors_of(const Frames& frames, bool variance_known) {
-  Json errors = Json::object();
-  for (const Metric& metric : metrics()) {
-    if (!metric.of_frames || !metric.holds(true, variance_known)) continue;
-    double sum = 0;
-    std::uint32_t count = 0;
-    for (std::uint32_t i = frames.warmup; i < frames.warmup + frames.measured; ++i) {
-      sum += metric.value(frames.at(0, i).errors);
-      ++count;
-    }
-    errors[metric.name] = sum / count;
-  }
-  return errors;
-}
-
-Json point_of(const Experiment& experiment, const Piece& piece, const ConfigurationResult& c, const BenchResult& all) {
-  Json point{{"configuration", c.name},
-             {"value", experiment.vary.values[piece.value]},
-             {"repeat", piece.repeat},
-             {"samples", c.frames.spp},
-             {"warmup", c.frames.warmup},
-             {"frames", c.frames.measured},
-             {"milliseconds", {{"estimator", c.estimator_passes.median}, {"frame", c.all.median}}}};
-  Json passes = Json::array();
-  for (const ConfigurationResult::Pass& pass : c.passes)
-    passes.push_back({{"name", pass.name},
-                      {"kind", pass.kind == render::PassKind::kEstimator ? "estimator" : "frame"},
-                      {"milliseconds", pass.median}});
-  point["passes"] = std::move(passes);
-  point["not_finite"] = c.not_finite;
-  if (!experiment.errors) return point;
-  point["errors"] = errors_of(c.frames, all.reference_variance_known);
-  Json curve{{"mse", column(c.frames, [](const FrameRecord& f) { return f.errors.mse_corrected(); })},
-             {"rel_mse", column(c.frames, [](const FrameRecord& f) { return f.errors.rel_mse_corrected(); })},
-             {"milliseconds", column(c.frames, [](const FrameRecord& f) { return f.estimator_ms; })}};
-  if (all.still) {
-    curve["running_mse"] = column(c.frames, [](const FrameRecord& f) { return f.running_mse; });
-    curve["running_rel_mse"] = column(c.frames, [](const FrameRecord& f) { return f.running_rel_mse; });
-    curve["warm_rel_mse"] = Json::array();
-    for (std::uint32_t i = c.frames.warmup; i < c.frames.warmup + c.frames.measured; ++i)
-      curve["warm_rel_mse"].push_back(c.frames.at(0, i).warm_running_rel_mse);
-  }
-  point["curve"] = std::move(curve);
-  return point;
-}
-
 Json vary_of(const Experiment& experiment) {
   if (experiment.vary.what.empty()) return nullptr;
   return {{"what", experiment.vary.what}, {"values", experiment.vary.values}};
@@ -122,6 +68,7 @@ Json description_of(const Experiment& e) {
   json["view"] = e.view.name;
   json["size"] = {e.size.x, e.size.y};
   json["vary"] = vary_of(e);
+  if (e.judged) json["judge"] = true;
   if (e.errors) json["reference"] = {{"estimator", e.reference_estimator}, {"samples", e.reference_samples}};
   Json configurations = Json::array();
   for (const ExperimentConfiguration& c : e.configurations)
@@ -154,13 +101,16 @@ Json fits_of(const Experiment& e, const Json& points) {
 }
 
 std::string csv_line(const std::string& experiment, const Json& point) {
-  const auto error = [&](const char* name) {
-    return point.contains("errors") && point["errors"].contains(name) ? point["errors"][name].dump() : std::string();
+  const auto error = [&](const char* name, const char* otherwise = "") {
+    if (!point.contains("errors")) return std::string();
+    const Json& errors = point["errors"];
+    const char* there = errors.contains(name) ? name : otherwise;
+    return errors.contains(there) ? errors[there].dump() : std::string();
   };
-  return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", experiment, point["configuration"].get<std::string>(),
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", experiment, point["configuration"].get<std::string>(),
                      point["value"].dump(), point["repeat"].dump(), point["samples"].dump(), point["frames"].dump(),
                      point["milliseconds"]["estimator"].dump(), point["milliseconds"]["frame"].dump(),
-                     error("mse_corrected"), error("relmse_corrected"));
+                     error("mse_corrected"), error("relmse_corrected", info(kRelMse).key), error(info(kFlip).key));
 }
 
 }  // namespace
@@ -220,15 +170,8 @@ std::string SuiteFolder::picture_path(const std::string& piece, const std::strin
   return fmt::format("{}/pieces/{}.{}.exr", path_, piece, configuration);
 }
 
-Status SuiteFolder::add(const ExperimentSuite& suite, const Piece& piece, const BenchResult& result,
-                        std::uint64_t scene, double reference_error) {
-  const Experiment& experiment = suite.experiments[piece.experiment];
-  Json json{{"scene", fmt::format("{:016x}", scene)}, {"still", result.still}};
-  if (experiment.errors) json["reference_error"] = reference_error;
-  json["points"] = Json::array();
-  for (const ConfigurationResult& c : result.configurations)
-    json["points"].push_back(point_of(experiment, piece, c, result));
-  return write_json(fmt::format("{}/pieces/{}.json", path_, piece_name(suite, piece)), json);
+Status SuiteFolder::add(const std::string& piece, const Json& json) const {
+  return write_json(fmt::format("{}/pieces/{}.json", path_, piece), json);
 }
 
 Status SuiteFolder::write_results(const ExperimentSuite& suite, const std::string& command, double load) const {
@@ -238,6 +181,7 @@ Status SuiteFolder::write_results(const ExperimentSuite& suite, const std::strin
   std::vector<Json> points(suite.experiments.size(), Json::array());
   std::map<std::size_t, std::map<std::size_t, std::string>> scenes;  // of an experiment's values
   std::vector<double> reference_errors(suite.experiments.size(), 0.0);
+  std::vector<Json> truths(suite.experiments.size());  // of judged experiments
   bool complete = true;
   for (const Piece& piece : pieces_of(suite)) {
     const std::string name = piece_name(suite, piece);
@@ -254,20 +198,30 @@ Status SuiteFolder::write_results(const ExperimentSuite& suite, const std::strin
     reference_errors[piece.experiment] =
         std::max(reference_errors[piece.experiment], json->value("reference_error", 0.0));
     for (const Json& point : (*json)["points"]) points[piece.experiment].push_back(point);
+    if (suite.experiments[piece.experiment].judged) truths[piece.experiment] = (*json)["truth"];
   }
   results["complete"] = complete;
   Json experiments = Json::array();
-  std::string csv = "experiment,configuration,value,repeat,samples,frames,estimator_ms,frame_ms,mse,relmse\n";
+  std::vector<ViewFigures> judged;
+  std::vector<const Experiment*> judged_of;
+  std::string csv = "experiment,configuration,value,repeat,samples,frames,estimator_ms,frame_ms,mse,relmse,flip\n";
   for (std::size_t i = 0; i < suite.experiments.size(); ++i) {
     Json experiment = description_of(suite.experiments[i]);
     experiment["command"] = fmt::format("{} --experiments {}", command, suite.experiments[i].name);
     if (suite.experiments[i].errors) experiment["reference"]["relative_error"] = reference_errors[i];
     experiment["fits"] = fits_of(suite.experiments[i], points[i]);
+    if (suite.experiments[i].judged && !points[i].empty()) {
+      judged.push_back(judged_figures(suite.experiments[i], points[i], truths[i]));
+      judged_of.push_back(&suite.experiments[i]);
+      experiment["truth"] = truths[i];
+      experiment["judged"] = judged_estimates(suite.experiments[i], judged.back());
+    }
     for (const Json& point : points[i]) csv += csv_line(suite.experiments[i].name, point);
     experiment["points"] = std::move(points[i]);
     experiments.push_back(std::move(experiment));
   }
   results["experiments"] = std::move(experiments);
+  if (!judged.empty()) results["judged"] = judged_summary(judged_of, judged);
   results["skipped"] = Json::array();
   for (const auto& [experiment, why] : skipped_)
     results["skipped"].push_back({{"experiment", experiment}, {"why", why}});

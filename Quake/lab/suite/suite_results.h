@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "lab/bench/bench_job.h"
+#include "lab/json_reader.h"
 #include "lab/suite/experiment.h"
 
 namespace fb::lab {
@@ -29,9 +29,8 @@ class SuiteFolder {
   const std::string& path() const { return path_; }
   const Manifest& manifest() const { return manifest_; }
   bool has(const std::string& piece) const;
-  // `scene`: hash of what was looked at. Written at once or not at all.
-  Status add(const ExperimentSuite& suite, const Piece& piece, const BenchResult& result, std::uint64_t scene,
-             double reference_error);
+  // A piece by its name. Written at once or not at all.
+  Status add(const std::string& piece, const Json& json) const;
   void skip(const std::string& experiment, const std::string& why) { skipped_.emplace_back(experiment, why); }
   // results.json and results.csv of all pieces that are there.
   Status write_results(const ExperimentSuite& suite, const std::string& command, double load) const;
