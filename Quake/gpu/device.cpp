@@ -178,6 +178,7 @@ Device::~Device() {
 Device::Impl::~Impl() {
   if (!device) return;
   vkDeviceWaitIdle(device);
+  pipelines.clear();
   for (const Recording& recording : recordings) vkDestroyFence(device, recording.fence, nullptr);
   vkDestroyCommandPool(device, pool, nullptr);
   vkDestroyDevice(device, nullptr);

@@ -25,6 +25,7 @@ struct DeviceOptions {
   bool ray_query = true;                         // use it where there is one
   std::vector<const char*> instance_extensions;  // what the window system asks for; empty: headless
   bool present = false;                          // needs a queue that can present
+  bool shares_pipelines = true;                  // those of one shader and its constants are made once (gpu/pipeline.h)
 };
 
 // A device as -listdevices shows it.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +34,31 @@ struct DebugCalls {
   PFN_vkSetDebugUtilsObjectNameEXT set_name = nullptr;
   PFN_vkCmdBeginDebugUtilsLabelEXT begin_label = nullptr;
   PFN_vkCmdEndDebugUtilsLabelEXT end_label = nullptr;
+};
+
+// A pipeline, and what it was made of; it may outlive the binding table.
+struct MadePipeline {
+  MadePipeline(VkDevice of, std::uint64_t from) : device(of), key(from) {}
+  ~MadePipeline() { vkDestroyPipeline(device, pipeline, nullptr); }
+  MadePipeline(const MadePipeline&) = delete;
+  MadePipeline& operator=(const MadePipeline&) = delete;
+
+  VkDevice device = VK_NULL_HANDLE;
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  std::uint64_t key = 0;
+};
+
+// The pipelines that a device used last. All of its binding tables have the same layout, so one serves all of them: a
+// renderer finds what another has made. Several threads may ask.
+class SharedPipelines {
+ public:
+  std::shared_ptr<const MadePipeline> find(std::uint64_t key);
+  void keep(std::shared_ptr<const MadePipeline> made);
+  void clear() { list_.clear(); }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::shared_ptr<const MadePipeline>> list_;  // the one that was used last is the last
 };
 
 struct Device::Impl {
@@ -75,6 +101,7 @@ struct Device::Impl {
   std::uint64_t allocated_bytes = 0;
   std::uint64_t next_serial = 1;
   Buffer upload_staging, readback_staging;
+  SharedPipelines pipelines;
   Buffer no_triangle;  // zeros: a degenerate triangle's vertices and indices
 };
 

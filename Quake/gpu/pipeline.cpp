@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <mutex>
 #include <utility>
+#include <vector>
 
 #include "base/check.h"
+#include "base/hash.h"
 #include "base/out_of_memory.h"
 #include "gpu/device_impl.h"
 #include "gpu/vulkan_error.h"
@@ -12,11 +17,17 @@
 
 namespace fb::gpu {
 
-ComputePipeline::ComputePipeline(Device& device, const BindingTable& table, std::span<const std::uint32_t> spirv,
-                                 std::string name, std::span<const SpecializationConstant> constants)
-    : ComputePipeline() {  // delegates, so that the pipeline is given back if something throws behind it
-  device_ = &device;
-  name_ = std::move(name);
+namespace {
+
+// More than a frame of every estimator has.
+constexpr std::size_t kKept = 64;
+
+std::uint64_t key_of(std::span<const std::uint32_t> spirv, std::span<const SpecializationConstant> constants) {
+  return hash_bytes(constants.data(), constants.size_bytes(), hash_bytes(spirv.data(), spirv.size_bytes()));
+}
+
+void make(MadePipeline& made, Device& device, const BindingTable& table, std::span<const std::uint32_t> spirv,
+          const std::string& name, std::span<const SpecializationConstant> constants) {
   std::vector<VkSpecializationMapEntry> entries;
   for (std::size_t i = 0; i < constants.size(); ++i)
     entries.push_back(
@@ -44,30 +55,46 @@ ComputePipeline::ComputePipeline(Device& device, const BindingTable& table, std:
   info.stage.pSpecializationInfo = &specialization;
   info.layout = table.layout();
   const VkResult result =
-      FB_VK_TRY(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_));
+      FB_VK_TRY(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &made.pipeline));
   vkDestroyShaderModule(device.handle(), module, nullptr);
   if (is_out_of_memory(result))
     throw OutOfMemory(fmt::format("{} is out of memory: it cannot compile shader \"{}\" ({})", device.report().name,
-                                  name_, result_name(result)));
+                                  name, result_name(result)));
   if (result != VK_SUCCESS)
     fatal(__FILE__, __LINE__,
-          fmt::format("{} does not compile shader \"{}\": {}", device.report().name, name_, result_name(result)));
-  device.impl().set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline_), name_);
+          fmt::format("{} does not compile shader \"{}\": {}", device.report().name, name, result_name(result)));
+  device.impl().set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(made.pipeline), name);
 }
 
-ComputePipeline::~ComputePipeline() {
-  if (device_) vkDestroyPipeline(device_->handle(), pipeline_, nullptr);
+}  // namespace
+
+std::shared_ptr<const MadePipeline> SharedPipelines::find(std::uint64_t key) {
+  const std::lock_guard lock(mutex_);
+  const auto found = std::find_if(list_.begin(), list_.end(), [&](const auto& made) { return made->key == key; });
+  if (found == list_.end()) return nullptr;
+  std::rotate(found, found + 1, list_.end());
+  return list_.back();
 }
 
-ComputePipeline::ComputePipeline(ComputePipeline&& other) noexcept { *this = std::move(other); }
-
-ComputePipeline& ComputePipeline::operator=(ComputePipeline&& other) noexcept {
-  if (this == &other) return *this;
-  if (device_) vkDestroyPipeline(device_->handle(), pipeline_, nullptr);
-  device_ = std::exchange(other.device_, nullptr);
-  pipeline_ = std::exchange(other.pipeline_, VK_NULL_HANDLE);
-  name_ = std::move(other.name_);
-  return *this;
+void SharedPipelines::keep(std::shared_ptr<const MadePipeline> made) {
+  const std::lock_guard lock(mutex_);
+  if (list_.size() >= kKept) list_.erase(list_.begin());
+  list_.push_back(std::move(made));
 }
+
+ComputePipeline::ComputePipeline(Device& device, const BindingTable& table, std::span<const std::uint32_t> spirv,
+                                 std::string name, std::span<const SpecializationConstant> constants)
+    : name_(std::move(name)) {
+  const bool shares = device.options().shares_pipelines;
+  const std::uint64_t key = key_of(spirv, constants);
+  if (shares) made_ = device.impl().pipelines.find(key);
+  if (made_) return;
+  auto made = std::make_shared<MadePipeline>(device.handle(), key);
+  make(*made, device, table, spirv, name_, constants);
+  made_ = std::move(made);
+  if (shares) device.impl().pipelines.keep(made_);
+}
+
+VkPipeline ComputePipeline::handle() const { return made_ ? made_->pipeline : VK_NULL_HANDLE; }
 
 }  // namespace fb::gpu

@@ -4,6 +4,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -17,21 +18,23 @@ struct SpecializationConstant {
   std::uint32_t value;  // bits: bool, int, uint or float
 };
 
+struct MadePipeline;
+
+// Where the device has one of the same code and constants that was made not long ago, it is that one
+// (DeviceOptions::shares_pipelines).
 class ComputePipeline {
  public:
   ComputePipeline() = default;
   ComputePipeline(Device& device, const BindingTable& table, std::span<const std::uint32_t> spirv, std::string name,
                   std::span<const SpecializationConstant> constants = {});
-  ~ComputePipeline();
-  ComputePipeline(ComputePipeline&& other) noexcept;
-  ComputePipeline& operator=(ComputePipeline&& other) noexcept;
-  explicit operator bool() const { return pipeline_ != VK_NULL_HANDLE; }
-  VkPipeline handle() const { return pipeline_; }
+  ComputePipeline(ComputePipeline&&) noexcept = default;
+  ComputePipeline& operator=(ComputePipeline&&) noexcept = default;
+  explicit operator bool() const { return made_ != nullptr; }
+  VkPipeline handle() const;
   const std::string& name() const { return name_; }
 
  private:
-  Device* device_ = nullptr;
-  VkPipeline pipeline_ = VK_NULL_HANDLE;
+  std::shared_ptr<const MadePipeline> made_;
   std::string name_;
 };
 

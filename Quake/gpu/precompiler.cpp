@@ -61,6 +61,7 @@ Precompiler::Precompiler(const Device& device, ShaderSource first)
   options_.preferred = device.report().name;
   options_.validation = options_.synchronization_validation = options_.present = false;
   options_.instance_extensions.clear();
+  options_.shares_pipelines = false;  // each is made once
 }
 
 Precompiler::~Precompiler() = default;

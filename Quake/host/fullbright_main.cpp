@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,8 +19,13 @@ namespace {
 
 constexpr const char* kProgram = "fullbright";
 
-// `next_start`: the arguments with which the program begins anew, if it does.
-int run_once(const std::vector<std::string>& arguments, std::vector<std::string>& next_start) {
+// How a game ended.
+struct End {
+  std::vector<std::string> next_start;  // the arguments with which the program begins anew, if it does
+  bool at_once = false;                 // no destructor may run any more
+};
+
+int run_once(const std::vector<std::string>& arguments, End& end) {
   const auto options = parse_game_options(with_base_game(arguments));
   if (!options) {
     fmt::print(stderr, "fullbright: {}\n", options.error().message);
@@ -46,17 +52,19 @@ int run_once(const std::vector<std::string>& arguments, std::vector<std::string>
     return 1;
   }
   const int status = (*game)->run();
-  if (!(*game)->next_start()) return status;
-  next_start = *(*game)->next_start();
+  end.next_start = (*game)->next_start().value_or(std::vector<std::string>());
+  end.at_once = end.at_once || !(*game)->settled();
   return status;
 }
 
-int run_program(std::vector<std::string> arguments) {
+int run_program(std::vector<std::string> arguments, bool& at_once) {
+  End end;
   while (true) {
-    std::vector<std::string> next_start;
-    const int status = run_once(arguments, next_start);
-    if (next_start.empty() || stop_wanted()) return status;
-    arguments = std::move(next_start);
+    end.next_start.clear();
+    const int status = run_once(arguments, end);
+    at_once = end.at_once;
+    if (end.next_start.empty() || stop_wanted()) return status;
+    arguments = std::move(end.next_start);
   }
 }
 
@@ -65,7 +73,11 @@ int run_program(std::vector<std::string> arguments) {
 
 int main(int argc, char** argv) {
   fb::stop_on_signals(fb::host::kProgram, fb::StopMode::kInSteps);
-  return fb::exit_status_or_signal(fb::host::guarded_main(fb::host::kProgram, [&] {
-    return fb::host::run_program({argv + 1, argv + argc});
+  bool at_once = false;
+  const int status = fb::exit_status_or_signal(fb::host::guarded_main(fb::host::kProgram, [&] {
+    return fb::host::run_program({argv + 1, argv + argc}, at_once);
   }));
+  if (!at_once) return status;
+  std::fflush(nullptr);
+  std::_Exit(status);
 }

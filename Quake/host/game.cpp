@@ -63,6 +63,10 @@ Game::~Game() {
   if (renderer_) renderer_->set_finished(nullptr);
   start_picture_.release();
   swapchain_.reset();  // before the device, the device before the window
+  if (!settled()) {    // the program's end takes what they compile
+    (void)renderer_.release();
+    (void)device_.release();
+  }
   renderer_.reset();
   device_.reset();
 }
@@ -304,6 +308,8 @@ bool Game::frame() {
     renderer_->finish();
   return !options_.headless || engine_->busy();
 }
+
+bool Game::settled() const { return !renderer_ || renderer_->settled(); }
 
 int Game::run() {
   set_reproduction_hint([this] {

@@ -40,6 +40,9 @@ class Game {
   // Runs until `quit`; headless also until there is nothing left to do. Returns the exit status. Running out of memory
   // ends a game or a demo; if nothing is played, std::bad_alloc is thrown.
   int run();
+  // Nothing is compiled beside the frames. If something is, which nothing can cut short, the destructor leaves renderer
+  // and device alone, and the program must end by std::_Exit.
+  bool settled() const;
   const con::Console& console() const { return engine_->console(); }
   // The command line of the program's next start, with another game folder, if `game` has asked for one.
   const std::optional<std::vector<std::string>>& next_start() const { return next_start_; }

@@ -114,11 +114,9 @@ Result<JudgedTruth> find_truth(const lab::SuiteView& view, const std::string& ba
   options.sets.insert(options.sets.end(), sets.begin(), sets.end());
   Stage stage;
   if (auto status = open_stage(stage, options); !status) return Error{view.name + ": " + status.error().message};
-  const auto collected = lab::collect_view(*stage.source, {.first = view.first,
-                                                           .last = view.last,
-                                                           .warmup = 0,
-                                                           .hold = false,
-                                                           .frames_per_second = options.fps});
+  const auto collected = lab::collect_view(
+      *stage.source,
+      {.first = view.first, .last = view.last, .warmup = 0, .hold = false, .frames_per_second = options.fps});
   if (!collected) return Error{view.name + ": " + collected.error().message};
   JudgedTruth truth;
   for (const scene::FrameSnapshot& snapshot : collected->snapshots) {

@@ -154,8 +154,9 @@ class JudgedView : public OpenView {
     job_.device = o.device;
     job_.scratch = scratch_folder();
     basedir_ = place_of(e.view, o.basedir, o.librequake).basedir;
-    auto truth = find_truth(e.view, basedir_, {}, o.device,
-                            {e.reference_estimator, e.reference_samples, e.size.x, e.size.y, o.references, e.name, o.quiet});
+    auto truth =
+        find_truth(e.view, basedir_, {}, o.device,
+                   {e.reference_estimator, e.reference_samples, e.size.x, e.size.y, o.references, e.name, o.quiet});
     if (!truth) return truth.error();
     truth_ = std::move(*truth);
     return ok_status();

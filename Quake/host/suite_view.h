@@ -26,12 +26,14 @@ class OpenView {
   OpenView& operator=(const OpenView&) = delete;
   virtual ~OpenView() = default;
   // The piece of this name, as its file says it; its pictures are written beside that.
-  virtual Result<lab::Json> measure(const lab::Piece& piece, const std::string& name, const lab::SuiteFolder& folder) = 0;
+  virtual Result<lab::Json> measure(const lab::Piece& piece, const std::string& name,
+                                    const lab::SuiteFolder& folder) = 0;
 };
 
 // At one of its values; its references are made or found. The experiment must outlive it. `programs`: those that may
 // make judged pictures.
 Result<std::unique_ptr<OpenView>> open_suite_view(const lab::Experiment& experiment, std::size_t value,
-                                                  const std::vector<lab::Program>& programs, const SuiteOptions& options);
+                                                  const std::vector<lab::Program>& programs,
+                                                  const SuiteOptions& options);
 
 }  // namespace fb::host

@@ -70,6 +70,7 @@ class OutOfMemoryTest : public testing::Test {
   static gpu::DeviceOptions options() {
     gpu::DeviceOptions options;
     options.validation = true;
+    options.shares_pipelines = false;  // each attempt makes them, and may fail at them
     return options;
   }
   std::vector<Intersector> intersectors() const {

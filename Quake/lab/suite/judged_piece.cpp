@@ -42,25 +42,22 @@ constexpr auto kFacts = std::to_array<std::pair<const char*, double ReferenceFac
 std::uint32_t samples_of(const ExperimentConfiguration& configuration) {
   std::uint32_t samples = 1;
   for (const std::string& set : configuration.sets)
-    if (set.starts_with("r_spp=")) samples = static_cast<std::uint32_t>(parse_whole_number_unsigned(set.substr(6)).value_or(samples));
+    if (set.starts_with("r_spp="))
+      samples = static_cast<std::uint32_t>(parse_whole_number_unsigned(set.substr(6)).value_or(samples));
   return samples;
 }
 
 Json point_of(const Experiment& experiment, const Piece& piece, const Lane& lane, const LaneFigures& figures,
               const PassTimes& times) {
-  Json point{{"configuration", lane.name},
-             {"value", experiment.vary.values[piece.value]},
-             {"repeat", piece.repeat},
-             {"samples", lane.spp},
-             {"warmup", experiment.view.warmup},
-             {"frames", experiment.view.frames()}};
+  Json point{{"configuration", lane.name},       {"value", experiment.vary.values[piece.value]},
+             {"repeat", piece.repeat},           {"samples", lane.spp},
+             {"warmup", experiment.view.warmup}, {"frames", experiment.view.frames()}};
   const Figures& seed = figures.seeds.front();
   for (const auto& [figure, name] : kTimes) point["milliseconds"][name] = json_of(seed[figure]);
   point["passes"] = Json::array();
   for (const PassTimes::Pass& pass : times.passes)
-    point["passes"].push_back({{"name", pass.name},
-                               {"kind", pass.estimators ? "estimator" : "frame"},
-                               {"milliseconds", pass.milliseconds}});
+    point["passes"].push_back(
+        {{"name", pass.name}, {"kind", pass.estimators ? "estimator" : "frame"}, {"milliseconds", pass.milliseconds}});
   point["not_finite"] = figures.not_finite;
   for (std::size_t f = 0; f < kFigureCount; ++f)
     if (const auto figure = static_cast<JudgeFigure>(f); !is_time(figure))
