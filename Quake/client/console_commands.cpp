@@ -60,7 +60,7 @@ void Client::Impl::register_console() {
   if (!console.find_cvar("viewsize"))
     console.add_cvar(
         {"viewsize", "100",
-         "how much of the status bar is shown: up to 100 all of it, 110 without the inventory, 120 nothing",
+         "up to 100: the picture's size in percent, with the whole status bar; 110: without the inventory; 120: none",
          con::kCvarArchive, 30.0f, 120.0f});
 #define FB_REGISTER(member, name, value, help) \
   ensure_cvar(console, name, text_of(value), help, is_archived(name) ? con::kCvarArchive : con::kCvarPlain);

@@ -187,6 +187,8 @@ bool ModHud::draw(scene::DrawList& list, const ui::HudView& view, std::initializ
   return !failed_;
 }
 
+bool ModHud::has_bar() const { return usable() && draw_hud_ != FunctionId::kNull; }
+
 ui::ModBar::Drawn ModHud::draw_bar(scene::DrawList& list, const ui::HudView& view) {
   if (!usable()) return Drawn::kNothing;
   const bool scores = !context_.moment.menu_open;

@@ -50,6 +50,7 @@ class ModHud final : public ui::ModBar {
   // No game is shown any more.
   void end_game();
 
+  bool has_bar() const override;
   Drawn draw_bar(scene::DrawList& list, const ui::HudView& view) override;
   bool draw_level_end(scene::DrawList& list, const ui::HudView& view) override;
 

@@ -116,11 +116,13 @@ bool Game::draw_frame() {
   cl::Client& client = engine_->client();
   if (!client.active() && !window_) return false;
   if (waits_for_level() || starts_with_level()) return false;
+  govern();
+  const render::RenderSettings wanted = settings();
+  const uvec2 view = screen_.picture_area(client, drawer_->size(wanted)).size;
+  client.set_view_size(static_cast<int>(view.x), static_cast<int>(view.y));
   client.build_snapshot(snapshot_);
   if (!client.active()) snapshot_.assets = nullptr;  // frees the GPU memory of a level that was left
   snapshot_.frame = frame_;
-  govern();
-  const render::RenderSettings wanted = settings();
   const double now = platform::now_seconds();
   // Recorded frames show what the game shows, but not what the console says, which would not repeat.
   const bool pictured = takes_save_picture();

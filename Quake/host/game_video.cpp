@@ -99,7 +99,6 @@ Status Game::open_device() {
   drawer_->resize(size);
   renderer_->resize(size.x, size.y);
   if (auto status = renderer_->fit(settings()); !status) return status.error();
-  engine_->client().set_view_size(static_cast<int>(size.x), static_cast<int>(size.y));
   log_info("{}: {}, rays by {}", version_text(), device_->report().name, renderer_->intersector_name());
   if (swapchain_) join_swapchain();
   return ok_status();
@@ -128,7 +127,6 @@ void Game::fit_to_window() {
   if (size.x == 0 || size.y == 0) return;  // minimised
   if (auto status = swapchain_->resize(size.x, size.y); !status) return end_unless(status);
   drawer_->resize({swapchain_->width(), swapchain_->height()});
-  engine_->client().set_view_size(static_cast<int>(swapchain_->width()), static_cast<int>(swapchain_->height()));
 }
 
 // Once the configuration has been executed. A size on the command line stands until vid_restart asks for another.

@@ -6,6 +6,7 @@
 #include "ui/console_view.h"
 #include "ui/hud.h"
 #include "ui/painter.h"
+#include "ui/view_area.h"
 #include "ui/wrap.h"
 
 namespace fb::host {
@@ -15,6 +16,9 @@ int number_of(const con::Console& console, std::string_view cvar) {
   const con::Cvar* const found = console.find_cvar(cvar);
   return found ? static_cast<int>(found->value() + 0.5f) : 0;
 }
+
+// A map that is only looked at has no player.
+bool plays(const cl::Client& client) { return client.active() && (client.playing() || client.connected()); }
 
 }  // namespace
 
@@ -54,9 +58,8 @@ ui::HudView Screen::view_of(const cl::Client& client, uvec2 size) {
   return view;
 }
 
-// A map that is only looked at has no player.
 void Screen::follow_game(const cl::Client& client, const Moment& moment) {
-  if (!client.active() || !(client.playing() || client.connected())) return mod_hud_.end_game();
+  if (!plays(client)) return mod_hud_.end_game();
   mod_hud_.begin_frame(client.levels(), client.hud(),
                        {.now = moment.now,
                         .seconds = moment.seconds,
@@ -89,6 +92,10 @@ void Screen::draw_console(const ui::HudView& view, bool game, bool lines_too) {
   keys_.message().draw(painter, 8.0f * static_cast<float>(rows), view.now);
 }
 
+scene::Area Screen::picture_area(const cl::Client& client, uvec2 size) {
+  return plays(client) ? ui::view_area(view_of(client, size)) : scene::Area{uvec2(0), size};
+}
+
 const scene::DrawList& Screen::draw(const cl::Client& client, const Moment& moment) {
   const bool game = client.active();
   list_.clear();
@@ -100,9 +107,13 @@ const scene::DrawList& Screen::draw(const cl::Client& client, const Moment& mome
   ui::HudView view = view_of(client, moment.size);
   view.now = moment.now;
   bool lines = moment.lines;
-  const bool played = game && (client.playing() || client.connected());
+  const bool played = plays(client);
   follow_game(client, moment);
   const bool elsewhere = keys_.console_open() || keys_.menu_open();
+  if (played) {
+    list_.picture = ui::view_area(view);
+    ui::draw_border(list_, atlas_, view);
+  }
   if (played) lines &= ui::draw_hud(list_, atlas_, view, elsewhere ? ui::Attention::kElsewhere : ui::Attention::kGame);
   if (moment.demo_bar && !elsewhere) ui::draw_demo_bar(list_, atlas_, view, *moment.demo_bar);
   if (moment.panel) moment.panel(list_, atlas_);
@@ -114,6 +125,10 @@ const scene::DrawList& Screen::draw(const cl::Client& client, const Moment& mome
 const scene::DrawList& Screen::draw_loading(const cl::Client& client, uvec2 size) {
   list_.clear();
   const ui::HudView view = view_of(client, size);
+  if (plays(client)) {
+    list_.picture = ui::view_area(view);
+    ui::draw_border(list_, atlas_, view);
+  }
   ui::draw_loading(list_, atlas_, view);
   ui::draw_current_bar(list_, atlas_, view);
   return list_;

@@ -34,6 +34,8 @@ class Screen {
     std::optional<ui::DemoBar> demo_bar = std::nullopt;
     std::function<void(scene::DrawList&, ui::Atlas&)> panel = nullptr;  // draws below console and menu
   };
+  // Where the game's picture is in an output of this size, before it is made (ui/view_area.h).
+  scene::Area picture_area(const cl::Client& client, uvec2 size);
   // The draw list of this frame. Where the client has no world the console fills the picture.
   const scene::DrawList& draw(const cl::Client& client, const Moment& moment);
   // The plaque of a level that is about to be loaded.

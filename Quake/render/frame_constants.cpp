@@ -86,6 +86,8 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
   c.height = render.y;
   c.output_width = output.x;
   c.output_height = output.y;
+  c.picture_width = output.x;
+  c.picture_height = output.y;
   c.time = static_cast<float>(snapshot.time);
   c.prev_time = static_cast<float>(snapshot.prev_time);
   return c;

@@ -86,6 +86,7 @@ struct Renderer::Impl {
     return sizeof(shared::GBufferTexel) / 16 + (features.water || features.glass ? shared::kWaterPlanes : 0);
   }
   void resize_buffers(uvec2 render, uvec2 output);
+  scene::Area shown() const;
   void fit(const RenderSettings& settings);
   void begin(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw, const RenderSettings& asked);
   void finish();
@@ -111,6 +112,7 @@ struct Renderer::Impl {
 
   Buffer uniform, gbuffer, previous_gbuffer, radiance, mean, m2, ldr, smoothed, output, exposure, counters;
   uvec2 output_size{640, 360}, render_size{0, 0}, allocated_output{0, 0};
+  scene::Area picture;  // in the output, as it was asked for last; empty: all of it
   std::uint32_t gbuffer_planes = 0;
   bool swap_red_blue = false;
 
@@ -185,12 +187,20 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
   restart = true;
 }
 
+// Where the picture is; never beyond the output.
+scene::Area Renderer::Impl::shown() const {
+  scene::Area area = picture;
+  area.min = glm::min(area.min, output_size);
+  area.size = glm::min(area.size, output_size - area.min);
+  return area.size.x > 0 && area.size.y > 0 ? area : scene::Area{uvec2(0), output_size};
+}
+
 // Buffers of the picture's size.
 void Renderer::Impl::fit(const RenderSettings& settings) {
   check_picture_size(device, output_size, settings,
                      {wanted_gbuffer_planes(), features.medium ? denoiser.medium_block(settings) : 0});
-  resize_buffers(scaled_size(output_size, settings), output_size);
-  denoiser.resize(render_size, output_size, settings, features.medium);
+  resize_buffers(scaled_size(shown().size, settings), output_size);
+  denoiser.resize(render_size, shown().size, settings, features.medium);
 }
 
 // The frame ended early: what it was to write, and what says that it was written, is as good as lost.
@@ -259,6 +269,11 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   if (!same_view) accumulated = 0;
 
   constants = frame_constants(snapshot, settings, render_size, output_size);
+  const scene::Area place = shown();
+  constants.picture_x = place.min.x;
+  constants.picture_y = place.min.y;
+  constants.picture_width = place.size.x;
+  constants.picture_height = place.size.y;
   constants.light_first = this->scene.lights().x;
   constants.light_end = this->scene.lights().y;
   constants.light_power = this->scene.light_power();
@@ -286,7 +301,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.previous_gbuffer = previous_valid && !snapshot.cut;
   denoiser.fill(constants, snapshot, settings, scene == last_scene);
   constants.spp *= static_cast<int>(constants.history_gain);
-  const uvec2 smooth = Denoiser::smooth_size(render_size, output_size, settings);
+  const uvec2 smooth = Denoiser::smooth_size(render_size, place.size, settings);
   constants.smooth_width = smooth.x;
   constants.smooth_height = smooth.y;
   const bool scales_up = smooth != render_size;
@@ -396,6 +411,7 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   const RenderSettings settings = technique->adapt(asked);
   scene.prepare(snapshot, emission_scales(settings), info->wants_lights, {settings.water > 0, settings.glass > 0});
   finish();
+  picture = draw != nullptr ? draw->picture : scene::Area();
   features.medium |= snapshot.medium.scatters();
   const bool new_scene = snapshot.assets->generation != generation;
   features.water = settings.water > 0 && (scene.features().water || (features.water && !new_scene));

@@ -393,6 +393,44 @@ TEST_F(RendererTest, DrawsQuadsInOrderOverThePicture) {
   EXPECT_EQ(at(90, 39), 0u);
 }
 
+TEST_F(RendererTest, APictureHasItsPlaceInTheOutput) {
+  const uvec2 output(72, 48);
+  scene::FrameSnapshot snapshot = scene::furnace(0.3f, 0.7f, true);
+  scene::DrawList list;
+  list.picture = {{10, 6}, {40, 24}};
+  for (const float scale : {1.0f, 0.5f}) {
+    RenderSettings s = settings_for(Intersector::kBvh, 2, 1);
+    s.denoise = s.taa = 1;
+    s.scale = scale;
+    auto alone = make_renderer(s, list.picture.size.x, list.picture.size.y);
+    auto placed = make_renderer(s, output.x, output.y);
+    for (snapshot.frame = 1; snapshot.frame < 4; ++snapshot.frame) {
+      alone->render(snapshot, nullptr, s);
+      placed->render(snapshot, &list, s);
+    }
+    const auto wanted = alone->read().output(), shown = placed->read().output();
+    ASSERT_EQ(shown.size(), std::size_t{72} * 48);
+    std::size_t outside = 0, inside = 0;
+    for (std::uint32_t y = 0; y < output.y; ++y)
+      for (std::uint32_t x = 0; x < output.x; ++x) {
+        const uvec2 at = uvec2(x, y) - list.picture.min;
+        const bool in = at.x < list.picture.size.x && at.y < list.picture.size.y;
+        const std::uint32_t is = shown[std::size_t{y} * output.x + x];
+        const std::uint32_t expected = in ? wanted[std::size_t{at.y} * list.picture.size.x + at.x] : 0xff000000u;
+        (in ? inside : outside) += is == expected;
+      }
+    EXPECT_EQ(inside, 40u * 24u) << scale;
+    EXPECT_EQ(outside, 72u * 48u - 40u * 24u) << scale;
+    placed->render(snapshot, nullptr, s);  // and everywhere again
+    EXPECT_NE(placed->read().output()[0], 0xff000000u);
+    list.picture.min = {60, 40};  // it ends where the output does
+    placed->render(snapshot, &list, s);
+    EXPECT_EQ(placed->read().output()[std::size_t{39} * output.x + 60], 0xff000000u);
+    EXPECT_NE(placed->read().output().back(), 0xff000000u);
+    list.picture.min = {10, 6};
+  }
+}
+
 TEST_F(RendererTest, TintThenQuadsThenContrastAndGamma) {
   RenderSettings s;
   s.contrast = 1.5f;

@@ -22,10 +22,19 @@ struct DrawQuad {
   vec2 uv_min, uv_max;  // atlas texels; equal: a plain fill
   vec4 color{1.0f};     // sRGB-encoded colour and alpha, multiplies the texel
 };
+// Part of the output, pixels from its top left.
+struct Area {
+  uvec2 min{0, 0}, size{0, 0};
+  bool operator==(const Area&) const = default;
+};
 struct DrawList {
   std::shared_ptr<const DrawAtlas> atlas;
   std::vector<DrawQuad> quads;
-  void clear() { quads.clear(); }
+  Area picture;  // where the picture is shown, which is rendered for this size; black around it. Empty: everywhere
+  void clear() {
+    quads.clear();
+    picture = {};
+  }
 };
 
 }  // namespace fb::scene

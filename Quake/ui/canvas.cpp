@@ -47,9 +47,8 @@ Canvas corner_canvas(ivec2 output, float scale, bool right, bool bottom) {
           kMenuWidth, kMenuHeight};
 }
 
-Canvas crosshair_canvas(ivec2 output, float scale) {
-  return {floored(static_cast<float>(output.x) / 2.0f, static_cast<float>(output.y) / 2.0f),
-          bounded(scale, kMostCrosshair), 0, 0};
+Canvas crosshair_canvas(const scene::Area& picture, float scale) {
+  return {vec2(picture.min + picture.size / 2u), bounded(scale, kMostCrosshair), 0, 0};
 }
 
 float console_scale(ivec2 output, float scale, float width) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/maths.h"
+#include "scene/draw_list.h"
 
 namespace fb::ui {
 
@@ -23,8 +24,8 @@ Canvas status_bar_canvas(ivec2 output, float scale, bool left);
 Canvas menu_canvas(ivec2 output, float scale);
 // 320x200 in a corner of the output.
 Canvas corner_canvas(ivec2 output, float scale, bool right, bool bottom);
-// (0, 0) is the middle of the output; the scale is 1 to 10.
-Canvas crosshair_canvas(ivec2 output, float scale);
+// (0, 0) is the middle of the picture; the scale is 1 to 10.
+Canvas crosshair_canvas(const scene::Area& picture, float scale);
 
 // The scale of a console whose width is set in virtual pixels (scr_conwidth; 0: by scr_conscale).
 float console_scale(ivec2 output, float scale, float width);

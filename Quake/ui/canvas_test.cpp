@@ -34,8 +34,8 @@ TEST(Canvas, CornersAndCrosshair) {
   const Canvas low = corner_canvas({1280, 720}, 2.0f, true, true);
   EXPECT_EQ(low.origin + 2.0f * vec2(320, 200), vec2(1280, 720));
   EXPECT_EQ(corner_canvas({1280, 720}, 2.0f, true, false).origin, vec2(640, 0));
-  EXPECT_EQ(crosshair_canvas({641, 481}, 1.0f).origin, vec2(320, 240));
-  EXPECT_EQ(crosshair_canvas({641, 481}, 99.0f).scale, 10.0f);
+  EXPECT_EQ(crosshair_canvas({{0, 0}, {641, 481}}, 1.0f).origin, vec2(320, 240));
+  EXPECT_EQ(crosshair_canvas({{10, 20}, {640, 480}}, 99.0f).scale, 10.0f);
 }
 
 TEST(Canvas, ConsoleByScaleOrWidth) {

@@ -9,6 +9,7 @@
 #include "ui/named_pictures.h"
 #include "ui/overlays.h"
 #include "ui/painter.h"
+#include "ui/view_area.h"
 
 namespace fb::ui {
 namespace {
@@ -26,7 +27,7 @@ void draw_plaque(scene::DrawList& list, Atlas& atlas, const HudView& view, const
 }
 
 void draw_speed(scene::DrawList& list, Atlas& atlas, const HudView& view) {
-  Painter painter(list, atlas, crosshair_canvas(view.output, view.settings.crosshair_scale));
+  Painter painter(list, atlas, crosshair_canvas(view_area(view), view.settings.crosshair_scale));
   const std::string text = fmt::format("{}", static_cast<int>(std::min(view.speed, 1e6f)));
   painter.text(-kGlyph / 2.0f * static_cast<float>(text.size()), 4.0f + view.settings.speed_offset, text);
 }
@@ -35,7 +36,7 @@ void draw_speed(scene::DrawList& list, Atlas& atlas, const HudView& view) {
 
 void draw_crosshair(scene::DrawList& list, Atlas& atlas, const HudView& view) {
   if (view.settings.crosshair == 0.0f) return;
-  Painter painter(list, atlas, crosshair_canvas(view.output, view.settings.crosshair_scale));
+  Painter painter(list, atlas, crosshair_canvas(view_area(view), view.settings.crosshair_scale));
   painter.character(-kGlyph / 2.0f, -kGlyph / 2.0f, '+');
 }
 

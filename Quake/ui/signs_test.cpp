@@ -8,11 +8,14 @@ namespace {
 using SignsTest = HudTest;
 
 TEST_F(SignsTest, CrosshairInTheMiddle) {
+  settings.bar_alpha = 0.75f;
   EXPECT_EQ(drawn(view(), draw_crosshair).text(atlas, 156, 96, 1), "");
   settings.crosshair = 1.0f;
   EXPECT_EQ(drawn(view(), draw_crosshair).text(atlas, 156, 96, 1), "+");
   settings.crosshair_scale = 3.0f;
   EXPECT_EQ(drawn(view(), draw_crosshair).text(atlas, 160 - 12, 100 - 12, 1, 3), "+");
+  settings.bar_alpha = 1.0f;  // of the picture above the bar's 48 lines
+  EXPECT_EQ(drawn(view(), draw_crosshair).text(atlas, 160 - 12, 76 - 12, 1, 3), "+");
 }
 
 TEST_F(SignsTest, PlaquesAreALittleAboveTheMiddle) {
@@ -64,8 +67,8 @@ TEST_F(SignsTest, ReadingsInTheCorner) {
   Raster r = drawn(v, draw_readings);
   EXPECT_EQ(r.text(atlas, 320 - 32, 192, 4), "1:05");
   EXPECT_EQ(r.text(atlas, 320 - 48, 184, 6), "72 fps");
-  EXPECT_EQ(r.text(atlas, 160 - 12, 104, 3), "320");
-  v.settings.style = 2.0f;  // whose lower corner is taken
+  EXPECT_EQ(r.text(atlas, 160 - 12, 80, 3), "320");  // of the picture above the bar
+  v.settings.style = 2.0f;                           // whose lower corner is taken
   r = drawn(v, draw_readings);
   EXPECT_EQ(r.text(atlas, 320 - 48, 8, 4), "1:05");
   EXPECT_EQ(r.text(atlas, 320 - 64, 16, 6), "72 fps");

@@ -9,6 +9,7 @@
 #include "client/session/items.h"
 #include "ui/inventory.h"
 #include "ui/status_bar_parts.h"
+#include "ui/view_area.h"
 
 namespace fb::ui {
 namespace {
@@ -17,25 +18,13 @@ namespace {
 constexpr float kBarY = 24.0f, kInventoryY = 8.0f;
 constexpr int kLowArmor = 25, kLowHealth = 25, kLowAmmo = 10, kMostShown = 999;
 
-// Fills a rectangle of the output with backtile, whatever its size in squares of 64 pixels from the output's corner.
-void tile(Painter& painter, const vec2& min, const vec2& max) {
-  constexpr float kTile = 64.0f;
-  const Picture* const picture = painter.atlas().picture("backtile");
-  if (!picture) return;
-  painter.clip(min, max);
-  const vec2 first = glm::floor(min / kTile) * kTile;
-  for (float y = first.y; y < max.y; y += kTile)
-    for (float x = first.x; x < max.x; x += kTile) painter.picture(x, y, kTile, kTile, *picture);
-  painter.clip_nothing();
-}
-
 void tile_sides(scene::DrawList& list, Atlas& atlas, const HudView& view, const Canvas& bar) {
   if (view.settings.bar_alpha < 1.0f || !shows_bar(view)) return;
   Painter painter(list, atlas, screen_canvas(view.output, 1.0f));
   const vec2 size(view.output);
   const float top = size.y - std::floor((shows_inventory(view) ? 48.0f : 24.0f) * bar.scale);
-  tile(painter, {0.0f, top}, {bar.origin.x, size.y});
-  tile(painter, {std::floor(bar.origin.x + static_cast<float>(bar.width) * bar.scale), top}, size);
+  draw_tiles(painter, {0.0f, top}, {bar.origin.x, size.y});
+  draw_tiles(painter, {std::floor(bar.origin.x + static_cast<float>(bar.width) * bar.scale), top}, size);
 }
 
 void draw_inventory(Painter& painter, const HudView& view) {

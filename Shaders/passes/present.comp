@@ -1,5 +1,5 @@
-// The finished picture at output size: scaled up where it was rendered smaller, tinted, 2D drawing on top, then
-// QuakeSpasm's contrast and gamma over all. Quads come binned into tiles by the host, in their drawing order.
+// The finished picture in its place in the output: scaled up where it was rendered smaller, tinted, 2D drawing on top,
+// then QuakeSpasm's contrast and gamma over all. Quads come binned into tiles by the host, in their drawing order.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pixel.glsl"
@@ -10,9 +10,9 @@ vec3 smoothed_at(ivec2 p) {
 }
 
 vec3 picture_at(uvec2 pixel) {
-  vec2 size = vec2(frame.smooth_width, frame.smooth_height), output_size = vec2(frame.output_width, frame.output_height);
-  if (size == output_size) return smoothed_at(ivec2(pixel));
-  vec2 p = (vec2(pixel) + 0.5) * size / output_size - 0.5;
+  vec2 size = vec2(frame.smooth_width, frame.smooth_height), shown = vec2(frame.picture_width, frame.picture_height);
+  if (size == shown) return smoothed_at(ivec2(pixel));
+  vec2 p = (vec2(pixel) + 0.5) * size / shown - 0.5;
   vec2 base = floor(p), f = p - base;
   ivec2 i = ivec2(base);
   return mix(mix(smoothed_at(i), smoothed_at(i + ivec2(1, 0)), f.x),
@@ -33,8 +33,10 @@ vec3 draw_quad(GpuQuad quad, vec2 point, vec3 below) {
 void main() {
   uvec2 pixel = invocation_pixel();
   if (pixel.x >= frame.output_width || pixel.y >= frame.output_height) return;
-  vec3 color = picture_at(pixel);
-  color = mix(color, frame.screen_tint.rgb, frame.screen_tint.a);
+  uvec2 inside = pixel - uvec2(frame.picture_x, frame.picture_y);  // wraps where it is left of it or above
+  vec3 color = vec3(0.0);
+  if (inside.x < frame.picture_width && inside.y < frame.picture_height)
+    color = mix(picture_at(inside), frame.screen_tint.rgb, frame.screen_tint.a);
   if (frame.draw_quads != 0u) {
     uint tile = (pixel.y / kDrawTile) * frame.quad_tiles_x + pixel.x / kDrawTile;
     for (uint i = tiles.at[2u * tile]; i < tiles.at[2u * tile + 1u]; ++i) color = draw_quad(quads.at[tiles.at[i]], vec2(pixel) + 0.5, color);

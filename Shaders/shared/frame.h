@@ -34,6 +34,7 @@ struct FrameConstants {
   vec4 screen_tint;
   uint width, height;  // rendered pixels
   uint output_width, output_height;
+  uint picture_x, picture_y, picture_width, picture_height;  // where in the output the picture is
   uint smooth_width, smooth_height;  // of the anti-aliased picture: the output's if it is scaled up over time
   uint frame;                        // seed of this frame's random numbers; differs from frame to frame
   uint sky_mode, sky_solid, sky_alpha, sun_count;
