@@ -28,8 +28,7 @@ scene::Area view_area(const HudView& view) {
   const int lines = bar_lines(view);
   const float share = std::clamp(view.settings.view_size, 30.0f, 100.0f) / 100.0f;
   const int width = std::min(std::max(static_cast<int>(static_cast<float>(output.x) * share), kNarrowest), output.x);
-  const int height =
-      std::max(1, std::min(static_cast<int>(static_cast<float>(output.y) * share), output.y - lines));
+  const int height = std::max(1, std::min(static_cast<int>(static_cast<float>(output.y) * share), output.y - lines));
   const ivec2 min((output.x - width) / 2, std::max(0, (output.y - lines - height) / 2));
   return {uvec2(min), uvec2(width, height)};
 }

@@ -1,5 +1,5 @@
-// Where the game's picture is: all of the output, or what viewsize and an opaque status bar leave of it, and what stands
-// around it. Sizes are QuakeSpasm's.
+// Where the game's picture is: all of the output, or what viewsize and an opaque status bar leave of it, and what
+// stands around it. Sizes are QuakeSpasm's.
 #pragma once
 
 #include "base/maths.h"

@@ -63,8 +63,10 @@ TEST_F(ViewAreaTest, ASmallerViewIsInTheMiddleAboveTheBar) {
 TEST_F(ViewAreaTest, TilesAreAroundIt) {
   settings.view_size = 70.0f;
   const HudView v = view(640, 400);
-  const Raster r = drawn(v, [](scene::DrawList& list, Atlas& images, const HudView& what) { draw_border(list, images, what); });
-  for (const ivec2 at : {ivec2(0, 0), ivec2(95, 200), ivec2(320, 35), ivec2(544, 100), ivec2(639, 351), ivec2(320, 316)})
+  const Raster r =
+      drawn(v, [](scene::DrawList& list, Atlas& images, const HudView& what) { draw_border(list, images, what); });
+  for (const ivec2 at :
+       {ivec2(0, 0), ivec2(95, 200), ivec2(320, 35), ivec2(544, 100), ivec2(639, 351), ivec2(320, 316)})
     EXPECT_EQ(picture_at(r, at.x, at.y), "backtile") << at.x << " " << at.y;
   for (const ivec2 at : {ivec2(96, 36), ivec2(543, 315), ivec2(320, 200), ivec2(320, 352), ivec2(0, 399)})
     EXPECT_EQ(picture_at(r, at.x, at.y), "") << at.x << " " << at.y;
