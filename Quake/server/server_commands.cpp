@@ -102,14 +102,17 @@ void Server::Commands::add_game_commands() {
   });
 }
 
-// QuakeC says `restart` when a dead player wants to go on.
+// QuakeC says `restart` when a dead player wants to go on, once a tick until it is obeyed: a long frame holds several.
 void Server::Commands::restart(const con::Args& args) {
   con::Console& console = server_.console_;
+  const auto waits_at = [&] { return server_.level_ && server_.level_->loaded ? server_.level_->time : -1.0; };
+  if (args.size() == 1 && server_.active() && gone_back_to_ >= 0.0 && waits_at() == gone_back_to_) return;
   const std::string save = args.size() > 1 ? std::string() : server_.save_after_death();
   const float autoload = console.cvar("sv_autoload").value();
   if (!save.empty() && autoload == 1.0f && server_.offer_load_) return server_.offer_load_(save);
   if (!save.empty() && autoload >= 2.0f) {
     const Status loaded = server_.load(save);
+    if (loaded) gone_back_to_ = waits_at();
     if (loaded || !server_.active()) return console.fail_unless(loaded);
     log_error("{}", loaded.error().message);  // the file is gone: the level is there still
   }

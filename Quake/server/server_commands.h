@@ -17,6 +17,7 @@ struct Server::Commands {
   void add(std::string name, std::string help, con::Handler handler);
   void add_game_commands();
   void restart(const con::Args& args);
+  double gone_back_to_ = -1.0;  // the level's time to which `restart` has last gone back by loading a save
   void add_save_commands();
   void add_edict_commands();
   void add_player_commands();
