@@ -105,6 +105,15 @@ TEST_F(GpuTest, FillsAndCopies) {
   EXPECT_EQ(read_now<std::uint32_t>(*device_, b, 16), expected);
 }
 
+TEST_F(GpuTest, PipelinesOfTheSameCodeAndConstantsAreOne) {
+  const std::vector<SpecializationConstant> some{{0, 32}}, others{{0, 64}};
+  const BindingTable table(*device_), another(*device_);
+  const ComputePipeline first(*device_, table, test_constants_spv, "first", some);
+  EXPECT_EQ(ComputePipeline(*device_, another, test_constants_spv, "again", some).handle(), first.handle());
+  EXPECT_NE(ComputePipeline(*device_, table, test_constants_spv, "other constants", others).handle(), first.handle());
+  EXPECT_NE(ComputePipeline(*device_, table, test_arithmetic_spv, "other code").handle(), first.handle());
+}
+
 TEST_F(GpuTest, ShadersGetSpecialisationAndPushConstants) {
   BindingTable table(*device_);
   Buffer result(*device_, BufferUse::kStorage, 7 * 4, "result");

@@ -100,17 +100,8 @@ Result<std::vector<std::string>> other_tone_curves(const std::vector<lab::Progra
 Result<JudgedTruth> find_truth(const lab::SuiteView& view, const std::string& basedir,
                                const std::vector<std::string>& sets, const std::string& device,
                                const lab::JudgedReferenceOptions& wanted) {
-  StageOptions options;
-  options.basedir = basedir;
-  options.scene = view.scene;
-  options.map = view.map;
-  options.demo = view.demo;
-  options.camera = view.camera;
-  options.fps = view.frames_per_second;
-  options.size = fmt::format("{}x{}", wanted.width, wanted.height);
-  options.device = device;
+  StageOptions options = stage_of(view, basedir, device, {wanted.width, wanted.height});
   options.estimator = wanted.estimator;
-  options.sets = view.sets;
   options.sets.insert(options.sets.end(), sets.begin(), sets.end());
   Stage stage;
   if (auto status = open_stage(stage, options); !status) return Error{view.name + ": " + status.error().message};

@@ -182,6 +182,20 @@ Status unbiased_estimator(const std::string& name, const std::string& option) {
   return Error{fmt::format("{} {}: it is biased; references need an unbiased one", option, name)};
 }
 
+StageOptions stage_of(const lab::SuiteView& view, const std::string& basedir, const std::string& device, uvec2 size) {
+  StageOptions stage;
+  stage.basedir = basedir;
+  stage.scene = view.scene;
+  stage.map = view.map;
+  stage.demo = view.demo;
+  stage.camera = view.camera;
+  stage.fps = view.frames_per_second;
+  stage.size = fmt::format("{}x{}", size.x, size.y);
+  stage.device = device;
+  stage.sets = view.sets;
+  return stage;
+}
+
 Place place_of(const lab::SuiteView& view, const std::string& basedir, const std::string& librequake) {
   using Data = lab::SuiteView::Data;
   std::error_code ignored;

@@ -76,6 +76,8 @@ struct Place {
   std::string basedir, missing;
 };
 Place place_of(const lab::SuiteView& view, const std::string& basedir, const std::string& librequake);
+// What opens such a view in pictures of this size.
+StageOptions stage_of(const lab::SuiteView& view, const std::string& basedir, const std::string& device, uvec2 size);
 
 Status known_estimator(const std::string& name, const std::string& option);
 // The same, and it may make a reference.

@@ -29,16 +29,7 @@ class MeasuredView : public OpenView {
     const lab::Experiment& e = experiment_;
     const lab::SuiteView view = lab::view_at(e, value);
     const uvec2 size = lab::size_at(e, value);
-    StageOptions stage;
-    stage.basedir = place_of(view, o.basedir, o.librequake).basedir;
-    stage.scene = view.scene;
-    stage.map = view.map;
-    stage.demo = view.demo;
-    stage.camera = view.camera;
-    stage.fps = view.frames_per_second;
-    stage.size = fmt::format("{}x{}", size.x, size.y);
-    stage.device = o.device;
-    stage.sets = view.sets;
+    StageOptions stage = stage_of(view, place_of(view, o.basedir, o.librequake).basedir, o.device, size);
     stage.quiet = true;
     if (auto status = open_stage(stage_, stage); !status) return Error{e.name + ": " + status.error().message};
     stage_.settings.jitter = std::max(stage_.settings.jitter, 0);
