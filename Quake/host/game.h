@@ -109,6 +109,7 @@ class Game {
   TimedemoReport timedemo_report_;
   std::optional<std::vector<std::string>> next_start_;
   bool quit_ = false, was_timing_ = false;
+  bool first_timed_ = false;              // no timed frame has been shown yet: that one loads and compiles
   bool started_ = false;                  // the configuration has been read
   bool configured_ = false;               // the configuration has been executed
   bool video_asked_ = false;              // vid_restart

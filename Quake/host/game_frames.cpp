@@ -142,7 +142,9 @@ bool Game::draw_frame() {
             client.time(),
             governor_.step(),
             demo_capture_.active() && client.playing()};
-  if (pictured || !draws_ahead()) renderer_->finish();
+  // What a timedemo's first frame loads and compiles is done before its clock starts, which is at the second.
+  const bool first_timed = client.timing() && first_timed_;
+  if (pictured || first_timed || !draws_ahead()) renderer_->finish();
   if (pictured) take_save_picture();
   ++frame_;
   return true;
@@ -191,7 +193,7 @@ void Game::show_drawn() {
   if (engine_->client().active())
     governor_.add(drawn.governed, draws_ahead() ? std::max(host, device) : host + device, times.whole, now);
   if (engine_->client().active() && !engine_->client().timing()) follow_measurement(device, now);
-  if (drawn.timed) {
+  if (drawn.timed && !std::exchange(first_timed_, false)) {
     pass_report_.add(renderer_->pass_times(), times);
     timedemo_report_.add(drawn.message, drawn.demo_seconds, renderer_->pass_times(), times);
   }
@@ -206,6 +208,7 @@ void Game::show_drawn() {
 void Game::report_timing() {
   const bool timing = engine_->client().timing();
   if (timing && !was_timing_) {
+    first_timed_ = true;
     pass_report_.clear();
     timedemo_report_.begin();
   }

@@ -87,7 +87,7 @@ bool is_renderers(const std::string& cvar) {
       FB_RENDER_SETTINGS(FB_NAME)
 #undef FB_NAME
           "r_estimator",
-      "r_intersector", "r_arrays"};
+      "r_intersector", "r_arrays", "r_lanes"};
   return names.contains(cvar);
 }
 

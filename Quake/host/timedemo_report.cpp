@@ -32,14 +32,10 @@ TimedemoReport::TimedemoReport(Engine& engine) : engine_(engine) {
                             "file in the player's folder that timedemo writes its times to, NAME.json; empty: none");
 }
 
-void TimedemoReport::begin() {
-  run_ = {};
-  first_ = true;
-}
+void TimedemoReport::begin() { run_ = {}; }
 
 void TimedemoReport::add(std::uint64_t message, double demo_seconds, const std::vector<render::PassTime>& passes,
                          const FrameTimes& times) {
-  if (std::exchange(first_, false)) return;
   std::vector<lab::TimedRun::PassOfFrame> of_frame;
   for (const render::PassTime& pass : passes)
     of_frame.push_back({pass.name, pass.kind == render::PassKind::kEstimator, pass.milliseconds});

@@ -31,7 +31,6 @@ class TimedemoReport {
   Engine& engine_;
   lab::Timedemos all_;
   lab::TimedRun run_;
-  bool first_ = true;
   int next_ = 0;  // index of the run that is wanted next, if all before it ended
 };
 

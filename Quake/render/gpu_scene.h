@@ -24,6 +24,7 @@ struct GpuSceneOptions {
   bool ray_query = false;  // also build acceleration structures, and bind the top level
   gpu::BuildPreference build = gpu::BuildPreference::kFastTrace;
   std::optional<bool> by_address = {};  // how shaders reach arrays (arrays_by_address()); none: as suits the device
+  std::optional<bool> gpu_lanes = {};   // what shaders are written for (lanes_of_gpu()); none: as the device is
 };
 
 // What emission of each kind is multiplied by (r_emit_* cvars).

@@ -9,7 +9,9 @@ namespace fb::render {
 
 RayList::RayList(gpu::Device& device, const GpuSceneOptions& options, bool candidates)
     : device_(device), table_(device), scene_(device, table_, options) {
-  const gpu::SpecializationConstant constants[]{{shared::kSpecCandidates, candidates ? 1u : 0u}};
+  const gpu::SpecializationConstant constants[]{
+      {shared::kSpecCandidates, candidates ? 1u : 0u},
+      {shared::kSpecGpuLanes, lanes_of_gpu(device, options.gpu_lanes) ? 1u : 0u}};
   pipeline_ = make_pipeline(device, table_, "trace_rays", options.ray_query,
                             arrays_by_address(device, options.by_address), constants);
 }

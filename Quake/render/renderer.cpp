@@ -65,7 +65,7 @@ struct Renderer::Impl {
         table(d),
         scene(d, table, options),
         overlay(d, table),
-        shaders(d, table, arrays_by_address(d, options.by_address)),
+        shaders(d, table, arrays_by_address(d, options.by_address), lanes_of_gpu(d, options.gpu_lanes)),
         denoiser(d, table),
         timer(d) {
     uniform = Buffer(d, BufferUse::kUniform, sizeof(shared::FrameConstants), "frame constants");
@@ -143,6 +143,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(gpu::Device& device, const Re
   }
   GpuSceneOptions options;
   if (settings.arrays != ArrayAccess::kAuto) options.by_address = settings.arrays == ArrayAccess::kAddress;
+  if (settings.lanes != Lanes::kAuto) options.gpu_lanes = settings.lanes == Lanes::kGpu;
   options.build = settings.fast_build != 0 ? gpu::BuildPreference::kFastBuild : gpu::BuildPreference::kFastTrace;
   return within_memory([&]() -> Result<std::unique_ptr<Renderer>> {
     options.ray_query = settings.intersector == Intersector::kQuery ||

@@ -272,6 +272,25 @@ TEST_F(RendererTest, ArraysGiveTheSameBitsBoundAndByAddress) {
   EXPECT_EQ(pictures[0], pictures[1]);
 }
 
+// The scenes between them ask for holes and panes, and have a tree that is deeper than the traversal's registers.
+TEST_F(RendererTest, LanesOfAGpuGiveTheSameBitsAsAProcessors) {
+  for (const char* estimator : {"nee", "mcpg"}) {
+    for (const scene::FrameSnapshot& snapshot : {scene::many_lights(200), scene::alpha_panel()}) {
+      std::vector<std::vector<vec4>> pictures;
+      for (const Lanes lanes : {Lanes::kProcessor, Lanes::kGpu}) {
+        RenderSettings s = settings_for(Intersector::kBvh, 1, 2);
+        s.estimator = estimator;
+        s.deterministic = 1;
+        s.lanes = lanes;
+        auto renderer = make_renderer(s, 64, 64);
+        for (int frame = 0; frame < 3; ++frame) renderer->render(snapshot, nullptr, s);
+        pictures.push_back(renderer->read().linear());
+      }
+      EXPECT_EQ(pictures[0], pictures[1]) << estimator;
+    }
+  }
+}
+
 TEST_F(RendererTest, IntersectorsAgree) {
   if (!device_->has_ray_query()) GTEST_SKIP() << device_->report().name << " has no ray query";
   for (const int fast_build : {0, 1}) {

@@ -51,6 +51,11 @@ void register_render_cvars(con::Console& console) {
                    "how shaders reach the scene's arrays: bound (descriptors), address (device addresses), auto (the "
                    "faster one for the driver); takes effect at the next start",
                    con::kCvarArchive);
+  console.add_cvar(
+      "r_lanes", "auto",
+      "what shaders are written for: processor (branches and words fetched are dear), gpu (registers and code "
+      "are), auto (as the device is); takes effect at the next start",
+      con::kCvarArchive);
 }
 
 const std::vector<SettingGroup>& setting_groups() {
@@ -76,6 +81,8 @@ RenderSettings read_render_settings(const con::Console& console) {
   settings.arrays = arrays == "bound"     ? ArrayAccess::kBound
                     : arrays == "address" ? ArrayAccess::kAddress
                                           : ArrayAccess::kAuto;
+  const std::string& lanes = console.cvar("r_lanes").string();
+  settings.lanes = lanes == "processor" ? Lanes::kProcessor : lanes == "gpu" ? Lanes::kGpu : Lanes::kAuto;
   return settings;
 }
 

@@ -34,6 +34,7 @@ namespace fb::render {
 
 enum class Intersector { kAuto, kQuery, kBvh };
 enum class ArrayAccess { kAuto, kBound, kAddress };
+enum class Lanes { kAuto, kProcessor, kGpu };
 
 struct RenderSettings {
 #define FB_FIELD(type, field, cvar, value, low, high, help) type field = value;
@@ -42,6 +43,7 @@ struct RenderSettings {
   std::string estimator = "pt";
   Intersector intersector = Intersector::kAuto;
   ArrayAccess arrays = ArrayAccess::kAuto;
+  Lanes lanes = Lanes::kAuto;
   bool operator==(const RenderSettings&) const = default;
 };
 
@@ -60,7 +62,7 @@ std::uint64_t most_samples(const RenderSettings& settings);
 // Emission factors by kind, as GpuScene wants them.
 EmissionScales emission_scales(const RenderSettings& settings);
 
-// Registers a cvar for every row, r_estimator, r_intersector and r_arrays.
+// Registers a cvar for every row, r_estimator, r_intersector, r_arrays and r_lanes.
 void register_render_cvars(con::Console& console);
 // The rows' cvars as the manual and the panel group them.
 struct SettingGroup {

@@ -34,6 +34,10 @@ bool arrays_by_address(const gpu::Device& device, std::optional<bool> asked) {
   return device.has_addresses() && asked.value_or(lavapipe_version(device) >= 24);
 }
 
+bool lanes_of_gpu(const gpu::Device& device, std::optional<bool> asked) {
+  return asked.value_or(!device.is_software());
+}
+
 std::span<const std::uint32_t> shader_code(std::string_view name, bool ray_query, bool by_address) {
   const CompiledShader& shader = find_shader(name);
   if (ray_query && !shader.query.empty()) return shader.query;

@@ -15,6 +15,10 @@ namespace fb::render {
 // the same.
 bool arrays_by_address(const gpu::Device& device, std::optional<bool> asked = {});
 
+// Whether shaders are specialised for a GPU's lanes, not a processor's (shared/bindings.h, kSpecGpuLanes). Both give
+// the same picture.
+bool lanes_of_gpu(const gpu::Device& device, std::optional<bool> asked = {});
+
 // SPIR-V of a shader that Shaders/CMakeLists.txt lists. `ray_query`: rays are traced by VK_KHR_ray_query, if it traces.
 std::span<const std::uint32_t> shader_code(std::string_view name, bool ray_query, bool by_address);
 

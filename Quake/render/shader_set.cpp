@@ -18,8 +18,8 @@ constexpr int kQuiet = 2;
 
 }  // namespace
 
-ShaderSet::ShaderSet(gpu::Device& device, const gpu::BindingTable& table, bool by_address)
-    : device_(device), table_(table), by_address_(by_address) {}
+ShaderSet::ShaderSet(gpu::Device& device, const gpu::BindingTable& table, bool by_address, bool gpu_lanes)
+    : device_(device), table_(table), by_address_(by_address), gpu_lanes_(gpu_lanes) {}
 
 void ShaderSet::set_precompiles(bool precompiles) { precompiles_ = precompiles && gpu::Precompiler::helps(device_); }
 
@@ -110,10 +110,15 @@ gpu::ShaderSource ShaderSet::first_dispatch() const { return {shader_code("pose"
 gpu::ShaderSource ShaderSet::source(const Key& key) const {
   const auto& [name, variant] = key;
   gpu::ShaderSource shader{shader_code(name, variant.ray_query, by_address_), name, {}};
-  shader.constants = {{shared::kSpecCandidates, variant.candidates}, {shared::kSpecSpecular, variant.specular},
-                      {shared::kSpecShowView, variant.show_view},    {shared::kSpecMedium, variant.medium},
-                      {shared::kSpecFeatures, variant.surfaces},     {shared::kSpecWater, variant.water},
-                      {shared::kSpecOneBounce, variant.one_bounce},  {shared::kSpecSmall, variant.small}};
+  shader.constants = {{shared::kSpecCandidates, variant.candidates},
+                      {shared::kSpecSpecular, variant.specular},
+                      {shared::kSpecShowView, variant.show_view},
+                      {shared::kSpecMedium, variant.medium},
+                      {shared::kSpecFeatures, variant.surfaces},
+                      {shared::kSpecWater, variant.water},
+                      {shared::kSpecOneBounce, variant.one_bounce},
+                      {shared::kSpecSmall, variant.small},
+                      {shared::kSpecGpuLanes, gpu_lanes_}};
   for (std::uint32_t i = 0; i < variant.technique.size(); ++i)
     shader.constants.push_back({shared::kSpecTechnique + i, variant.technique[i]});
   return shader;

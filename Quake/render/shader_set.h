@@ -39,7 +39,7 @@ struct Variant {
 
 class ShaderSet {
  public:
-  ShaderSet(gpu::Device& device, const gpu::BindingTable& table, bool by_address);
+  ShaderSet(gpu::Device& device, const gpu::BindingTable& table, bool by_address, bool gpu_lanes);
   // `name`: of a shader in Shaders/CMakeLists.txt. Passes that trace nothing have one variant. It stays where it is,
   // and is to be used after make().
   const gpu::ComputePipeline& get(std::string_view name, const Variant& variant = {});
@@ -74,7 +74,7 @@ class ShaderSet {
 
   gpu::Device& device_;
   const gpu::BindingTable& table_;
-  bool by_address_, precompiles_ = false, hurries_ = false;
+  bool by_address_, gpu_lanes_, precompiles_ = false, hurries_ = false;
   int quiet_ = 0;  // make()s in a row that had nothing to make
   std::map<Key, gpu::ComputePipeline> pipelines_;
   std::vector<std::map<Key, gpu::ComputePipeline>::iterator> asked_;

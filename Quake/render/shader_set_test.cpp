@@ -34,7 +34,7 @@ class ShaderSetTest : public DeviceTest {
 
 TEST_F(ShaderSetTest, WhatIsAskedForIsMadeAtOnce) {
   const gpu::BindingTable table(*device_);
-  ShaderSet set(*device_, table, false);
+  ShaderSet set(*device_, table, false, false);
   set.set_precompiles(true);
   const gpu::ComputePipeline& made = set.get("exposure", whole(), small());
   EXPECT_FALSE(made);
@@ -46,7 +46,7 @@ TEST_F(ShaderSetTest, WhatIsAskedForIsMadeAtOnce) {
 
 TEST_F(ShaderSetTest, ASetThatHurriesGivesASmallOneMeanwhile) {
   const gpu::BindingTable table(*device_);
-  ShaderSet set(*device_, table, false);
+  ShaderSet set(*device_, table, false, false);
   set.set_precompiles(true);
   set.set_hurries(true);
   const bool waits = device_->is_software() && !gpu::Precompiler::helps(*device_);
@@ -70,7 +70,7 @@ TEST_F(ShaderSetTest, ASetThatHurriesGivesASmallOneMeanwhile) {
 
 TEST_F(ShaderSetTest, OneThatHurriesNoLongerWaitsForWhatIsUnderWay) {
   const gpu::BindingTable table(*device_);
-  ShaderSet set(*device_, table, false);
+  ShaderSet set(*device_, table, false, false);
   set.set_precompiles(true);
   set.set_hurries(true);
   for (int frame = 0; frame < 4; ++frame) {  // until what can wait is begun

@@ -7,6 +7,8 @@
 // False: every surface stops every ray, nothing is asked.
 layout(constant_id = kSpecCandidates) const bool FEATURE_CANDIDATES = true;
 
+layout(constant_id = kSpecGpuLanes) const bool GPU_LANES = false;
+
 struct Hit {
   float t;        // along the direction as it was given, in the world
   vec2 bary;      // weights of vertices 1 and 2

@@ -100,6 +100,9 @@ FB_CONST uint kSpecOneBounce = 10u;
 FB_CONST uint kSpecSmall = 11u;
 // Whether some surface is a dielectric interface, of water or glass (kMaterialDielectric):
 FB_CONST uint kSpecWater = 9u;
+// Whether lanes are a GPU's: branches and memory of a lane's own are cheap there, registers and code are not. A
+// processor's, lavapipe's, want the opposite.
+FB_CONST uint kSpecGpuLanes = 12u;
 // Of passes/pose.comp:
 FB_CONST uint kSpecForQuery = 0u;
 
