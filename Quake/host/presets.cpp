@@ -16,7 +16,7 @@ constexpr double kMeasuring = 2.0;     // seconds
 constexpr std::size_t kFewest = 5;     // frames, however long they take
 constexpr const char* kChosen = "r_preset";
 
-// Costs: results.md, "Presets".
+// Costs: measurements.md, "Presets".
 constexpr std::array kPresets{
     Preset{"potato",
            "one reflection, a small picture, light at a third of it",

@@ -127,11 +127,27 @@ def outside() -> str:
     return rows_of(head, rows) + f"\n\n{data['blender']}, {data['samples']} samples a pixel of each, {data['size']}."
 
 
+def gpu() -> str:
+    """Times of the traversal for GPUs beside that for processors, where both were measured; frame rates of timedemos."""
+    data = json.loads((HERE / "gpu.json").read_text())
+    rows = []
+    for new in data["rows"]:
+        old = [r for r in data["rows"] if (r["view"], r["estimator"], r["lanes"]) == (new["view"], new["estimator"], "processor")]
+        if new["lanes"] != "gpu" or not old:
+            continue
+        times = [f"{old[0][key]:.3g} / {new[key]:.3g}" if key in new else "" for key in ("gbuffer", "paths", "fog", "all")]
+        rows.append([new["view"], f"`{new['estimator']}`", *times, f"{new['all'] / old[0]['all']:.2f}"])
+    head = ["view", "estimator", "G-buffer: `processor` / `gpu`, ms", "paths", "fog", "all", "ratio"]
+    speeds = ", ".join(f"{t['size']} {t['fps']:.0f} frames a second ({t['device_ms']} ms of the device)" for t in data["timedemos"])
+    return (rows_of(head, rows) + f"\n\n{data['device']}, {data['driver']}; {data['what']}.\n\n`timedemo hub`, denoised, `r_lanes processor`: {speeds}.")
+
+
 TABLES = {
     "scaling": scaling,
     "alber2025": lambda: gains_of("alber2025", "figure"),
     "default": lambda: gains_of("default", "scene"),
     "judge_quick": lambda: judge("judge_quick"),
+    "gpu": gpu,
     "outside": outside,
 }
 MARKED = re.compile(r"(<!-- table (\w+) -->\n)(?:.*?\n)??(<!-- end -->)", re.S)
@@ -149,7 +165,7 @@ def main() -> int:
     commands = parser.add_subparsers(dest="command", required=True)
     keeping = commands.add_parser("keep")
     keeping.add_argument("folder")
-    keeping.add_argument("name", choices=[name for name in TABLES if name != "outside"])
+    keeping.add_argument("name", choices=[name for name in TABLES if name not in ("gpu", "outside")])
     commands.add_parser("write")
     commands.add_parser("check")
     options = parser.parse_args()
