@@ -93,13 +93,28 @@ class Film(unittest.TestCase):
         self.assertEqual((width, rows[35]), (130, bytes((200, 0, 0)) * 64 + bytes(6) + bytes((0, 150, 0)) * 64))
 
     def test_a_rendered_film_shows_the_lanes_own_pictures(self):
-        self.assertEqual(self.film({**SPEC, "layout": "side", "reference_samples": 4}, "f", "--validation").returncode, 0)
+        own = {**SPEC, "exposure": "own"}
+        self.assertEqual(self.film({**own, "layout": "side", "reference_samples": 4}, "f", "--validation").returncode, 0)
         width, _, both = read_png(self.folder / "f/frame_000002.png")
         self.assertEqual(width, 130)
         # Below the captions a lane alone has the same picture as beside the other.
-        self.assertEqual(self.film({**SPEC, "lanes": SPEC["lanes"][1:]}, "alone").returncode, 0)
+        self.assertEqual(self.film({**own, "lanes": SPEC["lanes"][1:]}, "alone").returncode, 0)
         _, _, alone = read_png(self.folder / "alone/frame_000002.png")
         self.assertEqual([row[3 * 66 :] for row in both[34:]], alone[34:])
+
+    def test_lanes_have_the_exposure_of_the_first(self):
+        dim = {"name": "dim", "set": {"r_emit_fullbright": 0.6, "r_emit_lava": 0.8, "r_emit_slime": 0.1, "r_emit_teleport": 0.4, "r_emit_sky": 0.1,
+                                       "r_emit_sprite": 0.8, "r_emit_particle": 0.1, "r_emit_dlight": 0.1, "r_emit_sun": 0.1}}
+        means = []
+        for name, more in (("first", {}), ("own", {"exposure": "own"})):
+            view = {**SPEC, "size": [64, 72], "set": {"r_bounces": 1, "r_estimator": "pt"}, "lanes": [{"name": "bright"}, dim], "layout": "side", **more}
+            said = self.film(view, name)
+            self.assertEqual(said.returncode, 0, said.stderr)
+            _, _, rows = read_png(self.folder / name / "frame_000002.png")
+            means.append([sum(sum(row[3 * at : 3 * (at + 64)]) for row in rows[34:]) for at in (0, 66)])  # below the captions
+        (bright, dim_too), (own_bright, own_dim) = means
+        self.assertEqual(bright, own_bright)
+        self.assertLess(dim_too, 0.7 * own_dim, "a tenth of the light is shown as such")
 
     def test_ffmpeg_makes_a_stream_of_the_right_size_length_and_sound(self):
         if not shutil.which("ffprobe"):

@@ -144,8 +144,15 @@ Result<lab::Reference> reference_of(Film& film, const scene::FrameSnapshot& snap
   return reference;
 }
 
-Status render_lane(FilmLaneAtWork& lane, const scene::FrameSnapshot& snapshot, const lab::Reference* reference) {
-  lane.renderer->render(snapshot, nullptr, lane.settings);
+// `exposure`: at which the frame is shown; none: as the lane's settings say.
+Status render_lane(FilmLaneAtWork& lane, const scene::FrameSnapshot& snapshot, std::optional<float> exposure,
+                   const lab::Reference* reference) {
+  render::RenderSettings settings = lane.settings;
+  if (exposure) {
+    settings.auto_exposure = 0;
+    settings.exposure = *exposure;
+  }
+  lane.renderer->render(snapshot, nullptr, settings);
   lane.times.push_back(lane.renderer->gpu_milliseconds());
   if (lane.times.size() > kShownTimes) lane.times.pop_front();
   lane.estimator_ms += estimator_ms(*lane.renderer);
@@ -232,11 +239,13 @@ Status make_frames(Film& film, lab::FilmWriter& writer, GameSound* sound, bool q
       if (!made) return made.error();
       reference = std::move(*made);
     }
+    std::optional<float> exposure;
     for (FilmLaneAtWork& lane : film.lanes) {
       if (!shown && !lane.renderer) continue;
-      const Status status = lane.renderer ? render_lane(lane, snapshot, reference ? &*reference : nullptr)
+      const Status status = lane.renderer ? render_lane(lane, snapshot, exposure, reference ? &*reference : nullptr)
                                           : load_picture(spec, lane, number);
       if (!status) return status;
+      if (lane.renderer && !exposure && !spec.own_exposure) exposure = lane.renderer->read().exposure();
     }
     if (!shown) continue;
     std::vector<std::vector<std::uint32_t>> pictures;

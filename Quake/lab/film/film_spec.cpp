@@ -127,6 +127,7 @@ Result<FilmSpec> read_film(const std::string& path) {
   film.side_by_side = one_of(reader, "layout", "wipe", "side");
   film.sweep = reader.number("sweep", 0, 1e4, 0);
   film.equal_time = one_of(reader, "equal", "samples", "time");
+  film.own_exposure = one_of(reader, "exposure", "first", "own");
   film.exr = one_of(reader, "format", "png", "exr");
   film.sound = reader.boolean("sound", true);
   film.reference_samples = static_cast<std::uint32_t>(reader.whole("reference_samples", 0, 1u << 20u, 0));
