@@ -102,17 +102,18 @@ def shown(entry: dict, name: str, factor: float = 1) -> str:
 
 
 def judge(name: str) -> str:
-    """FLIP of every configuration, and all that the judge says of the last one, the game's."""
+    """FLIP of every configuration and of the reference's own noise, and all that the judge says of the last one, the game's."""
     suite = stored(name)
     names = suite.experiments[0].configurations
     rows = []
-    for title, judged in [*((e.name, e.data["judged"]) for e in suite.experiments if e.points), ("all", suite.data["judged"])]:
+    views = [(e.name, e.data["judged"], f"{e.data['truth']['flip']:.3f}") for e in suite.experiments if e.points]
+    for title, judged, noise in [*views, ("all", suite.data["judged"], "")]:
         of = {entry["configuration"]: entry for entry in judged}
         game = of[names[-1]]
-        rows.append([title, *(shown(of[n], "flip") for n in names), shown(game, "bias", 100), shown(game, "flicker").split(" ")[0],
+        rows.append([title, *(shown(of[n], "flip") for n in names), noise, shown(game, "bias", 100), shown(game, "flicker").split(" ")[0],
                      *(f"{game[key]['value']:.3g} ({game['most'][key]})" for key in ("isolated_dark", "isolated_bright")),
                      " / ".join(shown(of[n], "all_ms").split(" ")[0] for n in names)])
-    head = ["view", *(f"FLIP: `{n}`" if i == 0 else f"`{n}`" for i, n in enumerate(names)), f"bias of `{names[-1]}`, %", "flicker", "isolated dark", "isolated bright", "ms"]
+    head = ["view", *(f"FLIP: `{n}`" if i == 0 else f"`{n}`" for i, n in enumerate(names)), "of noise", f"bias of `{names[-1]}`, %", "flicker", "isolated dark", "isolated bright", "ms"]
     return rows_of(head, rows) + "\n\n" + made_with(suite)
 
 
@@ -146,6 +147,7 @@ TABLES = {
     "scaling": scaling,
     "alber2025": lambda: gains_of("alber2025", "figure"),
     "default": lambda: gains_of("default", "scene"),
+    "judge": lambda: judge("judge"),
     "judge_quick": lambda: judge("judge_quick"),
     "gpu": gpu,
     "outside": outside,
