@@ -71,7 +71,8 @@ int run_render(const RenderOptions& options) {
     double total = 0;
     for (const auto& pass : summary->passes) {
       total += pass.median();
-      fmt::print("{:12} {:9.3f} ms a frame, first {:.0f}{}\n", pass.name, pass.median(), pass.milliseconds.front(),
+      const double first = pass.milliseconds.front();  // compiles on lavapipe
+      fmt::print("{:12} {:9.3f} ms a frame, first {:.{}f}{}\n", pass.name, pass.median(), first, first < 10 ? 2 : 0,
                  pass.kind == render::PassKind::kEstimator ? lab::kEstimatorsPass : "");
     }
     fmt::print("{:12} {:9.3f} ms a frame (sum of the passes' medians)\n", "all", total);
