@@ -3,6 +3,7 @@
 of the base game at 64x36. Skipped, saying so, without the base game or a Vulkan device."""
 
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -26,11 +27,11 @@ class Timedemos(unittest.TestCase):
     def tearDownClass(cls):
         cls.scratch.cleanup()
 
-    def play(self, *commands, size="64x36"):
+    def play(self, *commands, size="64x36", **environment):
         return subprocess.run(
             [BUILD / "fullbright", "-headless", "-size", size, "-seed", "1", "-nosound", "-basedir", BUILD / "game",
              "-userdir", self.user, "+r_estimator", "pt", "+r_bounces", "0", *commands],
-            capture_output=True, text=True, timeout=120, check=False)
+            capture_output=True, text=True, timeout=120, check=False, env={**os.environ, **environment})
 
     def compare(self, a, b, *options):
         folder = self.user / "id1"
@@ -66,6 +67,14 @@ class Timedemos(unittest.TestCase):
         self.assertEqual(same.returncode, 0, same.stderr)
         self.assertEqual(json.loads(same.stdout)["speed"]["value"], 1)
         self.assertIn("No difference", json.loads(same.stdout)["sentence"])
+
+    def test_what_the_first_frame_compiles_is_not_timed(self):
+        with tempfile.TemporaryDirectory() as empty:
+            said = self.play("+scr_timedemo_json", "cold", "+timedemo", "plain", "+quit", MESA_SHADER_CACHE_DIR=empty)
+        self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
+        run = self.read("cold.json")["demos"][0]["runs"][0]
+        frames = run["each_frame"]["frame_ms"]
+        self.assertLess(1000 * run["seconds"], sum(frames) + max(frames) + 100)
 
     def test_what_is_unlike_or_cut_short_is_refused(self):
         for name, demo, size in (("a", "plain", "64x36"), ("b", "cbox", "64x36"), ("c", "plain", "32x18")):
