@@ -4,22 +4,35 @@
 #
 # fb_test_shader(NAME SOURCE) embeds one variant as NAME.spv.h with `NAME_spv`.
 find_program(GLSLANG NAMES glslangValidator glslang REQUIRED)
-set(FB_SHADER_DIR ${CMAKE_BINARY_DIR}/shaders)
-file(MAKE_DIRECTORY ${FB_SHADER_DIR})
-
-# Drivers inline every function of a shader before they leave out what is never reached, for each pipeline anew; lavapipe takes
-# four times as long over it as where glslang has done so. A glslang may be built without its optimizer.
-file(WRITE ${FB_SHADER_DIR}/nothing.comp "#version 460\nvoid main() {}\n")
-execute_process(COMMAND ${GLSLANG} -V --quiet -Os -o ${FB_SHADER_DIR}/nothing.spv ${FB_SHADER_DIR}/nothing.comp
-                RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
-if(failed)
-  message(STATUS "${GLSLANG} has no optimizer: the first picture will take longer on lavapipe")
+# FULLBRIGHT_SHADERS_FROM=FOLDER: another build folder of the same sources, whose compiled shaders are taken as they are, and
+# never compiled anew (CI's second build).
+set(FULLBRIGHT_SHADERS_FROM "" CACHE PATH "build folder of the same sources whose compiled shaders are taken as they are")
+if(FULLBRIGHT_SHADERS_FROM)
+  set(FB_SHADER_DIR ${FULLBRIGHT_SHADERS_FROM}/shaders)
 else()
-  set(FB_SHADER_OPTIMIZE -Os)
+  set(FB_SHADER_DIR ${CMAKE_BINARY_DIR}/shaders)
+  file(MAKE_DIRECTORY ${FB_SHADER_DIR})
+
+  # Drivers inline every function of a shader before they leave out what is never reached, for each pipeline anew; lavapipe
+  # takes four times as long over it as where glslang has done so. A glslang may be built without its optimizer.
+  file(WRITE ${FB_SHADER_DIR}/nothing.comp "#version 460\nvoid main() {}\n")
+  execute_process(COMMAND ${GLSLANG} -V --quiet -Os -o ${FB_SHADER_DIR}/nothing.spv ${FB_SHADER_DIR}/nothing.comp
+                  RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  if(failed)
+    message(STATUS "${GLSLANG} has no optimizer: the first picture will take longer on lavapipe")
+  else()
+    set(FB_SHADER_OPTIMIZE -Os)
+  endif()
 endif()
 
 function(fb_compile_shader name source)
   set(out ${FB_SHADER_DIR}/${name}.spv.h)
+  if(FULLBRIGHT_SHADERS_FROM)
+    if(NOT EXISTS ${out})
+      message(FATAL_ERROR "FULLBRIGHT_SHADERS_FROM: there is no ${out}: build that folder first")
+    endif()
+    return()
+  endif()
   list(TRANSFORM ARGN PREPEND -D)
   add_custom_command(
     OUTPUT ${out}
