@@ -148,6 +148,7 @@ TABLES = {
     "alber2025": lambda: gains_of("alber2025", "figure"),
     "default": lambda: gains_of("default", "scene"),
     "judge": lambda: judge("judge"),
+    "judge_librequake": lambda: judge("judge_librequake"),
     "judge_quick": lambda: judge("judge_quick"),
     "gpu": gpu,
     "outside": outside,
