@@ -272,7 +272,7 @@ TEST_F(RendererTest, ArraysGiveTheSameBitsBoundAndByAddress) {
   EXPECT_EQ(pictures[0], pictures[1]);
 }
 
-// The scenes between them ask for holes and panes, and have a tree that is deeper than the traversal's registers.
+// Many lights, and holes, of which hits must be asked.
 TEST_F(RendererTest, LanesOfAGpuGiveTheSameBitsAsAProcessors) {
   for (const char* estimator : {"nee", "mcpg"}) {
     for (const scene::FrameSnapshot& snapshot : {scene::many_lights(200), scene::alpha_panel()}) {
