@@ -76,6 +76,14 @@ const std::vector<Entry>& entries() {
        [] {
          return still_film(scene::ripple({12.0f, true, true}));
        }},
+      {"ripple_murky",
+       [] {
+         return still_film(scene::ripple({12.0f, true, false, 0.004f}));
+       }},
+      {"ripple_murky_above",
+       [] {
+         return still_film(scene::ripple({12.0f, true, true, 0.004f}));
+       }},
       {"lava_bath", [] { return still_film(scene::lava_bath()); }},
       {"torus", [] { return still_film(scene::torus()); }},
       {"torus_soft", [] { return still_film(scene::torus(40.0f)); }},

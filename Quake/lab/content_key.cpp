@@ -24,7 +24,7 @@ std::uint64_t material_key(const scene::Material& m, std::uint64_t key) {
   const float numbers[] = {m.frames_per_second, m.base_color.x, m.base_color.y, m.base_color.z,
                            m.emission.x,        m.emission.y,   m.emission.z,   m.roughness,
                            m.specular,          m.metalness,    m.alpha,        m.absorption.x,
-                           m.absorption.y,      m.absorption.z};
+                           m.absorption.y,      m.absorption.z, m.scattering};
   key = hash_span(std::span<const float>(numbers), key);
   return hash_value(m.flags, hash_value(static_cast<std::uint32_t>(m.emission_kind), key));
 }

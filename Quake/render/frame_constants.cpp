@@ -80,6 +80,8 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
   c.water_clock = shared::wave_clock(snapshot.time, kWaveSize);
   constexpr std::uint32_t kMostInside = 0xffff;  // materials that a point can be in (lib/interaction.glsl)
   const bool in_liquid = settings.water > 0 && snapshot.camera_liquid < kMostInside;
+  c.camera_fog = in_liquid ? 0.0f : c.medium.w;
+  c.medium_phase.w = std::clamp(settings.water_g, -shared::kPhaseMaxG, shared::kPhaseMaxG);
   c.camera_liquid = in_liquid ? kMostInside << 16 | snapshot.camera_liquid : shared::kNoIndex;
   c.screen_tint = in_liquid ? snapshot.tint_in_liquid : snapshot.screen_tint;
   c.width = render.x;

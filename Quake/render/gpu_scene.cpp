@@ -131,7 +131,7 @@ void GpuScene::Impl::collect(const scene::FrameSnapshot& snapshot) {
     d.instance = &instance;
     d.inverse = inverse_affine(instance.transform);
     if (d.inverse == mat4x3(0.0f) || !is_finite(d.inverse)) continue;
-    d.needs = needs_of(*snapshot.assets, mesh, instance.material_base);
+    d.needs = needs_of(*snapshot.assets, mesh, instance.material_base, interfaces);
     if (!d.needs.known) {
       if (!said_unknown_material)
         log_warning("instance {} names a material that does not exist; it is not drawn", instance.id);
@@ -144,6 +144,7 @@ void GpuScene::Impl::collect(const scene::FrameSnapshot& snapshot) {
     features.specular |= d.needs.specular;
     features.water |= d.needs.water;
     features.glass |= d.needs.glass;
+    features.turbid |= d.needs.turbid && interfaces.scattering > 0.0f;
     const Bounds local = InstanceCopies::bounds(mesh, InstanceCopies::canonical(mesh, instance.pose));
     d.bounds = transform_bounds(instance.transform, local);
     // Corners are rounded when they are taken into the world.

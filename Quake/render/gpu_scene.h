@@ -38,13 +38,15 @@ struct SceneFeatures {
   bool medium = false;         // there is one between surfaces
   bool water = false;          // some surface can be an interface of a liquid
   bool glass = false;          // some surface can be one of glass
+  bool turbid = false;         // behind some interface light is scattered
   std::uint32_t surfaces = 0;  // shared::kFeature*, of all assets, drawn or not, and of the sky
 };
 
 // Which surfaces that can be dielectric interfaces are: those of liquids, those of glass. The others are as their
-// textures say.
+// textures say. What is behind them scatters this much of what its materials say.
 struct Interfaces {
   bool water = false, glass = false;
+  float scattering = 1.0f;
 };
 
 struct SceneStatistics {

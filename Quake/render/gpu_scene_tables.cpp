@@ -30,9 +30,10 @@ shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternat
     out.emission = vec4(0.0f, 0.0f, 0.0f, m.index);
     out.emission_kind = shared::kEmissionNone;
     out.specular = 0.0f;
-    out.absorption_r = m.absorption.x;
-    out.absorption_g = m.absorption.y;
-    out.absorption_b = m.absorption.z;
+    out.extinction_r = m.absorption.x + m.scattering;
+    out.extinction_g = m.absorption.y + m.scattering;
+    out.extinction_b = m.absorption.z + m.scattering;
+    out.scattering = m.scattering * interfaces.scattering;
   } else {
     out.flags &= ~static_cast<std::uint32_t>(scene::kMaterialDielectric);
   }
@@ -100,7 +101,8 @@ std::uint32_t features_of(const scene::Sky& sky) {
   return (textured ? shared::kFeatureSkyTexture : 0u) | (sky.suns.empty() ? 0u : shared::kFeatureSuns);
 }
 
-MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std::uint32_t material_base) {
+MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std::uint32_t material_base,
+                       Interfaces interfaces) {
   MaterialNeeds needs;
   for (std::uint32_t relative : mesh.materials) {
     std::uint64_t index = std::uint64_t{relative} + material_base;
@@ -113,6 +115,7 @@ MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std:
     const bool liquid = (m.flags & scene::kMaterialLiquid) != 0;
     needs.water |= dielectric && liquid;
     needs.glass |= dielectric && !liquid;
+    needs.turbid |= dielectric && m.scattering > 0.0f && (liquid ? interfaces.water : interfaces.glass);
     needs.glass_alone &= dielectric && !liquid;
     needs.alpha_test |= (m.flags & scene::kMaterialAlphaTest) != 0;
     needs.translucent |= m.alpha < 1.0f;

@@ -31,10 +31,12 @@ class MaterialTable {
 // What an instance's materials ask of the shaders; `known` is false if it names a material that does not exist.
 struct MaterialNeeds {
   bool known = true, alpha_test = false, translucent = false, specular = false;
-  bool water = false, glass = false;  // some material of it is an interface of a liquid; of glass
+  bool water = false, glass = false;  // some material of it can be an interface of a liquid; of glass
+  bool turbid = false;                // behind some interface light is scattered
   bool glass_alone = true;            // all are of glass
 };
-MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std::uint32_t material_base);
+MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std::uint32_t material_base,
+                       Interfaces interfaces = {});
 
 // What surfaces of any instance could need, and the sky of this frame does: shared::kFeature*.
 std::uint32_t features_of(const scene::Assets& assets);

@@ -114,7 +114,7 @@ void GuidedTechnique::fill_constants(const TechniqueFrame& frame) {
   c.mc_tail_train = std::max(s.mc_tail_train, least_train);
   c.frame_number = frame_;
   c.vertices = static_cast<std::uint32_t>(vertices_);
-  c.seen_stride = seen_stride(frame.size, s, frame.medium);
+  c.seen_stride = seen_stride(frame.size, s, frame.medium());
   std::memcpy(uniform_.mapped(), &c, sizeof(c));
 }
 
@@ -139,11 +139,11 @@ RenderSettings GuidedTechnique::adapt(RenderSettings settings) const {
 void GuidedTechnique::prepare(const TechniqueFrame& frame) {
   const RenderSettings& s = frame.settings;
   resolve_ = s.deterministic != 0;
-  guides_fog_ = !seen_ || s.mc_fog != 0;
+  guides_fog_ = !seen_ || s.mc_fog != 0 || frame.turbid;  // no straight ray finds what lights a liquid from above
   bucket_ = std::bit_floor(static_cast<std::uint32_t>(s.mc_bucket));
   accesses_ = std::min(static_cast<std::uint32_t>(s.mc_accesses), kMaxLobes / bucket_);
   vertices_ = static_cast<std::uint64_t>(frame.size.x) * frame.size.y * most_samples(s) *
-              static_cast<std::uint64_t>(s.bounces + (frame.medium ? s.medium_bounces : 0));
+              static_cast<std::uint64_t>(s.bounces + (frame.medium() ? s.medium_bounces : 0));
   make_buffers(s);
   if (forget_) frame_ = 0;
   ++frame_;

@@ -245,7 +245,7 @@ void Renderer::Impl::choose_features(const scene::FrameSnapshot& snapshot, const
   features.alpha_test |= scene.features().alpha_test || all;
   features.translucent |= scene.features().translucent || all;
   features.specular |= scene.features().specular || all;
-  features.medium |= snapshot.medium.scatters() || all;
+  features.medium |= snapshot.medium.scatters() || scene.features().turbid || all;
   features.surfaces |= all ? shared::kFeaturesAll : scene.features().surfaces;
 }
 
@@ -275,6 +275,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.picture_y = place.min.y;
   constants.picture_width = place.size.x;
   constants.picture_height = place.size.y;
+  constants.turbid = this->scene.features().turbid;
   constants.light_first = this->scene.lights().x;
   constants.light_end = this->scene.lights().y;
   constants.light_power = this->scene.light_power();
@@ -333,7 +334,7 @@ PassList Renderer::Impl::list_passes() {
   frame("gbuffer", shaders.get("gbuffer", variant), tiles);
   Variant path_variant = variant;
   path_variant.show_view = shows_view();
-  const bool medium = constants.medium.w > 0 && constants.bounces > 0;
+  const bool medium = (constants.medium.w > 0 || constants.turbid != 0) && constants.bounces > 0;
   technique->add_passes({list, shaders, path_variant, Denoiser::light_size(render_size, constants.light_block),
                          medium ? Denoiser::light_size(render_size, constants.medium_block) : uvec2(0),
                          constants.bounces, constants.medium_bounces});
@@ -410,10 +411,11 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   }
   choose_technique(asked.estimator);
   const RenderSettings settings = technique->adapt(asked);
-  scene.prepare(snapshot, emission_scales(settings), info->wants_lights, {settings.water > 0, settings.glass > 0});
+  scene.prepare(snapshot, emission_scales(settings), info->wants_lights,
+                {settings.water > 0, settings.glass > 0, settings.water_scatter});
   finish();
   picture = draw != nullptr ? draw->picture : scene::Area();
-  features.medium |= snapshot.medium.scatters();
+  features.medium |= snapshot.medium.scatters() || scene.features().turbid;
   const bool new_scene = snapshot.assets->generation != generation;
   features.water = settings.water > 0 && (scene.features().water || (features.water && !new_scene));
   features.glass = settings.glass > 0 && (scene.features().glass || (features.glass && !new_scene));
@@ -425,8 +427,8 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   generation = snapshot.assets->generation;
   const CameraFrame camera = camera_frame(snapshot.camera, render_size.x, render_size.y);
   const uvec2 lit = Denoiser::light_size(render_size, denoiser.light_block(settings));
-  technique->prepare(
-      {settings, lit, 2 * half_pixel_tangent(camera, render_size.y), snapshot.time, snapshot.medium.scatters()});
+  technique->prepare({settings, lit, 2 * half_pixel_tangent(camera, render_size.y), snapshot.time,
+                      snapshot.medium.scatters(), scene.features().turbid});
   overlay.prepare(draw, output_size.x, output_size.y);
   fill_constants(snapshot, settings);
   table.flush();

@@ -29,7 +29,8 @@ struct TechniqueFrame {
   uvec2 size;                      // pixels at which light is sampled
   float pixel_tangent;             // tangent of the angle that a pixel subtends
   double time;                     // of the scene, seconds
-  bool medium;                     // paths begin in it, too
+  bool fog, turbid;                // paths begin in fog, too; in liquids or glass
+  bool medium() const { return fog || turbid; }
 };
 
 // What it adds its passes from.

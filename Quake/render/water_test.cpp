@@ -10,55 +10,15 @@
 #include "render/renderer.h"
 #include "render/test_device.h"
 #include "render/test_image.h"
+#include "render/test_water.h"
 #include "scene/in_code/scenes_in_code.h"
 #include "scene/in_code/scenes_of_water.h"
-#include "scene/shapes.h"
 #include "shared/dielectric.h"
 
 namespace fb::render {
 namespace {
 
-class WaterTest : public DeviceTest {
- protected:
-  static RenderSettings water_settings(const std::string& estimator, int bounces) {
-    RenderSettings s = plain_settings(estimator, bounces);
-    s.water = 1;
-    return s;
-  }
-};
-
-constexpr float kIndex = 1.33f;
-
-// A level surface of water at a height, from edge to edge of `half`; the water is under it.
-void add_water(scene::FrameSnapshot& snapshot, float z, float half, const vec3& absorption) {
-  auto assets = std::make_shared<scene::Assets>(*snapshot.assets);
-  assets->generation = scene::next_generation();
-  scene::Material water;
-  water.name = "water";
-  water.base_color = vec3(0.2f);
-  water.emission_kind = scene::EmissionKind::kNone;
-  water.flags = scene::kMaterialLiquid | scene::kMaterialDielectric;
-  water.absorption = absorption;
-  const auto material = static_cast<std::uint32_t>(assets->materials.size());
-  assets->materials.push_back(water);
-  scene::Mesh surface;
-  scene::add_quad(surface, {-half, -half, z}, {2 * half, 0, 0}, {0, 2 * half, 0}, material);
-  scene::finish_mesh(surface);
-  assets->meshes.push_back(surface);
-  scene::Instance instance;
-  instance.id = scene::kIdEntity + 100;
-  instance.mesh = static_cast<std::uint32_t>(assets->meshes.size() - 1);
-  snapshot.instances.push_back(instance);
-  snapshot.assets = assets;
-  if (snapshot.camera.position.z < z) snapshot.camera_liquid = material;
-}
-
-void look(scene::FrameSnapshot& snapshot, const vec3& position, float pitch, float fov) {
-  snapshot.camera.position = position;
-  snapshot.camera.angles = {pitch, 0, 0};
-  snapshot.camera.fov_x = fov;
-  snapshot.prev_camera = snapshot.camera;
-}
+using WaterTest = WaterDeviceTest;
 
 // A closed room of albedo a and emission e, half full of water that absorbs nothing, with waves: e (1 + a), above and
 // below.

@@ -83,6 +83,7 @@ struct Material {
   float alpha = 1.0f;       // coverage (liquids' default alpha comes from cvars by name in the client)
   float index = 1.33f;      // kMaterialDielectric: of refraction, of what is behind the surface; water's
   vec3 absorption{0.0f};    // kMaterialDielectric: of the same, 1/unit
+  float scattering = 0.0f;  // kMaterialDielectric: likewise what it scatters; with absorption this is extinction
   std::uint32_t flags = 0;  // MaterialFlags
 };
 // Which of a material's frames shows at a time. The one place that knows how Quake's textures animate.

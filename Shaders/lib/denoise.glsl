@@ -53,7 +53,7 @@ float at_middle(float inverse_depth, vec2 slope) {
 
 // What the medium leaves of a surface's light; exactly 1 where there is none. `ray`: to the pixel, 1 along the view.
 float left_by_medium(uint at, vec3 ray) {
-  return frame.medium.w > 0.0 ? exp(-frame.medium.w * uintBitsToFloat(gbuffer_quad(at, 4u).z) * length(ray)) : 1.0;
+  return frame.camera_fog > 0.0 ? exp(-frame.camera_fog * uintBitsToFloat(gbuffer_quad(at, 4u).z) * length(ray)) : 1.0;
 }
 
 // `words`: the texel's fourth quad. The coat is taken at the geometric normal's angle: Schlick's weight of a normal map at

@@ -22,6 +22,7 @@ Vertex first_vertex(GBufferTexel g, uvec2 pixel) {
   v.liquid = kNoIndex;
   v.view = normalize(frame.camera_position.xyz - v.position);
   v.scatter.medium = false;
+  v.scatter.phase = kNoPhase;
   v.scatter.normal = unpack_direction(g.normal);
   v.scatter.shading_normal = unpack_direction(g.shading_normal);
   v.scatter.bsdf = Bsdf(g.albedo_roughness.rgb, max(g.albedo_roughness.w * g.albedo_roughness.w, kMinAlpha),

@@ -23,20 +23,23 @@ uint medium_around(uint liquid) { return kNoMaterial << 16u | liquid >> 16u; }
 float medium_index(uint liquid) { return liquid == kNoIndex ? 1.0 : material_at(liquid & kNoMaterial).emission.w; }
 
 Vertex surface_vertex(Surface s, vec3 view) {
-  return Vertex(s.position, s.position, view, Scatter(s.normal, s.shading_normal, s.bsdf, false), kNoIndex);
+  return Vertex(s.position, s.position, view, Scatter(s.normal, s.shading_normal, s.bsdf, false, kNoPhase), kNoIndex);
 }
 
-// A point of the medium.
-Vertex medium_vertex(vec3 position, vec3 view) {
-  return Vertex(position, position, view, Scatter(view, view, Bsdf(vec3(0.0), 1.0, 0.0, 0.0), true), kNoIndex);
+// A point of the medium between surfaces, or of a liquid.
+Vertex medium_vertex(vec3 position, vec3 view, uint liquid) {
+  bool fog = !FEATURE_WATER || liquid == kNoIndex;
+  PhaseFunction phase = PhaseFunction(fog ? frame.medium_phase.x : frame.medium_phase.w, fog ? frame.medium_phase.y : 0.0);
+  return Vertex(position, position, view, Scatter(view, view, Bsdf(vec3(0.0), 1.0, 0.0, 0.0), true, phase), liquid);
 }
+
+vec3 extinction_of(GpuMaterial m) { return vec3(m.extinction_r, m.extinction_g, m.extinction_b); }
 
 // The share of its light that a ray brings through the medium, or through a liquid.
 vec3 light_left(uint liquid, float distance) {
   vec3 left = vec3(FEATURE_MEDIUM ? transmittance(frame.medium.w, distance) : 1.0);
   if (!FEATURE_WATER || liquid == kNoIndex) return left;
-  GpuMaterial m = material_at(liquid & kNoMaterial);
-  return transmittance(vec3(m.absorption_r, m.absorption_g, m.absorption_b), distance);
+  return transmittance(extinction_of(material_at(liquid & kNoMaterial)), distance);
 }
 vec3 light_left(Vertex v, Hit hit) { return light_left(v.liquid, hit.instance == kNoIndex ? kRayEnd : hit.t); }
 

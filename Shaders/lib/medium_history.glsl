@@ -31,11 +31,23 @@ uvec4 pack_medium(MediumLight m) {
 
 // Distance along a pixel's ray to its surface, from the depth; far where there is none.
 float medium_reach(float depth, vec3 ray) { return depth > 0.0 ? depth * length(ray) : 1e6; }
-// Mean distance at which light scatters on the way there.
-float medium_mean_distance(float reach) {
-  float sigma = frame.medium.w, x = sigma * reach;
-  // 1 / sigma - reach T / (1 - T), which cancels where the medium is thin: half of the way then.
-  return x < 0.05 ? reach * (0.5 - x / 12.0) : 1.0 / sigma - reach * exp(-x) / max(one_minus_exp(x), 1e-20);
+
+// What scatters on a pixel's way, fog and a liquid together.
+struct MediumThere {
+  vec3 factor;     // that would be scattered if light of radiance 1 was everywhere; zero: nothing scatters
+  float distance;  // at which, in the mean
+};
+MediumThere medium_there(uint at, vec3 ray) {
+  float reach = medium_reach(uintBitsToFloat(gbuffer_quad(at, 4u).z), ray);
+  MediumThere there = MediumThere(frame.medium.rgb * opacity(frame.camera_fog, reach), mean_interaction(frame.camera_fog, reach));
+  if (frame.turbid == 0u) return there;
+  uvec4 words = gbuffer_quad(at, kFirstWaterPlane + 3u);
+  vec2 rest = unpackHalf2x16(words.y);
+  vec3 liquid = vec3(unpackHalf2x16(words.x), rest.x);
+  float of_fog = luminance_of(there.factor), of_liquid = luminance_of(liquid);
+  there.distance = of_liquid > 0.0 ? mix(there.distance, rest.y, of_liquid / (of_fog + of_liquid)) : there.distance;
+  there.factor += liquid;
+  return there;
 }
 // How much two places of scattering are apart, as a factor of weight.
 float medium_alike(float near, float other) { return exp(-4.0 * abs(near - other)); }

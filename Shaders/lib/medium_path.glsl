@@ -1,39 +1,83 @@
-// Light that the medium scatters to the camera before the surface that a pixel shows: paths whose first vertex is in the medium,
-// at a distance that is sampled by transmittance or about a point that may glow (equi-angular, Kulla and Fajardo 2012). That point is
-// drawn before and apart from all else, so that each path's density is of it alone.
+// Light that a medium scatters to the camera before the surface that a pixel shows, fog or a liquid: paths whose first vertex is in
+// it, at a distance that is sampled by transmittance or about a point that may glow (equi-angular, Kulla and Fajardo 2012). That
+// point is drawn before and apart from all else, so that each path's density is of it alone.
 #ifndef FB_LIB_MEDIUM_PATH
 #define FB_LIB_MEDIUM_PATH
 #include "lib/first_vertex.glsl"
 #include "lib/path.glsl"
+#include "lib/water_texel.glsl"
 #include "shared/color.h"
 
 // Where the ray of a pixel ends: at its surface.
 float medium_reach(GBufferTexel g) { return g.position_t.w > 0.0 ? g.position_t.w : kRayEnd; }
 
+// A straight piece of the way on which light is scattered to the camera.
+struct MediumPiece {
+  vec3 origin, direction;
+  float start, reach;
+  uint liquid;
+  vec3 extinction;
+  float least;     // of the channels
+  vec3 scattered;  // per unit, and the camera's share of it
+};
+
+MediumPiece fog_piece(vec3 direction, float reach) {
+  float extinction = frame.camera_fog;
+  return MediumPiece(frame.camera_position.xyz, direction, 0.0, reach, kNoIndex, vec3(extinction), extinction,
+                     frame.medium.rgb * extinction);
+}
+
+MediumPiece piece_of(LiquidPiece p, vec3 ray) {
+  GpuMaterial m = material_at(p.liquid & kNoMaterial);
+  vec3 extinction = extinction_of(m);
+  return MediumPiece(frame.camera_position.xyz + ray * p.start, p.direction, p.start, p.reach, p.liquid, extinction,
+                     min(extinction.r, min(extinction.g, extinction.b)),
+                     vec3(m.scattering * p.through * transmittance(frame.camera_fog, p.start)));
+}
+
 // Into the second half of `radiance`; w: the mean distance of what was scattered, by luminance.
 void light_in_medium(uint at, uvec2 block, uint number, uvec2 pixel) {
-  vec3 direction = normalize(camera_direction(vec2(pixel) + 0.5 + vec2(frame.jitter_x, frame.jitter_y)));
+  vec3 ray = normalize(camera_direction(vec2(pixel) + 0.5 + vec2(frame.jitter_x, frame.jitter_y)));
   float reach = medium_reach(gbuffer_at(at)), weights = 0.0, places = 0.0;
+  MediumPiece fog = fog_piece(ray, reach), within = fog;
+  float of_liquid = 0.0;  // probability of a path in it
+  if (FEATURE_WATER) {
+    LiquidPiece liquid = liquid_piece_at(at, ray);
+    float there = luminance(scattered_by(liquid));
+    if (there > 0.0) {
+      within = piece_of(liquid, ray);
+      of_liquid = there / (there + luminance(frame.medium.rgb) * opacity(frame.camera_fog, reach));
+    }
+  }
+  radiance.at[frame.width * frame.height + at] = vec4(0.0);
+  if (of_liquid == 0.0 && frame.camera_fog == 0.0) return;
   vec3 sum = vec3(0.0);
   uint i = 0u;
   do {
     uint rng = rng_seed(at, frame.frame, uint(frame.spp) + i, frame.seed);
+    MediumPiece piece = fog;
+    float chance = 1.0;
+    if (FEATURE_WATER) {
+      bool in_liquid = rng_uniform(rng) < of_liquid;
+      if (in_liquid) piece = within;
+      chance = in_liquid ? of_liquid : 1.0 - of_liquid;
+    }
     vec3 place;
     bool about = point_of_light(rng, place);
-    DistanceMix distances = distance_mix(frame.medium.w, reach, about ? frame.fog_about : 0.0, place - frame.camera_position.xyz, direction);
+    DistanceMix distances = distance_mix(piece.least, piece.reach, about ? frame.fog_about : 0.0, place - piece.origin, piece.direction);
     float distance = sample_distance(distances, rng_uniform(rng));
-    Vertex v = medium_vertex(frame.camera_position.xyz + direction * distance, -direction);
+    Vertex v = medium_vertex(piece.origin + piece.direction * distance, -piece.direction, piece.liquid);
     vec3 estimate = trace_path(v, begin_path(block, number + i, i), rng);
     if (any(isnan(estimate)) || any(isinf(estimate))) {
       atomicAdd(counters.at[kCounterNan], 1u);
       estimate = vec3(0.0);
     }
-    estimate *= frame.medium.w * transmittance(frame.medium.w, distance) / max(pdf_distance(distances, distance), 1e-30);
+    estimate *= piece.scattered * transmittance(piece.extinction, distance) / max(pdf_distance(distances, distance) * chance, 1e-30);
     sum += estimate;
     float weight = luminance(estimate) + 1e-12;
     weights += weight;
-    places += weight * distance;
+    places += weight * (piece.start + distance);
   } while (++i < frame.spp);
-  radiance.at[frame.width * frame.height + at] = vec4(frame.medium.rgb * sum / float(frame.spp), places / weights);
+  radiance.at[frame.width * frame.height + at] = vec4(sum / float(frame.spp), places / weights);
 }
 #endif

@@ -46,7 +46,7 @@ void main() {
     }
     sum += estimate;
   } while (++i < frame.spp);
-  if (FEATURE_MEDIUM) sum *= transmittance(frame.medium.w, g.position_t.w);
+  if (FEATURE_MEDIUM) sum *= transmittance(frame.camera_fog, g.position_t.w);
   radiance.at[at] = vec4(emission + sum / float(frame.spp), lost);
   if (SHOW_VIEW && measures_moments()) radiance.at[at] = vec4(view_of_moments(v, begin_path(block, number, 0u), rng_seed(at, frame.frame, frame.spp, frame.seed)), lost);
 }

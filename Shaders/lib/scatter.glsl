@@ -25,10 +25,11 @@ struct Scatter {
   vec3 shading_normal;
   Bsdf bsdf;
   bool medium;  // only where IN_MEDIUM
+  PhaseFunction phase;  // of a medium
 };
 
 bool in_medium(Scatter s) { return IN_MEDIUM && s.medium; }
-PhaseFunction medium_phase() { return PhaseFunction(frame.medium_phase.x, frame.medium_phase.y); }
+const PhaseFunction kNoPhase = PhaseFunction(0.0, 0.0);  // of a surface
 
 // Of a sampled direction.
 const uint kScatterDelta = 1u;      // eval is zero almost everywhere else: no other way of sampling finds it
@@ -65,18 +66,18 @@ vec3 scatter_albedo(Scatter s) { return in_medium(s) ? vec3(1.0) : s.bsdf.albedo
 vec3 scatter_origin(Scatter s, vec3 position) { return in_medium(s) ? position : offset_origin(position, s.normal); }
 
 // In a medium: what is scattered at all is the path's factor, not the vertex'.
-ScatterSample phase_scatter(vec3 view, vec2 u) {
+ScatterSample phase_scatter(PhaseFunction phase, vec3 view, vec2 u) {
   ScatterSample result;
-  result.direction = phase_sample(medium_phase(), -view, u);
+  result.direction = phase_sample(phase, -view, u);
   result.weight = vec3(1.0);
-  result.pdf = phase_eval_about(medium_phase(), -view, result.direction);
+  result.pdf = phase_eval_about(phase, -view, result.direction);
   result.flags = 0u;
   return result;
 }
 
 // `u`: uniform in [0, 1); the third is used where FEATURE_SPECULAR.
 ScatterSample scatter_sample(Scatter s, vec3 view, vec3 u) {
-  if (in_medium(s)) return phase_scatter(view, u.xy);
+  if (in_medium(s)) return phase_scatter(s.phase, view, u.xy);
   ScatterSample result;
   result.flags = 0u;  // the smoothest coat is rough (kMinAlpha), and all are opaque
   mat3 to_world = frame_about(s.shading_normal);
@@ -99,7 +100,7 @@ ScatterSample scatter_sample(Scatter s, vec3 view, vec3 u) {
 vec3 scatter_eval(Scatter s, vec3 view, vec3 direction, out float pdf) {
   vec3 f;
   if (in_medium(s)) {
-    pdf = phase_eval_about(medium_phase(), -view, direction);
+    pdf = phase_eval_about(s.phase, -view, direction);
     return vec3(pdf);
   }
   if (FEATURE_SPECULAR) {

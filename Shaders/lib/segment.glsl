@@ -71,14 +71,19 @@ Segment straight(vec3 origin, vec3 direction, uint liquid) {
   return Segment(Hit(0.0, vec2(0.0), kNoIndex, 0u), origin, direction, vec3(1.0), liquid, false, 0.0, 0.0);
 }
 
-// What the first interface reflects of a camera's ray.
-struct Mirrored {
-  Segment start;  // there, to be followed on
-  bool most;      // a level surface reflects more than it lets through
+// What becomes of a camera's ray at the first interface that it meets.
+struct Parting {
+  Segment mirrored;  // starts there, to be followed on
+  bool mirrors_most; // a level surface reflects more than it lets through
+  vec3 refracted;    // direction behind it
+  uint beyond;       // what is there, as Vertex::liquid
+  float through;     // share that is let through
+  float distance;    // to it
+  float within;      // from there to what is next behind it
 };
 
 // Follows a segment on from where it is. `s.left` is without the fog before what a camera sees: the denoiser knows of that.
-Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, inout Mirrored mirrored, inout uint rng) {
+Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, inout Parting parting, inout uint rng) {
   float nearer = 1.0;
   uint events = 0u;
   do {
@@ -86,6 +91,7 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
     bool missed = s.hit.instance == kNoIndex;
     float piece = missed ? kRayEnd : s.hit.t;
     if (s.liquid != kNoIndex || !of_camera) s.left *= light_left(s.liquid, piece);
+    if (turn == kTurnThrough && events == 1u) parting.within = piece;
     s.distance += piece;
     s.seen += piece * nearer;
     if (missed || turn == kTurnNowhere || events == kMostInterfaces) break;
@@ -105,9 +111,12 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
     bool back = rng_uniform(rng) < reflectance;
     vec3 reflected = kept_on_side(dielectric_reflect(-s.direction, i.normal), i.facing);
     if (turn == kTurnThrough && !s.bent) {
-      mirrored.start = Segment(s.hit, offset_origin(i.position, i.facing), reflected, s.left * reflectance, here, true,
-                               s.distance, s.seen);
-      mirrored.most = dielectric_reflectance(min(-dot(s.direction, i.facing), 1.0), eta) > 0.5;
+      parting.mirrored = Segment(s.hit, offset_origin(i.position, i.facing), reflected, s.left * reflectance, here, true,
+                                 s.distance, s.seen);
+      parting.mirrors_most = dielectric_reflectance(min(-dot(s.direction, i.facing), 1.0), eta) > 0.5;
+      parting.through = 1.0 - reflectance;
+      parting.distance = s.distance;
+      parting.beyond = beyond;
       s.left *= 1.0 - reflectance;
       back = false;
     }
@@ -115,6 +124,7 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
     s.direction = back ? reflected : kept_on_side(dielectric_refract(-s.direction, i.normal, eta), side);
     s.origin = offset_origin(i.position, side);
     s.liquid = back ? here : beyond;
+    if (turn == kTurnThrough && !s.bent) parting.refracted = s.direction;
     s.bent = true;
     nearer = back ? nearer : nearer / eta;
     reach = kRayEnd;
@@ -125,7 +135,7 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
 // A path's own direction, or where `turn` is kTurnNowhere one that looks for light.
 Segment segment_from(Vertex v, vec3 direction, float reach, uint turn, inout uint rng) {
   vec3 origin = scatter_origin(v.scatter, v.position);
-  Mirrored unused;
+  Parting unused;
   if (FEATURE_WATER) return follow(straight(origin, direction, v.liquid), reach, kMaskIndirect, turn, false, unused, rng);
   Hit hit = trace_from(v, direction, reach, rng);
   return Segment(hit, origin, direction, light_left(v, hit), kNoIndex, false, hit.t, hit.t);

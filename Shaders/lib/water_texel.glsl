@@ -16,18 +16,54 @@ struct WaterTexel {
   bool bent;                    // an interface is before both; else nothing of the second is stored but its albedo
 };
 
-const uint kFirstWaterPlane = 5u;
+// The piece of the camera's way on which a liquid scatters light to it: where the camera is in one its straight way to the first
+// surface or interface, else the way behind the first interface. All other pieces are left out.
+struct LiquidPiece {
+  vec3 direction;
+  float reach;     // 0: there is none
+  float start;     // distance at which it begins, along the camera's straight ray
+  float through;   // share of its light that the camera sees
+  uint liquid;     // as Vertex::liquid
+  float straight;  // units of the camera's straight ray that one of it looks like
+};
+const LiquidPiece kNoPiece = LiquidPiece(vec3(0.0), 0.0, 0.0, 1.0, kNoIndex, 1.0);
 
-void store_water(uint at, WaterTexel w) {
+// What it would scatter if light of radiance 1 was everywhere.
+vec3 scattered_by(LiquidPiece p) {
+  if (p.reach <= 0.0) return vec3(0.0);
+  GpuMaterial m = material_at(p.liquid & kNoMaterial);
+  vec3 way = vec3(transmittance_integral(m.extinction_r, p.reach), transmittance_integral(m.extinction_g, p.reach),
+                  transmittance_integral(m.extinction_b, p.reach));
+  return way * (m.scattering * p.through * transmittance(frame.camera_fog, p.start));
+}
+
+void store_water(uint at, WaterTexel w, LiquidPiece p) {
   gbuffer.at[in_plane(kFirstWaterPlane, at)] = uvec4(floatBitsToUint(w.albedo), w.own_liquid);
+  if (frame.turbid != 0u) {
+    vec3 light = scattered_by(p);
+    float mean = p.reach > 0.0 ? p.start + p.straight * mean_interaction(material_at(p.liquid & kNoMaterial).extinction_g, p.reach) : 0.0;
+    gbuffer.at[in_plane(kFirstWaterPlane + 3u, at)] = uvec4(packHalf2x16(light.rg), packHalf2x16(vec2(light.b, mean)),
+                                                            floatBitsToUint(p.reach), pack_direction(p.direction));
+  }
   if (!w.bent) return;
   gbuffer.at[in_plane(kFirstWaterPlane + 1u, at)] = uvec4(floatBitsToUint(w.position), w.liquid);
-  gbuffer.at[in_plane(kFirstWaterPlane + 2u, at)] = uvec4(w.normal, w.shading_normal, 0u, 0u);
+  gbuffer.at[in_plane(kFirstWaterPlane + 2u, at)] = uvec4(w.normal, w.shading_normal, floatBitsToUint(p.start),
+                                                          (p.liquid & kNoMaterial) | uint(p.through * 65535.0 + 0.5) << 16u);
 }
 
 WaterTexel water_at(uint at) {
   uvec4 a = gbuffer_quad(at, kFirstWaterPlane), b = gbuffer_quad(at, kFirstWaterPlane + 1u), c = gbuffer_quad(at, kFirstWaterPlane + 2u);
   return WaterTexel(uintBitsToFloat(b.xyz), b.w, uintBitsToFloat(a.xyz), a.w, c.x, c.y, false);
+}
+
+LiquidPiece liquid_piece_at(uint at, vec3 camera_ray) {
+  uvec4 d = gbuffer_quad(at, kFirstWaterPlane + 3u);
+  float reach = frame.turbid != 0u ? uintBitsToFloat(d.z) : 0.0;
+  if (frame.camera_liquid != kNoIndex) return LiquidPiece(camera_ray, reach, 0.0, 1.0, frame.camera_liquid, 1.0);
+  if (!(reach > 0.0)) return kNoPiece;
+  uvec4 c = gbuffer_quad(at, kFirstWaterPlane + 2u);
+  return LiquidPiece(unpack_direction(d.w), reach, uintBitsToFloat(c.z), float(c.w >> 16u) / 65535.0,
+                     medium_within(kNoIndex, c.w & kNoMaterial), 1.0);
 }
 
 // Chooses one of a pixel's two surfaces for a path, by how much each can reflect. `v`: the texel's own. The factor on what the

@@ -39,8 +39,11 @@ void main() {
   bool sampled = pixel == medium_pixel(block);
   uint at = pixel.y * frame.width + pixel.x;
   vec3 ray = camera_direction(vec2(pixel) + 0.5);
-  float reach = medium_reach(uintBitsToFloat(gbuffer_quad(at, 4u).z), ray), distance = medium_mean_distance(reach);
-  vec3 factor = frame.medium.rgb * opacity(frame.medium.w, reach);
+  MediumThere there = medium_there(at, ray);
+  vec3 factor = there.factor;
+  float distance = there.distance;
+  // Where nothing scatters nothing is known of the light.
+  sampled = sampled && max(factor.x, max(factor.y, factor.z)) > 0.0;
   vec3 x = sampled ? checked_irradiance(demodulate(radiance.at[frame.width * frame.height + at].rgb, factor)) : vec3(0.0);
   vec3 before = previous_pixel(frame.camera_position.xyz + normalize(ray) * distance);
   vec2 point = frame.still != 0u || before.z <= 0.0 ? vec2(pixel) + 0.5 : before.xy;

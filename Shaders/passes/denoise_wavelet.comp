@@ -57,7 +57,8 @@ vec3 reflected_color(uint at, vec3 irradiance, vec3 ray) {
 #if MEDIUM
 // What the medium scatters to a pixel: of the four blocks about it, those that scatter as far away.
 vec3 scattered_color(uvec2 pixel, uint at, vec3 ray) {
-  float reach = medium_reach(uintBitsToFloat(gbuffer_quad(at, 4u).z), ray), near = log(max(medium_mean_distance(reach), 1e-6));
+  MediumThere there = medium_there(at, ray);
+  float near = log(max(there.distance, 1e-6));
   vec2 point = (vec2(pixel) + 0.5) / float(frame.medium_block) - 0.5, corner = floor(point), f = point - corner;
   ivec2 size = medium_size();
   uint from = medium_slot(3u);
@@ -72,7 +73,7 @@ vec3 scattered_color(uvec2 pixel, uint at, vec3 ray) {
     sum += weight * m.light;
     weights += weight;
   }
-  return frame.medium.rgb * (opacity(frame.medium.w, reach) / max(weights, 1e-20)) * sum;
+  return there.factor * (sum / max(weights, 1e-20));
 }
 #endif
 

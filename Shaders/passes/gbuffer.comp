@@ -14,12 +14,12 @@ const GBufferTexel kNothingSeen = GBufferTexel(vec4(0.0), vec4(0.0, 0.0, 0.0, 1.
 // The sky is beyond the medium, however near the face that shows it.
 float seen_through_medium(Surface s, float distance) {
   if (!FEATURE_MEDIUM) return 1.0;
-  return s.sky ? frame.medium_phase.z : transmittance(frame.medium.w, distance);
+  return s.sky ? frame.medium_phase.z : transmittance(frame.camera_fog, distance);
 }
 
 // Even light that the medium scatters on the way: as much from every point, so without noise.
 vec3 scattered_even_light(float distance) {
-  return FEATURE_MEDIUM ? frame.medium.rgb * frame.ambient.rgb * opacity(frame.medium.w, distance) : vec3(0.0);
+  return FEATURE_MEDIUM ? frame.medium.rgb * frame.ambient.rgb * opacity(frame.camera_fog, distance) : vec3(0.0);
 }
 
 void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float depth) {
@@ -53,6 +53,16 @@ GBufferTexel texel_of(Surface s, Segment way, vec3 direction, vec2 point, float 
   return texel;
 }
 
+// Of the way that a camera's ray has gone.
+LiquidPiece scattering_piece(Segment way, vec3 direction, Parting parting) {
+  if (frame.camera_liquid != kNoIndex)
+    return LiquidPiece(direction, way.bent ? parting.distance : way.hit.instance == kNoIndex ? kRayEnd : way.hit.t, 0.0, 1.0,
+                       frame.camera_liquid, 1.0);
+  if (!way.bent || material_at(parting.beyond & kNoMaterial).scattering <= 0.0) return kNoPiece;
+  return LiquidPiece(parting.refracted, parting.within, parting.distance, parting.through, parting.beyond,
+                     1.0 / medium_index(parting.beyond));
+}
+
 // What the camera sees where there is water: through the first interface that its ray meets, and mirrored in it. The surface of
 // which a level interface shows more is the texel's own.
 GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
@@ -60,10 +70,12 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
   GBufferTexel texel = kNothingSeen;
   WaterTexel water = WaterTexel(vec3(0.0), kNoIndex, vec3(0.0), kNoIndex, 0u, 0u, false);
   Segment way = straight(frame.camera_position.xyz, direction, frame.camera_liquid);
-  Mirrored mirrored = Mirrored(way, false);
+  Parting parting = Parting(way, false, direction, kNoIndex, 1.0, 0.0, 0.0);
+  LiquidPiece piece = kNoPiece;
   bool back = false;
   do {
-    way = follow(way, kRayEnd, kMaskCamera, kTurnThrough, true, mirrored, rng);
+    way = follow(way, kRayEnd, kMaskCamera, kTurnThrough, true, parting, rng);
+    if (!back && frame.turbid != 0u) piece = scattering_piece(way, direction, parting);
     bool missed = way.hit.instance == kNoIndex;
     GBufferTexel other = kNothingSeen;
     if (!missed || frame.sky_beyond != 0u) {
@@ -78,7 +90,7 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
       water.own_liquid = way.liquid;
       water.bent = way.bent;
     } else if (!missed) {
-      bool swaps = mirrored.most || texel.position_t.w == 0.0;
+      bool swaps = parting.mirrors_most || texel.position_t.w == 0.0;
       GBufferTexel second = swaps ? texel : other;
       texel = swaps ? other : texel;
       water.liquid = swaps ? water.own_liquid : way.liquid;
@@ -91,10 +103,10 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
     }
     if (!way.bent || back) break;
     back = true;
-    way = mirrored.start;
+    way = parting.mirrored;
   } while (true);
-  store_water(at, water);
-  texel.emission_specular.rgb = emission;
+  store_water(at, water, piece);
+  texel.emission_specular.rgb = emission + scattered_by(piece) * frame.ambient.rgb;
   return texel;
 }
 

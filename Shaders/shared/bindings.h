@@ -53,7 +53,7 @@ FB_CONST uint kTexelBuffers = 12u;
 
 // Set kSetFrame: the picture and what passes keep from frame to frame.
 FB_CONST uint kBindGBuffer =
-    0u;  // uvec4[5][pixels], a GBufferTexel's; with water [3][pixels] more (lib/water_texel.glsl)
+    0u;  // uvec4[5][pixels], a GBufferTexel's; with water [kWaterPlanes][pixels] more (lib/water_texel.glsl)
 FB_CONST uint kBindRadiance = 1u;   // vec4[pixels]: this frame's mean of samples; w: samples that were not finite.
                                     // Then, where there is a medium, the light that it scatters; w: its mean distance
 FB_CONST uint kBindMean = 2u;       // vec4[pixels]: mean over the accumulated frames (rgb), w their number

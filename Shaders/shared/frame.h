@@ -30,7 +30,8 @@ struct FrameConstants {
   vec4 sun_radiance[4];   // w: sum of the channels, with the sky's factor
   vec4 ambient;           // rgb: radiance from everywhere, of what the camera sees alone
   vec4 medium;            // rgb: albedo; w: extinction, 1/unit, 0: there is no medium
-  vec4 medium_phase;  // xy: g and alpha of its phase function; z: share of the sky's light that it lets the camera see
+  vec4 medium_phase;  // xy: g and alpha of its phase function; z: share of the sky's light that it lets the camera see;
+                      // w: g of liquids
   vec4 screen_tint;
   uint width, height;  // rendered pixels
   uint output_width, output_height;
@@ -60,6 +61,8 @@ struct FrameConstants {
   float water_height, water_size;  // of its waves (shared/waves.h)
   uint water_clock;
   uint camera_liquid;  // that the camera is in, as Vertex::liquid has it (lib/interaction.glsl)
+  float camera_fog;    // extinction along the camera's rays: the medium's, 0 in a liquid
+  uint turbid;         // some liquid or glass scatters light
   FB_FRAME_SETTINGS(FB_UNIFORM_FIELD)
   FB_DENOISER_SETTINGS(FB_UNIFORM_FIELD)
 };
@@ -73,9 +76,9 @@ struct NeeConstants {
 FB_CONST uint kTexelLiquid = 0x800000u;  // the surface of a liquid
 
 // In memory five planes, four words of every pixel in each.
-FB_CONST uint kWaterPlanes = 3u;  // that follow where there is water (lib/water_texel.glsl)
-struct GBufferTexel {             // 80 bytes
-  vec4 position_t;                // world position; w: distance along the ray, 0 where nothing was hit
+FB_CONST uint kFirstWaterPlane = 5u, kWaterPlanes = 4u;  // that follow where there is water (lib/water_texel.glsl)
+struct GBufferTexel {                                    // 80 bytes
+  vec4 position_t;  // world position; w: distance along the ray, 0 where nothing was hit
   vec4 albedo_roughness;
   vec4 emission_specular;       // rgb radiance towards the camera
   uint normal, shading_normal;  // octahedral; both face the camera

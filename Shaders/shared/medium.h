@@ -31,6 +31,13 @@ FB_FN float transmittance_integral(float sigma, float reach) {
   return reach / vmf_peak(0.5f * x, exp(-x));
 }
 
+// Mean distance at which light interacts, of what does so before reach: 1 / sigma - reach T / (1 - T), which cancels
+// where the medium is thin. There it is half of the way.
+FB_FN float mean_interaction(float sigma, float reach) {
+  float x = sigma * reach;
+  return x < 0.05f ? reach * (0.5f - x / 12.0f) : 1.0f / sigma - reach * exp(-x) / max(one_minus_exp(x), 1e-20f);
+}
+
 // A distance of density proportional to transmittance. It is a truncated exponential, hence 1 - cosine of a von Mises-
 // Fisher lobe of kappa = sigma reach / 2, stretched from [0, 2] to [0, reach].
 FB_FN float sample_transmittance(float sigma, float reach, float u) {

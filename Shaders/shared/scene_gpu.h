@@ -78,14 +78,16 @@ struct GpuCopyJob {               // 320 bytes
   uint level_first[44];  // levels l's nodes are entries level_first[l] .. level_first[l + 1] - 1
 };
 
-struct GpuMaterial {               // 80 bytes
+struct GpuMaterial {               // 96 bytes
   uint base, luma, normal, gloss;  // images, or kNoIndex
   vec4 base_color;                 // w: alpha
   vec4 emission;  // factor with the kind's cvar already in it; w: kMaterialDielectric: index of refraction
   float roughness, specular, metalness;
   uint flags;                                      // scene::MaterialFlags
   uint emission_kind;                              // scene::EmissionKind
-  float absorption_r, absorption_g, absorption_b;  // kMaterialDielectric: of what is behind it, 1/unit
+  float extinction_r, extinction_g, extinction_b;  // kMaterialDielectric: of what is behind it, 1/unit
+  float scattering;                                // likewise, the part of extinction that is scattered
+  float pad0, pad1, pad2;
 };
 
 // The list of lights. Element i below the number of instances: x is the element of instance i's triangle 0, kNoIndex if

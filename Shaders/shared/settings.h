@@ -71,6 +71,8 @@
   X(int, water, "r_water", -1, -1, 1, "water and slime: 0 classic opaque or translucent surfaces that warp, 1 clear liquids that reflect, refract and absorb light; -1: 1 in the game on a GPU, else 0") \
   X(int, glass, "r_glass", 1, 0, 1, "what a .mat file names refractive: 1 a smooth interface of glass that reflects, refracts and absorbs light, 0 a surface like any other") \
   X(float, water_waves, "r_water_waves", 0.6f, 0, 8, "height of the waves of level surfaces of water, with r_water 1, units") \
+  X(float, water_scatter, "r_water_scatter", 1, 0, 1, "share of what water, slime and glass scatter of the light within them, by their kind or their .mat file, that they do scatter; 0 leaves clear liquids") \
+  X(float, water_g, "r_water_g", 0.5f, -0.999f, 0.999f, "how far ahead liquids and glass scatter light: mean cosine of their phase function (Henyey and Greenstein 1941); 0: evenly") \
   X(int, deterministic, "r_deterministic", 0, 0, 1, "learning estimators do not depend on the order of threads: the same picture in every run, at some cost") \
   X(int, fast_build, "r_as_build", 0, 0, 1, "acceleration structures of ray queries: 0 fast to trace, 1 fast to build") \
   X(int, force_features, "r_force_features", 0, 0, 1, "compile shader features that the scene does not use, to measure what specialisation saves")

@@ -18,6 +18,7 @@ FrameSnapshot ripple(const Ripple& kind) {
   const std::uint32_t water = add_material(*assets, "water", vec3(0.1f, 0.2f, 0.25f));
   assets->materials[water].flags = kMaterialLiquid | kMaterialDielectric;
   assets->materials[water].absorption = vec3(0.004f, 0.0015f, 0.001f);
+  assets->materials[water].scattering = kind.scattering;
 
   Mesh room;
   add_box(room, {-kHalf, -kHalf, 0}, {kHalf, kHalf, 320}, tiles, true);

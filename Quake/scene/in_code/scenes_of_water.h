@@ -15,6 +15,7 @@ struct Ripple {
   float sun_radius = 0.5f;  // degrees
   bool lamps = false;       // one above the surface, one under it
   bool above = false;       // the camera is above it
+  float scattering = 0.0f;  // of the water, 1/unit
 };
 FrameSnapshot ripple(const Ripple& kind = {});
 

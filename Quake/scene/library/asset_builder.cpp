@@ -100,6 +100,7 @@ bool AssetBuilder::refract(Material& material, const std::vector<std::string>& s
     material.flags |= kMaterialDielectric;
     material.index = text->index;
     material.absorption = text->absorption;
+    material.scattering = text->scattering;
     return true;
   }
   return false;

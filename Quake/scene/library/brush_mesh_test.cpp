@@ -209,6 +209,7 @@ TEST(MapMaterials, ATextNamesGlass) {
     EXPECT_EQ(by_name.at(name)->flags & kMaterialDielectric, 0u) << name;
   EXPECT_FLOAT_EQ(by_name.at("*water1")->index, 1.4f);
   EXPECT_EQ(by_name.at("*water1")->absorption, vec3(0.0f)) << "the text's, not the texture's";
+  EXPECT_EQ(by_name.at("*water1")->scattering, 0.0f) << "likewise";
 }
 
 TEST(MapMaterials, ReplacementOrder) {

@@ -11,11 +11,13 @@
 
 namespace fb::scene {
 
-vec3 liquid_absorption(const vec3& color, float alpha) {
+LiquidMedium liquid_medium(const vec3& color, float alpha, float scatters) {
   const float brightest = std::max({color.x, color.y, color.z, 1e-4f});
   const vec3 weights = vec3(1.0f) - kLiquidTint * color / brightest;
   const float mean = glm::dot(weights, vec3(0.2126f, 0.7152f, 0.0722f));
-  return weights * (std::log(2.0f) * alpha / (mean * kLiquidHalfDepth));
+  const vec3 lost = weights * (std::log(2.0f) * alpha / (mean * kLiquidHalfDepth));
+  const float scattering = scatters * std::min({lost.x, lost.y, lost.z});
+  return {lost - vec3(scattering), scattering};
 }
 
 MapMaterials::MapMaterials(AssetBuilder& builder, const formats::Bsp& bsp, std::string map_path, LiquidAlphas alphas,
@@ -155,10 +157,14 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
       break;
   }
   if (liquid_kind(texture.name) != LiquidKind::kNone) material.flags |= kMaterialWarp | kMaterialLiquid;
-  if (liquid_kind(texture.name) == LiquidKind::kWater || liquid_kind(texture.name) == LiquidKind::kSlime) {
+  const bool slime = liquid_kind(texture.name) == LiquidKind::kSlime;
+  if (slime || liquid_kind(texture.name) == LiquidKind::kWater) {
     material.flags |= kMaterialDielectric;
-    material.absorption = liquid_absorption(
-        mean_color(builder_.palette(), builder_.assets().images[material.frames.front().base]), material.alpha);
+    const LiquidMedium medium =
+        liquid_medium(mean_color(builder_.palette(), builder_.assets().images[material.frames.front().base]),
+                      material.alpha, slime ? kSlimeScatters : kWaterScatters);
+    material.absorption = medium.absorption;
+    material.scattering = medium.scattering;
   }
   // What a text says of water and slime counts as well; lava and teleporters glow and stay opaque.
   if ((material.flags & (kMaterialLiquid | kMaterialDielectric)) != kMaterialLiquid)

@@ -19,10 +19,16 @@ struct LiquidAlphas {
   float water = 1.0f, lava = 1.0f, slime = 1.0f, teleport = 1.0f;
 };
 
-// What a clear liquid absorbs, 1/unit, from its texture's mean colour (linear) and its alpha. The depth at which half
-// of white light's luminance is left is kLiquidHalfDepth / alpha; what the texture shows less of is absorbed sooner.
+// What water or slime does to light within it, 1/unit, from its texture's mean colour (linear) and its alpha. The depth
+// at which half of white light's luminance is left is kLiquidHalfDepth / alpha; of what the texture shows less is lost
+// sooner. Of the channel that is lost least this share is scattered, and of the others as much; the rest is absorbed.
 constexpr float kLiquidHalfDepth = 256.0f, kLiquidTint = 0.5f;
-vec3 liquid_absorption(const vec3& color, float alpha);
+constexpr float kWaterScatters = 0.5f, kSlimeScatters = 0.9f;
+struct LiquidMedium {
+  vec3 absorption{0.0f};
+  float scattering = 0.0f;
+};
+LiquidMedium liquid_medium(const vec3& color, float alpha, float scatters);
 
 class MapMaterials {
  public:

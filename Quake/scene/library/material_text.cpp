@@ -45,7 +45,7 @@ Status read_numbers(std::string_view where, std::span<const std::string_view> wo
 
 Result<MaterialText> parse_material_text(std::string_view text, std::string_view path) {
   std::array<double, 3> color{1, 1, 1};
-  double index = 0, distance = 64;
+  double index = 0, distance = 64, scatter = 0;
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::vector<std::string_view> words = words_of(text.substr(0, end));
@@ -59,8 +59,10 @@ Result<MaterialText> parse_material_text(std::string_view text, std::string_view
       read = read_numbers(where, words, kLeastShare, 1.0, color);
     } else if (words[0] == "distance") {
       read = read_numbers(where, words, 1e-3, kMostDistance, std::span(&distance, 1));
+    } else if (words[0] == "scatter") {
+      read = read_numbers(where, words, 1e-3, kMostDistance, std::span(&scatter, 1));
     } else {
-      return Error{fmt::format("{}: {}: index, color or distance is wanted", where, words[0])};
+      return Error{fmt::format("{}: {}: index, color, distance or scatter is wanted", where, words[0])};
     }
     if (!read) return read.error();
   }
@@ -69,6 +71,7 @@ Result<MaterialText> parse_material_text(std::string_view text, std::string_view
   material.index = static_cast<float>(index);
   for (std::size_t i = 0; i < color.size(); ++i)
     material.absorption[static_cast<int>(i)] = static_cast<float>(-std::log(color[i]) / distance);
+  if (scatter > 0) material.scattering = static_cast<float>(std::log(2.0) / scatter);
   return material;
 }
 

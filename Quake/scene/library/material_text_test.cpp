@@ -20,17 +20,26 @@ TEST(MaterialText, WithoutColourNothingIsAbsorbed) {
   const auto clear = parse_material_text("distance 2\nindex 1", "a.mat");
   ASSERT_TRUE(clear.ok());
   EXPECT_EQ(clear->absorption, vec3(0.0f));
+  EXPECT_EQ(clear->scattering, 0.0f);
+}
+
+TEST(MaterialText, SaysWhereHalfIsScattered) {
+  const auto milk = parse_material_text("index 1.34\nscatter 20", "a.mat");
+  ASSERT_TRUE(milk.ok());
+  EXPECT_NEAR(std::exp(-milk->scattering * 20), 0.5, 1e-6);
+  EXPECT_EQ(milk->absorption, vec3(0.0f)) << "it is extinction as well, but no absorption";
 }
 
 TEST(MaterialText, SaysWhichLineIsWrong) {
   const auto message = [](std::string_view text) { return parse_material_text(text, "a.mat").error().message; };
   EXPECT_EQ(message(""), "a.mat: it names no index of refraction");
   EXPECT_EQ(message("color 1 1 1"), "a.mat: it names no index of refraction");
-  EXPECT_EQ(message("index 1.5\nroughness 1"), "a.mat, line 2: roughness: index, color or distance is wanted");
+  EXPECT_EQ(message("index 1.5\nroughness 1"), "a.mat, line 2: roughness: index, color, distance or scatter is wanted");
   EXPECT_EQ(message("index"), "a.mat, line 1: index has 1 numbers, not 0");
   EXPECT_EQ(message("index 1.5\ncolor 1 1"), "a.mat, line 2: color has 3 numbers, not 2");
-  for (const char* text : {"index 0.9", "index nan", "index five", "index 4.1", "index 1.5\ncolor 0 1 1",
-                           "index 1.5\ncolor 1 1 2", "index 1.5\ndistance 0", "index 1.5\ndistance inf"})
+  for (const char* text :
+       {"index 0.9", "index nan", "index five", "index 4.1", "index 1.5\ncolor 0 1 1", "index 1.5\ncolor 1 1 2",
+        "index 1.5\ndistance 0", "index 1.5\ndistance inf", "index 1.5\nscatter 0"})
     EXPECT_NE(message(text).find("a.mat, line"), std::string::npos) << text;
 }
 

@@ -1,0 +1,214 @@
+// Liquids that scatter light, against fog, whose integrals fog_test.cpp has, and against a closed form of their own.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/renderer.h"
+#include "render/test_denoiser.h"
+#include "render/test_device.h"
+#include "render/test_image.h"
+#include "render/test_water.h"
+#include "scene/in_code/scenes_in_code.h"
+#include "scene/in_code/scenes_of_fog.h"
+#include "scene/in_code/scenes_of_water.h"
+#include "shared/dielectric.h"
+#include "shared/test_quadrature.h"
+
+namespace fb::render {
+namespace {
+
+class TurbidTest : public WaterDeviceTest {
+ protected:
+  static RenderSettings turbid_settings(const std::string& estimator, int spp) {
+    RenderSettings s = water_settings(estimator, 1);
+    s.spp = spp;
+    return s;
+  }
+};
+
+ImageEstimate mean_of(Renderer& renderer, const scene::FrameSnapshot& snapshot, const RenderSettings& s, int frames) {
+  double sum = 0, variance = 0;
+  for (int i = 0; i < frames; ++i) {
+    scene::FrameSnapshot now = snapshot;
+    now.frame = static_cast<std::uint64_t>(i);
+    renderer.render(now, nullptr, s);
+    const ImageEstimate e = image_estimate(renderer.read().linear());
+    sum += e.mean / frames;
+    variance += e.error * e.error / (frames * frames);
+  }
+  return {sum, std::sqrt(variance)};
+}
+
+// Where the liquid has no end in sight it is fog.
+TEST_F(TurbidTest, AroundALampItIsAsFog) {
+  const float extinction = 0.01f, share = 0.6f;
+  for (const float g : {0.0f, 0.7f}) {
+    scene::FrameSnapshot fog = scene::slab(extinction, g);
+    fog.camera.angles = {0, -8, 0};
+    fog.camera.fov_x = 24;
+    fog.prev_camera = fog.camera;
+    fog.medium.albedo = vec3(share);
+    scene::FrameSnapshot liquid = fog;
+    liquid.medium = {};
+    add_water(liquid, 20000.0f, 1.0f, vec3((1 - share) * extinction), share * extinction);
+    RenderSettings s = turbid_settings("nee", 256);
+    s.accumulate = 0;
+    s.water_g = g;
+    auto renderer = make_renderer(s, 16, 8);
+    const ImageEstimate expected = mean_of(*renderer, fog, s, 8);
+    for (const char* estimator : {"pt", "nee", "mcpg", "mcpg_nee"}) {
+      s.estimator = estimator;
+      s.spp = std::string(estimator) == "pt" ? 1024 : 256;
+      const ImageEstimate e = mean_of(*renderer, liquid, s, 8);
+      EXPECT_NEAR(e.mean, expected.mean, 4.5 * std::hypot(e.error, expected.error)) << estimator << ' ' << g;
+      EXPECT_LT(e.error, 0.04 * expected.mean) << estimator << ": the test can see little";
+      EXPECT_EQ(renderer->read().counters().not_finite, 0u);
+    }
+  }
+}
+
+// A level liquid over black ground, an even sky of radiance 1, seen from straight above: light enters within Snell's
+// cone, is scattered once, evenly, and leaves. At a depth z, of basic radiance, J(z) = 1/2 integral over the cone's
+// cosines of (1 - R) exp(-sigma z / cosine), and the camera has R0 + (1 - R0) integral of scattering exp(-sigma z)
+// J(z).
+double seen_from_above(double sigma, double scattering, double depth) {
+  const auto integral = [](double low, double high, int panels, const auto& f) {
+    return static_cast<double>(shared::integrate(
+        [&](long double x) { return static_cast<long double>(f(static_cast<double>(x))); }, low, high, panels));
+  };
+  const double least = std::sqrt(1.0 - 1.0 / (static_cast<double>(kIndex) * static_cast<double>(kIndex)));
+  // With cosine = least + u^2 the square root that Fresnel's equations begin with is smooth.
+  const auto arrives = [&](double z) {
+    return 0.5 * integral(0, std::sqrt(1 - least), 24, [&](double u) {
+             const double cosine = least + u * u;
+             const double r =
+                 static_cast<double>(shared::dielectric_reflectance(static_cast<float>(cosine), 1.0f / kIndex));
+             return 2 * u * (1 - r) * std::exp(-sigma * z / cosine);
+           });
+  };
+  const double r0 = static_cast<double>(shared::dielectric_reflectance(1.0f, kIndex));
+  return r0 +
+         (1 - r0) * integral(0, depth, 24, [&](double z) { return scattering * std::exp(-sigma * z) * arrives(z); });
+}
+
+TEST_F(TurbidTest, FromAboveItHasTheIntegralOverSnellsCone) {
+  const float depth = 120.0f, scattering = 0.006f;
+  const vec3 absorption(0.004f, 0.0f, 0.03f);
+  scene::FrameSnapshot snapshot;
+  auto assets = std::make_shared<scene::Assets>();
+  scene::Material ground;
+  ground.base_color = vec3(0.0f);
+  ground.emission_kind = scene::EmissionKind::kNone;
+  assets->materials.push_back(ground);
+  scene::Mesh floor;
+  scene::add_quad(floor, {-9000, -9000, -depth}, {18000, 0, 0}, {0, 18000, 0}, 0);
+  scene::finish_mesh(floor);
+  assets->meshes.push_back(floor);
+  snapshot.assets = assets;
+  snapshot.instances.emplace_back();
+  snapshot.sky.mode = scene::SkyMode::kConstant;
+  snapshot.sky.color = vec3(1.0f);
+  snapshot.sky.beyond_everything = true;
+  look(snapshot, {0, 0, 60}, 89.9f, 2);
+  add_water(snapshot, 0.0f, 8000.0f, absorption, scattering);
+  for (const char* estimator : {"pt", "nee", "mcpg", "mcpg_nee"}) {
+    RenderSettings s = turbid_settings(estimator, 64);
+    s.water_waves = 0;
+    s.water_g = 0;
+    s.accumulate = 0;
+    auto renderer = make_renderer(s, 32, 32);
+    double sums[3] = {}, squares[3] = {};
+    constexpr int kFrames = 16;
+    for (int i = 0; i < kFrames; ++i) {
+      snapshot.frame = static_cast<std::uint64_t>(i);
+      renderer->render(snapshot, nullptr, s);
+      for (int c = 0; c < 3; ++c) {
+        double mean = 0;
+        for (const vec4& p : renderer->read().linear()) mean += static_cast<double>(p[c]) / (32 * 32);
+        sums[c] += mean / kFrames;
+        squares[c] += mean * mean / kFrames;
+      }
+    }
+    for (int c = 0; c < 3; ++c) {
+      const double expected = seen_from_above(static_cast<double>(absorption[c] + scattering), scattering, depth);
+      const double error = std::sqrt(std::max(squares[c] - sums[c] * sums[c], 0.0) / (kFrames - 1));
+      EXPECT_NEAR(sums[c], expected, 4.5 * error + 2e-4) << estimator << ' ' << c;
+      EXPECT_LT(error, 2e-3) << estimator << ": the test can see little";
+    }
+  }
+}
+
+// A clear liquid that loses as much light is drawn instead, by the same shaders as ever.
+TEST_F(TurbidTest, WithoutScatteringItIsAClearLiquid) {
+  const auto hash = [&](const vec3& absorption, float scattering, float factor) {
+    scene::FrameSnapshot snapshot = scene::one_light(20.0f, 10.0f, 0.5f);
+    look(snapshot, {-60, 0, 30}, 20, 90);
+    add_water(snapshot, 0.0f, 140.0f, absorption, scattering);
+    RenderSettings s = turbid_settings("nee", 4);
+    s.water_scatter = factor;
+    auto renderer = make_renderer(s, 48, 48);
+    renderer->render(snapshot, nullptr, s);
+    return image_hash(*renderer);
+  };
+  const vec3 half(0.25f, 0.5f, 0.125f);  // sums are exact
+  EXPECT_EQ(hash(half, 0.25f, 0.0f), hash(half + vec3(0.25f), 0.0f, 1.0f));
+  EXPECT_NE(hash(half, 0.25f, 1.0f), hash(half + vec3(0.25f), 0.0f, 1.0f));
+}
+
+TEST_F(TurbidTest, NothingIsLostAtTheEndsOfTheRanges) {
+  for (const char* estimator : {"pt", "nee", "mcpg", "mcpg_nee"})
+    for (const float scattering : {1e-9f, 1e-2f, 10.0f})
+      for (const float z : {-1e-4f, 1e-4f, 60.0f}) {
+        scene::FrameSnapshot snapshot = scene::one_light(20.0f, 10.0f, 0.5f);  // the light is half in water
+        snapshot.medium = {0.002f, vec3(0.5f), 0.5f, 0.0f, 1.0f};
+        look(snapshot, {-60, 0, z}, 10, 100);
+        add_water(snapshot, 0.0f, 140.0f, vec3(0.0f, 1e-3f, 10.0f), scattering);
+        RenderSettings s = turbid_settings(estimator, 2);
+        s.medium_bounces = 2;
+        s.water_waves = 8;
+        s.water_g = 0.999f;
+        auto renderer = make_renderer(s, 32, 32);
+        for (int frame = 0; frame < 3; ++frame) renderer->render(snapshot, nullptr, s);
+        EXPECT_EQ(renderer->read().counters().not_finite, 0u) << estimator << ' ' << scattering << ' ' << z;
+        EXPECT_EQ(renderer->read().counters().states_not_finite, 0u) << estimator << ' ' << scattering << ' ' << z;
+        for (const vec4& p : renderer->read().linear())
+          ASSERT_TRUE(p.x >= 0.0f && std::isfinite(p.x + p.y + p.z)) << estimator << ' ' << scattering << ' ' << z;
+      }
+}
+
+// A pool beside its dry rim: what scatters in the water stays in it.
+TEST_F(TurbidTest, DenoisedItKeepsItsEnergy) {
+  for (const bool above : {true, false}) {
+    const scene::FrameSnapshot pool = scene::ripple({12.0f, true, above, 0.006f});
+    const uvec2 size(64, 48);
+    RenderSettings s = denoising();
+    s.estimator = "mcpg_nee";
+    s.water = 1;
+    s.water_waves = 0;
+    s.jitter = 0;
+    s.light_scale = 1;
+    auto renderer = make_renderer(s, size.x, size.y);
+    double denoised = 0, raw = 0;
+    for (int frame = 0; frame < 48; ++frame) {
+      renderer->render(at_time(pool, frame), nullptr, s);
+      if (frame < 24) continue;
+      denoised += mean_luminance(renderer->read().denoised());
+      EXPECT_EQ(renderer->read().counters().not_finite + renderer->read().counters().history_not_finite, 0u);
+    }
+    s.denoise = 0;
+    s.spp = 16;
+    auto other = make_renderer(s, size.x, size.y);
+    for (int frame = 0; frame < 24; ++frame) {
+      other->render(at_time(pool, frame), nullptr, s);
+      if (frame > 0) raw += mean_luminance(other->read().linear()) * 24 / 23;
+    }
+    EXPECT_NEAR(denoised / raw, 1.0, 0.04) << above;
+  }
+}
+
+}  // namespace
+}  // namespace fb::render
