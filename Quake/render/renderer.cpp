@@ -85,7 +85,7 @@ struct Renderer::Impl {
   std::uint32_t wanted_gbuffer_planes() const {
     return sizeof(shared::GBufferTexel) / 16 + (features.water || features.glass ? shared::kWaterPlanes : 0);
   }
-  void resize_buffers(uvec2 render, uvec2 output);
+  void resize_buffers(uvec2 render, uvec2 output, const RenderSettings& settings);
   scene::Area shown() const;
   void fit(const RenderSettings& settings);
   void begin(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw, const RenderSettings& asked);
@@ -95,6 +95,15 @@ struct Renderer::Impl {
   void choose_features(const scene::FrameSnapshot& snapshot, const RenderSettings& settings);
   void swap_gbuffers(std::uint32_t debug_view);
   void fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings);
+  // Bytes of kBindRadiance.
+  VkDeviceSize radiance_bytes(const RenderSettings& settings, uvec2 render) const;
+  // Paths begin in a medium in this frame.
+  bool scatters() const { return (constants.medium.w > 0 || constants.turbid != 0) && constants.bounces > 0; }
+  void fill_distances(bool cut);
+  void forget_learnt() {
+    if (technique) technique->forget();
+    distances_block = 0;
+  }
   // The technique draws the debug view that is asked for.
   bool shows_view() const {
     return info->views != shared::kViewOfFrame && view_owner(constants.debug_view) == info->views;
@@ -122,7 +131,8 @@ struct Renderer::Impl {
   bool restart = true;
   double last_time = 0;
   SceneFeatures features;
-  bool previous_valid = false;  // previous_gbuffer is the former frame's
+  bool previous_valid = false;                            // previous_gbuffer is the former frame's
+  std::uint32_t distances_half = 0, distances_block = 0;  // of what the former frame knows; 0: nothing
   const TechniqueInfo* info = nullptr;
   std::unique_ptr<Technique> technique;
   shared::FrameConstants constants{};
@@ -160,9 +170,12 @@ uvec2 Renderer::output_size() const { return impl_->output_size; }
 uvec2 Renderer::render_size() const { return impl_->render_size; }
 void Renderer::set_swap_red_blue(bool swap) { impl_->swap_red_blue = swap; }
 
-void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
+void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output, const RenderSettings& settings) {
   const std::uint32_t planes = wanted_gbuffer_planes();
-  if (render == render_size && wanted_output == allocated_output && planes == gbuffer_planes) return;
+  const VkDeviceSize radiance_size = radiance_bytes(settings, render);
+  if (render == render_size && wanted_output == allocated_output && planes == gbuffer_planes &&
+      radiance_size <= radiance.size())
+    return;
   render_size = allocated_output = uvec2(0);  // until all are there
   const VkDeviceSize pixels = static_cast<VkDeviceSize>(render.x) * render.y;
   const VkDeviceSize shown = static_cast<VkDeviceSize>(wanted_output.x) * wanted_output.y;
@@ -176,7 +189,8 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
   previous_valid = false;
   table.set_array(shared::kSetFrame, shared::kBindPreviousGBuffer, previous_gbuffer);
   make(gbuffer, shared::kBindGBuffer, pixels * planes * 16, "G-buffer");
-  make(radiance, shared::kBindRadiance, pixels * 32, "radiance");
+  make(radiance, shared::kBindRadiance, radiance_size, "radiance");
+  distances_block = 0;
   make(mean, shared::kBindMean, pixels * 16, "mean radiance");
   make(m2, shared::kBindM2, pixels * 16, "squared deviations");
   make(ldr, shared::kBindLdr, pixels * 4, "tone-mapped picture");
@@ -186,6 +200,22 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output) {
   allocated_output = wanted_output;
   gbuffer_planes = planes;
   restart = true;
+}
+
+VkDeviceSize Renderer::Impl::radiance_bytes(const RenderSettings& settings, uvec2 render) const {
+  const VkDeviceSize pixels = static_cast<VkDeviceSize>(render.x) * render.y;
+  if (!features.medium) return pixels * 16;
+  const uvec2 blocks = Denoiser::light_size(render, denoiser.medium_block(settings));
+  return 16 * (2 * pixels + 2 * static_cast<VkDeviceSize>(blocks.x) * blocks.y);
+}
+
+// What is known of distances in a medium: two halves in turns.
+void Renderer::Impl::fill_distances(bool cut) {
+  const bool known = distances_block == constants.medium_block && !cut;
+  constants.distances_former = known ? distances_half : shared::kNoIndex;
+  distances_half ^= 1u;
+  constants.distances_now = distances_half;
+  distances_block = scatters() ? constants.medium_block : 0;
 }
 
 // Where the picture is; never beyond the output.
@@ -200,7 +230,7 @@ scene::Area Renderer::Impl::shown() const {
 void Renderer::Impl::fit(const RenderSettings& settings) {
   check_picture_size(device, output_size, settings,
                      {wanted_gbuffer_planes(), features.medium ? denoiser.medium_block(settings) : 0});
-  resize_buffers(scaled_size(shown().size, settings), output_size);
+  resize_buffers(scaled_size(shown().size, settings), output_size, settings);
   denoiser.resize(render_size, shown().size, settings, features.medium);
 }
 
@@ -211,7 +241,7 @@ void Renderer::Impl::forget_frame() {
   restart = true;
   scene.forget();
   previous_valid = false;
-  if (technique) technique->forget();
+  forget_learnt();
   denoiser.forget();
 }
 
@@ -231,6 +261,7 @@ void Renderer::Impl::choose_technique(const std::string& name) {
   for (std::uint32_t i = 0; i < shared::kTechniqueArrays; ++i) table.set_array(shared::kSetTechnique, i, Buffer());
   table.set_uniform(shared::kSetTechnique, Buffer());
   technique = info->make({device, table}, info->name);
+  distances_block = 0;
 }
 
 // Features only grow while the assets stay: no compilation in mid-game when something comes and goes.
@@ -303,6 +334,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.previous_gbuffer = previous_valid && !snapshot.cut;
   denoiser.fill(constants, snapshot, settings, scene == last_scene);
   constants.spp *= static_cast<int>(constants.history_gain);
+  fill_distances(snapshot.cut);
   const uvec2 smooth = Denoiser::smooth_size(render_size, place.size, settings);
   constants.smooth_width = smooth.x;
   constants.smooth_height = smooth.y;
@@ -334,7 +366,7 @@ PassList Renderer::Impl::list_passes() {
   frame("gbuffer", shaders.get("gbuffer", variant), tiles);
   Variant path_variant = variant;
   path_variant.show_view = shows_view();
-  const bool medium = (constants.medium.w > 0 || constants.turbid != 0) && constants.bounces > 0;
+  const bool medium = scatters();
   technique->add_passes({list, shaders, path_variant, Denoiser::light_size(render_size, constants.light_block),
                          medium ? Denoiser::light_size(render_size, constants.medium_block) : uvec2(0),
                          constants.bounces, constants.medium_bounces});
@@ -422,7 +454,7 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   fit(settings);
   swap_gbuffers(static_cast<std::uint32_t>(settings.debug_view));
   scene.stage();
-  if (snapshot.assets->generation != generation) technique->forget();
+  if (snapshot.assets->generation != generation) forget_learnt();
   choose_features(snapshot, settings);
   generation = snapshot.assets->generation;
   const CameraFrame camera = camera_frame(snapshot.camera, render_size.x, render_size.y);
@@ -451,9 +483,7 @@ void Renderer::set_precompiles(bool precompiles) { impl_->shaders.set_precompile
 void Renderer::set_hurries(bool hurries) { impl_->shaders.set_hurries(hurries); }
 bool Renderer::settled() const { return impl_->shaders.settled(); }
 void Renderer::restart_accumulation() { impl_->restart = true; }
-void Renderer::reset_learning() {
-  if (impl_->technique) impl_->technique->forget();
-}
+void Renderer::reset_learning() { impl_->forget_learnt(); }
 std::uint32_t Renderer::accumulated_frames() const { return impl_->accumulated; }
 const std::string& Renderer::intersector_name() const {
   static const std::string query = "query", bvh = "bvh";

@@ -114,6 +114,35 @@ TEST_F(WaterTest, TheCameraUnderWaterSeesLessTheFartherItLooks) {
   EXPECT_NEAR(middle.z, std::exp(-0.1f * 192), 1e-3f);
 }
 
+// A lamp under the surface, over dark ground: shadow rays and chance lose as much on the way, also where other paths of
+// the same moment go on to the surface and back.
+TEST_F(WaterTest, EveryPieceAbsorbsOnce) {
+  scene::FrameSnapshot snapshot = scene::one_light(24.0f, 10.0f, 0.5f);
+  look(snapshot, {-60, 0, 50}, 89, 60);
+  add_water(snapshot, 60.0f, 140.0f, vec3(0.005f, 0.01f, 0.002f));
+  vec3 means[2];
+  double errors[2];
+  for (const int looks : {0, 1}) {
+    RenderSettings s = water_settings(looks == 1 ? "nee" : "pt", 1);
+    s.spp = looks == 1 ? 64 : 256;
+    auto renderer = make_renderer(s, 32, 24);
+    const int frames = 16;
+    for (int i = 0; i < frames; ++i) renderer->render(snapshot, nullptr, s);
+    const std::vector<vec4> image = renderer->read().linear(), variance = renderer->read().variance_of_mean();
+    double sum = 0, n = static_cast<double>(image.size());
+    means[looks] = vec3(0.0f);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      means[looks] += vec3(image[i]) / static_cast<float>(n);
+      sum += static_cast<double>(variance[i].y);
+    }
+    errors[looks] = std::sqrt(sum) / n;
+  }
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(means[0][c] / means[1][c], 1.0f, 5 * std::hypot(errors[0], errors[1]) / static_cast<double>(means[1].y))
+        << c;
+  EXPECT_LT(errors[0], 0.01 * static_cast<double>(means[1].y)) << "the test can see little";
+}
+
 // One sine wave focuses the sun: the floor is brightest under its crests, and darkest between them (geometric optics;
 // the irradiance under a crest at depth d over that without waves is 1 / |1 - d (1 - 1 / n) a k^2|, under a trough 1 /
 // (1 + ...)).

@@ -1,9 +1,11 @@
 // Light that a medium scatters to the camera before the surface that a pixel shows, fog or a liquid: paths whose first vertex is in
-// it, at a distance that is sampled by transmittance or about a point that may glow (equi-angular, Kulla and Fajardo 2012). That
-// point is drawn before and apart from all else, so that each path's density is of it alone.
+// it, at a distance that is sampled by transmittance, about a point that may glow (equi-angular, Kulla and Fajardo 2012) or, by
+// techniques that learn, about where light came from in past frames. That point is drawn before and apart from all else, so that
+// each path's density is of it alone.
 #ifndef FB_LIB_MEDIUM_PATH
 #define FB_LIB_MEDIUM_PATH
 #include "lib/first_vertex.glsl"
+#include "lib/medium_distances.glsl"
 #include "lib/path.glsl"
 #include "lib/water_texel.glsl"
 #include "shared/color.h"
@@ -35,10 +37,10 @@ MediumPiece piece_of(LiquidPiece p, vec3 ray) {
                      vec3(m.scattering * p.through * transmittance(frame.camera_fog, p.start)));
 }
 
-// Into the second half of `radiance`; w: the mean distance of what was scattered, by luminance.
+// Into the second section of `radiance`.
 void light_in_medium(uint at, uvec2 block, uint number, uvec2 pixel) {
   vec3 ray = normalize(camera_direction(vec2(pixel) + 0.5 + vec2(frame.jitter_x, frame.jitter_y)));
-  float reach = medium_reach(gbuffer_at(at)), weights = 0.0, places = 0.0;
+  float reach = medium_reach(gbuffer_at(at));
   MediumPiece fog = fog_piece(ray, reach), within = fog;
   float of_liquid = 0.0;  // probability of a path in it
   if (FEATURE_WATER) {
@@ -50,8 +52,18 @@ void light_in_medium(uint at, uvec2 block, uint number, uvec2 pixel) {
     }
   }
   radiance.at[frame.width * frame.height + at] = vec4(0.0);
-  if (of_liquid == 0.0 && frame.camera_fog == 0.0) return;
-  vec3 sum = vec3(0.0);
+  bool guides = kLearns && frame.fog_guided > 0.0;
+  if (of_liquid == 0.0 && frame.camera_fog == 0.0) {
+    if (guides) learn_distances(block, Distances(0.0, 0.0, 0.0, 0.0), vec3(0.0));
+    return;
+  }
+  Distances known = Distances(0.0, 0.0, 0.0, 0.0);
+  if (guides) {
+    float mean = of_liquid > 0.0 ? within.start + mean_interaction(within.least, within.reach) : mean_interaction(fog.least, reach);
+    vec3 before = previous_pixel(frame.camera_position.xyz + ray * mean);
+    known = former_distances(before.z > 0.0 ? before.xy : vec2(pixel) + 0.5);
+  }
+  vec3 sum = vec3(0.0), met = vec3(0.0);
   uint i = 0u;
   do {
     uint rng = rng_seed(at, frame.frame, uint(frame.spp) + i, frame.seed);
@@ -65,6 +77,7 @@ void light_in_medium(uint at, uvec2 block, uint number, uvec2 pixel) {
     vec3 place;
     bool about = point_of_light(rng, place);
     DistanceMix distances = distance_mix(piece.least, piece.reach, about ? frame.fog_about : 0.0, place - piece.origin, piece.direction);
+    if (guides) distances = guided_by(known, distances, piece.start);
     float distance = sample_distance(distances, rng_uniform(rng));
     Vertex v = medium_vertex(piece.origin + piece.direction * distance, -piece.direction, piece.liquid);
     vec3 estimate = trace_path(v, begin_path(block, number + i, i), rng);
@@ -74,10 +87,10 @@ void light_in_medium(uint at, uvec2 block, uint number, uvec2 pixel) {
     }
     estimate *= piece.scattered * transmittance(piece.extinction, distance) / max(pdf_distance(distances, distance) * chance, 1e-30);
     sum += estimate;
-    float weight = luminance(estimate) + 1e-12;
-    weights += weight;
-    places += weight * (piece.start + distance);
+    float far = piece.start + distance;
+    met += luminance(estimate) * vec3(1.0, far, far * far);
   } while (++i < frame.spp);
-  radiance.at[frame.width * frame.height + at] = vec4(sum / float(frame.spp), places / weights);
+  radiance.at[frame.width * frame.height + at] = vec4(sum / float(frame.spp), 0.0);
+  if (guides) learn_distances(block, known, met / float(frame.spp));
 }
 #endif

@@ -82,25 +82,31 @@ struct Parting {
   float within;      // from there to what is next behind it
 };
 
+// A piece of the way is behind. `nearer`: of what it looks like, through a level surface.
+void pass_piece(inout Segment s, float piece, float nearer, bool of_camera) {
+  if (s.liquid != kNoIndex || !of_camera) s.left *= light_left(s.liquid, piece);
+  s.distance += piece;
+  s.seen += piece * nearer;
+}
+
 // Follows a segment on from where it is. `s.left` is without the fog before what a camera sees: the denoiser knows of that.
+//
+// The last piece is passed behind the loop: what lavapipe (Mesa 22 and 25) multiplies up before a `break` it multiplies again for
+// lanes that have left, while others go on.
 Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, inout Parting parting, inout uint rng) {
   float nearer = 1.0;
   uint events = 0u;
   do {
     s.hit = trace(s.origin, s.direction, 0.0, reach, mask, rng);
-    bool missed = s.hit.instance == kNoIndex;
-    float piece = missed ? kRayEnd : s.hit.t;
-    if (s.liquid != kNoIndex || !of_camera) s.left *= light_left(s.liquid, piece);
-    if (turn == kTurnThrough && events == 1u) parting.within = piece;
-    s.distance += piece;
-    s.seen += piece * nearer;
-    if (missed || turn == kTurnNowhere || events == kMostInterfaces) break;
+    if (s.hit.instance == kNoIndex || turn == kTurnNowhere || events == kMostInterfaces) break;
     GpuAttribute a = attribute_at(instance_at(s.hit.instance).first_attribute + s.hit.triangle);
     if ((a.flags & kTriangleDielectric) == 0u) break;
 
     uint material = instance_at(s.hit.instance).material_base + a.material;
     GpuMaterial m = material_at(material);
     if ((m.flags & kMaterialDielectric) == 0u) break;  // as r_water and r_glass say
+    pass_piece(s, s.hit.t, nearer, of_camera);
+    if (turn == kTurnThrough && events == 1u) parting.within = s.hit.t;
     Interface i = interface_at(s.hit, a, (m.flags & kMaterialLiquid) != 0u, s.direction);
     // Which side the ray is on the surface says, whatever is known of the way so far.
     uint outside = i.enters ? s.liquid : medium_around(s.liquid);
@@ -129,6 +135,9 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
     nearer = back ? nearer : nearer / eta;
     reach = kRayEnd;
   } while (events++ < kMostInterfaces);
+  float piece = s.hit.instance == kNoIndex ? kRayEnd : s.hit.t;
+  pass_piece(s, piece, nearer, of_camera);
+  if (turn == kTurnThrough && events == 1u) parting.within = piece;
   return s;
 }
 

@@ -60,9 +60,11 @@ struct FrameConstants {
   uint still;                      // still: the same snapshot again, so nothing has moved
   float water_height, water_size;  // of its waves (shared/waves.h)
   uint water_clock;
-  uint camera_liquid;  // that the camera is in, as Vertex::liquid has it (lib/interaction.glsl)
-  float camera_fog;    // extinction along the camera's rays: the medium's, 0 in a liquid
-  uint turbid;         // some liquid or glass scatters light
+  uint camera_liquid;                    // that the camera is in, as Vertex::liquid has it (lib/interaction.glsl)
+  float camera_fog;                      // extinction along the camera's rays: the medium's, 0 in a liquid
+  uint turbid;                           // some liquid or glass scatters light
+  uint distances_former, distances_now;  // halves of what is known of distances: the former frame's, kNoIndex: there is
+                                         // none; this one's
   FB_FRAME_SETTINGS(FB_UNIFORM_FIELD)
   FB_DENOISER_SETTINGS(FB_UNIFORM_FIELD)
 };

@@ -78,15 +78,20 @@ struct EquiAngular {
 // 2^-14 of its distance, is sampled as it is; a nearer one as if it was this far: the density is as exact, and bounded.
 // A distance is rounded to 2^-21 of itself, which is then 1% of what the density's peak is wide.
 FB_CONST float kLeastApart = 0.001f;
-// light: from the segment's start. direction: unit.
-FB_FN EquiAngular equi_angular(vec3 light, vec3 direction, float reach) {
+FB_FN EquiAngular equi_angular_about(float along, float apart, float reach) {
   EquiAngular e;
-  e.along = dot(light, direction);
-  e.apart = max(length(light - direction * e.along), max(kLeastApart, length(light) * (1.0f / 16384.0f)));
+  e.along = along;
+  e.apart = apart;
   e.reach = max(reach, 1e-20f);
   // From cross and dot of the vectors to both ends, where the difference of two angles would cancel.
   e.angle = angle_above_axis(e.apart * e.apart - e.along * (e.reach - e.along), e.apart * e.reach);
   return e;
+}
+// light: from the segment's start. direction: unit.
+FB_FN EquiAngular equi_angular(vec3 light, vec3 direction, float reach) {
+  float along = dot(light, direction);
+  float least = max(kLeastApart, length(light) * (1.0f / 16384.0f));
+  return equi_angular_about(along, max(length(light - direction * along), least), reach);
 }
 // The distance at which u in [0, 1) of the angle is behind. The law of sines gives it from the start, so that a short
 // way keeps its digits; the rest is as if u was off by a rounding.
@@ -102,13 +107,15 @@ FB_FN float pdf_equi_angular(EquiAngular e, float distance) {
   return e.apart / (e.angle * (e.apart * e.apart + d * d));
 }
 
-// Both: a share of the samples about the light, the others by transmittance. Dividing by the density of the mix is the
-// balance heuristic with one sample (Veach and Guibas 1995).
+// All together: a share of the samples about where light was found to come from, of the others a share about the light,
+// the rest by transmittance. Dividing by the density of the mix is the balance heuristic with one sample (Veach and
+// Guibas 1995).
 struct DistanceMix {
-  EquiAngular light;
+  EquiAngular light, known;
   float sigma;
   float reach;
-  float share;  // about the light, 0 to 1
+  float share;        // about the light, 0 to 1, of those that are not guided
+  float known_share;  // guided, 0 to 1
 };
 FB_FN DistanceMix distance_mix(float sigma, float reach, float share, vec3 light, vec3 direction) {
   DistanceMix m;
@@ -116,17 +123,31 @@ FB_FN DistanceMix distance_mix(float sigma, float reach, float share, vec3 light
   m.sigma = sigma;
   m.reach = reach;
   m.share = share;
+  m.known = m.light;
+  m.known_share = 0.0f;
   return m;
 }
-FB_FN float sample_distance(DistanceMix m, float u) {
+// Guided by a mean distance from the segment's start and a spread about it, positive. A light so far from the ray would
+// give that density (Cauchy's, cut off at both ends), whose tails forgive a spread that is too small.
+FB_FN DistanceMix guided_distances(DistanceMix m, float mean, float spread, float share) {
+  m.known = equi_angular_about(mean, max(spread, kLeastApart), m.reach);
+  m.known_share = share;
+  return m;
+}
+FB_FN float sample_distance(DistanceMix m, float u0) {
+  bool guided = u0 < m.known_share;
+  float u = guided ? u0 / max(m.known_share, 1e-20f) : (u0 - m.known_share) / max(1.0f - m.known_share, 1e-20f);
   bool about = u < m.share;
   float v = about ? u / max(m.share, 1e-20f) : (u - m.share) / max(1.0f - m.share, 1e-20f);
-  v = min(v, 1.0f - 1.0f / 16777216.0f);
+  const float kBelowOne = 1.0f - 1.0f / 16777216.0f;
+  v = min(v, kBelowOne);
+  if (guided) return min(sample_equi_angular(m.known, min(u, kBelowOne)), m.reach);
   float d = about ? sample_equi_angular(m.light, v) : sample_transmittance(m.sigma, m.reach, v);
   return min(d, m.reach);
 }
 FB_FN float pdf_distance(DistanceMix m, float distance) {
-  return mix(pdf_transmittance(m.sigma, m.reach, distance), pdf_equi_angular(m.light, distance), m.share);
+  float p = mix(pdf_transmittance(m.sigma, m.reach, distance), pdf_equi_angular(m.light, distance), m.share);
+  return m.known_share > 0.0f ? mix(p, pdf_equi_angular(m.known, distance), m.known_share) : p;
 }
 
 FB_NAMESPACE_END

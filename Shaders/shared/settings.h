@@ -18,6 +18,7 @@
   X(int, bounces, "r_bounces", 2, 0, 64, "most reflections of a path; 0 shows emission alone") \
   X(int, medium_bounces, "r_fog_bounces", 1, 1, 8, "most rays of a path that fog scatters to the camera: 1 is light straight from what glows, 2 also what one surface reflects") \
   X(float, fog_about, "r_fog_about", 0.5f, 0, 1, "share of the distances in fog that are sampled about a light (equi-angular), where lights are looked for; the others by transmittance") \
+  X(float, fog_guided, "r_fog_guided", 0.5f, 0, 0.9f, "estimators that learn: share of the distances in fog and in liquids that are sampled about those from which light came in past frames") \
   X(float, fog_scale, "r_fog_scale", 0.5f, 0.25f, 1, "with the denoiser: resolution of the light that fog scatters, of that of other light (r_light_scale); 1, 0.5 or 0.25") \
   X(int, seed, "r_seed", 0, 0, 2147483647, "seed of the random numbers; the same seed gives the same picture") \
   X(int, texture_filter, "r_texture_filter", -1, -1, 2, "filter of textures that camera rays hit: 0 nearest texel, 1 bilinear, 2 mean over the pixel; -1: 2 with the denoiser, else 0") \

@@ -186,8 +186,6 @@ const Row kWater[] = {
     {"ripple_soft", "mcpg_nee", {}, warm(), 8, false, {"r_water=1"}},
     {"ripple_above", "nee", {}, plan(16, 4), 8, false, {"r_water=1"}},
     {"ripple_above", "mcpg_nee", {}, warm(), 8, false, {"r_water=1"}},
-    {"ripple_murky", "nee", {}, plan(16, 4), 8, false, {"r_water=1"}},
-    {"ripple_murky", "mcpg", {}, warm(), 8, false, {"r_water=1"}},
     {"ripple_murky", "mcpg_nee", {}, warm(), 8, false, {"r_water=1"}},
     {"ripple_murky_above", "mcpg_nee", {}, cold(), 8, false, {"r_water=1", "r_fog_bounces=2"}},
 };
@@ -211,6 +209,8 @@ TEST_P(MoreUnbiasedTest, HasTheMeanOfPt) {
 const Row kFeatures[] = {
     {"kinds", "mcpg", {}, warm(), 8},
     {"ripple_above", "mcpg", {}, warm(), 8, false, {"r_water=1"}},
+    {"ripple_murky", "nee", {}, plan(16, 4), 8, false, {"r_water=1"}},
+    {"ripple_murky", "mcpg", {}, warm(), 8, false, {"r_water=1"}},
     {"torus_soft", "mcpg_nee", {}, warm(), 8},
     {"torus_soft", "nee", {"r_glass=0"}, warm(), 8, true},
     {"torus", "mcpg", {}, warm(), 8},

@@ -23,7 +23,7 @@ struct LiquidAlphas {
 // at which half of white light's luminance is left is kLiquidHalfDepth / alpha; of what the texture shows less is lost
 // sooner. Of the channel that is lost least this share is scattered, and of the others as much; the rest is absorbed.
 constexpr float kLiquidHalfDepth = 256.0f, kLiquidTint = 0.5f;
-constexpr float kWaterScatters = 0.5f, kSlimeScatters = 0.9f;
+constexpr float kWaterScatters = 0.3f, kSlimeScatters = 0.9f;
 struct LiquidMedium {
   vec3 absorption{0.0f};
   float scattering = 0.0f;
