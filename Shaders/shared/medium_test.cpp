@@ -174,7 +174,13 @@ TEST(Medium, SamplersFollowTheirDensities) {
         for (const vec3 light : {vec3(0.3f * reach, 0.2f * reach, 1), vec3(-3, 4, 0), vec3(5, 12, 0)}) {
           SCOPED_TRACE(testing::Message() << "sigma " << sigma << " reach " << reach << " share " << share << " light "
                                           << light.x << " " << light.y);
-          expect_distance_sampler(distance_mix(sigma, reach, share, light, vec3(1, 0, 0)), rng);
+          const DistanceMix mix = distance_mix(sigma, reach, share, light, vec3(1, 0, 0));
+          expect_distance_sampler(mix, rng);
+          if (share != 0.5f) continue;
+          for (const float mean : {-0.1f, 0.25f, 2.0f}) {
+            SCOPED_TRACE(testing::Message() << "guided about " << mean);
+            expect_distance_sampler(guided_distances(mix, mean * reach, 0.05f * reach, 0.6f), rng);
+          }
         }
       }
     }
@@ -189,7 +195,7 @@ TEST(Medium, TheMixIntegratesALight) {
   const auto exact = static_cast<double>(integrate(in_scattered, 0, reach, 1000));
   Rng rng(42);
   for (const float share : {0.0f, 0.3f, 1.0f}) {
-    const DistanceMix m = distance_mix(sigma, reach, share, light, direction);
+    const DistanceMix m = guided_distances(distance_mix(sigma, reach, share, light, direction), 15, 4, 0.5f * share);
     double sum = 0, squares = 0;
     constexpr int kDraws = 200000;
     for (int i = 0; i < kDraws; ++i) {
@@ -208,12 +214,16 @@ TEST(Medium, IsFiniteEverywhere) {
     for (const float reach : {0.0f, 1e-30f, 1e-6f, 1.0f, 30000.0f, 1e6f, 1e12f}) {
       for (const vec3 light : test_lights(reach)) {
         for (const float share : {0.0f, 0.5f, 1.0f}) {
-          const DistanceMix m = distance_mix(sigma, reach, share, light, vec3(1, 0, 0));
-          for (const float u : kMediumNumbers) {
-            const float d = sample_distance(m, u), density = pdf_distance(m, d);
-            ASSERT_TRUE(d >= 0 && d <= reach) << sigma << " " << reach << " " << share << " " << u;
-            ASSERT_TRUE(std::isfinite(density) && density > 0) << sigma << " " << reach << " " << share << " " << u;
-          }
+          const DistanceMix plain = distance_mix(sigma, reach, share, light, vec3(1, 0, 0));
+          for (const float known : {0.0f, 0.5f})
+            for (const float spread : {0.0f, 1.0f, 1e12f})
+              for (const float u : kMediumNumbers) {
+                const DistanceMix m = guided_distances(plain, light.x, spread, known);
+                const float d = sample_distance(m, u), density = pdf_distance(m, d);
+                ASSERT_TRUE(d >= 0 && d <= reach) << sigma << " " << reach << " " << share << " " << known << " " << u;
+                ASSERT_TRUE(std::isfinite(density) && density > 0)
+                    << sigma << " " << reach << " " << share << " " << known << " " << u;
+              }
         }
       }
     }
