@@ -15,6 +15,7 @@
 #include "render/debug_views.h"
 #include "render/frame_constants.h"
 #include "render/intersector_choice.h"
+#include "render/medium_distances.h"
 #include "render/overlay.h"
 #include "render/picture_size.h"
 #include "render/shader_set.h"
@@ -97,12 +98,9 @@ struct Renderer::Impl {
   void fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings);
   // Bytes of kBindRadiance.
   VkDeviceSize radiance_bytes(const RenderSettings& settings, uvec2 render) const;
-  // Paths begin in a medium in this frame.
-  bool scatters() const { return (constants.medium.w > 0 || constants.turbid != 0) && constants.bounces > 0; }
-  void fill_distances(bool cut);
   void forget_learnt() {
     if (technique) technique->forget();
-    distances_block = 0;
+    distances.forget();
   }
   // The technique draws the debug view that is asked for.
   bool shows_view() const {
@@ -131,8 +129,8 @@ struct Renderer::Impl {
   bool restart = true;
   double last_time = 0;
   SceneFeatures features;
-  bool previous_valid = false;                            // previous_gbuffer is the former frame's
-  std::uint32_t distances_half = 0, distances_block = 0;  // of what the former frame knows; 0: nothing
+  bool previous_valid = false;  // previous_gbuffer is the former frame's
+  MediumDistances distances;
   const TechniqueInfo* info = nullptr;
   std::unique_ptr<Technique> technique;
   shared::FrameConstants constants{};
@@ -190,7 +188,7 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output, const Ren
   table.set_array(shared::kSetFrame, shared::kBindPreviousGBuffer, previous_gbuffer);
   make(gbuffer, shared::kBindGBuffer, pixels * planes * 16, "G-buffer");
   make(radiance, shared::kBindRadiance, radiance_size, "radiance");
-  distances_block = 0;
+  distances.forget();
   make(mean, shared::kBindMean, pixels * 16, "mean radiance");
   make(m2, shared::kBindM2, pixels * 16, "squared deviations");
   make(ldr, shared::kBindLdr, pixels * 4, "tone-mapped picture");
@@ -207,15 +205,6 @@ VkDeviceSize Renderer::Impl::radiance_bytes(const RenderSettings& settings, uvec
   if (!features.medium) return pixels * 16;
   const uvec2 blocks = Denoiser::light_size(render, denoiser.medium_block(settings));
   return 16 * (2 * pixels + 2 * static_cast<VkDeviceSize>(blocks.x) * blocks.y);
-}
-
-// What is known of distances in a medium: two halves in turns.
-void Renderer::Impl::fill_distances(bool cut) {
-  const bool known = distances_block == constants.medium_block && !cut;
-  constants.distances_former = known ? distances_half : shared::kNoIndex;
-  distances_half ^= 1u;
-  constants.distances_now = distances_half;
-  distances_block = scatters() ? constants.medium_block : 0;
 }
 
 // Where the picture is; never beyond the output.
@@ -261,7 +250,7 @@ void Renderer::Impl::choose_technique(const std::string& name) {
   for (std::uint32_t i = 0; i < shared::kTechniqueArrays; ++i) table.set_array(shared::kSetTechnique, i, Buffer());
   table.set_uniform(shared::kSetTechnique, Buffer());
   technique = info->make({device, table}, info->name);
-  distances_block = 0;
+  distances.forget();
 }
 
 // Features only grow while the assets stay: no compilation in mid-game when something comes and goes.
@@ -334,7 +323,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.previous_gbuffer = previous_valid && !snapshot.cut;
   denoiser.fill(constants, snapshot, settings, scene == last_scene);
   constants.spp *= static_cast<int>(constants.history_gain);
-  fill_distances(snapshot.cut);
+  distances.fill(constants, snapshot.cut);
   const uvec2 smooth = Denoiser::smooth_size(render_size, place.size, settings);
   constants.smooth_width = smooth.x;
   constants.smooth_height = smooth.y;
@@ -366,7 +355,7 @@ PassList Renderer::Impl::list_passes() {
   frame("gbuffer", shaders.get("gbuffer", variant), tiles);
   Variant path_variant = variant;
   path_variant.show_view = shows_view();
-  const bool medium = scatters();
+  const bool medium = MediumDistances::scatters(constants);
   technique->add_passes({list, shaders, path_variant, Denoiser::light_size(render_size, constants.light_block),
                          medium ? Denoiser::light_size(render_size, constants.medium_block) : uvec2(0),
                          constants.bounces, constants.medium_bounces});

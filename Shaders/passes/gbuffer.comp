@@ -58,7 +58,7 @@ LiquidPiece scattering_piece(Segment way, vec3 direction, Parting parting) {
   if (frame.camera_liquid != kNoIndex)
     return LiquidPiece(direction, way.bent ? parting.distance : way.hit.instance == kNoIndex ? kRayEnd : way.hit.t, 0.0, 1.0,
                        frame.camera_liquid, 1.0);
-  if (!way.bent || material_at(parting.beyond & kNoMaterial).scattering <= 0.0) return kNoPiece;
+  if (!way.bent || parting.beyond == kNoIndex || material_at(parting.beyond & kNoMaterial).scattering <= 0.0) return kNoPiece;
   return LiquidPiece(parting.refracted, parting.within, parting.distance, parting.through, parting.beyond,
                      1.0 / medium_index(parting.beyond));
 }
