@@ -46,28 +46,27 @@ ImageEstimate mean_of(Renderer& renderer, const scene::FrameSnapshot& snapshot, 
 // Where the liquid has no end in sight it is fog.
 TEST_F(TurbidTest, AroundALampItIsAsFog) {
   const float extinction = 0.01f, share = 0.6f;
-  for (const float g : {0.0f, 0.7f}) {
-    scene::FrameSnapshot fog = scene::slab(extinction, g);
-    fog.camera.angles = {0, -8, 0};
-    fog.camera.fov_x = 24;
-    fog.prev_camera = fog.camera;
-    fog.medium.albedo = vec3(share);
-    scene::FrameSnapshot liquid = fog;
-    liquid.medium = {};
-    add_water(liquid, 20000.0f, 1.0f, vec3((1 - share) * extinction), share * extinction);
-    RenderSettings s = turbid_settings("nee", 256);
-    s.accumulate = 0;
-    s.water_g = g;
-    auto renderer = make_renderer(s, 16, 8);
-    const ImageEstimate expected = mean_of(*renderer, fog, s, 8);
-    for (const char* estimator : {"pt", "nee", "mcpg", "mcpg_nee"}) {
-      s.estimator = estimator;
-      s.spp = std::string(estimator) == "pt" ? 1024 : 256;
-      const ImageEstimate e = mean_of(*renderer, liquid, s, 8);
-      EXPECT_NEAR(e.mean, expected.mean, 4.5 * std::hypot(e.error, expected.error)) << estimator << ' ' << g;
-      EXPECT_LT(e.error, 0.04 * expected.mean) << estimator << ": the test can see little";
-      EXPECT_EQ(renderer->read().counters().not_finite, 0u);
-    }
+  const float g = 0.7f;
+  scene::FrameSnapshot fog = scene::slab(extinction, g);
+  fog.camera.angles = {0, -8, 0};
+  fog.camera.fov_x = 24;
+  fog.prev_camera = fog.camera;
+  fog.medium.albedo = vec3(share);
+  scene::FrameSnapshot liquid = fog;
+  liquid.medium = {};
+  add_water(liquid, 20000.0f, 1.0f, vec3((1 - share) * extinction), share * extinction);
+  RenderSettings s = turbid_settings("nee", 256);
+  s.accumulate = 0;
+  s.water_g = g;
+  auto renderer = make_renderer(s, 16, 8);
+  const ImageEstimate expected = mean_of(*renderer, fog, s, 8);
+  for (const char* estimator : {"pt", "nee", "mcpg", "mcpg_nee"}) {
+    s.estimator = estimator;
+    s.spp = std::string(estimator) == "pt" ? 1024 : 256;
+    const ImageEstimate e = mean_of(*renderer, liquid, s, 8);
+    EXPECT_NEAR(e.mean, expected.mean, 4.5 * std::hypot(e.error, expected.error)) << estimator;
+    EXPECT_LT(e.error, 0.04 * expected.mean) << estimator << ": the test can see little";
+    EXPECT_EQ(renderer->read().counters().not_finite, 0u);
   }
 }
 
@@ -160,9 +159,9 @@ TEST_F(TurbidTest, WithoutScatteringItIsAClearLiquid) {
 }
 
 TEST_F(TurbidTest, NothingIsLostAtTheEndsOfTheRanges) {
-  for (const char* estimator : {"pt", "nee", "mcpg", "mcpg_nee"})
+  for (const char* estimator : {"nee", "mcpg_nee"})  // they have the steps of the others
     for (const float scattering : {1e-9f, 1e-2f, 10.0f})
-      for (const float z : {-1e-4f, 1e-4f, 60.0f}) {
+      for (const float z : {-1e-4f, 60.0f}) {
         scene::FrameSnapshot snapshot = scene::one_light(20.0f, 10.0f, 0.5f);  // the light is half in water
         snapshot.medium = {0.002f, vec3(0.5f), 0.5f, 0.0f, 1.0f};
         look(snapshot, {-60, 0, z}, 10, 100);
@@ -180,33 +179,27 @@ TEST_F(TurbidTest, NothingIsLostAtTheEndsOfTheRanges) {
       }
 }
 
-// A pool beside its dry rim: what scatters in the water stays in it.
+// A pool beside its dry rim: what scatters in the water stays in it. The same samples, denoised and not.
 TEST_F(TurbidTest, DenoisedItKeepsItsEnergy) {
   for (const bool above : {true, false}) {
-    const scene::FrameSnapshot pool = scene::ripple({12.0f, true, above, 0.006f});
-    const uvec2 size(64, 48);
+    const scene::FrameSnapshot pool = scene::ripple({40.0f, true, above, 0.006f});
     RenderSettings s = denoising();
     s.estimator = "mcpg_nee";
     s.water = 1;
     s.water_waves = 0;
     s.jitter = 0;
-    s.light_scale = 1;
-    auto renderer = make_renderer(s, size.x, size.y);
+    s.fog_scale = 1;
+    auto renderer = make_renderer(s, 48, 32);
     double denoised = 0, raw = 0;
     for (int frame = 0; frame < 48; ++frame) {
       renderer->render(at_time(pool, frame), nullptr, s);
-      if (frame < 24) continue;
+      if (frame < 16) continue;
       denoised += mean_luminance(renderer->read().denoised());
+      raw += mean_luminance(renderer->read().linear());
       EXPECT_EQ(renderer->read().counters().not_finite + renderer->read().counters().history_not_finite, 0u);
     }
-    s.denoise = 0;
-    s.spp = 16;
-    auto other = make_renderer(s, size.x, size.y);
-    for (int frame = 0; frame < 24; ++frame) {
-      other->render(at_time(pool, frame), nullptr, s);
-      if (frame > 0) raw += mean_luminance(other->read().linear()) * 24 / 23;
-    }
-    EXPECT_NEAR(denoised / raw, 1.0, 0.04) << above;
+    EXPECT_NEAR(denoised / raw, 1.0, 0.03) << above;
+    fmt::print("{}: denoised over raw {:.4f}\n", above ? "above" : "under water", denoised / raw);
   }
 }
 

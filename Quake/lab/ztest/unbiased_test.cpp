@@ -187,7 +187,6 @@ const Row kWater[] = {
     {"ripple_above", "nee", {}, plan(16, 4), 8, false, {"r_water=1"}},
     {"ripple_above", "mcpg_nee", {}, warm(), 8, false, {"r_water=1"}},
     {"ripple_murky", "mcpg_nee", {}, warm(), 8, false, {"r_water=1"}},
-    {"ripple_murky_above", "mcpg_nee", {}, cold(), 8, false, {"r_water=1", "r_fog_bounces=2"}},
 };
 INSTANTIATE_TEST_SUITE_P(Water, UnbiasedTest, testing::ValuesIn(kWater), row_name);
 
@@ -209,6 +208,7 @@ TEST_P(MoreUnbiasedTest, HasTheMeanOfPt) {
 const Row kFeatures[] = {
     {"kinds", "mcpg", {}, warm(), 8},
     {"ripple_above", "mcpg", {}, warm(), 8, false, {"r_water=1"}},
+    {"ripple_murky_above", "mcpg_nee", {}, cold(), 8, false, {"r_water=1", "r_fog_bounces=2"}},
     {"ripple_murky", "nee", {}, plan(16, 4), 8, false, {"r_water=1"}},
     {"ripple_murky", "mcpg", {}, warm(), 8, false, {"r_water=1"}},
     {"torus_soft", "mcpg_nee", {}, warm(), 8},
