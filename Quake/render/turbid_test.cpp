@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -139,6 +140,36 @@ TEST_F(TurbidTest, FromAboveItHasTheIntegralOverSnellsCone) {
       EXPECT_LT(error, 2e-3) << estimator << ": the test can see little";
     }
   }
+}
+
+// Each path of a pixel that has fog and a liquid begins in one of them: together they bring what each brings alone.
+TEST_F(TurbidTest, FogAndALiquidAddUp) {
+  scene::FrameSnapshot pool = scene::ripple({40.0f, true, true, 0.006f});
+  pool.medium = {0.003f, vec3(0.8f), 0.4f, 0.0f, 1.0f};
+  RenderSettings s = turbid_settings("nee", 32);
+  s.accumulate = 0;
+  auto renderer = make_renderer(s, 32, 24);
+  double means[2][2], variance = 0;  // does fog scatter, does the liquid
+  for (const int fog : {0, 1})
+    for (const int liquid : {0, 1}) {
+      pool.medium.albedo = vec3(fog != 0 ? 0.8f : 0.0f);
+      s.water_scatter = static_cast<float>(liquid);
+      constexpr int kFrames = 24;
+      double sum = 0, squares = 0;
+      for (int i = 0; i < kFrames; ++i) {
+        pool.frame = static_cast<std::uint64_t>(i);
+        renderer->render(pool, nullptr, s);
+        const double mean = mean_luminance(renderer->read().linear());
+        sum += mean / kFrames;
+        squares += mean * mean / kFrames;
+      }
+      means[fog][liquid] = sum;
+      variance += std::max(squares - sum * sum, 0.0) / (kFrames - 1);
+    }
+  const double of_fog = means[1][0] - means[0][0], of_liquid = means[0][1] - means[0][0], error = std::sqrt(variance);
+  EXPECT_NEAR(means[1][1] - means[0][0], of_fog + of_liquid, 5 * error);
+  EXPECT_LT(5 * error, 0.5 * std::min(of_fog, of_liquid)) << "the test can see little";
+  fmt::print("fog {:.5f}, liquid {:.5f}, both {:.5f} +- {:.5f}\n", of_fog, of_liquid, means[1][1] - means[0][0], error);
 }
 
 // A clear liquid that loses as much light is drawn instead, by the same shaders as ever.
