@@ -46,6 +46,7 @@ DistanceMix guided_by(Distances known, DistanceMix m, float start) {
 // `met`: light, and that times distance and its square, of this frame's paths.
 void learn_distances(uvec2 block, Distances known, vec3 met) {
   float frames = min(known.frames + 1.0, kMostFrames);
+  if (any(isnan(met)) || any(isinf(met))) met = vec3(0.0);  // it would stay
   if (known.frames >= 4.0 && known.light > 0.0) met *= min(1.0, kMostSurprise * known.light / max(met.x, 1e-30));
   vec3 sums = mix(vec3(known.light, known.first, known.second), met, 1.0 / frames);
   radiance.at[distances_at(frame.distances_now, block)] = vec4(sums, frames);
