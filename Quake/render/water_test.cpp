@@ -114,6 +114,66 @@ TEST_F(WaterTest, TheCameraUnderWaterSeesLessTheFartherItLooks) {
   EXPECT_NEAR(middle.z, std::exp(-0.1f * 192), 1e-3f);
 }
 
+// A floor under still and moving water, lit by a sun alone: shadow rays find it through the surface, with what
+// Fresnel's and Snell's laws leave of it. Of a sun that brings E to a surface across its rays the floor reflects, as
+// basic radiance, albedo / pi (1 - R) exp(-sigma depth / cosine beyond) E cosine / n^2.
+TEST_F(WaterTest, ShadowRaysFindTheSunThroughTheSurface) {
+  const float depth = 80.0f, albedo = 0.5f, radius = 0.01f;
+  const vec3 absorption(0.01f, 0.002f, 0.0f);
+  for (const char* estimator : {"nee", "mcpg_nee"})
+    for (const float waves : {0.0f, 0.6f})
+      for (const bool above : {false, true}) {
+        scene::FrameSnapshot snapshot;
+        auto assets = std::make_shared<scene::Assets>();
+        scene::Material ground;
+        ground.base_color = vec3(albedo);
+        assets->materials.push_back(ground);
+        scene::Mesh floor;
+        scene::add_quad(floor, {-2000, -2000, -depth}, {4000, 0, 0}, {0, 4000, 0}, 0);
+        scene::finish_mesh(floor);
+        assets->meshes.push_back(floor);
+        snapshot.assets = assets;
+        snapshot.instances.emplace_back();
+        look(snapshot, {0, 0, above ? 100.0f : -10.0f}, 89.0f, 50);
+        add_water(snapshot, 0.0f, 2000.0f, absorption);
+        const float elevation = 0.9f, cosine = std::sin(elevation);
+        snapshot.sky.mode = scene::SkyMode::kConstant;
+        snapshot.sky.color = vec3(0.0f);
+        snapshot.sky.beyond_everything = true;
+        snapshot.sky.suns = {{vec3(std::cos(elevation), 0, cosine), vec3(1000.0f), radius * 180 / kPi}};
+        RenderSettings s = water_settings(estimator, 1);
+        s.spp = 64;
+        s.water_waves = waves;
+        s.water_scatter = 0;
+        auto renderer = make_renderer(s, 32, 24);
+        for (int i = 0; i < 8; ++i) renderer->render(snapshot, nullptr, s);
+        const std::vector<vec4> image = renderer->read().linear(), variance = renderer->read().variance_of_mean();
+        const float beyond = shared::dielectric_cosine_beyond(cosine, kIndex);
+        const float let_in = 1.0f - shared::dielectric_reflectance(cosine, kIndex);
+        double mean = 0, error = 0, expected = 0;
+        const auto n = static_cast<double>(image.size());
+        for (std::size_t i = 0; i < image.size(); ++i) {
+          mean += static_cast<double>(image[i].y) / n;
+          error += static_cast<double>(variance[i].y) / (n * n);
+          const float column = static_cast<float>(i % 32), row = static_cast<float>(i / 32);
+          const float half = std::tan(radians(25.0f)), x = ((column + 0.5f) / 16.0f - 1.0f) * half;
+          const float y = ((row + 0.5f) / 16.0f - 0.75f) * half, from = std::sqrt(1.0f / (1.0f + x * x + y * y));
+          const float inner = above ? shared::dielectric_cosine_beyond(from, kIndex) : from;
+          const float seen = above ? 1.0f - shared::dielectric_reflectance(from, kIndex) : 1.0f;
+          const float way = (above ? depth : depth - 10.0f) / inner + depth / beyond;
+          expected += static_cast<double>(albedo * 1000.0f * let_in / kPi * cosine / (kIndex * kIndex) * seen *
+                                          std::exp(-absorption.y * way)) /
+                      n;
+        }
+        // Waves move the light about: what falls on the whole picture is that of level water but for a few percent.
+        const double slack = waves > 0 ? 0.05 : 2e-3;
+        EXPECT_NEAR(mean, expected, 4.5 * std::sqrt(error) + slack * expected)
+            << estimator << ' ' << waves << ' ' << above;
+        EXPECT_LT(std::sqrt(error), 0.01 * expected) << estimator << ' ' << waves << ' ' << above;
+        EXPECT_EQ(renderer->read().counters().not_finite, 0u);
+      }
+}
+
 // A lamp under the surface, over dark ground: shadow rays and chance lose as much on the way, also where other paths of
 // the same moment go on to the surface and back.
 TEST_F(WaterTest, EveryPieceAbsorbsOnce) {

@@ -16,7 +16,7 @@
 //             Direct look_for_light(Vertex v, Guidance g, inout uint rng)        by a ray more
 //             Direct last_light(Vertex v, inout uint rng)                        by a path's last ray, which looks for it in turns
 //             bool point_of_light(inout uint rng, out vec3 place)                a point that may glow, for distances in a medium
-//             float met_share(Hit hit, Proposal p, vec3 emission)                of emission that is met before the last
+//             float met_share(Vertex v, Segment way, Proposal p, vec3 emission)  of emission that is met before the last
 //   learning  const bool kLearns
 //             void learn_direct(Guidance g, Direct direct, Path path, inout uint rng)
 //             void learn_last(Field here, Direct direct, Path path, inout uint rng)
@@ -67,7 +67,7 @@ vec3 trace_path(Vertex v, Path path, inout uint rng) {
     s.emission = vec3(0.0);
     s.sky = true;
     if (!dark || !kLearns) s = load_surface(incident.way.hit, incident.way.direction, kFilterNearest, path.last);
-    if (kLooksForLight && !incident.way.bent) s.emission *= met_share(incident.way.hit, proposal, s.emission);
+    if (kLooksForLight) s.emission *= met_share(v, incident.way, proposal, s.emission);
     vec3 left = incident.way.left;
     incident.sky = s.sky;
     incident.emission = s.emission * left;

@@ -14,8 +14,9 @@
 FB_NAMESPACE_BEGIN
 
 FB_CONST float kWavePi = 3.14159265358979323846f;
-FB_CONST float kWaveGravity = 800.0f;    // units/s^2, sv_gravity's default
-FB_CONST float kWaveMaxSlope = 13.465f;  // of |slope| size / height, were all waves steepest at one point
+FB_CONST float kWaveGravity = 800.0f;     // units/s^2, sv_gravity's default
+FB_CONST float kWaveMaxSlope = 13.465f;   // of |slope| size / height, were all waves steepest at one point
+FB_CONST float kWaveMeanSlope = 3.9364f;  // its root mean square
 
 struct Waves {
   float height;  // the surface is within +- height of its mean; units

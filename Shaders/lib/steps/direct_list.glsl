@@ -4,6 +4,7 @@
 #define FB_LIB_STEPS_DIRECT_LIST
 #include "lib/path_state.glsl"
 #include "lib/seen_grid.glsl"
+#include "shared/bent_sun.h"
 
 const bool kLooksForLight = true;
 
@@ -65,7 +66,7 @@ bool is_sky(Hit hit) {
   return shows_sky(material_of(hit.instance, hit.triangle), hit.instance);
 }
 
-// One sun of all, each as often; 1 - cos of a small disc is exact.
+// Inside of a sun's disc? One sun of all, each as often; 1 - cos of a small disc is exact.
 float sun_pdf(vec3 direction) {
   if (frame.sun_count == 0u) return 0.0;
   float p = 0.0;
@@ -77,12 +78,35 @@ float sun_pdf(vec3 direction) {
   return p / float(frame.sun_count);
 }
 
-// `radiance`: sum of the channels.
-vec3 sample_sun(inout uint rng, out float radiance) {
+// Within a liquid suns are looked for where its surface lets them in.
+bool bends_suns(Vertex v) {
+  return FEATURE_WATER && has_feature(kFeatureSuns) && v.liquid != kNoIndex &&
+         (material_at(v.liquid & kNoMaterial).flags & kMaterialLiquid) != 0u;
+}
+BentSun bent_sun_of(Vertex v, uint i) {
+  vec4 sun = frame.sun_direction[i];
+  return bent_sun(sun.xyz, 1.0 - sun.w, medium_index(v.liquid), kWaveMeanSlope * frame.water_height / frame.water_size);
+}
+
+// Density with which a vertex looks for suns in a direction. Within a liquid all ways that end inside of a sun's disc on the sky
+// are looked for, bent or not; elsewhere straight ones.
+float sun_density(Vertex v, vec3 direction, bool bends) {
+  if (!bends) return sun_pdf(direction);
+  float p = 0.0;
+  uint i = 0u;
+  do p += bent_sun_pdf(bent_sun_of(v, i), direction);
+  while (++i < frame.sun_count);
+  return p / float(frame.sun_count);
+}
+
+// Zero: there is none. `radiance`: sum of the channels.
+vec3 sample_sun(Vertex v, bool bends, inout uint rng, out float radiance) {
   uint i = rng_next(rng) % frame.sun_count;
   vec4 sun = frame.sun_direction[i];
   radiance = frame.sun_radiance[i].w;
-  float k = rng_uniform(rng) * (1.0 - sun.w), phi = 2.0 * kPiShared * rng_uniform(rng);  // k: 1 - cos
+  vec2 u = vec2(rng_uniform(rng), rng_uniform(rng));
+  if (bends) return bent_sun_sample(bent_sun_of(v, i), u);
+  float k = u.x * (1.0 - sun.w), phi = 2.0 * kPiShared * u.y;  // k: 1 - cos
   float r = sqrt(k * (2.0 - k));
   return frame_about(sun.xyz) * vec3(r * cos(phi), r * sin(phi), 1.0 - k);
 }
@@ -116,20 +140,21 @@ float density_of_all(float looked_for, float proposed, bool one) {
   return (one ? kLooks : 1.0) * looked_for + (one ? 1.0 - kLooks : 1.0) * proposed;
 }
 
-// Of light that is looked for, where a ray met something.
-float looked_for_density(Hit hit, vec3 direction) {
-  float sun = has_feature(kFeatureSuns) && is_sky(hit) ? sun_pdf(direction) : 0.0;
-  return sun > 0.0 ? sun : float(light_candidates()) * hit_light_pdf(hit, direction);
+// Of light that is looked for, where a way from the vertex in a direction ends. Lights of the list are met by straight ones.
+float looked_for_density(Vertex v, vec3 direction, Segment way) {
+  bool bends = bends_suns(v), to_sun = has_feature(kFeatureSuns) && (bends || !way.bent) && is_sky(way.hit) && sun_pdf(way.direction) > 0.0;
+  if (to_sun) return sun_density(v, direction, bends);
+  return way.bent ? 0.0 : float(light_candidates()) * hit_light_pdf(way.hit, direction);
 }
 
-// The share of emission that was met by a direction of the path's own; all of it where the way there was bent.
-float met_share_of(Hit hit, Proposal p, vec3 emission, bool bent, bool one) {
-  if (emission == vec3(0.0) || bent || (p.flags & kScatterDelta) != 0u) return one ? 1.0 / (1.0 - kLooks) : 1.0;
-  float all = density_of_all(looked_for_density(hit, p.direction), p.pdf, one);
+// The share of emission that was met by a direction of the path's own.
+float met_share_of(Vertex v, Segment way, Proposal p, vec3 emission, bool one) {
+  if (emission == vec3(0.0) || (p.flags & kScatterDelta) != 0u) return one ? 1.0 / (1.0 - kLooks) : 1.0;
+  float all = density_of_all(looked_for_density(v, p.direction, way), p.pdf, one);
   return all > 0.0 ? p.pdf / all : 1.0;
 }
 
-float met_share(Hit hit, Proposal p, vec3 emission) { return met_share_of(hit, p, emission, false, false); }
+float met_share(Vertex v, Segment way, Proposal p, vec3 emission) { return met_share_of(v, way, p, emission, false); }
 
 // For this share of the rays what is known chooses the kind of light, for the others each kind has half: neither has less than
 // a tenth of the rays. A cell that is new has half and half, too: a sun outshines all lights, also where walls hide it.
@@ -170,9 +195,10 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
   } while (++i < listed);
   if (has_feature(kFeatureSuns) && frame.sun_count > 0u) {
     float radiance, bsdf;
-    vec3 direction = sample_sun(rng, radiance);
+    bool bends = bends_suns(v);
+    vec3 direction = sample_sun(v, bends, rng, radiance);
     vec3 f = scatter_eval(v.scatter, v.view, direction, bsdf);
-    float sun = sun_pdf(direction);  // zero on a rim that rounding left out: directions of the BSDF miss it as well
+    float sun = sun_density(v, direction, bends);  // zero on a rim that rounding left out: directions of the BSDF miss it as well
     float all = density_of_all(sun, bsdf, one);
     float value = sun > 0.0 ? dot(f, vec3(1.0)) * radiance / all : 0.0;
     float even = 1e-6 * (value + sum) + 1e-20;  // where neither was ever reached
@@ -196,22 +222,25 @@ void share_aim(inout Aim aim, float proposed, bool one) {
   if (aim.weight > 0.0) aim.weight /= density_of_all(aim.density, proposed, one);
 }
 
-// Whether a ray met what it was to look for. A point of the list inside of a sun's disc is the sun's.
-bool is_found(Aim aim, Hit hit) {
+// Whether a way met what it was to look for. A point of the list inside of a sun's disc is the sun's.
+bool is_found(Aim aim, Segment way) {
   bool sun = aim.instance == kNoIndex;
-  if (!sun && (hit.instance != aim.instance || hit.triangle != aim.triangle)) return false;
+  if (!sun && (way.hit.instance != aim.instance || way.hit.triangle != aim.triangle)) return false;
   if (!has_feature(kFeatureSuns)) return true;
-  bool sky = is_sky(hit);
-  return sun ? sky : !sky || sun_pdf(aim.direction) == 0.0;
+  bool in_sun = is_sky(way.hit) && sun_pdf(way.direction) > 0.0;
+  return sun == in_sun;
 }
 
 // Whether it did, remembered.
-bool found(Aim aim, Hit hit, inout uint rng) {
-  bool met = is_found(aim, hit);
+bool found(Aim aim, Segment way, inout uint rng) {
+  bool met = is_found(aim, way);
   if (aim.weight > 0.0 && (rng_next(rng) & (light_seen_stride() - 1u)) == 0u)
     atomicAdd(seen_words.at[aim.cell * 4u + (aim.instance == kNoIndex ? 2u : 3u)], kSeenRay + (met ? kSeenMet : 0u));
   return met;
 }
+
+// Only a sun is looked for through an interface.
+uint turn_of(Vertex v, Aim aim) { return bends_suns(v) && aim.instance == kNoIndex ? kTurnByChance : kTurnNowhere; }
 
 Direct direct_light(Vertex v, vec3 direction, vec3 f, vec3 light) {
   return Direct(f * light, light * (max(scatter_cosine(v.scatter, direction), 0.0) / kPiShared));
@@ -220,8 +249,8 @@ Direct direct_light(Vertex v, vec3 direction, vec3 f, vec3 light) {
 Direct look_for_light(Vertex v, Guidance g, inout uint rng) {
   Aim aim = aim_at_light(v, false, rng);
   share_aim(aim, proposal_pdf(g, aim.direction, aim.bsdf_pdf), false);
-  Hit hit = trace_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, rng);
-  vec3 emission = found(aim, hit, rng) && aim.weight > 0.0 ? light_emission(hit, aim.direction) * light_left(v, hit) : vec3(0.0);
+  Segment way = segment_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, turn_of(v, aim), rng);
+  vec3 emission = found(aim, way, rng) && aim.weight > 0.0 ? light_emission(way.hit, way.direction) * way.left : vec3(0.0);
   return direct_light(v, aim.direction, aim.f, emission * aim.weight);
 }
 
@@ -232,10 +261,10 @@ Direct last_light(Vertex v, inout uint rng) {
   bool looks = rng_uniform(rng) < kLooks;
   vec3 direction = looks ? aim.direction : p.direction;
   float reach = looks ? aim.weight > 0.0 ? aim.reach : 0.0 : p.weight != vec3(0.0) ? kRayEnd : 0.0;
-  Segment way = segment_from(v, direction, reach, looks ? kTurnNowhere : kTurnByChance, rng);
+  Segment way = segment_from(v, direction, reach, looks ? turn_of(v, aim) : kTurnByChance, rng);
   vec3 emission = reach > 0.0 ? light_emission(way.hit, way.direction) * way.left : vec3(0.0);
-  if (looks) return direct_light(v, direction, aim.f, found(aim, way.hit, rng) ? emission * aim.weight : vec3(0.0));
-  vec3 light = emission * met_share_of(way.hit, p, emission, way.bent, true);
+  if (looks) return direct_light(v, direction, aim.f, found(aim, way, rng) ? emission * aim.weight : vec3(0.0));
+  vec3 light = emission * met_share_of(v, way, p, emission, true);
   return direct_light(v, direction, p.weight * p.pdf, p.pdf > 0.0 ? light / p.pdf : vec3(0.0));
 }
 #endif

@@ -9,4 +9,4 @@ bool point_of_light(inout uint rng, out vec3 place) {
   place = vec3(0.0);
   return false;
 }
-float met_share(Hit hit, Proposal p, vec3 emission) { return 1.0; }
+float met_share(Vertex v, Segment way, Proposal p, vec3 emission) { return 1.0; }

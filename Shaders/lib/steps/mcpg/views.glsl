@@ -26,12 +26,12 @@ GuideState strongest_state(Vertex v, GuideCell cell, out bool collides) {
 
 // What a ray from a vertex meets: the light of it that guiding is for.
 vec3 light_met(Vertex v, Field here, Proposal p, Path path, inout uint rng) {
-  Hit hit = trace_from(v, p.direction, kRayEnd, rng);
-  Surface s = load_surface(hit, p.direction, kFilterNearest, false);
-  if (kLooksForLight) s.emission *= met_share(hit, p, s.emission);
-  if (hit.instance == kNoIndex || path_bounces() <= 1u) return s.emission;
-  Vertex next = surface_vertex(s, -p.direction);
-  return s.emission + field_reflection(field_at(next, path), here, next);
+  Segment way = segment_from(v, p.direction, kRayEnd, kTurnByChance, rng);
+  Surface s = load_surface(way.hit, way.direction, kFilterNearest, false);
+  if (kLooksForLight) s.emission *= met_share(v, way, p, s.emission);
+  if (way.hit.instance == kNoIndex || path_bounces() <= 1u) return s.emission * way.left;
+  Vertex next = end_of_segment(way, s);
+  return (s.emission + field_reflection(field_at(next, path), here, next)) * way.left;
 }
 
 bool shows_directions() { return frame.debug_view == kViewGuideIncident; }
