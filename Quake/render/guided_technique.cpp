@@ -125,6 +125,7 @@ RenderSettings GuidedTechnique::adapt(RenderSettings settings) const {
   settings.mc_accesses = 5;
   settings.mc_adaptive = 0.7f;
   settings.mc_wider = 1;
+  settings.mc_jitter = 1;
   settings.mc_pixels = 0;
   settings.mc_radius = 1;
   settings.mc_learn_share = 0;

@@ -26,7 +26,7 @@ GuideCell guide_cell(vec3 p, vec3 n, bool adaptive, uint a, inout uint group_rng
     width = exp2(float(level));
     tag = adaptive_tag(level, n);
   }
-  GridKey key = grid_vertex(p, width, tag, u);
+  GridKey key = grid_vertex(p, width, tag, vec3(0.5) + guide.mc_jitter * (u - 0.5));
   uint buckets = guide.mc_states / GUIDE_BUCKET;
   return GuideCell((key.hash & (buckets - 1u)) * GUIDE_BUCKET, key.check);
 }
