@@ -296,6 +296,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.picture_width = place.size.x;
   constants.picture_height = place.size.y;
   constants.turbid = this->scene.features().turbid;
+  constants.mirrors = features.water;
   constants.light_first = this->scene.lights().x;
   constants.light_end = this->scene.lights().y;
   constants.light_power = this->scene.light_power();

@@ -174,6 +174,43 @@ TEST_F(WaterTest, ShadowRaysFindTheSunThroughTheSurface) {
       }
 }
 
+// A slab that hangs over water, from below: the sun that the water mirrors onto it, by shadow rays. It reflects albedo
+// / pi R E cosine.
+TEST_F(WaterTest, ShadowRaysFindTheSunThatWaterMirrors) {
+  const float albedo = 0.5f, elevation = 0.5f, cosine = std::sin(elevation);
+  for (const char* estimator : {"nee", "mcpg_nee"})
+    for (const float waves : {0.0f, 0.6f}) {
+      scene::FrameSnapshot snapshot;
+      auto assets = std::make_shared<scene::Assets>();
+      scene::Material stone;
+      stone.base_color = vec3(albedo);
+      assets->materials.push_back(stone);
+      scene::Mesh slab;
+      scene::add_quad(slab, {-40, -40, 100}, {0, 80, 0}, {80, 0, 0}, 0);
+      scene::finish_mesh(slab);
+      assets->meshes.push_back(slab);
+      snapshot.assets = assets;
+      snapshot.instances.emplace_back();
+      look(snapshot, {0, 0, 50}, -89.0f, 40);
+      add_water(snapshot, 0.0f, 2000.0f, vec3(0.0f));
+      snapshot.sky.mode = scene::SkyMode::kConstant;
+      snapshot.sky.color = vec3(0.0f);
+      snapshot.sky.beyond_everything = true;
+      snapshot.sky.suns = {{vec3(std::cos(elevation), 0, cosine), vec3(1000.0f), 0.5f}};
+      RenderSettings s = water_settings(estimator, 1);
+      s.spp = 64;
+      s.water_waves = waves;
+      auto renderer = make_renderer(s, 32, 24);
+      for (int i = 0; i < 16; ++i) renderer->render(snapshot, nullptr, s);
+      const ImageEstimate e = image_estimate(renderer->read().linear());
+      const double expected =
+          static_cast<double>(albedo / kPi * 1000.0f * cosine * shared::dielectric_reflectance(cosine, kIndex));
+      EXPECT_NEAR(e.mean, expected, 5 * e.error + (waves > 0 ? 0.1 : 2e-3) * expected) << estimator << ' ' << waves;
+      EXPECT_LT(e.error, 0.04 * expected) << estimator << ' ' << waves << ": the test can see little";
+      EXPECT_EQ(renderer->read().counters().not_finite, 0u);
+    }
+}
+
 // A lamp under the surface, over dark ground: shadow rays and chance lose as much on the way, also where other paths of
 // the same moment go on to the surface and back.
 TEST_F(WaterTest, EveryPieceAbsorbsOnce) {

@@ -21,6 +21,7 @@ struct Segment {
   vec3 left;       // share of the light at its end that it brings
   uint liquid;     // that its end is in (lib/interaction.glsl)
   bool bent;       // by an interface
+  float mirrored;  // the share that the first one reflects, if it did; else 0
   float distance;  // along all pieces
   float seen;      // at which its end appears through a level surface, along the first direction
 };
@@ -29,6 +30,7 @@ struct Segment {
 const uint kTurnByChance = 0u;  // reflected or refracted as often as much is
 const uint kTurnThrough = 1u;   // the first one refracts a camera's ray, whose `left` has the share. Those after it by chance
 const uint kTurnNowhere = 2u;   // interfaces end it
+const uint kTurnBack = 3u;      // the first one reflects it, and `left` has the share. Those after it by chance
 
 struct Interface {
   vec3 position;
@@ -68,7 +70,7 @@ vec3 kept_on_side(vec3 direction, vec3 facing) {
 }
 
 Segment straight(vec3 origin, vec3 direction, uint liquid) {
-  return Segment(Hit(0.0, vec2(0.0), kNoIndex, 0u), origin, direction, vec3(1.0), liquid, false, 0.0, 0.0);
+  return Segment(Hit(0.0, vec2(0.0), kNoIndex, 0u), origin, direction, vec3(1.0), liquid, false, 0.0, 0.0, 0.0);
 }
 
 // What becomes of a camera's ray at the first interface that it meets.
@@ -118,7 +120,7 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
     vec3 reflected = kept_on_side(dielectric_reflect(-s.direction, i.normal), i.facing);
     if (turn == kTurnThrough && !s.bent) {
       parting.mirrored = Segment(s.hit, offset_origin(i.position, i.facing), reflected, s.left * reflectance, here, true,
-                                 s.distance, s.seen);
+                                 reflectance, s.distance, s.seen);
       parting.mirrors_most = dielectric_reflectance(min(-dot(s.direction, i.facing), 1.0), eta) > 0.5;
       parting.through = 1.0 - reflectance;
       parting.distance = s.distance;
@@ -126,6 +128,11 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
       s.left *= 1.0 - reflectance;
       back = false;
     }
+    if (turn == kTurnBack && !s.bent) {
+      s.left *= reflectance;
+      back = true;
+    }
+    if (!s.bent) s.mirrored = back ? reflectance : 0.0;
     vec3 side = back ? i.facing : -i.facing;
     s.direction = back ? reflected : kept_on_side(dielectric_refract(-s.direction, i.normal, eta), side);
     s.origin = offset_origin(i.position, side);
@@ -147,7 +154,7 @@ Segment segment_from(Vertex v, vec3 direction, float reach, uint turn, inout uin
   Parting unused;
   if (FEATURE_WATER) return follow(straight(origin, direction, v.liquid), reach, kMaskIndirect, turn, false, unused, rng);
   Hit hit = trace_from(v, direction, reach, rng);
-  return Segment(hit, origin, direction, light_left(v, hit), kNoIndex, false, hit.t, hit.t);
+  return Segment(hit, origin, direction, light_left(v, hit), kNoIndex, false, 0.0, hit.t, hit.t);
 }
 
 // The vertex at a segment's end. A coat has next to no reflectance where it borders on water or glass.

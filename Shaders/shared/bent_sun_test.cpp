@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -14,8 +15,6 @@
 namespace fb::shared {
 namespace {
 
-constexpr float kIndexOfWater = 1.33f;
-
 vec3 sun_at(float elevation, float azimuth) {
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
 }
@@ -24,8 +23,9 @@ float disc_of(float radius) { return 2 * std::sin(radius / 2) * std::sin(radius 
 TEST(BentSun, SamplesFollowTheDensity) {
   Rng rng(7);
   for (const float elevation : {0.05f, 0.8f, 1.5707963f})
-    for (const float slope : {0.0f, 0.04f, 0.4f}) {
-      const BentSun b = bent_sun(sun_at(elevation, 2.0f), disc_of(0.02f), kIndexOfWater, slope);
+    for (const BentSun& b : {refracted_sun(sun_at(elevation, 2.0f), disc_of(0.02f), kIndexOfWater, 0.0f),
+                             refracted_sun(sun_at(elevation, 2.0f), disc_of(0.02f), kIndexOfWater, 0.4f),
+                             mirrored_sun(sun_at(elevation, 2.0f), disc_of(0.02f), 0.04f)}) {
       // Rings of equal probability about the middle, in sectors. What would lie beyond the horizon is drawn as nothing.
       constexpr int kRings = 12, kSectors = 8, kDraws = 200000;
       std::vector<double> seen(kRings * kSectors + 1, 0), expected(seen.size(), 0);
@@ -57,9 +57,9 @@ TEST(BentSun, SamplesFollowTheDensity) {
                                   y = b.middle.y + q * b.spread * std::sin(phi);
                       const float z2 = 1 - x * x - y * y;
                       if (z2 <= 0) return 0;
-                      const vec3 t(x, y, std::sqrt(z2));
-                      return static_cast<long double>(bent_sun_pdf(b, t) / t.z * b.spread * b.spread) * by_share * 2 *
-                             3.14159265358979323846L;
+                      const vec3 t(x, y, b.side * std::sqrt(z2));
+                      return static_cast<long double>(bent_sun_pdf(b, t) / std::fabs(t.z) * b.spread * b.spread) *
+                             by_share * 2 * 3.14159265358979323846L;
                     },
                     static_cast<long double>(sector) / kSectors, static_cast<long double>(sector + 1) / kSectors, 64);
               },
@@ -71,7 +71,7 @@ TEST(BentSun, SamplesFollowTheDensity) {
         }
       ChiSquared test;
       for (std::size_t i = 0; i < seen.size(); ++i) test.add(std::max(expected[i], 0.0), seen[i]);
-      EXPECT_GT(test.p(), 1e-4) << elevation << ' ' << slope;
+      EXPECT_GT(test.p(), 1e-4) << elevation << ' ' << b.spread << ' ' << b.side;
     }
 }
 
@@ -83,34 +83,44 @@ TEST(BentSun, CoversTheSunThroughWaves) {
     for (const float height : {0.0f, 0.6f, 2.0f}) {
       const float size = 64.0f, radius = 0.01f;
       const vec3 sun = sun_at(elevation, 0.7f);
-      const BentSun b = bent_sun(sun, disc_of(radius), kIndexOfWater, kWaveMeanSlope * height / size);
+      const float slope = kWaveMeanSlope * height / size;
+      const BentSun refracted = refracted_sun(sun, disc_of(radius), kIndexOfWater, slope);
+      const BentSun mirrored = mirrored_sun(sun, disc_of(radius), slope);
       const vec3 side = glm::normalize(glm::cross(sun, vec3(0, 0, 1))), other = glm::cross(side, sun);
-      int near = 0, within = 0;
       constexpr int kPoints = 4000;
+      int near[2] = {}, within[2] = {}, mirrored_up = 0;
       for (int i = 0; i < kPoints; ++i) {
         const WaveState wave = wave_state({height, size, 12345u}, {rng.uniform(-4000, 4000), rng.uniform(-4000, 4000)});
         const float r = radius * std::sqrt(rng.uniform()), phi = rng.uniform(0, 2 * kWavePi);
         const vec3 from = glm::normalize(sun + r * (std::cos(phi) * side + std::sin(phi) * other));
-        const vec3 t = -dielectric_refract(from, wave_normal(wave), kIndexOfWater);
-        const float x = (t.x - b.middle.x) / b.spread, y = (t.y - b.middle.y) / b.spread, q2 = x * x + y * y;
-        near += q2 < 0.25f ? 1 : 0;
-        within += q2 < 4.0f ? 1 : 0;
+        const vec3 normal = wave_normal(wave);
+        const vec3 to[2] = {-dielectric_refract(from, normal, kIndexOfWater), -dielectric_reflect(from, normal)};
+        mirrored_up += to[1].z >= 0 ? 1 : 0;
+        for (int kind = 0; kind < 2; ++kind) {
+          const BentSun& b = kind == 0 ? refracted : mirrored;
+          const float x = (to[kind].x - b.middle.x) / b.spread, y = (to[kind].y - b.middle.y) / b.spread;
+          near[kind] += x * x + y * y < 0.25f ? 1 : 0;
+          within[kind] += x * x + y * y < 4.0f ? 1 : 0;
+        }
       }
-      EXPECT_GT(within, 0.95 * kPoints) << elevation << ' ' << height;
-      EXPECT_LT(near, 0.6 * kPoints) << "wider than it need be: " << elevation << ' ' << height;
+      EXPECT_LT(mirrored_up, kPoints / 100);
+      for (int kind = 0; kind < 2; ++kind) {
+        EXPECT_GT(within[kind], 0.95 * kPoints) << kind << ' ' << elevation << ' ' << height;
+        EXPECT_LT(near[kind], 0.6 * kPoints) << "wider than it need be: " << kind << ' ' << elevation << ' ' << height;
+      }
     }
 }
 
 TEST(BentSun, LevelWaterShowsItWhereSnellSays) {
   for (const float elevation : {0.02f, 0.3f, 1.0f, 1.5707963f}) {
     const vec3 sun = sun_at(elevation, -1.0f);
-    const BentSun b = bent_sun(sun, disc_of(0.005f), kIndexOfWater, 0.0f);
+    const BentSun b = refracted_sun(sun, disc_of(0.005f), kIndexOfWater, 0.0f);
     const vec3 t = -dielectric_refract(sun, vec3(0, 0, 1), kIndexOfWater);
     EXPECT_NEAR(b.middle.x, t.x, 1e-6f);
     EXPECT_NEAR(b.middle.y, t.y, 1e-6f);
     EXPECT_NEAR(b.spread, kBentSunDisc * 0.005f / kIndexOfWater, 1e-7f);
   }
-  const BentSun below = bent_sun(sun_at(-0.1f, 0.0f), disc_of(0.005f), kIndexOfWater, 0.1f);
+  const BentSun below = refracted_sun(sun_at(-0.1f, 0.0f), disc_of(0.005f), kIndexOfWater, 0.1f);
   EXPECT_EQ(bent_sun_sample(below, {0.5f, 0.5f}), vec3(0.0f));
   EXPECT_EQ(bent_sun_pdf(below, {0, 0, 1}), 0.0f);
 }
@@ -122,10 +132,14 @@ TEST(BentSun, StaysFinite) {
       for (const float disc : {1e-9f, 0.3f})
         for (const float index : {1.0f, 1.33f, 3.0f})
           for (const float u : {0.0f, 1e-30f, 0.5f, 0x1.fffffep-1f}) {
-            const BentSun b = bent_sun(sun_at(elevation, 1.0f), disc, index, slope);
+            const BentSun b = refracted_sun(sun_at(elevation, 1.0f), disc, index, slope);
             const vec3 t = bent_sun_sample(b, {u, u});
             ASSERT_TRUE(std::isfinite(t.x + t.y + t.z)) << elevation << ' ' << slope << ' ' << disc << ' ' << index;
             ASSERT_TRUE(std::isfinite(bent_sun_pdf(b, t))) << elevation << ' ' << slope << ' ' << disc << ' ' << index;
+            const BentSun m = mirrored_sun(sun_at(elevation, 1.0f), disc, slope);
+            const vec3 d = bent_sun_sample(m, {u, u});
+            ASSERT_TRUE(std::isfinite(d.x + d.y + d.z + bent_sun_pdf(m, d)))
+                << elevation << ' ' << slope << ' ' << disc;
           }
 }
 

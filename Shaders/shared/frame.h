@@ -63,6 +63,7 @@ struct FrameConstants {
   uint camera_liquid;                    // that the camera is in, as Vertex::liquid has it (lib/interaction.glsl)
   float camera_fog;                      // extinction along the camera's rays: the medium's, 0 in a liquid
   uint turbid;                           // some liquid or glass scatters light
+  uint mirrors;                          // some surface is an interface of a liquid
   uint distances_former, distances_now;  // halves of what is known of distances: the former frame's, kNoIndex: there is
                                          // none; this one's
   FB_FRAME_SETTINGS(FB_UNIFORM_FIELD)

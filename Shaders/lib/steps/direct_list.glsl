@@ -4,7 +4,7 @@
 #define FB_LIB_STEPS_DIRECT_LIST
 #include "lib/path_state.glsl"
 #include "lib/seen_grid.glsl"
-#include "shared/bent_sun.h"
+#include "lib/suns.glsl"
 
 const bool kLooksForLight = true;
 
@@ -66,51 +66,6 @@ bool is_sky(Hit hit) {
   return shows_sky(material_of(hit.instance, hit.triangle), hit.instance);
 }
 
-// Inside of a sun's disc? One sun of all, each as often; 1 - cos of a small disc is exact.
-float sun_pdf(vec3 direction) {
-  if (frame.sun_count == 0u) return 0.0;
-  float p = 0.0;
-  uint i = 0u;
-  do {
-    vec4 sun = frame.sun_direction[i];
-    if (dot(direction, sun.xyz) >= sun.w) p += 1.0 / (2.0 * kPiShared * (1.0 - sun.w));
-  } while (++i < frame.sun_count);
-  return p / float(frame.sun_count);
-}
-
-// Within a liquid suns are looked for where its surface lets them in.
-bool bends_suns(Vertex v) {
-  return FEATURE_WATER && has_feature(kFeatureSuns) && v.liquid != kNoIndex &&
-         (material_at(v.liquid & kNoMaterial).flags & kMaterialLiquid) != 0u;
-}
-BentSun bent_sun_of(Vertex v, uint i) {
-  vec4 sun = frame.sun_direction[i];
-  return bent_sun(sun.xyz, 1.0 - sun.w, medium_index(v.liquid), kWaveMeanSlope * frame.water_height / frame.water_size);
-}
-
-// Density with which a vertex looks for suns in a direction. Within a liquid all ways that end inside of a sun's disc on the sky
-// are looked for, bent or not; elsewhere straight ones.
-float sun_density(Vertex v, vec3 direction, bool bends) {
-  if (!bends) return sun_pdf(direction);
-  float p = 0.0;
-  uint i = 0u;
-  do p += bent_sun_pdf(bent_sun_of(v, i), direction);
-  while (++i < frame.sun_count);
-  return p / float(frame.sun_count);
-}
-
-// Zero: there is none. `radiance`: sum of the channels.
-vec3 sample_sun(Vertex v, bool bends, inout uint rng, out float radiance) {
-  uint i = rng_next(rng) % frame.sun_count;
-  vec4 sun = frame.sun_direction[i];
-  radiance = frame.sun_radiance[i].w;
-  vec2 u = vec2(rng_uniform(rng), rng_uniform(rng));
-  if (bends) return bent_sun_sample(bent_sun_of(v, i), u);
-  float k = u.x * (1.0 - sun.w), phi = 2.0 * kPiShared * u.y;  // k: 1 - cos
-  float r = sqrt(k * (2.0 - k));
-  return frame_about(sun.xyz) * vec3(r * cos(phi), r * sin(phi), 1.0 - k);
-}
-
 // A direction to look for light in.
 struct Aim {
   vec3 direction;
@@ -119,9 +74,10 @@ struct Aim {
   float reach;
   float density, bsdf_pdf;  // with which the direction is looked for, and of the BSDF
   uint instance, triangle;  // what must be met; kNoIndex: a sun
+  uint turn;                // on the way to it
   uint cell;                // of the grid of what such rays reach
 };
-const Aim kNoAim = Aim(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, kNoIndex, kNoIndex, 0u);
+const Aim kNoAim = Aim(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, kNoIndex, kNoIndex, kTurnNowhere, 0u);
 
 // Emission towards its origin of what a ray meets, as load_surface has it.
 vec3 light_emission(Hit hit, vec3 direction) {
@@ -140,10 +96,13 @@ float density_of_all(float looked_for, float proposed, bool one) {
   return (one ? kLooks : 1.0) * looked_for + (one ? 1.0 - kLooks : 1.0) * proposed;
 }
 
-// Of light that is looked for, where a way from the vertex in a direction ends. Lights of the list are met by straight ones.
+// Of light that is looked for, where a way from the vertex in a direction ends, of the ways with its turns that directions find.
 float looked_for_density(Vertex v, vec3 direction, Segment way) {
-  bool bends = bends_suns(v), to_sun = has_feature(kFeatureSuns) && (bends || !way.bent) && is_sky(way.hit) && sun_pdf(way.direction) > 0.0;
-  if (to_sun) return sun_density(v, direction, bends);
+  if (has_feature(kFeatureSuns) && is_sky(way.hit) && sun_pdf(way.direction) > 0.0) {
+    if (bends_suns(v)) return refracted_density(v, direction);
+    if (!way.bent) return sun_pdf(direction);
+    return mirrors_suns(v) && way.mirrored > 0.0 ? mirrored_density(direction) / way.mirrored : 0.0;
+  }
   return way.bent ? 0.0 : float(light_candidates()) * hit_light_pdf(way.hit, direction);
 }
 
@@ -161,6 +120,25 @@ float met_share(Vertex v, Segment way, Proposal p, vec3 emission) { return met_s
 const float kLearnt = 0.8;
 const float kEnoughRays = 8.0;  // a cell that sent fewer is new
 
+// In the place of an aim, now and then, at a sun that level liquids mirror: by what it would bring times the share of such rays
+// that arrived, against `hoped` of all others. Cells of their own remember these rays.
+const float kMostMirrored = 0.5, kLeastMirrored = 0.02;  // of the rays
+const float kMirroredCell = 4096.0;                      // of the grid, off the others' place
+
+void aim_at_mirrored_sun(Vertex v, float hoped, inout Aim aim, inout uint rng) {
+  float radiance, bsdf;
+  vec3 direction = sample_mirrored_sun(rng, radiance);
+  vec3 f = scatter_eval(v.scatter, v.view, direction, bsdf);
+  float density = mirrored_density(direction);
+  float value = density > 0.0 ? dot(f, vec3(1.0)) * radiance / density : 0.0;
+  if (!(value > 0.0)) return;
+  uint cell = seen_cell(v.position + vec3(0.0, 0.0, kMirroredCell), scatter_axis(v.scatter)), seen = seen_cells.at[cell].x;
+  float known = min(seen_rays(seen) / kEnoughRays, 1.0), arrive = mix(1.0, seen_share(seen), known);
+  float reached = arrive * value, chance = clamp(reached / max(reached + hoped, 1e-30), kLeastMirrored, kMostMirrored);
+  if (rng_uniform(rng) < chance) aim = Aim(direction, f, 1.0 / chance, kRayEnd, density, bsdf, kNoIndex, kNoIndex, kTurnBack, cell);
+  else aim.weight /= 1.0 - chance;
+}
+
 // One of light_candidates() points of lights and a direction to a sun, chosen by what each would bring (resampled importance
 // sampling, Talbot 2005) if each light were even and if as many rays to its kind arrived as did before from hereabouts. Emission,
 // with its textures, is read of what is met.
@@ -169,7 +147,7 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
   vec3 origin = scatter_origin(v.scatter, v.position);
   aim.cell = seen_cell(v.position, scatter_axis(v.scatter));
   uvec4 seen = seen_cells.at[aim.cell];
-  float sum = 0.0, target = 0.0;
+  float sum = 0.0, target = 0.0, hoped = 0.0;
   uint listed = has_lights() ? light_candidates() : 0u, i = 0u;
   if (listed > 0u) do {
     uint element = sample_light(rng);
@@ -190,7 +168,7 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
     sum += useful ? value : 0.0;
     if (useful && pick * sum < value) {
       target = value;
-      aim = Aim(direction, f, 1.0, reach * 1.001 + 0.01, float(listed) * density, bsdf, instance, triangle, aim.cell);
+      aim = Aim(direction, f, 1.0, reach * 1.001 + 0.01, float(listed) * density, bsdf, instance, triangle, kTurnNowhere, aim.cell);
     }
   } while (++i < listed);
   if (has_feature(kFeatureSuns) && frame.sun_count > 0u) {
@@ -198,7 +176,8 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
     bool bends = bends_suns(v);
     vec3 direction = sample_sun(v, bends, rng, radiance);
     vec3 f = scatter_eval(v.scatter, v.view, direction, bsdf);
-    float sun = sun_density(v, direction, bends);  // zero on a rim that rounding left out: directions of the BSDF miss it as well
+    // Zero on a rim that rounding left out: directions of the BSDF miss it as well.
+    float sun = bends ? refracted_density(v, direction) : sun_pdf(direction);
     float all = density_of_all(sun, bsdf, one);
     float value = sun > 0.0 ? dot(f, vec3(1.0)) * radiance / all : 0.0;
     float even = 1e-6 * (value + sum) + 1e-20;  // where neither was ever reached
@@ -209,17 +188,21 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
     bool to_sun = rng_uniform(rng) < chance;
     if (to_sun) {
       sum = target = value;
-      aim = Aim(direction, f, 1.0, kRayEnd, sun, bsdf, kNoIndex, kNoIndex, aim.cell);
+      aim = Aim(direction, f, 1.0, kRayEnd, sun, bsdf, kNoIndex, kNoIndex, bends ? kTurnByChance : kTurnNowhere, aim.cell);
     }
     aim.weight /= to_sun ? chance : 1.0 - chance;
+    hoped = both;
   }
   aim.weight *= target > 0.0 ? sum / target : 0.0;
+  if (mirrors_suns(v)) aim_at_mirrored_sun(v, hoped, aim, rng);
   return aim;
 }
 
-// What chose a direction shares it with the BSDF, which is cheap to ask; what it brings, with all that paths propose there.
-void share_aim(inout Aim aim, float proposed, bool one) {
-  if (aim.weight > 0.0) aim.weight /= density_of_all(aim.density, proposed, one);
+// What chose a direction shares it with the BSDF, which is cheap to ask; what it brings, with all that paths propose there, as often
+// as they take the way's turns.
+float shared_weight(Aim aim, Segment way, float proposed, bool one) {
+  if (aim.weight <= 0.0) return 0.0;
+  return aim.weight / density_of_all(aim.density, aim.turn == kTurnBack ? proposed * way.mirrored : proposed, one);
 }
 
 // Whether a way met what it was to look for. A point of the list inside of a sun's disc is the sun's.
@@ -228,7 +211,7 @@ bool is_found(Aim aim, Segment way) {
   if (!sun && (way.hit.instance != aim.instance || way.hit.triangle != aim.triangle)) return false;
   if (!has_feature(kFeatureSuns)) return true;
   bool in_sun = is_sky(way.hit) && sun_pdf(way.direction) > 0.0;
-  return sun == in_sun;
+  return sun == in_sun && (aim.turn != kTurnBack || way.mirrored > 0.0);
 }
 
 // Whether it did, remembered.
@@ -239,31 +222,31 @@ bool found(Aim aim, Segment way, inout uint rng) {
   return met;
 }
 
-// Only a sun is looked for through an interface.
-uint turn_of(Vertex v, Aim aim) { return bends_suns(v) && aim.instance == kNoIndex ? kTurnByChance : kTurnNowhere; }
-
 Direct direct_light(Vertex v, vec3 direction, vec3 f, vec3 light) {
   return Direct(f * light, light * (max(scatter_cosine(v.scatter, direction), 0.0) / kPiShared));
 }
 
 Direct look_for_light(Vertex v, Guidance g, inout uint rng) {
   Aim aim = aim_at_light(v, false, rng);
-  share_aim(aim, proposal_pdf(g, aim.direction, aim.bsdf_pdf), false);
-  Segment way = segment_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, turn_of(v, aim), rng);
-  vec3 emission = found(aim, way, rng) && aim.weight > 0.0 ? light_emission(way.hit, way.direction) * way.left : vec3(0.0);
-  return direct_light(v, aim.direction, aim.f, emission * aim.weight);
+  float proposed = proposal_pdf(g, aim.direction, aim.bsdf_pdf);
+  Segment way = segment_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, aim.turn, rng);
+  float weight = found(aim, way, rng) ? shared_weight(aim, way, proposed, false) : 0.0;
+  vec3 emission = weight > 0.0 ? light_emission(way.hit, way.direction) * way.left : vec3(0.0);
+  return direct_light(v, aim.direction, aim.f, emission * weight);
 }
 
 Direct last_light(Vertex v, inout uint rng) {
   Proposal p = propose_scattered(v, rng);
   Aim aim = aim_at_light(v, true, rng);
-  share_aim(aim, aim.bsdf_pdf, true);
   bool looks = rng_uniform(rng) < kLooks;
   vec3 direction = looks ? aim.direction : p.direction;
   float reach = looks ? aim.weight > 0.0 ? aim.reach : 0.0 : p.weight != vec3(0.0) ? kRayEnd : 0.0;
-  Segment way = segment_from(v, direction, reach, looks ? turn_of(v, aim) : kTurnByChance, rng);
+  Segment way = segment_from(v, direction, reach, looks ? aim.turn : kTurnByChance, rng);
   vec3 emission = reach > 0.0 ? light_emission(way.hit, way.direction) * way.left : vec3(0.0);
-  if (looks) return direct_light(v, direction, aim.f, found(aim, way, rng) ? emission * aim.weight : vec3(0.0));
+  if (looks) {
+    float weight = found(aim, way, rng) ? shared_weight(aim, way, aim.bsdf_pdf, true) : 0.0;
+    return direct_light(v, direction, aim.f, emission * weight);
+  }
   vec3 light = emission * met_share_of(v, way, p, emission, true);
   return direct_light(v, direction, p.weight * p.pdf, p.pdf > 0.0 ? light / p.pdf : vec3(0.0));
 }
