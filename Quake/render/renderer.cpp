@@ -8,12 +8,12 @@
 #include <ratio>
 
 #include "base/check.h"
-#include "base/hash.h"
 #include "base/log.h"
 #include "base/out_of_memory.h"
 #include "gpu/pipeline.h"
 #include "render/debug_views.h"
 #include "render/frame_constants.h"
+#include "render/frame_keys.h"
 #include "render/intersector_choice.h"
 #include "render/medium_distances.h"
 #include "render/overlay.h"
@@ -27,29 +27,6 @@ namespace {
 
 using gpu::Buffer;
 using gpu::BufferUse;
-
-// Everything in a snapshot that may move.
-std::uint64_t scene_key(const scene::FrameSnapshot& s) {
-  static_assert(sizeof(scene::Instance) == 4 * 43, "hashed as bytes: no padding");
-  std::uint64_t key = hash_span(std::span<const scene::Instance>(s.instances), s.assets->generation);
-  const float camera[] = {s.camera.position.x,        s.camera.position.y, s.camera.position.z, s.camera.angles.x,
-                          s.camera.angles.y,          s.camera.angles.z,   s.camera.fov_x,      s.camera.fov_y,
-                          static_cast<float>(s.time), s.ambient.x,         s.ambient.y,         s.ambient.z};
-  key = hash_bytes(&s.medium, sizeof(s.medium), key);
-  key = hash_bytes(&s.camera_liquid, sizeof(s.camera_liquid), key);
-  return hash_span(std::span<const float>(camera), key);
-}
-
-// Equal keys: the frames may be averaged.
-std::uint64_t view_key(std::uint64_t scene, const RenderSettings& settings) {
-  const float numbers[] = {
-#define FB_NUMBER(type, field, cvar, value, low, high, help) static_cast<float>(settings.field),
-      FB_RENDER_SETTINGS(FB_NUMBER)
-#undef FB_NUMBER
-  };
-  const std::uint64_t key = hash_span(std::span<const float>(numbers), scene);
-  return hash_bytes(settings.estimator.data(), settings.estimator.size(), key);
-}
 
 // Points of a low-discrepancy sequence (Roberts 2018, R2) in [-1/2, 1/2)^2.
 vec2 jitter_at(std::uint32_t index) {

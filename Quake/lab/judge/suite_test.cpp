@@ -83,6 +83,8 @@ TEST_F(SuiteTest, RefusesInOneSentenceWithThePlace) {
 
 TEST_F(SuiteTest, TheProjectsSuitesAreWhole) {
   const auto all = read_suite("testdemos/suites/picture.json"), free = read_suite("testdemos/suites/picture_free.json");
+  const auto water = read_suite("testdemos/suites/picture_water.json");
+  ASSERT_TRUE(water.ok()) << water.error().message;
   ASSERT_TRUE(all.ok()) << all.error().message;
   ASSERT_TRUE(free.ok()) << free.error().message;
   EXPECT_GT(all->views.size(), free->views.size());
