@@ -91,12 +91,17 @@ struct GpuScene::Impl {
   RayStructures rays;
   MaterialTable material_table;
   LightList light_list;
+  // Where its tables begin in the buffer.
+  std::uint32_t light_texel() const { return static_cast<std::uint32_t>((light_list.first_lights().size() + 3) / 4); }
+  std::uint32_t lamp_texel() const {
+    return light_texel() + 2 * static_cast<std::uint32_t>(light_list.lights().size());
+  }
   gpu::ComputePipeline pose;
 
   DeviceArray<shared::GpuInstance> instances;
   DeviceArray<shared::GpuMaterial> materials;
   DeviceArray<shared::GpuCopyJob> jobs;
-  DeviceArray<uvec2> lights;
+  DeviceArray<glm::uvec4> lights;
   gpu::Buffer staging;
 
   // This frame.
@@ -258,13 +263,13 @@ void GpuScene::Impl::stage() {
   instances.reserve(instance_table.size());
   materials.reserve(material_table.entries().size());
   jobs.reserve(job_table.size());
-  if (!light_list.elements().empty()) lights.reserve(light_list.elements().size());
+  if (!light_list.first_lights().empty()) lights.reserve(lamp_texel() + light_list.lamps().size() / 2 + 1);
 
   staged = 0;
   transfers.clear();
   const auto bytes_of = [](const auto& items) { return items.size() * sizeof(items[0]); };
   staging.reserve(bytes_of(instance_table) + bytes_of(material_table.entries()) + bytes_of(job_table) + bytes_of(tree) +
-                  bytes_of(light_list.elements()) + bytes_of(copies.host_triangles()));
+                  lamp_texel() * sizeof(glm::uvec4) + bytes_of(light_list.lamps()) + bytes_of(copies.host_triangles()));
   const auto put = [&](const void* data, VkDeviceSize bytes, const gpu::Buffer& target, VkDeviceSize to) {
     if (bytes == 0) return;
     std::memcpy(static_cast<std::byte*>(staging.mapped()) + staged, data, bytes);
@@ -274,7 +279,12 @@ void GpuScene::Impl::stage() {
   put(instance_table.data(), bytes_of(instance_table), instances.buffer(), 0);
   put(material_table.entries().data(), bytes_of(material_table.entries()), materials.buffer(), 0);
   put(job_table.data(), bytes_of(job_table), jobs.buffer(), 0);
-  put(light_list.elements().data(), bytes_of(light_list.elements()), lights.buffer(), 0);
+  const auto put_lights = [&](const auto& items, std::uint32_t texel) {
+    put(items.data(), bytes_of(items), lights.buffer(), texel * sizeof(glm::uvec4));
+  };
+  put_lights(light_list.first_lights(), 0);
+  put_lights(light_list.lights(), light_texel());
+  put_lights(light_list.lamps(), lamp_texel());
   put(copies.host_triangles().data(), bytes_of(copies.host_triangles()), assets.triangles().buffer(),
       std::uint64_t{copies.host_triangle()} * sizeof(shared::GpuTriangle));
   if (!options.ray_query) {
@@ -373,7 +383,7 @@ void GpuScene::stage() {
   s.statistics.instances = static_cast<std::uint32_t>(s.drawn.size());
   s.statistics.posed_instances = static_cast<std::uint32_t>(std::count_if(
       s.drawn.begin(), s.drawn.end(), [&](const Drawn& d) { return s.assets.meshes()[d.instance->mesh].posed; }));
-  s.statistics.lights = s.light_list.end() - s.light_list.first();
+  s.statistics.lights = s.light_list.lights().size();
   s.statistics.light_power = s.light_list.power();
   s.statistics.device_bytes = s.assets.device_bytes() + s.instances.bytes() + s.materials.bytes() + s.jobs.bytes() +
                               s.lights.bytes() + s.staging.size();
@@ -401,10 +411,9 @@ void GpuScene::add_passes(PassList& list) {
 
 const SceneFeatures& GpuScene::features() const { return impl_->features; }
 const SceneStatistics& GpuScene::statistics() const { return impl_->statistics; }
-uvec2 GpuScene::lights() const { return {impl_->light_list.first(), impl_->light_list.end()}; }
-float GpuScene::light_power() const { return impl_->light_list.power(); }
-uvec2 GpuScene::former_instances() const {
-  return {impl_->light_list.former(), static_cast<std::uint32_t>(impl_->light_list.elements().size())};
+GpuScene::Lights GpuScene::lights() const {
+  const LightList& list = impl_->light_list;
+  return {impl_->light_texel(), static_cast<std::uint32_t>(list.lights().size()), impl_->lamp_texel(), list.power()};
 }
 SceneBuffers GpuScene::buffers() const {
   return {&impl_->assets.nodes().buffer(), &impl_->assets.triangles().buffer(), &impl_->instances.buffer()};

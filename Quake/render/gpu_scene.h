@@ -82,11 +82,12 @@ class GpuScene {
   void add_passes(PassList& list);
 
   const SceneFeatures& features() const;
-  // Elements of the list of lights: the first triangle's, and one past the last. Equal: none glows, or none was wanted.
-  uvec2 lights() const;
-  float light_power() const;  // LightList::power
-  // Elements of it that say where the former frame's instances are.
-  uvec2 former_instances() const;
+  // The list of lights: texels where its tables begin, lights (0: none glows, or none was wanted), LightList::power.
+  struct Lights {
+    std::uint32_t first, count, first_lamp;
+    float power;
+  };
+  Lights lights() const;
   const SceneStatistics& statistics() const;
   SceneBuffers buffers() const;
 

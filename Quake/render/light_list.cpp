@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
+#include "render/alias_table.h"
 #include "render/gpu_scene_copies.h"
 #include "scene/library/asset_builder.h"
 #include "scene/shapes.h"
@@ -77,6 +77,7 @@ std::vector<LightList::Glowing> LightList::find_glowing(std::span<const Source> 
     if ((s.instance->visibility & scene::kSeenByIndirect) == 0) continue;
     Glowing g;
     g.instance = i;
+    g.id = s.instance->id;
     g.mesh = s.instance->mesh;
     g.material_base = s.gpu->material_base;
     g.colored = (s.gpu->flags & shared::kInstanceHasColor) != 0;
@@ -94,59 +95,99 @@ std::vector<LightList::Glowing> LightList::find_glowing(std::span<const Source> 
 }
 
 void LightList::list_triangles(const scene::Assets& assets, std::span<const Source> sources) {
-  first_ = static_cast<std::uint32_t>(sources.size());
-  elements_.assign(first_, uvec2(shared::kNoIndex, 0));
+  first_lights_.assign(sources.size(), shared::kNoIndex);
+  lights_.clear();
   std::vector<double> powers;
   double total = 0;
   for (const Glowing& g : glowing_) {
     const Source& s = sources[g.instance];
     const scene::Mesh& mesh = assets.meshes[g.mesh];
-    elements_[g.instance].x = static_cast<std::uint32_t>(first_ + powers.size());
+    first_lights_[g.instance] = static_cast<std::uint32_t>(lights_.size());
     const std::vector<float>& area = areas(assets, s);
     for (std::uint32_t t = 0; t < s.mesh->triangle_count; ++t) {
       const float radiance = g.colored ? g.color : glow_[mesh.triangles[s.mesh->order[t]].material + g.material_base];
       const float power = radiance * area[t];
       powers.push_back(power > 0.0f && std::isfinite(power) ? static_cast<double>(power) : 0.0);
       total += powers.back();
-      elements_.emplace_back(0, g.instance);
+      shared::GpuLight light{};
+      light.instance = g.instance;
+      light.triangle = t;
+      lights_.push_back(light);
     }
   }
   power_ = static_cast<float>(0.5 * total);  // areas are doubled
-  if (total <= 0) elements_.assign(first_, uvec2(shared::kNoIndex, 0));
-  end_ = static_cast<std::uint32_t>(elements_.size());
+  if (total <= 0) {
+    first_lights_.assign(sources.size(), shared::kNoIndex);
+    lights_.clear();
+  }
   // Integers that add up: differences of the rounded sums.
   double sum_of_powers = 0;
   std::uint32_t begin = 0;
-  for (std::uint32_t i = first_; i < end_; ++i) {
-    sum_of_powers += powers[i - first_];
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    sum_of_powers += powers[i];
     const auto end = static_cast<std::uint32_t>(sum_of_powers / total * shared::kLightRange);
-    elements_[i].x = end - begin;
+    lights_[i].probability = end - begin;
     begin = end;
   }
-  add_alias_table();
+  std::vector<std::uint32_t> probabilities;
+  for (const shared::GpuLight& light : lights_) probabilities.push_back(light.probability);
+  const std::vector<AliasPlace> table = make_alias_table(probabilities, shared::kLightRange);
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    lights_[i].threshold = table[i].threshold;
+    lights_[i].other = table[i].other;
+  }
+  list_lamps();
 }
 
-// Vose 1991, in integers: n places of kLightRange each hold probabilities times n, so that every triangle has exactly
-// its share. A place that is not full is filled up from one triangle that has more than it can hold.
-void LightList::add_alias_table() {
-  const std::uint32_t n = end_ - first_;
-  std::vector<std::uint64_t> left(n);
-  std::vector<std::uint32_t> less, more;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    left[i] = static_cast<std::uint64_t>(elements_[first_ + i].x) * n;
-    (left[i] < shared::kLightRange ? less : more).push_back(i);
-    elements_.emplace_back(shared::kLightRange, i);
+// Of a lamp's lights within it, in proportion to their probabilities, none zero; they add up to kLampRange.
+std::vector<std::uint32_t> LightList::lamp_shares(std::span<const std::uint32_t> members) const {
+  double all = 0;
+  for (const std::uint32_t i : members) all += lights_[i].probability;
+  std::vector<std::uint32_t> shares;
+  std::uint32_t sum = 0;
+  for (const std::uint32_t i : members) {
+    shares.push_back(1 +
+                     static_cast<std::uint32_t>(lights_[i].probability / all * (shared::kLampRange - members.size())));
+    sum += shares.back();
   }
-  while (!less.empty() && !more.empty()) {
-    const std::uint32_t place = less.back(), rich = more.back();
-    less.pop_back();
-    elements_[end_ + place] = uvec2(static_cast<std::uint32_t>(left[place]), rich);
-    left[rich] -= shared::kLightRange - left[place];
-    if (left[rich] < shared::kLightRange) {
-      more.pop_back();
-      less.push_back(rich);
+  *std::max_element(shares.begin(), shares.end()) += shared::kLampRange - sum;  // what rounding left
+  return shares;
+}
+
+// An instance's triangles come in the order of its tree's leaves: neighbours in the list are so in space.
+std::vector<std::vector<std::uint32_t>> LightList::find_lamps(std::uint32_t instance) const {
+  std::vector<std::vector<std::uint32_t>> lamps;
+  if (lights_.empty()) return lamps;
+  for (std::uint32_t i = first_lights_[instance]; i < lights_.size() && lights_[i].instance == instance; ++i) {
+    if (lights_[i].probability == 0) continue;
+    const bool joins =
+        !lamps.empty() && lamps.back().size() < shared::kLampLights && i - lamps.back().back() <= shared::kLampGap;
+    if (!joins) lamps.emplace_back();
+    lamps.back().push_back(i);
+  }
+  return lamps;
+}
+
+void LightList::list_lamps() {
+  lamps_.clear();
+  for (const Glowing& g : glowing_) {
+    const std::vector<std::vector<std::uint32_t>> lamps = find_lamps(g.instance);
+    const std::vector<std::uint32_t>& numbers = numbers_.of(g.id, static_cast<std::uint32_t>(lamps.size()));
+    lamps_.resize(numbers_.end());
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const std::vector<std::uint32_t>& own = lamps[k];
+      const std::vector<std::uint32_t> shares = lamp_shares(own);
+      const std::vector<AliasPlace> table = make_alias_table(shares, shared::kLampRange);
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        shared::GpuLight& place = lights_[own[0] + i];
+        place.lamp_threshold = table[i].threshold;
+        place.lamp_lights = (own[table[i].other] - own[0]) << 16 | (own[i] - own[0]);
+        lights_[own[i]].lamp = shares[i] << 16 | (numbers[k] + 1);
+      }
+      lamps_[numbers[k]] = {own[0], static_cast<std::uint32_t>(own.size())};
     }
   }
+  numbers_.free_unused();
 }
 
 const std::vector<float>& LightList::areas(const scene::Assets& assets, const Source& s) {
@@ -165,31 +206,20 @@ const std::vector<float>& LightList::areas(const scene::Assets& assets, const So
   return known.of;
 }
 
-// Where the former list's instances are in this one, by their ids.
-void LightList::list_former(std::span<const Source> sources) {
-  std::unordered_map<std::uint32_t, std::uint32_t> now;
-  for (std::uint32_t i = 0; i < first_; ++i) now.try_emplace(sources[i].instance->id, i);
-  for (const std::uint32_t id : ids_) {
-    const auto found = now.find(id);
-    elements_.emplace_back(found == now.end() ? shared::kNoIndex : found->second, id);
-  }
-  ids_.clear();
-  for (const Source& source : sources) ids_.push_back(source.instance->id);
-}
-
 void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::span<const Source> sources,
                       std::span<const shared::GpuMaterial> materials) {
   // Other meshes: a triangle's index means another.
   const bool others = assets.generation != generation_ || sources.empty();
   if (others) {
     means_.clear();
-    ids_.clear();
+    numbers_.clear();
     areas_.clear();
   }
   generation_ = assets.generation;
   if (sources.empty()) {
-    elements_.clear();
-    first_ = end_ = 0;
+    first_lights_.clear();
+    lights_.clear();
+    lamps_.clear();
     power_ = 0;
     return;
   }
@@ -198,12 +228,10 @@ void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::s
   std::vector<float> glow(materials.size());
   for (std::size_t i = 0; i < materials.size(); ++i) glow[i] = radiance(assets, materials[i], sky_mean);
   std::vector<Glowing> glowing = find_glowing(sources, glow);
-  made_anew_ = others || first_ != sources.size() || glow != glow_ || glowing != glowing_;
+  made_anew_ = others || first_lights_.size() != sources.size() || glow != glow_ || glowing != glowing_;
   glow_ = std::move(glow);
   glowing_ = std::move(glowing);
   if (made_anew_) list_triangles(assets, sources);
-  elements_.resize(former());
-  list_former(sources);
 }
 
 }  // namespace fb::render

@@ -53,13 +53,13 @@ struct Listed {
       sources.push_back({&snapshot.instances[i], &records[snapshot.instances[i].mesh], &instances[i]});
     list.build(assets, snapshot.sky, sources, table.entries());
   }
-  double probability(std::uint32_t element) const {
-    return static_cast<double>(list.elements()[element].x) / shared::kLightRange;
+  double probability(std::uint32_t light) const {
+    return static_cast<double>(list.lights()[light].probability) / shared::kLightRange;
   }
   // Of an instance, by its material.
   std::map<std::string, double> by_material(const scene::FrameSnapshot& snapshot, std::size_t instance) const {
     std::map<std::string, double> sums;
-    const std::uint32_t at = list.elements()[instance].x;
+    const std::uint32_t at = list.first_lights()[instance];
     if (at == shared::kNoIndex) return sums;
     const scene::Mesh& mesh = snapshot.assets->meshes[snapshot.instances[instance].mesh];
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -83,30 +83,74 @@ struct Listed {
 TEST(LightList, ProbabilitiesAreWholeAndTheAliasTableHasThemExactly) {
   const scene::FrameSnapshot snapshot = scene::light_of_every_kind();
   const Listed listed(snapshot);
-  const auto& elements = listed.list.elements();
-  ASSERT_EQ(listed.list.first(), snapshot.instances.size());
-  ASSERT_GT(elements.size(), listed.list.first());
-  const std::uint32_t first = listed.list.first(), n = listed.list.end() - first;
-  ASSERT_GE(elements.size(), listed.list.end() + n);
-  std::vector<std::uint64_t> chosen(n);  // times kLightRange, times n
+  const auto& lights = listed.list.lights();
+  ASSERT_EQ(listed.list.first_lights().size(), snapshot.instances.size());
+  ASSERT_FALSE(lights.empty());
+  std::vector<std::uint64_t> chosen(lights.size());  // times kLightRange, times their number
   std::uint64_t sum = 0;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const uvec2 alias = elements[listed.list.end() + i];
-    ASSERT_LE(alias.x, shared::kLightRange);
-    ASSERT_LT(alias.y, n);
-    chosen[i] += alias.x;
-    chosen[alias.y] += shared::kLightRange - alias.x;
-    sum += elements[first + i].x;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    ASSERT_LE(lights[i].threshold, shared::kLightRange);
+    ASSERT_LT(lights[i].other, lights.size());
+    chosen[i] += lights[i].threshold;
+    chosen[lights[i].other] += shared::kLightRange - lights[i].threshold;
+    sum += lights[i].probability;
   }
   EXPECT_EQ(sum, shared::kLightRange);
-  for (std::uint32_t i = 0; i < n; ++i) EXPECT_EQ(chosen[i], std::uint64_t{elements[first + i].x} * n) << i;
-  for (std::uint32_t i = 0; i < listed.list.first(); ++i) {
-    const std::uint32_t at = elements[i].x;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    EXPECT_EQ(chosen[i], std::uint64_t{lights[i].probability} * lights.size()) << i;
+  for (std::uint32_t i = 0; i < snapshot.instances.size(); ++i) {
+    const std::uint32_t at = listed.list.first_lights()[i];
     if (at == shared::kNoIndex) continue;
     const auto count = snapshot.assets->meshes[snapshot.instances[i].mesh].triangles.size();
-    ASSERT_LE(at + count, listed.list.end());
-    for (std::size_t t = 0; t < count; ++t) EXPECT_EQ(elements[at + t].y, i);
+    ASSERT_LE(at + count, lights.size());
+    for (std::uint32_t t = 0; t < count; ++t) {
+      EXPECT_EQ(lights[at + t].instance, i);
+      EXPECT_EQ(lights[at + t].triangle, t);
+    }
   }
+}
+
+std::uint32_t lamp_name(const shared::GpuLight& light) { return light.lamp & 0xffffu; }
+
+// How often each light is drawn of a lamp, times kLampRange, times the number of its lights.
+std::map<std::uint32_t, std::uint64_t> draws_of(const LightList& list, const shared::GpuLamp& lamp) {
+  std::map<std::uint32_t, std::uint64_t> chosen;
+  for (std::uint32_t i = 0; i < lamp.count; ++i) {
+    const shared::GpuLight& place = list.lights()[lamp.first + i];
+    chosen[lamp.first + (place.lamp_lights & 0xffffu)] += place.lamp_threshold;
+    if (place.lamp_threshold < shared::kLampRange)
+      chosen[lamp.first + (place.lamp_lights >> 16)] += shared::kLampRange - place.lamp_threshold;
+  }
+  return chosen;
+}
+
+// Every light is of one lamp, which draws it as often as the light says, nearly in proportion to its power. The room's
+// glowing faces lie scattered among dark ones.
+TEST(LightList, LampsHaveEachLightOnceAndDrawItExactly) {
+  const scene::FrameSnapshot snapshot = scene::light_of_every_kind();
+  const Listed listed(snapshot);
+  const auto& lights = listed.list.lights();
+  std::size_t drawn = 0, scattered = 0;
+  for (std::uint32_t n = 0; n < listed.list.lamps().size(); ++n) {
+    const shared::GpuLamp& lamp = listed.list.lamps()[n];
+    ASSERT_LE(lamp.count, shared::kLampLights);
+    const auto draws = draws_of(listed.list, lamp);
+    ASSERT_EQ(draws.size(), lamp.count);
+    double power = 0;
+    for (const auto& [i, times] : draws) power += lights.at(i).probability;
+    for (const auto& [i, times] : draws) {
+      EXPECT_EQ(lamp_name(lights[i]), n + 1);
+      EXPECT_EQ(lights[i].instance, lights[lamp.first].instance);
+      EXPECT_EQ(times, std::uint64_t{lights[i].lamp >> 16} * lamp.count);
+      EXPECT_NEAR((lights[i].lamp >> 16) / double{shared::kLampRange}, lights[i].probability / power, 1e-3);
+    }
+    drawn += draws.size();
+    scattered += !draws.empty() && draws.rbegin()->first - draws.begin()->first >= draws.size();
+  }
+  const auto glows = [](const shared::GpuLight& light) { return light.probability > 0; };
+  EXPECT_EQ(drawn, static_cast<std::size_t>(std::count_if(lights.begin(), lights.end(), glows)));
+  EXPECT_GT(scattered, 0u);
+  for (const shared::GpuLight& light : lights) EXPECT_EQ(lamp_name(light) != 0, glows(light));
 }
 
 TEST(LightList, EveryKindHasItsPowerAndNothingElseAny) {
@@ -164,46 +208,55 @@ TEST(LightList, APosedBodyHasThePosesArea) {
 
 TEST(LightList, WhatIsDarkHasNone) {
   scene::FrameSnapshot snapshot = scene::alpha_panel();
-  EXPECT_GT(Listed(snapshot).list.elements().size(), 1u);
+  EXPECT_FALSE(Listed(snapshot).list.lights().empty());
   auto assets = std::make_shared<scene::Assets>(*snapshot.assets);
   assets->generation = scene::next_generation();
   for (scene::Material& m : assets->materials) m.emission = vec3(0.0f);
   snapshot.assets = assets;
   const Listed dark(snapshot);
-  EXPECT_EQ(dark.list.elements().size(), dark.list.first());
-  EXPECT_EQ(dark.list.elements().at(0).x, shared::kNoIndex);
+  EXPECT_TRUE(dark.list.lights().empty());
+  EXPECT_TRUE(dark.list.lamps().empty());
+  EXPECT_EQ(dark.list.first_lights().at(0), shared::kNoIndex);
 }
 
-// Instances are numbered anew each frame: from the former frame's number one comes to this frame's, by the ids that
-// stay.
-TEST(LightList, LightsAreFollowedFromFrameToFrame) {
+// By instance: the names of its lamps.
+std::map<std::uint32_t, std::vector<std::uint32_t>> names_by_id(const scene::FrameSnapshot& snapshot,
+                                                                const LightList& list) {
+  std::map<std::uint32_t, std::vector<std::uint32_t>> names;
+  for (const shared::GpuLight& light : list.lights())
+    if (light.probability > 0) names[snapshot.instances[light.instance].id].push_back(lamp_name(light));
+  return names;
+}
+
+TEST(LightList, LampsKeepTheirNamesFromFrameToFrame) {
   scene::FrameSnapshot snapshot = scene::light_of_every_kind();
   for (std::uint32_t i = 0; i < snapshot.instances.size(); ++i) snapshot.instances[i].id = 100 + i;
   Listed listed(snapshot);
-  EXPECT_EQ(listed.list.former(), listed.list.elements().size()) << "there was no frame before";
+  auto names = names_by_id(snapshot, listed.list);
+  ASSERT_TRUE(names.count(102) == 1 && names.size() > 2);
 
-  const std::size_t before = snapshot.instances.size();
   snapshot.instances.erase(snapshot.instances.begin() + 2);
   std::swap(snapshot.instances[0], snapshot.instances[1]);
   listed.build(snapshot);
-  const auto& elements = listed.list.elements();
-  ASSERT_EQ(elements.size() - listed.list.former(), before);
-  for (std::uint32_t i = 0; i < before; ++i) {
-    const uvec2 former = elements[listed.list.former() + i];
-    EXPECT_EQ(former.y, 100 + i);
-    if (i == 2) {
-      EXPECT_EQ(former.x, shared::kNoIndex) << "it is gone";
-      continue;
-    }
-    ASSERT_LT(former.x, snapshot.instances.size());
-    EXPECT_EQ(snapshot.instances[former.x].id, 100 + i);
-  }
+  const std::vector<std::uint32_t> gone = names[102];
+  names.erase(102);
+  EXPECT_EQ(names_by_id(snapshot, listed.list), names);
+  for (const std::uint32_t name : gone) EXPECT_EQ(listed.list.lamps().at(name - 1).count, 0u);
+}
 
-  auto assets = std::make_shared<scene::Assets>(*snapshot.assets);
-  assets->generation = scene::next_generation();
-  snapshot.assets = assets;
-  listed.build(snapshot);
-  EXPECT_EQ(listed.list.former(), listed.list.elements().size()) << "other meshes have other triangles";
+TEST(LampNumbers, AreGivenAnewTheLongestUnusedFirst) {
+  LampNumbers numbers;
+  using Numbers = std::vector<std::uint32_t>;
+  EXPECT_EQ(numbers.of(7, 2), (Numbers{0, 1}));
+  EXPECT_EQ(numbers.of(8, 1), (Numbers{2}));
+  EXPECT_EQ(numbers.of(7, 1), (Numbers{3})) << "another instance of the same id";
+  numbers.free_unused();
+  EXPECT_EQ(numbers.of(8, 1), (Numbers{2}));
+  numbers.free_unused();
+  EXPECT_EQ(numbers.of(9, 4), (Numbers{0, 1, 3, 4}));
+  EXPECT_EQ(numbers.of(8, 1), (Numbers{2}));
+  EXPECT_EQ(numbers.end(), 5u);
+  EXPECT_EQ(numbers.of(10, shared::kMostLamps).size(), shared::kMostLamps - 5) << "there are no more";
 }
 
 // Frame after frame, with whatever changes: the list that is kept is the one that would be made.
@@ -211,13 +264,19 @@ TEST(LightList, IsMadeAnewWhereWhatGlowsHasChangedAndOnlyThere) {
   scene::FrameSnapshot s = scene::many_lights(20);
   Listed kept(s);
   const auto expect_as_new = [&](bool made_anew, const char* what) {
-    const std::size_t former = kept.instances.size();
     kept.build(s);
     const LightList &list = kept.list, fresh = Listed(s).list;
     EXPECT_EQ(list.made_anew(), made_anew) << what;
-    ASSERT_EQ(list.former(), fresh.former()) << what;
-    for (std::uint32_t i = 0; i < list.former(); ++i) ASSERT_EQ(list.elements()[i], fresh.elements()[i]) << what;
-    EXPECT_EQ(list.elements().size(), list.former() + former) << what;
+    EXPECT_EQ(list.first_lights(), fresh.first_lights()) << what;
+    ASSERT_EQ(list.lights().size(), fresh.lights().size()) << what;
+    for (std::size_t i = 0; i < list.lights().size(); ++i) {
+      const shared::GpuLight &a = list.lights()[i], &b = fresh.lights()[i];
+      EXPECT_EQ(a.threshold, b.threshold) << what;
+      EXPECT_EQ(a.other, b.other) << what;
+      EXPECT_EQ(a.probability, b.probability) << what;
+      EXPECT_EQ(a.instance, b.instance) << what;
+      EXPECT_EQ(a.lamp >> 16, b.lamp >> 16) << what;
+    }
   };
   expect_as_new(false, "nothing");
   std::size_t dark = 0, glows = 0;

@@ -274,11 +274,11 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.picture_height = place.size.y;
   constants.turbid = this->scene.features().turbid;
   constants.mirrors = features.water;
-  constants.light_first = this->scene.lights().x;
-  constants.light_end = this->scene.lights().y;
-  constants.light_power = this->scene.light_power();
-  constants.former_first = this->scene.former_instances().x;
-  constants.former_end = this->scene.former_instances().y;
+  const GpuScene::Lights lights = this->scene.lights();
+  constants.light_first = lights.first;
+  constants.light_count = lights.count;
+  constants.light_power = lights.power;
+  constants.lamp_first = lights.first_lamp;
   constants.accumulated_frames = accumulated;
   constants.frame = shared::hash_combine(static_cast<std::uint32_t>(snapshot.frame), accumulated);
   if (technique->salt() != 0) constants.frame = shared::hash_combine(constants.frame, technique->salt());

@@ -9,8 +9,7 @@
 namespace fb::render {
 
 SeenGrid::SeenGrid(const TechniqueTools& tools)
-    : cells_(tools.device, gpu::BufferUse::kStorage, shared::kSeenCells * sizeof(glm::uvec4),
-             "what shadow rays reach") {
+    : cells_(tools.device, gpu::BufferUse::kStorage, shared::kSeenBytes, "what shadow rays reach") {
   tools.table.set_array(shared::kSetTechnique, shared::kBindSeen, cells_);
 }
 

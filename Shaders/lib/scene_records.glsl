@@ -10,7 +10,6 @@ layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsAttributes) uniform
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsMaterials) uniform usamplerBuffer material_texels;
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsImages) uniform usamplerBuffer image_texels;
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsPalette) uniform usamplerBuffer palette_texels;
-layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsLights) uniform usamplerBuffer light_texels;
 
 uvec4 triangle_quad(uint at) { return texelFetch(triangle_texels, int(at)); }
 
@@ -62,11 +61,5 @@ GpuImage image_at(uint index) {
 vec3 palette_at(uvec3 index) {
   return uintBitsToFloat(uvec3(texelFetch(palette_texels, int(index.x)).x, texelFetch(palette_texels, int(index.y)).y,
                                texelFetch(palette_texels, int(index.z)).z));
-}
-
-// An element of the list of lights; two stand in a texel. (Texels of images, one word each, are no sooner read so.)
-uvec2 light_at(uint index) {
-  uvec4 two = texelFetch(light_texels, int(index >> 1u));
-  return (index & 1u) != 0u ? two.zw : two.xy;
 }
 #endif

@@ -27,7 +27,7 @@ FB_CONST uint kBindTexels = 9u;      // uint[]: all texels
 FB_CONST uint kBindPalette = 10u;    // vec4[256]: linear Rec.709 colour
 FB_CONST uint kBindCopyJobs = 11u;   // GpuCopyJob[]: copies that this frame makes
 FB_CONST uint kBindVertices = 12u;   // float[]: corners of triangles in leaf order, for ray query builds
-FB_CONST uint kBindLights = 13u;     // uvec2[]: the list of lights, for techniques that sample it
+FB_CONST uint kBindLights = 13u;     // uvec4[]: the list of lights, for techniques that sample it
 FB_CONST uint kSceneArrays = 14u;
 
 FB_CONST uint kBindFrameConstants = 16u;  // FrameConstants, a uniform buffer
@@ -47,9 +47,9 @@ FB_CONST uint kTexelsMaterials = 6u;
 FB_CONST uint kTexelsImages = 7u;
 FB_CONST uint kTexelsPalette = 8u;
 FB_CONST uint kTexelsLights = 9u;
-FB_CONST uint kTexelsTechnique = 10u;  // a technique's arrays 0 and 1
-FB_CONST uint kTechniqueTexels = 2u;
-FB_CONST uint kTexelBuffers = 12u;
+FB_CONST uint kTexelsTechnique = 10u;  // a technique's arrays
+FB_CONST uint kTechniqueTexels = 4u;
+FB_CONST uint kTexelBuffers = 14u;
 
 // Set kSetFrame: the picture and what passes keep from frame to frame.
 FB_CONST uint kBindGBuffer =

@@ -47,9 +47,9 @@ struct FrameConstants {
   uint swap_red_blue, quad_tiles_x, draw_quads, atlas_width;
   uint technique_view;            // the technique draws the debug view
   uint previous_gbuffer;          // kBindPreviousGBuffer holds the former frame's
-  uint light_first, light_end;    // triangles of the list of lights, then its alias table; equal: there are none
-  float light_power;              // of the list: area times radiance, sum of the channels
-  uint former_first, former_end;  // its elements that say where the former frame's instances are now
+  uint light_first, light_count;  // the list of lights (GpuLight): the texel where they begin; 0: there are none
+  float light_power;              // of all: area times radiance, sum of the channels
+  uint lamp_first;                // the texel where its lamps begin
   // Light is sampled at one pixel of each block of light_block x light_block, at light_x, light_y in it; 1: at every
   // pixel.
   uint light_block, light_x, light_y, light_width;  // light_width: blocks in a row

@@ -90,15 +90,29 @@ struct GpuMaterial {               // 96 bytes
   float pad0, pad1, pad2;
 };
 
-// The list of lights. Element i below the number of instances: x is the element of instance i's triangle 0, kNoIndex if
-// nothing of it glows; its other triangles follow. Such an element: x is its probability times kLightRange, an integer;
-// y is the instance. Behind these stands an alias table, an element for each of them (Walker 1977; Vose 1991): a random
-// integer in [0, kLightRange) below its x chooses the triangle in its own place, else the one in place y.
+// The list of lights, a buffer of three tables. First a uint for each instance: the number of the light that its
+// triangle 0 is, kNoIndex if nothing of it glows; its other triangles follow. Then, at texel frame.light_first, the
+// lights, and at frame.lamp_first the lamps, each of which is a few lights of one instance that are near each other:
+// what is remembered of lights from frame to frame has a lamp's number, which stays while its instance is there.
 //
-// A light's name is its instance and triangle. Instances are numbered anew each frame: for instance i of the former
-// frame, element frame.former_first + i has in x its number now, or kNoIndex where it is gone, and in y its id, which
-// stays (lib/light_ids.glsl).
+// Lights, of all and of a lamp, are drawn by alias tables (Walker 1977; Vose 1991), which are exact: a random integer
+// below the range that is below `threshold` chooses the light in that place itself, else `other`.
+struct GpuLight {                    // 32 bytes
+  uint threshold, other;             // of the list's table, range kLightRange
+  uint lamp_threshold, lamp_lights;  // of a lamp's, range kLampRange, place i in its first light + i: halves, where the
+                                     // light itself and the other are, from the first one on
+  uint probability;                  // among all, times kLightRange, an integer
+  uint instance, triangle;
+  uint lamp;  // high half: probability within its lamp, times kLampRange; low half: the lamp's number + 1, 0: of none
+};
+struct GpuLamp {      // 8 bytes
+  uint first, count;  // its first light; lights that it has, 0: it has gone out
+};
 FB_CONST uint kLightRange = 0x80000000u;
+FB_CONST uint kLampRange = 0x8000u;
+FB_CONST uint kMostLamps = 65534u;  // that have a number
+FB_CONST uint kLampLights = 8u;     // the most of one
+FB_CONST uint kLampGap = 64u;       // triangles between two lights of one, at most
 
 struct GpuImage {  // 16 bytes
   uint first;      // first texel: in bytes for palette images, in uints for RGBA

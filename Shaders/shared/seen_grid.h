@@ -8,9 +8,13 @@ FB_NAMESPACE_BEGIN
 
 FB_CONST uint kBindSeen = 3u;  // uvec4[kSeenCells] in the technique's set: x, y: fold_seen of suns and of the list;
                                // z, w: this frame's rays, kSeenRay each, kSeenMet more for those that arrived
+                               // Then uvec4[kSeenCells][2]: lamps that rays found, SeenLamps; then uint[kSeenCells]:
+                               // one that a ray found in this frame, lamp_found
 FB_CONST uint kSeenCells = 32768u;
 FB_CONST float kSeenWidth = 64.0f;  // of a cell, units
 FB_CONST uint kSeenMet = 1u, kSeenRay = 65536u;
+FB_CONST uint kSeenLampQuads = kSeenCells, kSeenFoundWords = 12u * kSeenCells;  // where they begin
+FB_CONST uint kSeenBytes = 52u * kSeenCells;
 FB_CONST float kSeenMost = 512.0f;  // rays that are remembered
 
 // Cells that share a slot share what they know.
@@ -32,6 +36,36 @@ FB_FN uint fold_seen(uint packed_, uint tally) {
   float rays = rays_met.x + float(tally >> 16u), met = rays_met.y + float(tally & 0xffffu);
   float keep = rays > kSeenMost ? kSeenMost / rays : 1.0f;
   return packHalf2x16(vec2(rays * keep, met * keep));
+}
+
+// A cell remembers lamps that its rays found, one a frame of all that found one, chosen in proportion to the light that
+// they brought (Efraimidis and Spirakis 2006): as much as a lamp brings, so often it is there. Lamps have names: their
+// number + 1, in 16 bits.
+FB_CONST uint kSeenLamps = 16u;
+struct SeenLamps {
+  uvec4 a, b;  // two names a word, the lower half first; names from the front on, zeros behind them
+};
+
+// How many of them have a name; 0 asks for those that are still empty.
+FB_FN uint times_seen(SeenLamps s, uint name) {
+  uvec4 low_a = s.a & uvec4(0xffffu), high_a = s.a >> uvec4(16u), low_b = s.b & uvec4(0xffffu),
+        high_b = s.b >> uvec4(16u);
+  uvec4 times = uvec4(equal(low_a, uvec4(name))) + uvec4(equal(high_a, uvec4(name))) +
+                uvec4(equal(low_b, uvec4(name))) + uvec4(equal(high_b, uvec4(name)));
+  return times.x + times.y + times.z + times.w;
+}
+
+FB_FN uint seen_name(SeenLamps s, uint place) {
+  uint i = (place >> 1u) & 3u;
+  uint word = place < 8u ? s.a[i] : s.b[i];
+  return (place & 1u) != 0u ? word >> 16u : word & 0xffffu;
+}
+
+// One of a frame's rays that found a lamp, from the sum of the light that it brought (above zero) and a random number
+// in (0, 1): the greatest is kept. Not zero.
+FB_FN uint lamp_found(uint name, float light, float random) {
+  uint race = floatBitsToUint(-log(random) / light) >> 16u;  // the bits of positive numbers are in their order
+  return (0xffffu - min(race, 0xffffu)) << 16u | name;
 }
 
 FB_NAMESPACE_END

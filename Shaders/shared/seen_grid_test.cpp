@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 namespace fb::shared {
 namespace {
 
@@ -39,6 +42,35 @@ TEST(SeenGrid, CellsAreAsWideAsTheySayAndTellSidesApart) {
   EXPECT_NE(seen_cell(corner + vec3(1.0f), up), seen_cell(corner + vec3(kSeenWidth + 1.0f, 1, 1), up));
   EXPECT_NE(seen_cell(corner + vec3(1.0f), up), seen_cell(corner + vec3(1.0f), vec3(0, 0, -1)));
   EXPECT_LT(seen_cell(corner, up), kSeenCells);
+}
+
+TEST(SeenGrid, LampsAreCountedAndNamedPlaceByPlace) {
+  SeenLamps lamps{uvec4(0u), uvec4(0u)};
+  EXPECT_EQ(times_seen(lamps, 0u), kSeenLamps);
+  const uint names[kSeenLamps] = {7, 65535, 7, 1, 2, 3, 7, 9, 65535, 4, 5, 6, 8, 7, 11, 12};
+  for (uint i = 0; i < kSeenLamps; ++i) {
+    uvec4& half = i < 8u ? lamps.a : lamps.b;
+    half[static_cast<int>(i / 2u % 4u)] |= names[i] << (16u * (i & 1u));
+  }
+  for (uint i = 0; i < kSeenLamps; ++i) EXPECT_EQ(seen_name(lamps, i), names[i]) << i;
+  EXPECT_EQ(times_seen(lamps, 0u), 0u);
+  EXPECT_EQ(times_seen(lamps, 7u), 4u);
+  EXPECT_EQ(times_seen(lamps, 65535u), 2u);
+  EXPECT_EQ(times_seen(lamps, 10u), 0u);
+}
+
+// The greatest of a frame is a lamp's as often as it has of the light, and nobody's is zero.
+TEST(SeenGrid, TheLampThatIsKeptIsChosenByItsLight) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> uniform(1e-7f, 1.0f);
+  int first = 0;
+  constexpr int kRaces = 20000;
+  for (int i = 0; i < kRaces; ++i)
+    first += lamp_found(3u, 0.75f, uniform(random)) > lamp_found(40000u, 0.25f, uniform(random)) ? 1 : 0;
+  EXPECT_NEAR(first / double{kRaces}, 0.75, 4.5 * std::sqrt(0.75 * 0.25 / kRaces) + 0.003)
+      << "16 bits tie now and then";
+  for (const float light : {1e-30f, 1e-6f, 1.0f, 1e30f})
+    for (const float u : {1e-7f, 0.5f, 0.9999999f}) EXPECT_EQ(lamp_found(40000u, light, u) & 0xffffu, 40000u);
 }
 
 }  // namespace

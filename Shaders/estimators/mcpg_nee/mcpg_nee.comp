@@ -10,6 +10,7 @@ const bool kEndsInField = false;
 #include "lib/steps/mcpg/all.glsl"
 #include "lib/steps/direct_list.glsl"
 uint light_candidates() { return uint(guide.nee_candidates); }
+uint remembered_candidates() { return uint(guide.nee_remembered); }
 uint light_seen_stride() { return guide.seen_stride; }
 #include "lib/steps/mcpg/views.glsl"
 

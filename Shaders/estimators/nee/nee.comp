@@ -12,6 +12,7 @@
 #include "lib/steps/direct_list.glsl"
 layout(set = kSetTechnique, binding = kBindTechniqueConstants, std140) uniform NeeBlock { NeeConstants nee; };
 uint light_candidates() { return uint(nee.nee_candidates); }
+uint remembered_candidates() { return uint(nee.nee_remembered); }
 uint light_seen_stride() { return nee.seen_stride; }
 #include "lib/steps/no_learning.glsl"
 #include "lib/steps/no_views.glsl"

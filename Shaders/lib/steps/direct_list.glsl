@@ -2,57 +2,13 @@
 // uniform over a triangle), suns by their discs. All densities are per solid angle as seen from the origin of the ray.
 #ifndef FB_LIB_STEPS_DIRECT_LIST
 #define FB_LIB_STEPS_DIRECT_LIST
+#include "lib/light_candidates.glsl"
 #include "lib/path_state.glsl"
-#include "lib/seen_grid.glsl"
 #include "lib/suns.glsl"
 
 const bool kLooksForLight = true;
 
-// Light samples that a vertex draws to choose one of (r_nee_candidates). The technique defines it, from its constants.
-uint light_candidates();
-uint light_seen_stride();  // of this many rays one is remembered
-
-bool has_lights() { return frame.light_first < frame.light_end; }
-
-// An element of the list, by the alias table.
-uint sample_light(inout uint rng) {
-  uint place, unused;
-  umulExtended(rng_next(rng), frame.light_end - frame.light_first, place, unused);
-  uvec2 alias = light_at(frame.light_end + place);
-  return frame.light_first + ((rng_next(rng) & (kLightRange - 1u)) < alias.x ? place : alias.y);
-}
-
-float light_probability(uint element) { return float(light_at(element).x) / float(kLightRange); }
-
-// Uniform on a triangle: weights of its vertices 1 and 2.
-vec2 sample_triangle(inout uint rng) {
-  float root = sqrt(rng_uniform(rng)), along = rng_uniform(rng);
-  return vec2(root * (1.0 - along), root * along);
-}
-
-// A point of the list's lights, to choose distances in a medium by; false: it has none.
-bool point_of_light(inout uint rng, out vec3 place) {
-  place = vec3(0.0);
-  if (!has_lights()) return false;
-  uint element = sample_light(rng);
-  vec2 at = sample_triangle(rng);
-  uint instance = light_at(element).y;
-  GpuTriangle t = world_triangle(instance, element - light_at(instance).x);
-  place = t.v0.xyz + t.e1.xyz * at.x + t.e2.xyz * at.y;
-  return true;
-}
-
-// Density with which the list finds a point of a triangle of the world at `distance`; 0: it is not in the list.
-float light_pdf(uint element, GpuTriangle t, float distance, vec3 direction) {
-  vec3 area = 0.5 * cross(t.e1.xyz, t.e2.xyz);
-  float facing = abs(dot(area, direction));  // area times cosine
-  return facing > 0.0 ? light_probability(element) * distance * distance / facing : 0.0;
-}
-
-float hit_light_pdf(Hit hit, vec3 direction) {
-  if (!has_lights() || hit.instance == kNoIndex || light_at(hit.instance).x == kNoIndex) return 0.0;
-  return light_pdf(light_at(hit.instance).x + hit.triangle, world_triangle(hit.instance, hit.triangle), hit.t, direction);
-}
+uint light_seen_stride();  // of this many rays one is remembered; the technique defines it
 
 bool shows_sky(GpuMaterial m, uint instance) {
   return m.emission_kind == kEmissionSky && (instance_at(instance).flags & kInstanceHasColor) == 0u;
@@ -76,8 +32,10 @@ struct Aim {
   uint instance, triangle;  // what must be met; kNoIndex: a sun
   uint turn;                // on the way to it
   uint cell;                // of the grid of what such rays reach
+  uint lamp;                // its name (shared/seen_grid.h); 0: none
 };
-const Aim kNoAim = Aim(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, kNoIndex, kNoIndex, kTurnNowhere, 0u);
+const Aim kNoAim = Aim(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, kNoIndex, kNoIndex, kTurnNowhere, 0u, 0u);
+
 
 // Emission towards its origin of what a ray meets, as load_surface has it.
 vec3 light_emission(Hit hit, vec3 direction) {
@@ -96,6 +54,8 @@ float density_of_all(float looked_for, float proposed, bool one) {
   return (one ? kLooks : 1.0) * looked_for + (one ? 1.0 - kLooks : 1.0) * proposed;
 }
 
+uint cell_of(Vertex v) { return seen_cell(v.position, scatter_axis(v.scatter)); }
+
 // Of light that is looked for, where a way from the vertex in a direction ends, of the ways with its turns that directions find.
 float looked_for_density(Vertex v, vec3 direction, Segment way) {
   if (has_feature(kFeatureSuns) && is_sky(way.hit) && sun_pdf(way.direction) > 0.0) {
@@ -103,7 +63,7 @@ float looked_for_density(Vertex v, vec3 direction, Segment way) {
     if (!way.bent) return sun_pdf(direction);
     return mirrors_suns(v) && way.mirrored > 0.0 ? mirrored_density(direction) / way.mirrored : 0.0;
   }
-  return way.bent ? 0.0 : float(light_candidates()) * hit_light_pdf(way.hit, direction);
+  return way.bent ? 0.0 : hit_light_pdf(cell_of(v), way.hit, direction);
 }
 
 // The share of emission that was met by a direction of the path's own.
@@ -135,7 +95,7 @@ void aim_at_mirrored_sun(Vertex v, float hoped, inout Aim aim, inout uint rng) {
   uint cell = seen_cell(v.position + vec3(0.0, 0.0, kMirroredCell), scatter_axis(v.scatter)), seen = seen_cells.at[cell].x;
   float known = min(seen_rays(seen) / kEnoughRays, 1.0), arrive = mix(1.0, seen_share(seen), known);
   float reached = arrive * value, chance = clamp(reached / max(reached + hoped, 1e-30), kLeastMirrored, kMostMirrored);
-  if (rng_uniform(rng) < chance) aim = Aim(direction, f, 1.0 / chance, kRayEnd, density, bsdf, kNoIndex, kNoIndex, kTurnBack, cell);
+  if (rng_uniform(rng) < chance) aim = Aim(direction, f, 1.0 / chance, kRayEnd, density, bsdf, kNoIndex, kNoIndex, kTurnBack, cell, 0u);
   else aim.weight /= 1.0 - chance;
 }
 
@@ -145,30 +105,32 @@ void aim_at_mirrored_sun(Vertex v, float hoped, inout Aim aim, inout uint rng) {
 Aim aim_at_light(Vertex v, bool one, inout uint rng) {
   Aim aim = kNoAim;
   vec3 origin = scatter_origin(v.scatter, v.position);
-  aim.cell = seen_cell(v.position, scatter_axis(v.scatter));
+  aim.cell = cell_of(v);
   uvec4 seen = seen_cells.at[aim.cell];
   float sum = 0.0, target = 0.0, hoped = 0.0;
   uint listed = has_lights() ? light_candidates() : 0u, i = 0u;
+  Candidates candidates = candidates_of(aim.cell);
   if (listed > 0u) do {
-    uint element = sample_light(rng);
+    GpuLight light;
+    bool there = draw_candidate(candidates, i, rng, light);
     vec2 at = sample_triangle(rng);
     float pick = rng_uniform(rng);
-    uint instance = light_at(element).y, triangle = element - light_at(instance).x;
-    GpuTriangle t = world_triangle(instance, triangle);
+    GpuTriangle t = world_triangle(light.instance, light.triangle);
     vec3 way = t.v0.xyz + t.e1.xyz * at.x + t.e2.xyz * at.y - origin;
     float reach = length(way);
     vec3 direction = way / max(reach, 1e-20);
-    float bsdf, density = light_pdf(element, t, reach, direction);
+    float bsdf, density = draws_of(candidates, light) * triangle_pdf(t, reach, direction);
     vec3 f = scatter_eval(v.scatter, v.view, direction, bsdf);
     float area = 0.5 * length(cross(t.e1.xyz, t.e2.xyz));
-    float all = density_of_all(float(listed) * density, bsdf, one);
-    float value = density > 0.0 ? dot(f, vec3(1.0)) * frame.light_power * light_probability(element) / (area * all) : 0.0;
+    float all = density_of_all(density, bsdf, one);
+    float value = there && density > 0.0 ? dot(f, vec3(1.0)) * frame.light_power * light_probability(light) / (area * all) : 0.0;
     if (FEATURE_MEDIUM) value *= transmittance(frame.medium.w, reach);
-    bool useful = value > 0.0;
-    sum += useful ? value : 0.0;
-    if (useful && pick * sum < value) {
+    value *= hope_of(candidates, light);
+    sum += value;
+    if (pick * sum < value) {
       target = value;
-      aim = Aim(direction, f, 1.0, reach * 1.001 + 0.01, float(listed) * density, bsdf, instance, triangle, kTurnNowhere, aim.cell);
+      aim = Aim(direction, f, 1.0, reach * 1.001 + 0.01, density, bsdf, light.instance, light.triangle, kTurnNowhere, aim.cell,
+                light.lamp & 0xffffu);
     }
   } while (++i < listed);
   if (has_feature(kFeatureSuns) && frame.sun_count > 0u) {
@@ -188,7 +150,7 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
     bool to_sun = rng_uniform(rng) < chance;
     if (to_sun) {
       sum = target = value;
-      aim = Aim(direction, f, 1.0, kRayEnd, sun, bsdf, kNoIndex, kNoIndex, bends ? kTurnByChance : kTurnNowhere, aim.cell);
+      aim = Aim(direction, f, 1.0, kRayEnd, sun, bsdf, kNoIndex, kNoIndex, bends ? kTurnByChance : kTurnNowhere, aim.cell, 0u);
     }
     aim.weight /= to_sun ? chance : 1.0 - chance;
     hoped = both;
@@ -232,6 +194,7 @@ Direct look_for_light(Vertex v, Guidance g, inout uint rng) {
   Segment way = segment_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, aim.turn, rng);
   float weight = found(aim, way, rng) ? shared_weight(aim, way, proposed, false) : 0.0;
   vec3 emission = weight > 0.0 ? light_emission(way.hit, way.direction) * way.left : vec3(0.0);
+  remember_lamp(aim.cell, aim.lamp, dot(aim.f * emission, vec3(weight)), rng);
   return direct_light(v, aim.direction, aim.f, emission * weight);
 }
 
@@ -245,6 +208,7 @@ Direct last_light(Vertex v, inout uint rng) {
   vec3 emission = reach > 0.0 ? light_emission(way.hit, way.direction) * way.left : vec3(0.0);
   if (looks) {
     float weight = found(aim, way, rng) ? shared_weight(aim, way, aim.bsdf_pdf, true) : 0.0;
+    remember_lamp(aim.cell, aim.lamp, dot(aim.f * emission, vec3(weight)), rng);
     return direct_light(v, direction, aim.f, emission * weight);
   }
   vec3 light = emission * met_share_of(v, way, p, emission, true);
