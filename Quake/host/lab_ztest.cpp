@@ -71,7 +71,7 @@ LabCommand add_ztest_command(CLI::App& app) {
       ->take_all()
       ->allow_extra_args(false);
   add_number(*ztest, "--alpha", c->alpha, 1e-9, 0.5, "false-positive rate of the test");
-  ztest->add_flag("--map", c->blocks, "print the z score of each block");
+  ztest->add_flag("--blocks", c->blocks, "print the z score of each block");
   return {ztest, [c] { return run_ztest(*c); }};
 }
 
