@@ -16,8 +16,9 @@ class LampNumbers {
   const std::vector<std::uint32_t>& of(std::uint32_t instance_id, std::uint32_t count);
   // Those that were not asked for since the last call are free.
   void free_unused();
-  void clear() { *this = {}; }
-  std::uint32_t end() const { return end_; }  // above all that were ever given
+  std::uint32_t end() const {
+    return end_;
+  }  // above all that were ever given: memories may still name those of a former map
 
  private:
   struct Owner {

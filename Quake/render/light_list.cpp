@@ -212,7 +212,6 @@ void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::s
   const bool others = assets.generation != generation_ || sources.empty();
   if (others) {
     means_.clear();
-    numbers_.clear();
     areas_.clear();
   }
   generation_ = assets.generation;
