@@ -33,7 +33,7 @@ packages_of() {
         vorbis-tools ;;
     test) packages_of build; echo vulkan-validationlayers xvfb xauth xdotool imagemagick ffmpeg python3 fteqcc quakespasm ;;
     bench) packages_of build; echo libbenchmark-dev libembree-dev python3 fteqcc ;;
-    fuzz) packages_of build; echo clang libclang-rt-dev llvm ;;
+    fuzz) packages_of build; echo clang libclang-rt-dev lld llvm ;;
     coverage) packages_of test; echo gcovr ;;
     report) echo python3-numpy python3-matplotlib chromium ;;
     check) echo clang-format clang-tidy python3 ;;

@@ -11,6 +11,11 @@ if(FULLBRIGHT_SANITIZE)
   target_compile_options(fb_options INTERFACE -fsanitize=${FULLBRIGHT_SANITIZE} -fno-omit-frame-pointer
                                               -fno-sanitize-recover=undefined)
   target_link_options(fb_options INTERFACE -fsanitize=${FULLBRIGHT_SANITIZE})
+  # A fifth of the time to link; programs are larger than elsewhere.
+  find_program(FULLBRIGHT_LLD ld.lld)
+  if(FULLBRIGHT_LLD AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    target_link_options(fb_options INTERFACE -fuse-ld=lld)
+  endif()
 endif()
 if(FULLBRIGHT_FUZZERS)
   target_compile_options(fb_options INTERFACE -fsanitize=fuzzer-no-link)

@@ -112,7 +112,8 @@ struct GpuScene::Impl {
   std::vector<shared::BvhNode> tree;
   std::vector<Transfer> transfers;
   VkDeviceSize staged = 0;
-  bool recorded = true;  // the last prepared frame was recorded
+  bool recorded = true;     // the last prepared frame was recorded
+  bool has_lights = false;  // the device has the list of lights as it is
   bool said_unknown_material = false;
   std::uint32_t asset_features = 0;  // features_of(assets), when these were known
   std::size_t known_meshes = 0, known_materials = 0;
@@ -256,6 +257,7 @@ void GpuScene::Impl::list_lights(const scene::FrameSnapshot& snapshot, bool want
       sources.push_back({drawn[i].instance, &assets.meshes()[drawn[i].instance->mesh], &instance_table[i]});
   }
   light_list.build(*snapshot.assets, snapshot.sky, sources, material_table.entries());
+  if (light_list.made_anew()) has_lights = false;
 }
 
 // Lays this frame's tables into the staging buffer.
@@ -263,7 +265,9 @@ void GpuScene::Impl::stage() {
   instances.reserve(instance_table.size());
   materials.reserve(material_table.entries().size());
   jobs.reserve(job_table.size());
+  const std::uint64_t had_room = lights.bytes();
   if (!light_list.first_lights().empty()) lights.reserve(lamp_texel() + light_list.lamps().size() / 2 + 1);
+  if (lights.bytes() != had_room) has_lights = false;
 
   staged = 0;
   transfers.clear();
@@ -280,7 +284,7 @@ void GpuScene::Impl::stage() {
   put(material_table.entries().data(), bytes_of(material_table.entries()), materials.buffer(), 0);
   put(job_table.data(), bytes_of(job_table), jobs.buffer(), 0);
   const auto put_lights = [&](const auto& items, std::uint32_t texel) {
-    put(items.data(), bytes_of(items), lights.buffer(), texel * sizeof(glm::uvec4));
+    if (!has_lights) put(items.data(), bytes_of(items), lights.buffer(), texel * sizeof(glm::uvec4));
   };
   put_lights(light_list.first_lights(), 0);
   put_lights(light_list.lights(), light_texel());
@@ -385,6 +389,7 @@ void GpuScene::stage() {
       s.drawn.begin(), s.drawn.end(), [&](const Drawn& d) { return s.assets.meshes()[d.instance->mesh].posed; }));
   s.statistics.lights = s.light_list.lights().size();
   s.statistics.light_power = s.light_list.power();
+  s.statistics.uploaded_bytes = s.staged;
   s.statistics.device_bytes = s.assets.device_bytes() + s.instances.bytes() + s.materials.bytes() + s.jobs.bytes() +
                               s.lights.bytes() + s.staging.size();
   s.statistics.host_milliseconds += milliseconds_since(start);
@@ -394,14 +399,14 @@ void GpuScene::forget() {
   impl_->assets.forget();
   impl_->copies.forget();
   impl_->rays.forget();
-  impl_->recorded = false;
+  impl_->recorded = impl_->has_lights = false;
 }
 
 void GpuScene::record(gpu::Commands& commands) {
   const VkAccelerationStructureKHR before = impl_->rays.top_level();
   impl_->record_tables(commands);
   impl_->record_rays(commands);
-  impl_->recorded = true;
+  impl_->recorded = impl_->has_lights = true;
   FB_CHECK(before == impl_->rays.top_level());
 }
 

@@ -54,7 +54,8 @@ struct SceneStatistics {
   std::uint32_t lights = 0;  // triangles in the list of lights, which only some estimators want
   float light_power = 0;     // of all of them: LightList::power
   std::uint64_t device_bytes = 0;
-  double host_milliseconds = 0;  // prepare() and stage(), this frame
+  std::uint64_t uploaded_bytes = 0;  // this frame's tables
+  double host_milliseconds = 0;      // prepare() and stage(), this frame
 };
 
 // What tests look into.

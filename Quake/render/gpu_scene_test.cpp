@@ -6,7 +6,9 @@
 
 #include <utility>
 
+#include "render/settings.h"
 #include "render/test_gpu_scene.h"
+#include "scene/in_code/scenes_in_code.h"
 
 namespace fb::render {
 namespace {
@@ -123,6 +125,46 @@ TEST_F(GpuSceneTest, KnowsTheFeaturesOfModelsThatComeLater) {
   scene.prepare(c.snapshot, {});
   scene.stage();
   EXPECT_EQ(scene.features().surfaces, shared::kFeatureWarp | shared::kFeatureSmooth);
+}
+
+// Uploaded where it changed, and until the frame that has it is recorded.
+TEST_F(GpuSceneTest, UploadsTheListOfLightsOnlyWhereItChanged) {
+  scene::FrameSnapshot s = scene::many_lights(20);
+  gpu::BindingTable table(*device_);
+  GpuScene scene(*device_, table, {});
+  const auto uploaded = [&](bool wants_lights = true) {
+    scene.prepare(s, emission_scales(RenderSettings{}), wants_lights);
+    scene.stage();
+    return scene.statistics().uploaded_bytes;
+  };
+  const auto record = [&] {
+    device_->run([&](gpu::Commands& commands) {
+      commands.bind(table);
+      scene.record(commands);
+    });
+  };
+  uploaded(false);
+  record();  // the first frame has copies, too
+  const std::uint64_t without = uploaded(false);
+  record();
+  const std::uint64_t with = uploaded();
+  EXPECT_GE(with, without + scene.lights().count * sizeof(shared::GpuLight));
+  EXPECT_GE(uploaded(), with) << "it was not recorded";
+  record();
+  EXPECT_EQ(without, uploaded());
+  record();
+  s.instances.back().flags |= scene::kInstanceColor;
+  s.instances.back().emission = vec3(3, 1, 1);
+  EXPECT_EQ(with, uploaded()) << "one was painted";
+  record();
+  EXPECT_EQ(without, uploaded());
+  record();
+  scene.forget();
+  EXPECT_GE(uploaded(), with) << "nobody knows what the device has";
+  record();
+  EXPECT_EQ(without, uploaded(false));
+  record();
+  EXPECT_EQ(with, uploaded()) << "wanted again";
 }
 
 TEST_F(GpuSceneTest, PosesAndRefits) {

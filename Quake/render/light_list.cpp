@@ -216,6 +216,7 @@ void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::s
   }
   generation_ = assets.generation;
   if (sources.empty()) {
+    made_anew_ = !first_lights_.empty();
     first_lights_.clear();
     lights_.clear();
     lamps_.clear();

@@ -28,12 +28,12 @@
 
 // Radiance that reaches the first vertex's viewer by reflection: paths of 1 to path_bounces() further vertices (r_bounces, or
 // r_fog_bounces where the first is in a medium). Where light is looked for, the last of several vertices is apart: its one ray
-// does for both, and what is known there guides neither. Not under water: there most light is bent, and only what is known finds it.
+// does for both, and what is known there guides neither.
 vec3 trace_path(Vertex v, Path path, inout uint rng) {
   vec3 sum = vec3(0.0), throughput = vec3(1.0);
   Field here = field_at(v, path);
-  bool under_water = FEATURE_WATER && frame.camera_liquid != kNoIndex;
-  bool last_apart = kLooksForLight && !SMALL && path_bounces() > 1u && !under_water, goes_on = true;
+  bool goes_on = true;
+  const bool last_apart = kLooksForLight && !SMALL && path_bounces() > 1u;
   uint bounces = path_bounces() - (last_apart ? 1u : 0u);
   uint bounce = 0u;
   do {

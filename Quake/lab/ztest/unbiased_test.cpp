@@ -181,12 +181,12 @@ INSTANTIATE_TEST_SUITE_P(Fog, UnbiasedTest, testing::ValuesIn(kFog), row_name);
 
 // Interfaces of water: no straight ray finds the sun under them. Waves stand still.
 const Row kWater[] = {
-    {"ripple_soft", "nee", {}, plan(16, 4), 8, false, {"r_water=1"}},
-    {"ripple_soft", "mcpg", {}, warm(), 8, false, {"r_water=1"}},
-    {"ripple_soft", "mcpg_nee", {}, warm(), 8, false, {"r_water=1"}},
-    {"ripple_above", "nee", {}, plan(16, 4), 8, false, {"r_water=1"}},
-    {"ripple_above", "mcpg_nee", {}, warm(), 8, false, {"r_water=1"}},
-    {"ripple_murky", "mcpg_nee", {}, warm(), 8, false, {"r_water=1"}},
+    {"ripple_soft", "nee", {}, plan(16, 4), 4, false, {"r_water=1"}},
+    {"ripple_soft", "mcpg", {}, warm(), 4, false, {"r_water=1"}},
+    {"ripple_soft", "mcpg_nee", {}, warm(), 4, false, {"r_water=1"}},
+    {"ripple_above", "nee", {}, plan(16, 4), 4, false, {"r_water=1"}},
+    {"ripple_above", "mcpg_nee", {}, warm(), 4, false, {"r_water=1"}},
+    {"ripple_murky", "mcpg_nee", {}, warm(), 4, false, {"r_water=1"}},
 };
 INSTANTIATE_TEST_SUITE_P(Water, UnbiasedTest, testing::ValuesIn(kWater), row_name);
 
