@@ -53,8 +53,8 @@ void Commands::copy(const Buffer& from, const Buffer& to, VkDeviceSize bytes, Vk
   vkCmdCopyBuffer(cmd_, from.handle(), to.handle(), 1, &region);
 }
 
-void Commands::fill(const Buffer& buffer, std::uint32_t value) {
-  vkCmdFillBuffer(cmd_, buffer.handle(), 0, VK_WHOLE_SIZE, value);
+void Commands::fill(const Buffer& buffer, std::uint32_t value, VkDeviceSize offset, VkDeviceSize bytes) {
+  vkCmdFillBuffer(cmd_, buffer.handle(), offset, bytes, value);
 }
 
 Commands::Scope::Scope(Commands& commands, std::string_view name) : commands_(commands) {

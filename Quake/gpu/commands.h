@@ -54,7 +54,7 @@ class Commands {
   void barrier();
   void copy(const Buffer& from, const Buffer& to, VkDeviceSize bytes, VkDeviceSize from_offset = 0,
             VkDeviceSize to_offset = 0);
-  void fill(const Buffer& buffer, std::uint32_t value);
+  void fill(const Buffer& buffer, std::uint32_t value, VkDeviceSize offset = 0, VkDeviceSize bytes = VK_WHOLE_SIZE);
 
   // Times what is recorded in its scope, if a timer is set.
   void set_timer(PassTimer* timer) { timer_ = timer; }

@@ -115,6 +115,7 @@ void GuidedTechnique::fill_constants(const TechniqueFrame& frame) {
   c.frame_number = frame_;
   c.vertices = static_cast<std::uint32_t>(vertices_);
   c.seen_stride = seen_stride(frame.size, s, frame.medium());
+  if (seen_) c.seen_ways = seen_->begin_frame();
   std::memcpy(uniform_.mapped(), &c, sizeof(c));
 }
 
@@ -147,13 +148,13 @@ void GuidedTechnique::prepare(const TechniqueFrame& frame) {
               static_cast<std::uint64_t>(s.bounces + (frame.medium() ? s.medium_bounces : 0));
   make_buffers(s);
   if (forget_) frame_ = 0;
+  if (forget_ && seen_) seen_->forget();
   ++frame_;
   fill_constants(frame);
 }
 
 void GuidedTechnique::add_passes(const TechniquePasses& passes) {
   if (std::exchange(forget_, false)) {
-    if (seen_) seen_->forget();
     passes.list.add("guide reset", PassKind::kEstimator, [this](gpu::Commands& commands) {
       for (const gpu::Buffer* buffer : {&states_, &cache_, &proposals_}) commands.fill(*buffer, 0);
       commands.barrier();

@@ -31,6 +31,7 @@ class NeeTechnique : public PathTechnique {
     shared::NeeConstants constants{};
     copy_settings(frame.settings, constants);
     constants.seen_stride = seen_stride(frame.size, frame.settings, frame.medium());
+    constants.seen_ways = seen_.begin_frame();
     std::memcpy(uniform_.mapped(), &constants, sizeof(constants));
     frame_ = seen_.fresh() ? 1 : frame_ + 1;
   }

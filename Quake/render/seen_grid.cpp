@@ -13,10 +13,24 @@ SeenGrid::SeenGrid(const TechniqueTools& tools)
   tools.table.set_array(shared::kSetTechnique, shared::kBindSeen, cells_);
 }
 
+// Epochs of 1, 2, 4, 8 frames, then of 16: what is known is soon of use, then of many rays, and never old.
+std::uint32_t SeenGrid::begin_frame() {
+  if (forget_) epoch_ = left_ = 0;
+  new_epoch_ = left_ == 0;
+  if (new_epoch_) left_ = 1u << std::min(epoch_++, 4u);
+  --left_;
+  return epoch_ % 2;
+}
+
 void SeenGrid::add_reset(PassList& list) {
-  if (!std::exchange(forget_, false)) return;
-  list.add("seen reset", PassKind::kEstimator, [this](gpu::Commands& commands) {
-    commands.fill(cells_, 0);
+  constexpr std::uint64_t kTable = shared::kSeenWays * sizeof(uvec2);
+  const bool forget = std::exchange(forget_, false);
+  if (!forget && !std::exchange(new_epoch_, false)) return;
+  list.add("seen reset", PassKind::kEstimator, [this, forget, counted = 1 - epoch_ % 2](gpu::Commands& commands) {
+    if (forget)
+      commands.fill(cells_, 0);
+    else
+      commands.fill(cells_, 0, shared::kSeenWaysWords * sizeof(std::uint32_t) + counted * kTable, kTable);
     commands.barrier();
   });
 }

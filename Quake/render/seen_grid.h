@@ -8,6 +8,8 @@ namespace fb::render {
 class SeenGrid {
  public:
   explicit SeenGrid(const TechniqueTools& tools);
+  // Begins a frame. The table of ways that it reads (GuideConstants::seen_ways).
+  std::uint32_t begin_frame();
   // Before the paths' pass, and after it.
   void add_reset(PassList& list);
   void add_fold(PassList& list, ShaderSet& shaders);
@@ -18,6 +20,8 @@ class SeenGrid {
  private:
   gpu::Buffer cells_;
   bool forget_ = true;
+  std::uint32_t epoch_ = 0, left_ = 0;  // of ways: that is counted now, and its frames still to come
+  bool new_epoch_ = false;
 };
 
 // Of this many rays a frame one is remembered, so that no cell's counters overflow; a power of two.

@@ -40,13 +40,13 @@ scene::FrameSnapshot room_without_view() {
 }
 
 // A room with a lamp, behind whose back wall bright boxes have nearly all of the list's power.
-scene::FrameSnapshot room_with_neighbours() {
+scene::FrameSnapshot room_with_neighbours(std::uint32_t boxes = 64, float radiance = 5) {
   constexpr std::uint32_t kLamp = 3;  // of its materials
   scene::FrameSnapshot snapshot = scene::cornell_box();
-  for (std::uint32_t i = 0; i < 64; ++i) {
+  for (std::uint32_t i = 0; i < boxes; ++i) {
     const vec3 position(700.0f + 200.0f * static_cast<float>(i % 8), 0, 200.0f * static_cast<float>(i / 8));
     snapshot.instances.push_back(scene::glowing(scene::kIdEntity + 100 + i, snapshot.instances.back().mesh, kLamp,
-                                                position, vec3(150), vec3(5)));
+                                                position, vec3(150), vec3(radiance)));
   }
   return snapshot;
 }
@@ -75,11 +75,13 @@ Difference difference(const std::vector<vec4>& image, const std::vector<vec4>& t
 struct Memory {
   double fresh = 0, learnt = 0, bias = 0, error = 0;
 };
-Memory memory_in(const scene::FrameSnapshot& scene, std::unique_ptr<Renderer> renderer) {
+Memory memory_in(const scene::FrameSnapshot& scene, std::unique_ptr<Renderer> renderer,
+                 const RenderSettings& how = {}) {
   RenderSettings truth_settings = looking(1);
   truth_settings.estimator = "pt";
   truth_settings.accumulate = 1;
   truth_settings.spp = 64;
+  truth_settings.bounces = how.bounces;
   for (int i = 0; i < 32; ++i) renderer->render(scene, nullptr, truth_settings);
   const std::vector<vec4> truth = renderer->read().linear();
   double truth_variance = 0, mean = 0;
@@ -90,13 +92,20 @@ Memory memory_in(const scene::FrameSnapshot& scene, std::unique_ptr<Renderer> re
 
   Memory m;
   double square = 0;
+  const auto settings = [&](int seed) {
+    RenderSettings s = looking(seed);
+    s.nee_candidates = how.nee_candidates;
+    s.nee_remembered = how.nee_remembered;
+    s.bounces = how.bounces;
+    return s;
+  };
   for (int i = 0; i < kFrames; ++i) {
     renderer->reset_learning();
-    renderer->render(scene, nullptr, looking(i + 2));
+    renderer->render(scene, nullptr, settings(i + 2));
     m.fresh += difference(renderer->read().linear(), truth).trimmed / kFrames;
   }
   for (int i = 0; i < kFrames; ++i) {
-    renderer->render(scene, nullptr, looking(i + 2));
+    renderer->render(scene, nullptr, settings(i + 2));
     const Difference d = difference(renderer->read().linear(), truth);
     m.learnt += d.trimmed / kFrames;
     square += d.square / kFrames;
@@ -120,6 +129,18 @@ TEST_F(SeenGridTest, LampsThatWereFoundAreLookedForAgain) {
   EXPECT_LT(lamps.error, 0.01) << "the test can see little";
 }
 
+// No lamp is remembered, but nearly all draws of the list have the room's.
+TEST_F(SeenGridTest, WaysThatWereShutAreSeldomTried) {
+  RenderSettings how;
+  how.nee_candidates = 128;
+  how.nee_remembered = 0;
+  how.bounces = 1;
+  const Memory ways = memory_in(room_with_neighbours(8, 40), make_renderer(looking(1), 64, 48), how);
+  EXPECT_LT(ways.learnt, 0.75 * ways.fresh);
+  EXPECT_NEAR(ways.bias, 0.0, 4.5 * ways.error);
+  EXPECT_LT(ways.error, 0.01) << "the test can see little";
+}
+
 // Where all walls glow, light that is looked for and light that is met have like densities: a share that is wrong
 // shows.
 TEST_F(SeenGridTest, FurnaceHasItsClosedForm) {
@@ -132,7 +153,8 @@ TEST_F(SeenGridTest, FurnaceHasItsClosedForm) {
     s.bounces = bounces;
     s.spp = 64;
     auto renderer = make_renderer(s, 64, 48);
-    renderer->render(scene, nullptr, s);
+    // Learnt, too.
+    for (int frame = 0; frame < bounces; ++frame) renderer->render(scene, nullptr, s);
     const ImageEstimate e = image_estimate(renderer->read().linear());
     EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 4e-6 * expected) << bounces;
     EXPECT_LT(e.error, 0.003 * expected) << bounces << ": the test can see little";

@@ -9,6 +9,9 @@
 // them, from its constants.
 uint light_candidates();
 uint remembered_candidates();
+// Whether they are weighed by what arrived between two places (r_nee_visibility), and by which table of it.
+bool knows_ways();
+uint known_ways();
 
 struct Candidates {
   SeenLamps lamps;
@@ -58,8 +61,17 @@ float hit_light_pdf(uint cell, Hit hit, vec3 direction) {
 // How much of a lamp's light arrives, it is supposed, where a full memory does not have it.
 const float kUnseen = 0.5;
 
-float hope_of(Candidates c, GpuLight light) {
-  return times_remembered(c, light) > 0.0 ? 1.0 : mix(1.0, kUnseen, float(c.filled) / float(kSeenLamps));
+float hope_of(Candidates c, GpuLight light, uint way) {
+  float hoped = times_remembered(c, light) > 0.0 ? 1.0 : mix(1.0, kUnseen, float(c.filled) / float(kSeenLamps));
+  return knows_ways() ? seen_hope(seen_way_entry(known_ways(), way), hoped) : hoped;
+}
+
+// A ray went that way.
+void count_way(uint way, bool met) {
+  if (!knows_ways()) return;
+  uint word = way_words(1u - known_ways(), way);
+  atomicAdd(seen_words.at[word], 1u);
+  if (met) atomicAdd(seen_words.at[word + 1u], 1u);
 }
 
 // A ray found a lamp's light, the sum of whose channels is `brought`.

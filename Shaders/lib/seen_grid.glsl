@@ -13,4 +13,10 @@ SeenLamps seen_lamps(uint cell) {
   int at = int(kSeenLampQuads + 2u * cell);
   return SeenLamps(texelFetch(seen_texels, at), texelFetch(seen_texels, at + 1));
 }
+
+uint way_words(uint table, uint way) { return kSeenWaysWords + 2u * (table * kSeenWays + way); }
+uvec2 seen_way_entry(uint table, uint way) {
+  uvec4 two = texelFetch(seen_texels, int(way_words(table, way) / 4u));
+  return (way & 1u) != 0u ? two.zw : two.xy;
+}
 #endif

@@ -74,6 +74,7 @@ struct FrameConstants {
 struct NeeConstants {
   FB_LIGHT_SETTINGS(FB_UNIFORM_FIELD)
   uint seen_stride;  // of this many shadow rays one is remembered; a power of two
+  uint seen_ways;    // the table of ways that is read, 0 or 1
 };
 
 FB_CONST uint kTexelLiquid = 0x800000u;  // the surface of a liquid

@@ -216,6 +216,7 @@ struct GuideConstants {
   float prior_extent;    // radius of the prior, squared
   uint frame_number;     // frames since the guide forgot, from 1
   uint seen_stride;      // of this many shadow rays one is remembered; a power of two
+  uint seen_ways;        // the table of ways that is read, 0 or 1
   uint vertices;         // of this frame's paths: as many proposals
 };
 

@@ -9,12 +9,13 @@ FB_NAMESPACE_BEGIN
 FB_CONST uint kBindSeen = 3u;  // uvec4[kSeenCells] in the technique's set: x, y: fold_seen of suns and of the list;
                                // z, w: this frame's rays, kSeenRay each, kSeenMet more for those that arrived
                                // Then uvec4[kSeenCells][2]: lamps that rays found, SeenLamps; then uint[kSeenCells]:
-                               // one that a ray found in this frame, lamp_found
+                               // one that a ray found in this frame, lamp_found. Then two tables of kSeenWays, below
 FB_CONST uint kSeenCells = 32768u;
 FB_CONST float kSeenWidth = 64.0f;  // of a cell, units
 FB_CONST uint kSeenMet = 1u, kSeenRay = 65536u;
 FB_CONST uint kSeenLampQuads = kSeenCells, kSeenFoundWords = 12u * kSeenCells;  // where they begin
-FB_CONST uint kSeenBytes = 52u * kSeenCells;
+FB_CONST uint kSeenWays = 131072u, kSeenWaysWords = 13u * kSeenCells;
+FB_CONST uint kSeenBytes = 52u * kSeenCells + 16u * kSeenWays;
 FB_CONST float kSeenMost = 512.0f;  // rays that are remembered
 
 // Cells that share a slot share what they know.
@@ -66,6 +67,25 @@ FB_FN uint seen_name(SeenLamps s, uint place) {
 FB_FN uint lamp_found(uint name, float light, float random) {
   uint race = floatBitsToUint(-log(random) / light) >> 16u;  // the bits of positive numbers are in their order
   return (0xffffu - min(race, 0xffffu)) << 16u | name;
+}
+
+// Whether rays from one cube of kWayWidth to points of lights in another arrived: visibility between two places,
+// whatever shines there. An entry has two words, the rays and those that arrived; ways that share one share what they
+// know. One table is read, of an epoch of frames that is over; this frame's rays are counted in the other, so that
+// frames do not depend on the order of threads.
+FB_CONST float kWayWidth = 128.0f;
+FB_FN uint seen_place(vec3 p, uint from) {
+  return grid_key(int(floor(p.x / kWayWidth)), int(floor(p.y / kWayWidth)), int(floor(p.z / kWayWidth)), from).hash;
+}
+FB_FN uint seen_way(uint from, vec3 point) { return seen_place(point, from) % kSeenWays; }
+
+// The factor on what a candidate would bring, `hoped` where nothing is known: the root of the share of rays that
+// arrived. Of lights that arrive with chance p and bring v then, one is chosen best in proportion to the root of the
+// mean of squares, v sqrt(p).
+FB_CONST float kLeastSeen = 0.05f, kHopeWeighs = 0.25f;  // as so many rays
+FB_FN float seen_hope(uvec2 rays_met, float hoped) {
+  float share = (float(rays_met.y) + kHopeWeighs * hoped * hoped) / (float(rays_met.x) + kHopeWeighs);
+  return max(sqrt(share), kLeastSeen);
 }
 
 FB_NAMESPACE_END

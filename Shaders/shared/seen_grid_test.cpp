@@ -44,6 +44,27 @@ TEST(SeenGrid, CellsAreAsWideAsTheySayAndTellSidesApart) {
   EXPECT_LT(seen_cell(corner, up), kSeenCells);
 }
 
+TEST(SeenGrid, WaysAreBetweenCubesAndHaveADirection) {
+  const vec3 a(-640.0f, 128.0f, 256.0f), b(384.0f, 0, -128.0f), within(kWayWidth - 1.0f), beside(1.0f, 0, 0);
+  const uint way = seen_way(seen_place(a, 0u), b);
+  EXPECT_EQ(seen_way(seen_place(a + within, 0u), b + within), way);
+  EXPECT_NE(seen_way(seen_place(a, 0u), b - beside), way);
+  EXPECT_NE(seen_way(seen_place(a - beside, 0u), b), way);
+  EXPECT_NE(seen_way(seen_place(b, 0u), a), way);
+  for (uint from = 0; from < 1000u; ++from) EXPECT_LT(seen_way(from, b), kSeenWays);
+}
+
+// Before anything is known it is what was hoped; then the root of the share that arrived; never zero, which would be a
+// bias.
+TEST(SeenGrid, HopeIsTheRootOfTheShareThatArrived) {
+  EXPECT_FLOAT_EQ(seen_hope(uvec2(0u, 0u), 1.0f), 1.0f);
+  EXPECT_FLOAT_EQ(seen_hope(uvec2(0u, 0u), 0.5f), 0.5f);
+  EXPECT_NEAR(seen_hope(uvec2(400u, 100u), 1.0f), 0.5f, 0.002f);
+  EXPECT_FLOAT_EQ(seen_hope(uvec2(60u, 60u), 1.0f), 1.0f);
+  EXPECT_LT(seen_hope(uvec2(3u, 0u), 1.0f), 0.3f);
+  EXPECT_FLOAT_EQ(seen_hope(uvec2(4000000u, 0u), 1.0f), kLeastSeen);
+}
+
 TEST(SeenGrid, LampsAreCountedAndNamedPlaceByPlace) {
   SeenLamps lamps{uvec4(0u), uvec4(0u)};
   EXPECT_EQ(times_seen(lamps, 0u), kSeenLamps);

@@ -81,7 +81,8 @@
 // Techniques that sample the list of lights (lib/steps/direct_list.glsl).
 #define FB_LIGHT_SETTINGS(X) \
   X(int, nee_candidates, "r_nee_candidates", 8, 1, 256, "next-event estimation: light samples a vertex draws of the list, of which (and of a sun) it chooses one to trace a shadow ray to") \
-  X(int, nee_remembered, "r_nee_remembered", 4, 0, 256, "next-event estimation: how many of r_nee_candidates are drawn of the lamps that rays from hereabouts found in past frames, not of all; 0: light is chosen without memory of single lamps")
+  X(int, nee_remembered, "r_nee_remembered", 4, 0, 256, "next-event estimation: how many of r_nee_candidates are drawn of the lamps that rays from hereabouts found in past frames, not of all; 0: light is chosen without memory of single lamps") \
+  X(int, nee_visibility, "r_nee_visibility", 1, 0, 1, "next-event estimation: candidates are weighed by how many rays between the same two places arrived in past frames")
 
 // Markov chain path guiding (shared/guide.h).
 #define FB_GUIDE_SETTINGS(X) \

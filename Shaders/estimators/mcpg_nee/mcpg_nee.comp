@@ -12,6 +12,8 @@ const bool kEndsInField = false;
 uint light_candidates() { return uint(guide.nee_candidates); }
 uint remembered_candidates() { return uint(guide.nee_remembered); }
 uint light_seen_stride() { return guide.seen_stride; }
+bool knows_ways() { return guide.nee_visibility != 0; }
+uint known_ways() { return guide.seen_ways; }
 #include "lib/steps/mcpg/views.glsl"
 
 #include "lib/paths_main.glsl"

@@ -14,6 +14,8 @@ layout(set = kSetTechnique, binding = kBindTechniqueConstants, std140) uniform N
 uint light_candidates() { return uint(nee.nee_candidates); }
 uint remembered_candidates() { return uint(nee.nee_remembered); }
 uint light_seen_stride() { return nee.seen_stride; }
+bool knows_ways() { return nee.nee_visibility != 0; }
+uint known_ways() { return nee.seen_ways; }
 #include "lib/steps/no_learning.glsl"
 #include "lib/steps/no_views.glsl"
 

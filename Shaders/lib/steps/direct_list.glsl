@@ -33,8 +33,9 @@ struct Aim {
   uint turn;                // on the way to it
   uint cell;                // of the grid of what such rays reach
   uint lamp;                // its name (shared/seen_grid.h); 0: none
+  uint way;                 // of the list's: to where (seen_way)
 };
-const Aim kNoAim = Aim(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, kNoIndex, kNoIndex, kTurnNowhere, 0u, 0u);
+const Aim kNoAim = Aim(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, kNoIndex, kNoIndex, kTurnNowhere, 0u, 0u, 0u);
 
 
 // Emission towards its origin of what a ray meets, as load_surface has it.
@@ -95,7 +96,7 @@ void aim_at_mirrored_sun(Vertex v, float hoped, inout Aim aim, inout uint rng) {
   uint cell = seen_cell(v.position + vec3(0.0, 0.0, kMirroredCell), scatter_axis(v.scatter)), seen = seen_cells.at[cell].x;
   float known = min(seen_rays(seen) / kEnoughRays, 1.0), arrive = mix(1.0, seen_share(seen), known);
   float reached = arrive * value, chance = clamp(reached / max(reached + hoped, 1e-30), kLeastMirrored, kMostMirrored);
-  if (rng_uniform(rng) < chance) aim = Aim(direction, f, 1.0 / chance, kRayEnd, density, bsdf, kNoIndex, kNoIndex, kTurnBack, cell, 0u);
+  if (rng_uniform(rng) < chance) aim = Aim(direction, f, 1.0 / chance, kRayEnd, density, bsdf, kNoIndex, kNoIndex, kTurnBack, cell, 0u, 0u);
   else aim.weight /= 1.0 - chance;
 }
 
@@ -106,6 +107,7 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
   Aim aim = kNoAim;
   vec3 origin = scatter_origin(v.scatter, v.position);
   aim.cell = cell_of(v);
+  uint here = seen_place(origin, 0u);
   uvec4 seen = seen_cells.at[aim.cell];
   float sum = 0.0, target = 0.0, hoped = 0.0;
   uint listed = has_lights() ? light_candidates() : 0u, i = 0u;
@@ -125,12 +127,13 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
     float all = density_of_all(density, bsdf, one);
     float value = there && density > 0.0 ? dot(f, vec3(1.0)) * frame.light_power * light_probability(light) / (area * all) : 0.0;
     if (FEATURE_MEDIUM) value *= transmittance(frame.medium.w, reach);
-    value *= hope_of(candidates, light);
+    uint to = seen_way(here, origin + way);
+    value *= hope_of(candidates, light, to);
     sum += value;
     if (pick * sum < value) {
       target = value;
       aim = Aim(direction, f, 1.0, reach * 1.001 + 0.01, density, bsdf, light.instance, light.triangle, kTurnNowhere, aim.cell,
-                light.lamp & 0xffffu);
+                light.lamp & 0xffffu, to);
     }
   } while (++i < listed);
   if (has_feature(kFeatureSuns) && frame.sun_count > 0u) {
@@ -150,7 +153,7 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
     bool to_sun = rng_uniform(rng) < chance;
     if (to_sun) {
       sum = target = value;
-      aim = Aim(direction, f, 1.0, kRayEnd, sun, bsdf, kNoIndex, kNoIndex, bends ? kTurnByChance : kTurnNowhere, aim.cell, 0u);
+      aim = Aim(direction, f, 1.0, kRayEnd, sun, bsdf, kNoIndex, kNoIndex, bends ? kTurnByChance : kTurnNowhere, aim.cell, 0u, 0u);
     }
     aim.weight /= to_sun ? chance : 1.0 - chance;
     hoped = both;
@@ -179,6 +182,7 @@ bool is_found(Aim aim, Segment way) {
 // Whether it did, remembered.
 bool found(Aim aim, Segment way, inout uint rng) {
   bool met = is_found(aim, way);
+  if (aim.weight > 0.0 && aim.instance != kNoIndex) count_way(aim.way, met);
   if (aim.weight > 0.0 && (rng_next(rng) & (light_seen_stride() - 1u)) == 0u)
     atomicAdd(seen_words.at[aim.cell * 4u + (aim.instance == kNoIndex ? 2u : 3u)], kSeenRay + (met ? kSeenMet : 0u));
   return met;
