@@ -19,13 +19,13 @@ check "pictures repeat with one thread and two" same_with_any_threads --scene mo
 # Two runs of 60 frames with one worker thread and with two (of lavapipe; 0 would be the calling thread alone).
 repeats() {  # repeats ARGUMENTS...
   local estimator threads
-  for estimator in mcpg pt; do
+  for estimator in mcpg_nee nee; do
     for threads in 1 2; do
       hashes $threads --estimator $estimator --set r_deterministic=1 --frames 0:59 --size 64x36 "$@" >"$scratch/$estimator$threads"
     done
     [[ $(grep -c . "$scratch/${estimator}1") -eq 60 ]] && cmp "$scratch/${estimator}1" "$scratch/${estimator}2" || return 1
   done
-  ! cmp -s "$scratch/mcpg1" "$scratch/pt1"
+  ! cmp -s "$scratch/mcpg_nee1" "$scratch/nee1"
 }
 check "60 frames of what learns repeat with one thread and two" repeats --scene moving
 differs_when_racing() {  # what r_deterministic is for: without it the order of two threads shows, or this test sees nothing
