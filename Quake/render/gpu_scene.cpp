@@ -82,6 +82,11 @@ struct GpuScene::Impl {
   void bind();
   void record_tables(gpu::Commands& commands);
   void record_rays(gpu::Commands& commands);
+  // Where the tables of lights and of lamps begin in their buffer.
+  std::uint32_t light_texel() const { return static_cast<std::uint32_t>((light_list.first_lights().size() + 3) / 4); }
+  std::uint32_t lamp_texel() const {
+    return light_texel() + 2 * static_cast<std::uint32_t>(light_list.lights().size());
+  }
 
   gpu::Device& device;
   gpu::BindingTable& table;
@@ -91,11 +96,6 @@ struct GpuScene::Impl {
   RayStructures rays;
   MaterialTable material_table;
   LightList light_list;
-  // Where its tables begin in the buffer.
-  std::uint32_t light_texel() const { return static_cast<std::uint32_t>((light_list.first_lights().size() + 3) / 4); }
-  std::uint32_t lamp_texel() const {
-    return light_texel() + 2 * static_cast<std::uint32_t>(light_list.lights().size());
-  }
   gpu::ComputePipeline pose;
 
   DeviceArray<shared::GpuInstance> instances;

@@ -1,6 +1,7 @@
-// How often shadow rays reach what they look for, by cell of a hash grid and by kind of light. Next-event estimation
-// chooses one light of a few by what each would bring, and light that is behind walls brings nothing: what past rays
-// met is the factor on it (the idea of learnt visibility: Vevoda 2018). Any positive factor leaves the estimate right.
+// What shadow rays reached in past frames, in three memories: how often suns and listed lights were met, by cell of a
+// hash grid; which lamps, by cell; and how often rays arrived between two places. Next-event estimation chooses one
+// light of a few by what each would bring, and light that is behind walls brings nothing: what past rays met is the
+// factor on it (the idea of learnt visibility: Vevoda 2018). Any positive factor leaves the estimate right.
 #ifndef FB_SHARED_SEEN_GRID_H
 #define FB_SHARED_SEEN_GRID_H
 #include "shared/hash_grid.h"
