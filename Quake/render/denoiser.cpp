@@ -16,7 +16,7 @@ struct Level {
   std::uint32_t source, target;
 };
 
-constexpr int kMediumLevels = 3;  // odd: the result is where the first target was
+constexpr int kLayerLevels = 3;  // odd: the result is where the first target was
 
 // So many that the footprint, 5^levels pixels, is at most a sixtieth of the picture: the same look at every size.
 int levels_for(uvec2 size) {
@@ -24,6 +24,11 @@ int levels_for(uvec2 size) {
   for (std::uint64_t footprint = 125; levels < 6 && footprint * 60 <= std::uint64_t{size.x} * size.y; footprint *= 5)
     ++levels;
   return levels;
+}
+
+std::uint64_t layer_texels(uvec2 render, std::uint32_t block) {
+  const uvec2 blocks = block > 0 ? Denoiser::light_size(render, block) : uvec2(0);
+  return std::uint64_t{shared::kLayerSlots} * blocks.x * blocks.y;
 }
 
 }  // namespace
@@ -39,18 +44,17 @@ std::uint32_t Denoiser::medium_block(const RenderSettings& settings) const {
   return light_block(settings) * static_cast<std::uint32_t>(std::lround(1.0f / scale));
 }
 
-std::uint64_t Denoiser::history_bytes(uvec2 render, uvec2 smooth, std::uint32_t medium_block) {
+std::uint64_t Denoiser::history_bytes(uvec2 render, uvec2 smooth, const Blocks& blocks) {
   const std::uint64_t pixels = std::uint64_t{render.x} * render.y, shown = std::uint64_t{smooth.x} * smooth.y;
-  const uvec2 blocks = medium_block > 0 ? light_size(render, medium_block) : uvec2(0);
   const std::uint64_t texels = shared::kSectionPicture * pixels + (pixels + 1) / 2 + (shown + 1) / 2;  // whole ones
-  return sizeof(glm::uvec4) * (texels + std::uint64_t{shared::kMediumSlots} * blocks.x * blocks.y);
+  return sizeof(glm::uvec4) * (texels + layer_texels(render, blocks.medium) + layer_texels(render, blocks.second));
 }
 
-void Denoiser::resize(uvec2 render, uvec2 output, const RenderSettings& settings, bool medium) {
+void Denoiser::resize(uvec2 render, uvec2 output, const RenderSettings& settings, Layers layers) {
   on_ = wanted(settings);
   const uvec2 size = on_ ? render : uvec2(0), smooth = on_ ? smooth_size(render, output, settings) : uvec2(0);
-  const std::uint32_t block = on_ && medium ? medium_block(settings) : 0;
-  if (size == size_ && smooth == smooth_ && block == room_for_block_) return;
+  const Blocks wanted_blocks = on_ ? blocks(settings, layers) : Blocks();
+  if (size == size_ && smooth == smooth_ && wanted_blocks == room_) return;
   const auto bind = [&] {
     table_.set_texels(shared::kTexelsHistory, buffer_);
     table_.set_array(shared::kSetFrame, shared::kBindHistory, buffer_);
@@ -60,11 +64,11 @@ void Denoiser::resize(uvec2 render, uvec2 output, const RenderSettings& settings
   buffer_ = gpu::Buffer();  // the old one's memory goes first
   bind();
   if (on_) {
-    buffer_ = gpu::Buffer(device_, gpu::BufferUse::kStorage, history_bytes(size, smooth, block), "history");
+    buffer_ = gpu::Buffer(device_, gpu::BufferUse::kStorage, history_bytes(size, smooth, wanted_blocks), "history");
   }
   size_ = size;
   smooth_ = smooth;
-  room_for_block_ = block;
+  room_ = wanted_blocks;
   bind();
 }
 
@@ -85,6 +89,8 @@ void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snaps
   if (!on_) return;
   const bool again = still && snapshot.frame == last_frame_;
   parity_ ^= 1u;
+  c.medium_layer = shared::first_layer(size_.x * size_.y, smooth_.x * smooth_.y);
+  c.second_layer = c.medium_layer + static_cast<std::uint32_t>(layer_texels(size_, room_.medium));
   levels_ = settings.svgf_levels > 0 ? std::max(settings.svgf_levels, 2) : levels_for(size_);
   c.history_parity = parity_;
   c.history_valid = valid_ && (again || !snapshot.cut);
@@ -111,29 +117,32 @@ void Denoiser::fill_medium(shared::FrameConstants& c, const RenderSettings& sett
   c.medium_y = next / blocks * light_block_ + turn / light_block_;
 }
 
-void Denoiser::add_passes(PassList& list, ShaderSet& shaders, bool medium) {
+void Denoiser::add_passes(PassList& list, ShaderSet& shaders, Layers layers) {
   if (!on_) return;
+  const Variant variant{.medium = layers.medium, .water = layers.second};
   const uvec2 groups = groups_over(size_, 8);
   if (light_block_ > 1) {
-    list.dispatch("denoise_light", PassKind::kFrame, shaders.get("denoise_light"),
+    list.dispatch("denoise_light", PassKind::kFrame, shaders.get("denoise_light", variant),
                   groups_over(light_size(size_, light_block_), 8));
   }
   list.dispatch("denoise_temporal", PassKind::kFrame,
-                shaders.get(light_block_ > 1 ? "denoise_temporal_sparse" : "denoise_temporal"), groups);
-  if (medium) add_medium(list, shaders);
-  add_wavelets(list, shaders, medium);
+                shaders.get(light_block_ > 1 ? "denoise_temporal_sparse" : "denoise_temporal", variant), groups);
+  if (layers.medium) add_layer(list, shaders, variant, "denoise_medium", medium_block_);
+  if (layers.second) add_layer(list, shaders, variant, "denoise_second", light_block_);
+  add_wavelets(list, shaders, variant);
 }
 
-// What is scattered ends in slot 3 (shared/denoise.h).
-void Denoiser::add_medium(PassList& list, ShaderSet& shaders) const {
-  const uvec2 groups = groups_over(light_size(size_, medium_block_), 8);
-  const gpu::ComputePipeline& temporal = shaders.get("denoise_medium_temporal");
-  const gpu::ComputePipeline& wavelet = shaders.get("denoise_medium");
-  list.add("denoise_medium", PassKind::kFrame, [&temporal, &wavelet, groups](gpu::Commands& commands) {
+// Its light ends in slot 3 (shared/denoise.h).
+void Denoiser::add_layer(PassList& list, ShaderSet& shaders, const Variant& variant, const std::string& name,
+                         std::uint32_t block) const {
+  const uvec2 groups = groups_over(light_size(size_, block), 8);
+  const gpu::ComputePipeline& temporal = shaders.get(name + "_temporal", variant);
+  const gpu::ComputePipeline& wavelet = shaders.get(name, variant);
+  list.add(name, PassKind::kFrame, [&temporal, &wavelet, groups](gpu::Commands& commands) {
     commands.dispatch(temporal, groups.x, groups.y);
     commands.barrier();
     Level level{1, 0, 2, 3};
-    for (int i = 0; i < kMediumLevels; ++i) {
+    for (int i = 0; i < kLayerLevels; ++i) {
       commands.push(level);
       commands.dispatch(wavelet, groups.x, groups.y);
       commands.barrier();
@@ -142,7 +151,7 @@ void Denoiser::add_medium(PassList& list, ShaderSet& shaders) const {
   });
 }
 
-void Denoiser::add_wavelets(PassList& list, ShaderSet& shaders, bool medium) const {
+void Denoiser::add_wavelets(PassList& list, ShaderSet& shaders, const Variant& variant) const {
   struct Step {
     const gpu::ComputePipeline& pipeline;
     Level level;
@@ -153,10 +162,9 @@ void Denoiser::add_wavelets(PassList& list, ShaderSet& shaders, bool medium) con
   for (int level = 0; level < levels_; ++level) {
     const std::uint32_t source = shared::kSectionFilter + static_cast<std::uint32_t>(level & 1);
     const std::uint32_t target = shared::kSectionFilter + static_cast<std::uint32_t>((level + 1) & 1);
-    const char* shader = level == 0             ? "denoise_wavelet_first"
-                         : level + 1 == levels_ ? medium ? "denoise_wavelet_last_medium" : "denoise_wavelet_last"
-                                                : "denoise_wavelet";
-    steps.push_back({shaders.get(shader), {a, parity_ != 0 ? b : -b, source, target}});
+    const bool last = level + 1 == levels_;
+    const char* shader = level == 0 ? "denoise_wavelet_first" : last ? "denoise_wavelet_last" : "denoise_wavelet";
+    steps.push_back({shaders.get(shader, last ? variant : Variant()), {a, parity_ != 0 ? b : -b, source, target}});
     const std::int32_t next = 2 * a - b;
     b = a + 2 * b;
     a = next;

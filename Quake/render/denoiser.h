@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/maths.h"
@@ -38,20 +39,33 @@ class Denoiser {
   static uvec2 smooth_size(uvec2 render, uvec2 output, const RenderSettings& settings) {
     return antialiases(settings) ? output : render;
   }
-  // Bytes of the history for these sizes. `medium_block`: 0 without a medium.
-  static std::uint64_t history_bytes(uvec2 render, uvec2 smooth, std::uint32_t medium_block);
+  // What is denoised apart from pixels' own surfaces: what a medium scatters, and light on what is seen beside another
+  // surface by way of water.
+  struct Layers {
+    bool medium = false, second = false;
+  };
+  // Pixels a side of the blocks at which layers are kept; 0: there is no such layer.
+  struct Blocks {
+    std::uint32_t medium = 0, second = 0;
+    bool operator==(const Blocks&) const = default;
+  };
+  Blocks blocks(const RenderSettings& settings, Layers layers) const {
+    return {layers.medium ? medium_block(settings) : 0, layers.second ? light_block(settings) : 0};
+  }
+  // Bytes of the history for these sizes.
+  static std::uint64_t history_bytes(uvec2 render, uvec2 smooth, const Blocks& blocks);
 
   // Makes room for the history, or frees it; what was there is lost when a size changes.
-  // `medium`: there is, or was, one between surfaces.
-  void resize(uvec2 render, uvec2 output, const RenderSettings& settings, bool medium);
+  // `layers`: that there are, or were.
+  void resize(uvec2 render, uvec2 output, const RenderSettings& settings, Layers layers);
   // The next frame's history is none: what was to be written to it may not have been.
   void forget() { valid_ = false; }
   // This frame's rows of the uniform block. `still`: the same snapshot was rendered just before.
   void fill(shared::FrameConstants& constants, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
             bool still);
   // From radiance to the denoised picture; none if it is off.
-  // `medium`: it scatters in this frame.
-  void add_passes(PassList& list, ShaderSet& shaders, bool medium);
+  // `layers`: of this frame.
+  void add_passes(PassList& list, ShaderSet& shaders, Layers layers);
 
   bool on() const { return on_; }
   // rgb: denoised radiance of the last frame.
@@ -61,8 +75,9 @@ class Denoiser {
 
  private:
   void fill_medium(shared::FrameConstants& c, const RenderSettings& settings, std::uint32_t turn, std::uint64_t frame);
-  void add_medium(PassList& list, ShaderSet& shaders) const;
-  void add_wavelets(PassList& list, ShaderSet& shaders, bool medium) const;
+  void add_layer(PassList& list, ShaderSet& shaders, const Variant& variant, const std::string& name,
+                 std::uint32_t block) const;
+  void add_wavelets(PassList& list, ShaderSet& shaders, const Variant& variant) const;
 
   gpu::Device& device_;
   gpu::BindingTable& table_;
@@ -71,7 +86,7 @@ class Denoiser {
   bool on_ = false, valid_ = false, blends_mean_ = false;
   int levels_ = 0;
   std::uint32_t light_block_ = 1, medium_block_ = 1;
-  std::uint32_t room_for_block_ = 0;  // of the medium, in buffer_
+  Blocks room_;  // in buffer_
   std::uint32_t parity_ = 0, age_ = 0;
   std::uint64_t last_frame_ = 0;
 };

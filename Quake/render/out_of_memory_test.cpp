@@ -308,10 +308,10 @@ TEST(PictureSize, A720pPictureOfFogAndWaterFitsSmallBuffers) {
   limits.max_storage_buffer_range = limits.max_allocation_bytes = 128u << 20u;
   RenderSettings settings;
   settings.denoise = settings.taa = 1;
-  const PictureParts all{sizeof(shared::GBufferTexel) / 16 + shared::kWaterPlanes, 4};
+  const PictureParts all{sizeof(shared::GBufferTexel) / 16 + shared::kWaterPlanes, {4, 2}};
   EXPECT_EQ(largest_output(limits, uvec2(1280, 720), settings, all), uvec2(1280, 720));
   PictureParts dense = all;
-  dense.medium_block = 1;
+  dense.blocks = {1, 1};
   EXPECT_NE(largest_output(limits, uvec2(1280, 720), settings, dense), uvec2(1280, 720));
 }
 

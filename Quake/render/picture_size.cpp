@@ -7,7 +7,6 @@
 #include <cstdint>
 
 #include "base/out_of_memory.h"
-#include "render/denoiser.h"
 
 namespace fb::render {
 namespace {
@@ -18,7 +17,7 @@ std::uint64_t largest_buffer(uvec2 output, const RenderSettings& settings, const
   const uvec2 render = scaled_size(output, settings);
   const std::uint64_t history =
       Denoiser::wanted(settings)
-          ? Denoiser::history_bytes(render, Denoiser::smooth_size(render, output, settings), parts.medium_block)
+          ? Denoiser::history_bytes(render, Denoiser::smooth_size(render, output, settings), parts.blocks)
           : 0;
   return std::max({pixels_of(render) * 16 * parts.gbuffer_planes, history, pixels_of(output) * sizeof(std::uint32_t)});
 }

@@ -5,6 +5,7 @@
 
 #include "base/maths.h"
 #include "gpu/device.h"
+#include "render/denoiser.h"
 #include "render/settings.h"
 #include "shared/frame.h"
 
@@ -22,7 +23,7 @@ float scale_for_pixels(uvec2 output, float pixels);
 // What a pixel's memory depends on beside the settings.
 struct PictureParts {
   std::uint32_t gbuffer_planes = sizeof(shared::GBufferTexel) / 16;
-  std::uint32_t medium_block = 0;  // Denoiser::medium_block; 0: no medium is denoised
+  Denoiser::Blocks blocks;  // of the denoiser's layers
 };
 
 // The largest output of about this shape, at most this size, of which no buffer is larger than the device's limits.

@@ -61,8 +61,9 @@ struct Renderer::Impl {
   ~Impl() { device.settle(); }
 
   std::uint32_t wanted_gbuffer_planes() const {
-    return sizeof(shared::GBufferTexel) / 16 + (features.water || features.glass ? shared::kWaterPlanes : 0);
+    return sizeof(shared::GBufferTexel) / 16 + (has_interfaces() ? shared::kWaterPlanes : 0);
   }
+  bool has_interfaces() const { return features.water || features.glass; }
   void resize_buffers(uvec2 render, uvec2 output, const RenderSettings& settings);
   scene::Area shown() const;
   void fit(const RenderSettings& settings);
@@ -75,6 +76,7 @@ struct Renderer::Impl {
   void fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings);
   // Bytes of kBindRadiance.
   VkDeviceSize radiance_bytes(const RenderSettings& settings, uvec2 render) const;
+  VkDeviceSize second_radiance(const RenderSettings& settings, uvec2 render) const;
   void forget_learnt() {
     if (technique) technique->forget();
     distances.forget();
@@ -179,9 +181,15 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output, const Ren
 
 VkDeviceSize Renderer::Impl::radiance_bytes(const RenderSettings& settings, uvec2 render) const {
   const VkDeviceSize pixels = static_cast<VkDeviceSize>(render.x) * render.y;
-  if (!features.medium) return pixels * 16;
+  return 16 * (second_radiance(settings, render) + (has_interfaces() ? pixels : 0));
+}
+
+// Texel of kBindRadiance where what second surfaces bring begins, behind all else.
+VkDeviceSize Renderer::Impl::second_radiance(const RenderSettings& settings, uvec2 render) const {
+  const VkDeviceSize pixels = static_cast<VkDeviceSize>(render.x) * render.y;
+  if (!features.medium) return pixels;
   const uvec2 blocks = Denoiser::light_size(render, denoiser.medium_block(settings));
-  return 16 * (2 * pixels + 2 * static_cast<VkDeviceSize>(blocks.x) * blocks.y);
+  return 2 * pixels + 2 * static_cast<VkDeviceSize>(blocks.x) * blocks.y;
 }
 
 // Where the picture is; never beyond the output.
@@ -194,10 +202,10 @@ scene::Area Renderer::Impl::shown() const {
 
 // Buffers of the picture's size.
 void Renderer::Impl::fit(const RenderSettings& settings) {
-  check_picture_size(device, output_size, settings,
-                     {wanted_gbuffer_planes(), features.medium ? denoiser.medium_block(settings) : 0});
+  const Denoiser::Layers layers{features.medium, has_interfaces()};
+  check_picture_size(device, output_size, settings, {wanted_gbuffer_planes(), denoiser.blocks(settings, layers)});
   resize_buffers(scaled_size(shown().size, settings), output_size, settings);
-  denoiser.resize(render_size, shown().size, settings, features.medium);
+  denoiser.resize(render_size, shown().size, settings, layers);
 }
 
 // The frame ended early: what it was to write, and what says that it was written, is as good as lost.
@@ -274,6 +282,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.picture_height = place.size.y;
   constants.turbid = this->scene.features().turbid;
   constants.mirrors = features.water;
+  constants.second_radiance = static_cast<std::uint32_t>(second_radiance(settings, render_size));
   const GpuScene::Lights lights = this->scene.lights();
   constants.light_first = lights.first;
   constants.light_count = lights.count;
@@ -323,8 +332,9 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
 PassList Renderer::Impl::list_passes() {
   const Variant variant{ray_query,         features.alpha_test || features.translucent,
                         features.specular, features.surfaces,
-                        features.medium,   features.water || features.glass};
+                        features.medium,   has_interfaces()};
   const uvec2 tiles = groups_over(render_size, 8);
+  const Variant layered{.water = has_interfaces()};  // of a pass that knows the denoiser's layers
   PassList list;
   const auto frame = [&](const char* name, const gpu::ComputePipeline& pipeline, uvec2 groups) {
     list.dispatch(name, PassKind::kFrame, pipeline, groups);
@@ -338,7 +348,7 @@ PassList Renderer::Impl::list_passes() {
                          medium ? Denoiser::light_size(render_size, constants.medium_block) : uvec2(0),
                          constants.bounces, constants.medium_bounces});
   frame("accumulate", shaders.get(medium ? "accumulate_medium" : "accumulate"), tiles);
-  denoiser.add_passes(list, shaders, medium);
+  denoiser.add_passes(list, shaders, {medium, has_interfaces()});
   frame("histogram", shaders.get("exposure_histogram"), groups_over(render_size, 16));
   const bool lens = constants.debug_view == 0 && (constants.bloom > 0 || constants.local_exposure > 0);
   if (lens) frame("local_exposure", shaders.get("local_exposure"), {(shared::kGridCells + 63) / 64, 1});
@@ -347,7 +357,9 @@ PassList Renderer::Impl::list_passes() {
     const uvec2 small = groups_over({shared::kBloomWidth, shared::kBloomHeight}, 8);
     for (const char* step : {"bloom_small", "bloom_x", "bloom_y"}) frame(step, shaders.get(step), small);
   }
-  frame("tonemap", shaders.get(constants.debug_view != 0 ? "debug_view" : lens ? "tonemap_lens" : "tonemap"), tiles);
+  frame("tonemap",
+        constants.debug_view != 0 ? shaders.get("debug_view", layered) : shaders.get(lens ? "tonemap_lens" : "tonemap"),
+        tiles);
   const uvec2 smooth(constants.smooth_width, constants.smooth_height);
   const char* over_time = smooth == render_size ? "temporal_antialias" : "temporal_upscale";
   frame("antialias", shaders.get(constants.taa != 0 ? over_time : "antialias"), groups_over(smooth, 8));

@@ -3,6 +3,7 @@
 #ifndef FB_LIB_DENOISE
 #define FB_LIB_DENOISE
 #include "lib/gbuffer_texel.glsl"
+#include "lib/second_surface.glsl"
 #include "lib/pixel.glsl"
 #include "shared/denoise.h"
 #include "shared/packing.h"
@@ -10,6 +11,9 @@
 
 FB_FRAME_ARRAY(kBindHistory, 16, , HistoryArray, uvec4, history)
 FB_FRAME_ARRAY(kBindHistory, 4, , HistoryWordArray, uint, history_words)
+// Specialised as paths are (lib/interaction.glsl), but for a medium that scatters in this frame.
+layout(constant_id = kSpecWater) const bool WITH_SECOND_SURFACES = false;
+layout(constant_id = kSpecMedium) const bool WITH_MEDIUM = false;
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsHistory) uniform usamplerBuffer history_texels;
 
 uint section(uint index) { return index * frame.width * frame.height; }
@@ -61,8 +65,30 @@ float left_by_medium(uint at, vec3 ray) {
 // would be too bright by that.
 Reflector reflector(uint at, uvec4 words, vec3 ray) {
   vec4 a = uintBitsToFloat(gbuffer_quad(at, 1u)), e = uintBitsToFloat(gbuffer_quad(at, 2u));
+  if (WITH_SECOND_SURFACES) a.rgb = max(a.rgb - second_at(at).albedo, vec3(0.0));
   float cos_view = abs(dot(unpack_direction(words.x), ray)) * inversesqrt(dot(ray, ray));
   return Reflector(e.rgb, demodulation_factor(a.rgb, a.w, e.w, float(words.w >> 24u) / 255.0, cos_view) * left_by_medium(at, ray));
+}
+
+// Irradiance that this frame's paths found at a pixel: on its own surface, and on the second one where there are two. A path
+// begins at one of them, so that one may have no sample; what the other has is then a guess at its light.
+struct Found {
+  vec3 own, second;
+  bool of_own, of_second;  // sampled
+};
+vec3 second_factor(uint at, vec3 ray) { return factor_or_nothing(second_at(at).albedo) * left_by_medium(at, ray); }
+Found found_at(uint at, Reflector own, vec3 ray) {
+  vec3 found = radiance.at[at].rgb - own.emission;
+  if (!WITH_SECOND_SURFACES) return Found(checked_irradiance(demodulate(found, own.factor)), vec3(0.0), true, false);
+  vec4 other = radiance.at[second_radiance_at(at)];
+  vec3 factor = second_factor(at, ray);
+  float chance = chance_of_second(own.factor, factor);
+  // The mean of the paths that began there, each without the factor for its choice.
+  vec3 of_own = (found - other.rgb) * ((1.0 - chance) / max(1.0 - other.w, 1e-6)), of_second = other.rgb * (chance / max(other.w, 1e-6));
+  Found f = Found(checked_irradiance(demodulate(of_own, own.factor)), checked_irradiance(demodulate(of_second, factor)), other.w < 1.0, other.w > 0.0);
+  if (!f.of_own) f.own = f.second;
+  if (!f.of_second) f.second = f.own;
+  return f;
 }
 
 // How 1 / depth changes from pixel to pixel on the plane with this normal, relative to its value here: 1 / depth is linear

@@ -22,6 +22,7 @@ void main() {
   bool black = g.albedo_roughness.rgb == vec3(0.0) && g.emission_specular.w == 0.0;
   if (g.position_t.w == 0.0 || black || frame.bounces == 0u) {
     radiance.at[at] = vec4(SHOW_VIEW && measures_moments() ? vec3(0.0) : emission, 0.0);
+    if (FEATURE_WATER) radiance.at[second_radiance_at(at)] = vec4(0.0);
     return;
   }
   Vertex v = first_vertex(g, pixel);
@@ -31,12 +32,14 @@ void main() {
     ldr.at[at] = packUnorm4x8(vec4(view_color(v, path, rng_seed(at, frame.frame, 0u, frame.seed)), 1.0));
   }
   vec3 sum = vec3(0.0);
+  vec4 sum_second = vec4(0.0);
   float lost = 0.0;
   uint i = 0u;
   do {
     uint rng = rng_seed(at, frame.frame, i, frame.seed);
     Vertex first = v;
-    float factor = FEATURE_WATER ? choose_surface(first, at, (g.material_metalness & kTexelLiquid) != 0u, rng) : 1.0;
+    bool second = false;
+    float factor = FEATURE_WATER ? choose_surface(first, at, (g.material_metalness & kTexelLiquid) != 0u, rng, second) : 1.0;
     vec3 estimate = trace_path(first, begin_path(block, number + i, i), rng);
     if (FEATURE_WATER) estimate *= factor;
     if (any(isnan(estimate)) || any(isinf(estimate))) {
@@ -45,8 +48,11 @@ void main() {
       estimate = vec3(0.0);
     }
     sum += estimate;
+    if (FEATURE_WATER) sum_second += second ? vec4(estimate, 1.0) : vec4(0.0);
   } while (++i < frame.spp);
-  if (FEATURE_MEDIUM) sum *= transmittance(frame.camera_fog, g.position_t.w);
+  float left = FEATURE_MEDIUM ? transmittance(frame.camera_fog, g.position_t.w) : 1.0;
+  if (FEATURE_MEDIUM) sum *= left;
+  if (FEATURE_WATER) radiance.at[second_radiance_at(at)] = vec4(sum_second.rgb * left, sum_second.w) / float(frame.spp);
   radiance.at[at] = vec4(emission + sum / float(frame.spp), lost);
   if (SHOW_VIEW && measures_moments()) radiance.at[at] = vec4(view_of_moments(v, begin_path(block, number, 0u), rng_seed(at, frame.frame, frame.spp, frame.seed)), lost);
 }

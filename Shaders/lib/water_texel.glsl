@@ -1,16 +1,16 @@
 // What a pixel shows by way of water, in planes behind those of the G-buffer: a second surface beside the texel's own, since the
 // first interface that the camera's ray meets reflects one and lets another through. The texel's albedo is that of both together,
-// each with its share, so that what divides light by it (the denoiser) has their mean irradiance.
+// each with its share.
 #ifndef FB_LIB_WATER_TEXEL
 #define FB_LIB_WATER_TEXEL
 #include "lib/gbuffer_texel.glsl"
 #include "lib/interaction.glsl"
-#include "shared/color.h"
+#include "lib/second_surface.glsl"
 
 struct WaterTexel {
   vec3 position;  // of the second surface
   uint liquid;    // that it is in: a material, or kNoIndex
-  vec3 albedo;    // times its share; black: there is none
+  SecondTexel seen;
   uint own_liquid;              // that the texel's own surface is in
   uint normal, shading_normal;  // of the second
   bool bent;                    // an interface is before both; else nothing of the second is stored but its albedo
@@ -38,11 +38,11 @@ vec3 scattered_by(LiquidPiece p) {
 }
 
 void store_water(uint at, WaterTexel w, LiquidPiece p) {
-  gbuffer.at[in_plane(kFirstWaterPlane, at)] = uvec4(floatBitsToUint(w.albedo), w.own_liquid);
+  gbuffer.at[in_plane(kFirstWaterPlane, at)] = uvec4(pack_second(w.seen), w.own_liquid);
   if (frame.turbid != 0u) {
     vec3 light = scattered_by(p);
     float mean = p.reach > 0.0 ? p.start + p.straight * mean_interaction(material_at(p.liquid & kNoMaterial).extinction_g, p.reach) : 0.0;
-    gbuffer.at[in_plane(kFirstWaterPlane + 3u, at)] = uvec4(packHalf2x16(light.rg), packHalf2x16(vec2(light.b, mean)),
+    gbuffer.at[in_plane(kLiquidPlane, at)] = uvec4(packHalf2x16(light.rg), packHalf2x16(vec2(light.b, mean)),
                                                             floatBitsToUint(p.reach), pack_direction(p.direction));
   }
   if (!w.bent) return;
@@ -53,11 +53,11 @@ void store_water(uint at, WaterTexel w, LiquidPiece p) {
 
 WaterTexel water_at(uint at) {
   uvec4 a = gbuffer_quad(at, kFirstWaterPlane), b = gbuffer_quad(at, kFirstWaterPlane + 1u), c = gbuffer_quad(at, kFirstWaterPlane + 2u);
-  return WaterTexel(uintBitsToFloat(b.xyz), b.w, uintBitsToFloat(a.xyz), a.w, c.x, c.y, false);
+  return WaterTexel(uintBitsToFloat(b.xyz), b.w, second_texel(a), a.w, c.x, c.y, false);
 }
 
 LiquidPiece liquid_piece_at(uint at, vec3 camera_ray) {
-  uvec4 d = gbuffer_quad(at, kFirstWaterPlane + 3u);
+  uvec4 d = gbuffer_quad(at, kLiquidPlane);
   float reach = frame.turbid != 0u ? uintBitsToFloat(d.z) : 0.0;
   if (frame.camera_liquid != kNoIndex) return LiquidPiece(camera_ray, reach, 0.0, 1.0, frame.camera_liquid, 1.0);
   if (!(reach > 0.0)) return kNoPiece;
@@ -66,25 +66,24 @@ LiquidPiece liquid_piece_at(uint at, vec3 camera_ray) {
                      medium_within(kNoIndex, c.w & kNoMaterial), 1.0);
 }
 
-// Chooses one of a pixel's two surfaces for a path, by how much each can reflect. `v`: the texel's own. The factor on what the
-// path brings.
-float choose_surface(inout Vertex v, uint at, bool bent, inout uint rng) {
+// Chooses one of a pixel's two surfaces for a path. `v`: the texel's own. The factor on what the path brings.
+float choose_surface(inout Vertex v, uint at, bool bent, inout uint rng, out bool second) {
   WaterTexel w = water_at(at);
   v.liquid = w.own_liquid;
-  v.scatter.bsdf.albedo = max(v.scatter.bsdf.albedo - w.albedo, vec3(0.0));
+  v.scatter.bsdf.albedo = max(v.scatter.bsdf.albedo - w.seen.albedo, vec3(0.0));
   if (bent) {
     v.previous = v.position;
     v.view = v.scatter.shading_normal;  // Lambertian, whatever its material: no viewer is asked
   }
-  float own = luminance(v.scatter.bsdf.albedo), second = luminance(w.albedo);
-  float chance = second > 0.0 ? own > 1e-6 * second ? clamp(second / (own + second), 0.05, 0.95) : 1.0 : 0.0;
-  if (rng_uniform(rng) >= chance) return 1.0 / (1.0 - chance);
+  float chance = chance_of_second(v.scatter.bsdf.albedo, w.seen.albedo);
+  second = rng_uniform(rng) < chance;
+  if (!second) return 1.0 / (1.0 - chance);
   v.position = v.previous = w.position;
   v.liquid = w.liquid;
   v.scatter.normal = unpack_direction(w.normal);
   v.scatter.shading_normal = unpack_direction(w.shading_normal);
   v.view = v.scatter.shading_normal;
-  v.scatter.bsdf = Bsdf(w.albedo, 1.0, 0.0, 0.0);
+  v.scatter.bsdf = Bsdf(w.seen.albedo, 1.0, 0.0, 0.0);
   return 1.0 / chance;
 }
 #endif

@@ -15,7 +15,7 @@ void main() {
   float depth = uintBitsToFloat(gbuffer_quad(at, 4u).z);
   Reflector r = reflector(at, words, ray);
   bool lit = inside && depth > 0.0 && max(r.factor.x, max(r.factor.y, r.factor.z)) > 0.0;
-  vec3 x = checked_irradiance(demodulate(radiance.at[at].rgb - r.emission, r.factor));
+  Found found = found_at(at, r, ray);
   uint surface = pack_surface(at_middle(1.0 / max(depth, 1e-3), plane_slope(geometric, ray)), geometric);
-  history.at[to] = lit ? uvec4(packHalf2x16(x.rg), packHalf2x16(vec2(x.b, 0.0)) | (surface_name(words) << 16u), surface, 0u) : uvec4(0u);
+  history.at[to] = lit ? uvec4(packHalf2x16(found.own.rg), packHalf2x16(vec2(found.own.b, 0.0)) | (surface_name(words) << 16u), surface, found.of_own ? 0u : 1u) : uvec4(0u);
 }

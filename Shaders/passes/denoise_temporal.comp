@@ -64,13 +64,17 @@ float kept_frames(float frames, vec2 point) {
   return frames < 4.0 || frame.still != 0u ? frames : max(frames * kept, 4.0);
 }
 
+// This frame's.
+struct Light {
+  vec3 irradiance;
+  bool known;    // or a guess
+  bool sampled;  // not a guess
+};
+
 #if SPARSE
 // Light at a pixel from the samples of the four blocks about it, each by its distance and if it is of this surface (joint
 // bilateral upsampling, Kopf 2007); its own sample alone where it has one.
-struct Light {
-  vec3 irradiance;
-  bool known;
-};
+const float kGuess = 1e-4;         // what a guess counts beside a sample
 const float kOtherSurface = 1e-3;  // what a sample of another surface counts, where there is none of this
 
 Light light_about(uvec2 pixel, float inverse_depth, vec2 slope, vec3 normal, uint id) {
@@ -79,6 +83,7 @@ Light light_about(uvec2 pixel, float inverse_depth, vec2 slope, vec3 normal, uin
   float tolerance = 0.02 + 0.25 * (abs(slope.x) + abs(slope.y)), weights = 0.0;
   ivec2 blocks = ivec2(frame.light_width, (frame.height + frame.light_block - 1u) / frame.light_block);
   vec3 sum = vec3(0.0);
+  bool sampled = false;
   for (uint i = 0u; i < 4u; ++i) {
     vec2 offset = vec2(i & 1u, i >> 1u);
     ivec2 block = ivec2(corner + offset);
@@ -89,11 +94,13 @@ Light light_about(uvec2 pixel, float inverse_depth, vec2 slope, vec3 normal, uin
     bool same = (texel.y >> 16u) == id && dot(turned, turned) < 0.3 &&
                 abs(unpack_surface_inverse_depth(texel.z) - expected) < tolerance * expected;
     vec2 near = mix(1.0 - f, f, offset);
-    float weight = inside && texel.z != 0u ? max(near.x * near.y, 1e-7) * (same ? 1.0 : kOtherSurface) : 0.0;
+    bool there = inside && texel.z != 0u, guessed = texel.w != 0u;
+    float weight = there ? max(near.x * near.y, 1e-7) * (same ? 1.0 : kOtherSurface) * (guessed ? kGuess : 1.0) : 0.0;
+    sampled = sampled || (there && !guessed);
     sum += weight * vec3(unpackHalf2x16(texel.x), unpackHalf2x16(texel.y & 0xffffu).x);
     weights += weight;
   }
-  return Light(sum / max(weights, 1e-20), weights > 0.0);
+  return Light(sum / max(weights, 1e-20), weights > 0.0, sampled);
 }
 #endif
 
@@ -114,13 +121,13 @@ void main() {
   h.frames = kept_frames(h.frames, point);
 #if SPARSE
   Light light = light_about(pixel, inverse_depth, slope, geometric, id);
-  vec3 x = light.irradiance;
-  bool reflects = light.known;
 #else
   // A black texel says nothing of the light on it; it keeps what its surroundings found.
-  vec3 x = checked_irradiance(demodulate(radiance.at[at].rgb - r.emission, r.factor));
-  bool reflects = max(r.factor.x, max(r.factor.y, r.factor.z)) > 0.0;
+  Found found = found_at(at, r, ray);
+  Light light = Light(found.own, max(r.factor.x, max(r.factor.y, r.factor.z)) > 0.0, found.of_own);
 #endif
+  vec3 x = light.irradiance;
+  bool reflects = light.known && (light.sampled || h.frames == 0.0);
   float y = luminance_of(x);
   bool known = motion.z > 0.0 && (reflects || h.frames > 0.0);
 

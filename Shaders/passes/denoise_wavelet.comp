@@ -1,14 +1,11 @@
 // One level of the denoiser's edge-avoiding wavelet (Dammertz 2010, Schied 2017, Section 4.4). Departs from both in the
 // kernel: a pixel and its four neighbours along a lattice that each level turns and stretches by 2 + i, so that after n
 // levels 5^n pixels have been averaged without overlap, in 4 n fetches.
-// MEDIUM: with the last level what the medium scatters is added.
-// LEVEL 0: the first; its result is also what the next frame finds as history. 2: the last; light meets the surface again.
+// LEVEL 0: the first; its result is also what the next frame finds as history. 2: the last; light meets the surface again, and
+// what other layers have is added.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/denoise.glsl"
-#if MEDIUM
-#include "lib/medium_history.glsl"
-#endif
+#include "lib/layers.glsl"
 
 layout(push_constant) uniform Level {
   ivec2 lattice;  // this level's step, in pixels
@@ -53,29 +50,6 @@ vec3 reflected_color(uint at, vec3 irradiance, vec3 ray) {
   Reflector r = reflector(at, words, ray);
   return r.emission + irradiance * r.factor;
 }
-
-#if MEDIUM
-// What the medium scatters to a pixel: of the four blocks about it, those that scatter as far away.
-vec3 scattered_color(uvec2 pixel, uint at, vec3 ray) {
-  MediumThere there = medium_there(at, ray);
-  float near = log(max(there.distance, 1e-6));
-  vec2 point = (vec2(pixel) + 0.5) / float(frame.medium_block) - 0.5, corner = floor(point), f = point - corner;
-  ivec2 size = medium_size();
-  uint from = medium_slot(3u);
-  vec3 sum = vec3(0.0);
-  float weights = 0.0;
-  for (uint i = 0u; i < 4u; ++i) {
-    vec2 offset = vec2(i & 1u, i >> 1u);
-    ivec2 b = clamp(ivec2(corner + offset), ivec2(0), size - 1);
-    MediumLight m = unpack_medium(history_quad(from + uint(b.y * size.x + b.x)));
-    vec2 along = mix(1.0 - f, f, offset);
-    float weight = m.frames > 0.0 ? max(along.x * along.y, 1e-4) * (medium_alike(near, m.near) + 1e-6) : 0.0;
-    sum += weight * m.light;
-    weights += weight;
-  }
-  return there.factor * (sum / max(weights, 1e-20));
-}
-#endif
 
 // How much of the history is to be kept. Where recent frames are brighter or darker than what was gathered by more than their
 // noise, the light has changed, and the next frames get more weight. Both are means over the wavelet's footprint, so that a
@@ -141,9 +115,8 @@ void main() {
   vec3 irradiance = c.inverse_depth == 0.0 ? vec3(0.0) : sum / weights;
 #if LEVEL == 2
   vec3 color = reflected_color(at, irradiance, ray);
-#if MEDIUM
-  color += scattered_color(pixel, at, ray);
-#endif
+  if (WITH_MEDIUM) color += layer_color(medium_layer(), medium_there(at, ray), pixel, vec3(0.0));
+  if (WITH_SECOND_SURFACES) color += layer_color(second_layer(), second_there(at, ray), pixel, irradiance);
   color = min(color, vec3(kMaxHalf));
   uint kept = uint(255.0 * trust(luminance_of(irradiance), deviation, ahead) + 0.5);
   uint to = section(kSectionPicture) * 4u + 2u * at;

@@ -68,7 +68,7 @@ LiquidPiece scattering_piece(Segment way, vec3 direction, Parting parting) {
 GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
   vec3 direction = normalize(ray), emission = vec3(0.0);
   GBufferTexel texel = kNothingSeen;
-  WaterTexel water = WaterTexel(vec3(0.0), kNoIndex, vec3(0.0), kNoIndex, 0u, 0u, false);
+  WaterTexel water = WaterTexel(vec3(0.0), kNoIndex, kNoSecond, kNoIndex, 0u, 0u, false);
   Segment way = straight(frame.camera_position.xyz, direction, frame.camera_liquid);
   Parting parting = Parting(way, false, direction, kNoIndex, 1.0, 0.0, 0.0);
   LiquidPiece piece = kNoPiece;
@@ -96,10 +96,10 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
       water.liquid = swaps ? water.own_liquid : way.liquid;
       water.own_liquid = swaps ? way.liquid : water.own_liquid;
       water.position = second.position_t.xyz;
-      water.albedo = second.position_t.w > 0.0 ? second.albedo_roughness.rgb : vec3(0.0);
+      water.seen = second.position_t.w > 0.0 ? SecondTexel(second.albedo_roughness.rgb, second.motion.z, second.motion.w > 0.0 ? second.motion.xy : vec2(60000.0)) : kNoSecond;
       water.normal = second.normal;
       water.shading_normal = second.shading_normal;
-      texel.albedo_roughness.rgb += water.albedo;
+      texel.albedo_roughness.rgb += water.seen.albedo;
     }
     if (!way.bent || back) break;
     back = true;

@@ -56,7 +56,8 @@ FB_CONST uint kBindGBuffer =
     0u;  // uvec4[5][pixels], a GBufferTexel's; with water [kWaterPlanes][pixels] more (lib/water_texel.glsl)
 FB_CONST uint kBindRadiance = 1u;   // vec4[pixels]: this frame's mean of samples; w: samples that were not finite.
                                     // Then, where there is a medium, the light that it scatters, and twice what is
-                                    // known of distances in it (lib/medium_distances.glsl)
+                                    // known of distances in it (lib/medium_distances.glsl); then, with water,
+                                    // vec4[pixels] of second surfaces (lib/second_surface.glsl)
 FB_CONST uint kBindMean = 2u;       // vec4[pixels]: mean over the accumulated frames (rgb), w their number
 FB_CONST uint kBindM2 = 3u;         // vec4[pixels]: sum of squared deviations from that mean (Welford)
 FB_CONST uint kBindLdr = 4u;        // uint[pixels]: tone-mapped, sRGB, r lowest

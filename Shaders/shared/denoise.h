@@ -16,10 +16,11 @@ FB_CONST uint kSectionPicture = 5u;  // half a section: PictureTexel[pixels]
 FB_FN uint history_shown(uint pixels, uint shown, uint parity) {
   return 4u * (kSectionPicture * pixels + (pixels + 1u) / 2u) + parity * shown;
 }
-// Behind them, from a whole texel on, where there is a medium: four times MediumTexel[blocks]. The first two are this
-// frame's and the last one's by parity, the others a wavelet's source and target in turns. In texels.
-FB_CONST uint kMediumSlots = 4u;
-FB_FN uint medium_slots(uint pixels, uint shown) { return (history_shown(pixels, shown, 2u) + 3u) / 4u; }
+// Behind them, from a whole texel on, layers, one where there is a medium and one where there is water: each four times
+// LayerTexel[blocks]. The first two are this frame's and the last one's by parity, the others a wavelet's source and
+// target in turns. In texels.
+FB_CONST uint kLayerSlots = 4u;
+FB_FN uint first_layer(uint pixels, uint shown) { return (history_shown(pixels, shown, 2u) + 3u) / 4u; }
 
 // HistoryTexel: x: half2 irradiance r, g; y: half irradiance b, frames (8 bits), id (8 bits); z: half2 mean of
 // luminance and root of its mean square; w: pack_surface of the geometric normal. FilterTexel: x: irradiance,
@@ -27,8 +28,8 @@ FB_FN uint medium_slots(uint pixels, uint shown) { return (history_shown(pixels,
 // pack_surface of the shading normal, 0: nothing to filter; w: frames (8 bits), id (8 bits), pack_coarse_normal of the
 // geometric normal, kFilterLiquid. PictureTexel: x: half2 denoised radiance r, g; y: half b, above it how much of the
 // history is to be kept, of 255. LightTexel: x, y as of HistoryTexel, without frames; z: pack_surface of the geometric
-// normal, 0: no sample. MediumTexel: x: half2 light r, g; y: half b, frames above it; z: float, logarithm of the mean
-// distance at which light scatters; w: half2 mean of luminance and root of its mean square.
+// normal, 0: no sample; w: 1 where the light is a guess. LayerTexel: x: half2 light r, g; y: half b, frames above it;
+// z: pack_surface of where the light comes from; w: half2 mean of luminance and root of its mean square.
 
 FB_CONST uint kFilterLiquid = 0x80000000u;  // in FilterTexel.w: the surface of a liquid
 FB_CONST float kMaxIrradiance = 60000.0f;   // of a half, with room

@@ -55,6 +55,8 @@ struct FrameConstants {
   uint light_block, light_x, light_y, light_width;  // light_width: blocks in a row
   // Of the medium's light likewise; blocks of these are whole ones of the light's, and its pixel is one of theirs.
   uint medium_block, medium_x, medium_y, medium_width;
+  uint second_radiance;             // of kBindRadiance, where what second surfaces bring begins; without water no place
+  uint medium_layer, second_layer;  // of the denoiser's history: the first of a layer's slots, texels
   uint history_parity, history_valid;
   uint history_age, history_gain;  // frames since there was no history; frames that this one counts
   uint still;                      // still: the same snapshot again, so nothing has moved
@@ -81,6 +83,7 @@ FB_CONST uint kTexelLiquid = 0x800000u;  // the surface of a liquid
 
 // In memory five planes, four words of every pixel in each.
 FB_CONST uint kFirstWaterPlane = 5u, kWaterPlanes = 4u;  // that follow where there is water (lib/water_texel.glsl)
+FB_CONST uint kLiquidPlane = 8u;                         // the last of them
 struct GBufferTexel {                                    // 80 bytes
   vec4 position_t;  // world position; w: distance along the ray, 0 where nothing was hit
   vec4 albedo_roughness;
