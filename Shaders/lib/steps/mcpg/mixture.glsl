@@ -50,7 +50,7 @@ void load_mixture(Vertex v, inout Guidance g, inout uint group_rng, inout uint r
   [[unroll]] for (uint a = 0u; a < GUIDE_ACCESSES; ++a) {
     bool adaptive = float(a) + stratum < guide.mc_adaptive * float(GUIDE_ACCESSES);
     bool from_past = g.moved && a + 1u == GUIDE_ACCESSES;
-    GuideCell cell = guide_cell(from_past ? v.previous : v.position, axis, adaptive, a, group_rng);
+    GuideCell cell = guide_cell(from_past ? v.previous : v.position, v.scatter, adaptive, a, group_rng);
     g.cells[a] = cell;
     [[unroll]] for (uint j = 0u; j < GUIDE_BUCKET; ++j) {
       uint i = a * GUIDE_BUCKET + j;

@@ -15,8 +15,17 @@ struct GuideCell {
   uint check;
 };
 
+// The orientation by which adaptive cells part a vertex from others at its place. In a medium the view stands for the normal,
+// spread like a cosine lobe about it, so that directions share what they know (Alber 2025, Section 4).
+vec3 cell_orientation(Scatter s, inout uint group_rng) {
+  vec3 axis = scatter_axis(s);
+  if (!in_medium(s)) return axis;
+  float z = 1.0 - 2.0 * rng_uniform(group_rng), turn = 2.0 * kPiShared * rng_uniform(group_rng);
+  return axis + vec3(sqrt(max(1.0 - z * z, 0.0)) * vec2(cos(turn), sin(turn)), z);
+}
+
 // The cell that a point falls into, at random: of the adaptive grid (at a random level) or of the static one of access `a`.
-GuideCell guide_cell(vec3 p, vec3 n, bool adaptive, uint a, inout uint group_rng) {
+GuideCell guide_cell(vec3 p, Scatter s, bool adaptive, uint a, inout uint group_rng) {
   vec3 u = vec3(rng_uniform(group_rng), rng_uniform(group_rng), rng_uniform(group_rng));
   float width = guide.mc_static_width * pow(guide.mc_wider, float(a));
   uint tag = kStaticTag + (guide.mc_wider > 1.0 ? a : 0u);
@@ -24,7 +33,7 @@ GuideCell guide_cell(vec3 p, vec3 n, bool adaptive, uint a, inout uint group_rng
     uint level = grid_level(distance(p, frame.camera_position.xyz), guide.adaptive_angle, rng_uniform(group_rng));
     level = min(level + grid_coarsening(guide.mc_coarser, rng_uniform(group_rng)), kGridLevels - 1u);
     width = exp2(float(level));
-    tag = adaptive_tag(level, n);
+    tag = adaptive_tag(level, cell_orientation(s, group_rng));
   }
   GridKey key = grid_vertex(p, width, tag, vec3(0.5) + guide.mc_jitter * (u - 0.5));
   uint buckets = guide.mc_states / GUIDE_BUCKET;

@@ -20,7 +20,7 @@ bool paper_transition(Vertex v, Guidance g, vec3 direction, float score, inout u
   }
   bool adaptive = rng_uniform(group_rng) < guide.mc_adaptive;
   uint access = min(uint(rng_uniform(group_rng) * float(GUIDE_ACCESSES)), GUIDE_ACCESSES - 1u);
-  GuideCell cell = guide_cell(v.position, scatter_axis(v.scatter), adaptive, access, group_rng);
+  GuideCell cell = guide_cell(v.position, v.scatter, adaptive, access, group_rng);
   t.slot = cell.first;
   t.check = cell.check;
   return true;
