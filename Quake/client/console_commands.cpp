@@ -5,6 +5,7 @@
 
 #include "base/log.h"
 #include "client/client_impl.h"
+#include "client/session/fog_command.h"
 #include "client/session/parse.h"
 #include "console/console.h"
 
@@ -93,6 +94,19 @@ void Client::Impl::register_console() {
                           session.state.skybox = args[1];
                           session.state.sky_changed = true;
                         });
+  if (!console.has_command("fog"))
+    console.add_command(
+        "fog",
+        "fog <density> [seconds], fog <red> <green> <blue> or fog <density> <red> <green> <blue> [seconds]: change the "
+        "fog, at once or in this time; without numbers, say what it is. Further numbers, DarkPlaces', count for "
+        "nothing",
+        [this](const con::Args& args) {
+          const Result<std::string> said = fog_command(session.state, args);
+          if (!said.ok())
+            log_warning("{}", said.error().message);
+          else if (!said->empty())
+            log_info("{}", *said);
+        });
 }
 
 }  // namespace fb::cl

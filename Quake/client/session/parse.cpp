@@ -8,7 +8,9 @@
 #include "base/log.h"
 #include "client/effects/temp_entities.h"
 #include "client/session/entities.h"
+#include "client/session/fog_command.h"
 #include "client/session/sounds.h"
+#include "console/args.h"
 #include "world/entity_lump.h"
 
 namespace fb::cl {
@@ -31,7 +33,7 @@ void obey(Session& session, std::string_view line) {
   const std::size_t space = line.find(' ');
   const std::string_view command = line.substr(0, space);
   const std::string_view rest = space == std::string_view::npos ? std::string_view{} : line.substr(space + 1);
-  const std::vector<float> numbers = world::parse_numbers(rest, 5);
+  const std::vector<float> numbers = world::parse_numbers(rest, 4);
   ClientState& state = session.state;
   if (command == "reconnect") {
     session.reconnect = true;
@@ -40,14 +42,12 @@ void obey(Session& session, std::string_view line) {
   } else if (command == "v_cshift") {
     if (numbers.size() >= 4) set_empty_shift(state, {numbers[0], numbers[1], numbers[2]}, numbers[3]);
   } else if (command == "fog") {
-    Fog fog = fog_at(state.fog, state.time);
-    const std::size_t n = numbers.size();
-    if (n != 3 && n >= 1) fog.density = std::max(0.0f, numbers[0]);
-    if (n >= 3) {
-      const std::size_t first = n == 3 ? 0 : 1;
-      fog.color = glm::clamp(vec3(numbers[first], numbers[first + 1], numbers[first + 2]), 0.0f, 1.0f);
-    }
-    if (n >= 1) change_fog(state.fog, fog, n == 5 ? numbers[4] : n == 2 ? numbers[1] : 0.0, state.time);
+    const Result<std::string> said = fog_command(state, con::Args(line));
+    if (session.quiet) return;
+    if (!said.ok())
+      log_warning("{}", said.error().message);
+    else if (!said->empty())
+      log_info("{}", *said);
   } else if (command == "sky") {
     state.skybox = std::string(rest.substr(0, rest.find_last_not_of(" \"") + 1));
     state.skybox->erase(0, std::min(state.skybox->find_first_not_of(" \""), state.skybox->size()));
