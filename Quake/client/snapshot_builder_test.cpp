@@ -278,5 +278,56 @@ TEST(Snapshot, ParticlesAndLightsAreInstances) {
   for (const auto& i : s.snapshot.instances) EXPECT_LT(i.id, static_cast<std::uint32_t>(scene::kIdParticle));
 }
 
+// Quake's exp(-(density z / 64)^2) is 1/2 at z = 64 sqrt(ln 2) / density; ours, exp(-extinction z), is so there, too.
+TEST(Snapshot, FogLeavesHalfWhereQuakesDoes) {
+  Scene s;
+  for (const float density : {0.02f, 0.1f, 1.0f, 3.0f}) {
+    s.state.fog.now.density = density;
+    const float half = 64.0f * std::sqrt(std::log(2.0f)) / density;
+    EXPECT_NEAR(std::exp(-(density * half / 64.0f) * (density * half / 64.0f)), 0.5f, 1e-6f) << density;
+    s.pass(1.1);
+    EXPECT_NEAR(std::exp(-s.build().medium.extinction * half), 0.5f, 1e-6f) << density;
+    s.settings.r_fog = 2.0f;  // a factor on the density
+    EXPECT_NEAR(std::exp(-s.build().medium.extinction * half), 0.25f, 1e-6f) << density;
+    s.settings.r_fog = 1.0f;
+  }
+}
+
+TEST(Snapshot, FogScattersItsColourInLinearLight) {
+  Scene s;
+  s.state.fog.now = {0.1f, vec3(0.0f, 0.5f, 1.0f)};
+  s.pass(1.1);
+  const scene::Medium& medium = s.build().medium;
+  EXPECT_FLOAT_EQ(medium.albedo.x, 0.0f);
+  EXPECT_NEAR(medium.albedo.y, std::pow((0.5 + 0.055) / 1.055, 2.4), 1e-6);  // sRGB's 0.5 is 0.214 of the light
+  EXPECT_FLOAT_EQ(medium.albedo.z, 1.0f);
+  EXPECT_FLOAT_EQ(medium.g, s.settings.r_fog_g);
+  EXPECT_FLOAT_EQ(medium.alpha, 0.0f);
+  EXPECT_FLOAT_EQ(medium.sky, 0.5f) << "r_skyfog 0.5";
+}
+
+TEST(Snapshot, FogStaysWithinItsLimits) {
+  Scene s;
+  s.pass(1.1);
+  EXPECT_FALSE(s.build().medium.scatters()) << "none";
+  s.state.fog.now.density = 0.1f;
+  for (const float none : {0.0f, -1.0f}) {
+    s.settings.r_fog = none;
+    EXPECT_FALSE(s.build().medium.scatters()) << "r_fog " << none;
+  }
+  s.settings.r_fog = 1e30f;
+  EXPECT_FLOAT_EQ(s.build().medium.extinction, 10.0f);
+  s.settings.r_fog = 1.0f;
+  for (const float density : {1000.0f, 1e30f}) {
+    s.state.fog.now.density = density;
+    EXPECT_FLOAT_EQ(s.build().medium.extinction, 10.0f) << density;
+  }
+  s.state.fog.now.density = 0.1f;
+  s.settings.r_skyfog = -1.0f;
+  EXPECT_FLOAT_EQ(s.build().medium.sky, 1.0f);
+  s.settings.r_skyfog = 2.0f;
+  EXPECT_FLOAT_EQ(s.build().medium.sky, 0.0f);
+}
+
 }  // namespace
 }  // namespace fb::cl
