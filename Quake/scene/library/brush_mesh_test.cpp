@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -19,6 +21,7 @@ namespace {
 
 using test::MapBuilder;
 using test::texture;
+using testing::ElementsAre;
 
 struct Built {
   test::TestFiles files;
@@ -158,6 +161,48 @@ TEST(MapMaterials, LiquidsSkyAndHoles) {
   EXPECT_EQ(by_name.at("wall")->flags, 0u);
   EXPECT_EQ(by_name.at("wall")->roughness, 1.0f);
   EXPECT_EQ(by_name.at("wall")->specular, 0.0f);
+}
+
+// What is left of white light after `depth` in it, by what is neither absorbed nor scattered.
+double luminance_left(const LiquidMedium& medium, double depth) {
+  const double weights[] = {0.2126, 0.7152, 0.0722};
+  double left = 0.0;
+  for (int i = 0; i < 3; ++i)
+    left += weights[i] * std::exp(-depth * static_cast<double>(medium.absorption[i] + medium.scattering));
+  return left;
+}
+
+TEST(LiquidMedium, GreyLeavesHalfOfTheLightAtItsDepth) {
+  for (const float grey : {0.0f, 0.05f, 0.5f, 1.0f})
+    for (const float alpha : {0.1f, 0.5f, 1.0f})
+      for (const float scatters : {0.0f, kWaterScatters, kSlimeScatters}) {
+        const LiquidMedium medium = liquid_medium(vec3(grey), alpha, scatters);
+        EXPECT_NEAR(luminance_left(medium, kLiquidHalfDepth / alpha), 0.5, 1e-5) << grey << " " << alpha;
+        const float extinction = medium.absorption.x + medium.scattering;
+        EXPECT_NEAR(medium.scattering, scatters * extinction, 1e-7f);
+        EXPECT_FLOAT_EQ(medium.absorption.y, medium.absorption.x);
+        EXPECT_FLOAT_EQ(medium.absorption.z, medium.absorption.x);
+      }
+}
+
+// Of coloured ones the mean of the exponents is ln 2, so that at least half is left (Jensen), and not much more.
+TEST(LiquidMedium, ColoursLeaveAtLeastHalfAndALittleMore) {
+  double least = 1.0, most = 0.0;
+  for (int i = 0; i < 9 * 9 * 9; ++i) {
+    const vec3 color(static_cast<float>(i % 9) / 8.0f, static_cast<float>(i / 9 % 9) / 8.0f,
+                     static_cast<float>(i / 81) / 8.0f);
+    const LiquidMedium medium = liquid_medium(color, 0.5f, kWaterScatters);
+    const double left = luminance_left(medium, kLiquidHalfDepth / 0.5);
+    least = std::min(least, left);
+    most = std::max(most, left);
+    for (int channel = 0; channel < 3; ++channel) EXPECT_GE(medium.absorption[channel], 0.0f);
+    if (color.y > color.x) {
+      EXPECT_LT(medium.absorption.y, medium.absorption.x) << "what it shows is lost later";
+    }
+  }
+  EXPECT_NEAR(least, 0.5, 1e-5);
+  EXPECT_GT(most, 0.51);
+  EXPECT_LT(most, 0.515) << "estimators.md says so";
 }
 
 TEST(MapMaterials, AnimationSequencesAreShared) {

@@ -20,8 +20,10 @@ struct LiquidAlphas {
 };
 
 // What water or slime does to light within it, 1/unit, from its texture's mean colour (linear) and its alpha. The depth
-// at which half of white light's luminance is left is kLiquidHalfDepth / alpha; of what the texture shows less is lost
-// sooner. Of the channel that is lost least this share is scattered, and of the others as much; the rest is absorbed.
+// at which half of white light's luminance is left, neither absorbed nor scattered, is kLiquidHalfDepth / alpha:
+// exactly for a grey texture; for a coloured one the mean of the channels' exponents is ln 2 there, which leaves 0.500
+// to 0.514. What the texture shows less of is lost sooner. Of the channel that is lost least `scatters` is the share
+// that is scattered, and of the others as much; the rest is absorbed.
 constexpr float kLiquidHalfDepth = 256.0f, kLiquidTint = 0.5f;
 constexpr float kWaterScatters = 0.3f, kSlimeScatters = 0.9f;
 struct LiquidMedium {
