@@ -276,6 +276,11 @@ TEST_F(Game, SnapshotsHoldTheWorldAndItsLamps) {
   frame();
   client.build_snapshot(snapshot);
   EXPECT_EQ(find(scene::kIdEntityLight), nullptr);
+  EXPECT_EQ(snapshot.liquid_opacity, scene::LiquidOpacity());
+  console.execute("r_wateralpha 0.5");
+  frame();
+  client.build_snapshot(snapshot);
+  EXPECT_EQ(snapshot.liquid_opacity, (scene::LiquidOpacity{0.5f, 0.5f})) << "at once";
 }
 
 TEST_F(Game, TheSameDemoGivesTheSameSnapshots) {

@@ -22,9 +22,9 @@ std::string text_of(float value) { return fmt::format("{}", value); }
 
 // Those that QuakeSpasm writes into its configuration, and lights of our own.
 bool is_archived(std::string_view name) {
-  constexpr std::array<std::string_view, 9> kArchived = {"fov",        "fov_adapt",   "r_lerpmodels",
-                                                         "r_lerpmove", "r_particles", "r_viewmodel_quake",
-                                                         "viewsize",   "r_entlights", "r_ambient"};
+  constexpr std::array<std::string_view, 10> kArchived = {
+      "fov",      "fov_adapt",   "r_lerpmodels", "r_lerpmove",  "r_particles", "r_viewmodel_quake",
+      "viewsize", "r_entlights", "r_ambient",    "r_wateralpha"};
   return std::find(kArchived.begin(), kArchived.end(), name) != kArchived.end();
 }
 

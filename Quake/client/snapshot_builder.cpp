@@ -60,6 +60,13 @@ scene::Medium medium_of(const Fog& fog, const Settings& settings) {
   return medium;
 }
 
+// r_slimealpha 0 is r_wateralpha, as in QuakeSpasm.
+scene::LiquidOpacity liquid_opacity(const Settings& settings) {
+  const auto held = [](float alpha) { return alpha > 0.0f ? std::min(alpha, 1.0f) : 0.0f; };
+  const float water = held(settings.r_wateralpha), slime = held(settings.r_slimealpha);
+  return {water, slime > 0.0f ? slime : water};
+}
+
 vec3 unit_or(const vec3& v, const vec3& fallback) {
   const float length = glm::length(v);
   return length > 1e-6f ? v / length : fallback;
@@ -154,6 +161,7 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
   snapshot.instances.clear();
   snapshot.ambient = input.active ? ambient_light(input) : vec3(0.0f);
   snapshot.medium = input.active ? medium_of(fog_at(state.fog, state.time), input.session.settings) : scene::Medium();
+  snapshot.liquid_opacity = liquid_opacity(input.session.settings);
   snapshot.camera_liquid = scene::kNone;
   if (input.active && input.library.map())
     snapshot.camera_liquid = liquid_of_world(*input.library.map(), *input.library.assets(), camera_.position);

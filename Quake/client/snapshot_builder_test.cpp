@@ -329,5 +329,25 @@ TEST(Snapshot, FogStaysWithinItsLimits) {
   EXPECT_FLOAT_EQ(s.build().medium.sky, 0.0f);
 }
 
+TEST(Snapshot, LiquidsAreAsOpaqueAsThePlayerWants) {
+  Scene s;
+  s.pass(1.1);
+  EXPECT_EQ(s.build().liquid_opacity, scene::LiquidOpacity()) << "as it stands, nothing is changed";
+  struct Case {
+    float water, slime;
+    scene::LiquidOpacity expected;
+  };
+  for (const Case& c : {Case{0.5f, 0.0f, {0.5f, 0.5f}},
+                        {0.5f, 0.25f, {0.5f, 0.25f}},
+                        {0.0f, 0.0f, {0.0f, 0.0f}},
+                        {-1.0f, -1.0f, {0.0f, 0.0f}},
+                        {2.0f, 3.0f, {1.0f, 1.0f}},
+                        {NAN, NAN, {0.0f, 0.0f}}}) {
+    s.settings.r_wateralpha = c.water;
+    s.settings.r_slimealpha = c.slime;
+    EXPECT_EQ(s.build().liquid_opacity, c.expected) << c.water << " " << c.slime;
+  }
+}
+
 }  // namespace
 }  // namespace fb::cl

@@ -60,6 +60,12 @@ std::uint64_t content_key(const scene::FrameSnapshot& s) {
   key = hash_vector(s.instances, key);
   key = sky_key(s.sky, hash_bytes(&s.camera, sizeof s.camera, key));
   key = hash_value(s.camera_liquid, hash_bytes(&s.medium, sizeof s.medium, key));
+  if (s.liquid_opacity != scene::LiquidOpacity()) {  // else it changes nothing: keys of stored pictures stay
+    key = hash_value(s.liquid_opacity.slime, hash_value(s.liquid_opacity.water, key));
+    if (s.assets)
+      for (const scene::Material& m : s.assets->materials)
+        key = hash_value(static_cast<std::uint32_t>(m.opacity_from), key);
+  }
   return hash_value(s.time, hash_bytes(&s.ambient, sizeof s.ambient, key));
 }
 

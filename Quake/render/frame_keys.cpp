@@ -13,6 +13,7 @@ std::uint64_t scene_key(const scene::FrameSnapshot& s) {
                           s.camera.angles.y,          s.camera.angles.z,   s.camera.fov_x,      s.camera.fov_y,
                           static_cast<float>(s.time), s.ambient.x,         s.ambient.y,         s.ambient.z};
   key = hash_bytes(&s.medium, sizeof(s.medium), key);
+  key = hash_bytes(&s.liquid_opacity, sizeof(s.liquid_opacity), key);
   key = hash_bytes(&s.camera_liquid, sizeof(s.camera_liquid), key);
   return hash_span(std::span<const float>(camera), key);
 }

@@ -5,8 +5,20 @@
 namespace fb::render {
 namespace {
 
+float opacity_of(const scene::Material& m, scene::LiquidOpacity opacity) {
+  switch (m.opacity_from) {
+    case scene::OpacityFrom::kItself:
+      break;
+    case scene::OpacityFrom::kWater:
+      return opacity.water;
+    case scene::OpacityFrom::kSlime:
+      return opacity.slime;
+  }
+  return 1.0f;
+}
+
 shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternate, const EmissionScales& scales,
-                            Interfaces interfaces, std::size_t number) {
+                            Interfaces interfaces, scene::LiquidOpacity opacity, std::size_t number) {
   const scene::TextureSet& set = scene::texture_at(m, time, alternate);
   shared::GpuMaterial out{};
   out.base = set.base;
@@ -30,10 +42,11 @@ shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternat
     out.emission = vec4(0.0f, 0.0f, 0.0f, m.index);
     out.emission_kind = shared::kEmissionNone;
     out.specular = 0.0f;
-    out.extinction_r = m.absorption.x + m.scattering;
-    out.extinction_g = m.absorption.y + m.scattering;
-    out.extinction_b = m.absorption.z + m.scattering;
-    out.scattering = m.scattering * interfaces.scattering;
+    const float factor = opacity_of(m, opacity);
+    out.extinction_r = (m.absorption.x + m.scattering) * factor;
+    out.extinction_g = (m.absorption.y + m.scattering) * factor;
+    out.extinction_b = (m.absorption.z + m.scattering) * factor;
+    out.scattering = m.scattering * interfaces.scattering * factor;
   } else {
     out.flags &= ~static_cast<std::uint32_t>(scene::kMaterialDielectric);
   }
@@ -51,16 +64,17 @@ float emission_scale(const EmissionScales& scales, scene::EmissionKind kind) {
   return kind == scene::EmissionKind::kConstant || index >= scales.size() ? 1.0f : scales[index];
 }
 
-void MaterialTable::begin(const scene::Assets& assets, double time, const EmissionScales& scales,
-                          Interfaces interfaces) {
+void MaterialTable::begin(const scene::Assets& assets, double time, const EmissionScales& scales, Interfaces interfaces,
+                          scene::LiquidOpacity opacity) {
   entries_.clear();
   entries_.reserve(2 * assets.materials.size());
   time_ = time;
   scales_ = scales;
   interfaces_ = interfaces;
+  opacity_ = opacity;
   for (bool alternate : {false, true}) {
     for (const scene::Material& m : assets.materials)
-      entries_.push_back(resolve(m, time, alternate, scales, interfaces, entries_.size()));
+      entries_.push_back(resolve(m, time, alternate, scales, interfaces, opacity, entries_.size()));
   }
 }
 
@@ -73,7 +87,7 @@ std::uint32_t MaterialTable::base_for(const scene::Assets& assets, const MeshRec
     const scene::Material& m = assets.materials[index];
     if (m.frames.size() > 1 || m.alternate_frames.size() > 1) {
       entries_.push_back(resolve(m, time_ - static_cast<double>(instance.time_offset), alternate, scales_, interfaces_,
-                                 entries_.size()));
+                                 opacity_, entries_.size()));
       return static_cast<std::uint32_t>(entries_.size()) - 1 - mesh.materials[0];
     }
   }

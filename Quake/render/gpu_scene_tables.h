@@ -16,7 +16,8 @@ namespace fb::render {
 // entries of instances whose animation runs on a clock of their own.
 class MaterialTable {
  public:
-  void begin(const scene::Assets& assets, double time, const EmissionScales& scales, Interfaces interfaces = {});
+  void begin(const scene::Assets& assets, double time, const EmissionScales& scales, Interfaces interfaces = {},
+             scene::LiquidOpacity opacity = {});
   // What to add to the triangles' materials for this instance.
   std::uint32_t base_for(const scene::Assets& assets, const MeshRecord& mesh, const scene::Instance& instance);
   const std::vector<shared::GpuMaterial>& entries() const { return entries_; }
@@ -26,6 +27,7 @@ class MaterialTable {
   double time_ = 0;
   EmissionScales scales_{};
   Interfaces interfaces_;
+  scene::LiquidOpacity opacity_;
 };
 
 // What an instance's materials ask of the shaders; `known` is false if it names a material that does not exist.

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
+#include "render/frame_keys.h"
 #include "render/gpu_scene_tree.h"
 
 namespace fb::render {
@@ -85,6 +88,37 @@ TEST_F(Tables, LetNewInstancesStandStill) {
   instance.flags = scene::kInstanceNew;
   out = make_gpu_instance(mesh, instance, mat4x3(1.0f), 0, 1);
   EXPECT_EQ(out.prev_to_world[0].w, 0.0f);
+}
+
+// What fills a liquid is multiplied where the material says so; by 1 it keeps its bits.
+TEST_F(Tables, ThePlayersOpacityIsAFactorOnWhatFillsALiquid) {
+  scene::Material& m = assets.materials[0];
+  m.flags = scene::kMaterialDielectric | scene::kMaterialLiquid;
+  m.absorption = vec3(0.0031f, 0.0017f, 0.0047f);
+  m.scattering = 0.0011f;
+  const auto filled = [&](scene::OpacityFrom from, scene::LiquidOpacity opacity) {
+    m.opacity_from = from;
+    table.begin(assets, 0, scales, {.water = true, .scattering = 0.7f}, opacity);
+    const shared::GpuMaterial& out = table.entries()[0];
+    return vec4(out.extinction_r, out.extinction_g, out.extinction_b, out.scattering);
+  };
+  using enum scene::OpacityFrom;
+  const vec4 own(m.absorption + m.scattering, m.scattering * 0.7f);
+  for (const auto from : {kItself, kWater, kSlime}) EXPECT_EQ(filled(from, {}), own);
+  EXPECT_EQ(filled(kItself, {0.5f, 0.25f}), own) << "the map or a text has said it";
+  EXPECT_EQ(filled(kWater, {0.5f, 0.25f}), own * 0.5f);
+  EXPECT_EQ(filled(kSlime, {0.5f, 0.25f}), own * 0.25f);
+  EXPECT_EQ(filled(kWater, {0.0f, 1.0f}), vec4(0.0f));
+}
+
+// A still view begins anew when the water becomes clearer.
+TEST_F(Tables, ThePlayersOpacityIsPartOfTheFramesKey) {
+  scene::FrameSnapshot snapshot;
+  snapshot.assets = std::make_shared<scene::Assets>();
+  const std::uint64_t key = scene_key(snapshot);
+  EXPECT_EQ(scene_key(snapshot), key);
+  snapshot.liquid_opacity.slime = 0.5f;
+  EXPECT_NE(scene_key(snapshot), key);
 }
 
 TEST_F(Tables, SayWhatMaterialsNeed) {

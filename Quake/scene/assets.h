@@ -49,6 +49,10 @@ enum class EmissionKind : std::uint32_t {
   kCount = shared::kEmissionKinds,
 };
 
+// By which of the player's opacities (FrameSnapshot::liquid_opacity) what fills a liquid is multiplied: by one where
+// its map says nothing of it.
+enum class OpacityFrom : std::uint32_t { kItself, kWater, kSlime };
+
 enum MaterialFlags : std::uint32_t {
   kMaterialAlphaTest = shared::kMaterialAlphaTest,
   kMaterialWarp = shared::kMaterialWarp,
@@ -80,11 +84,12 @@ struct Material {
   float roughness = 1.0f;   // GGX alpha = roughness^2; 1 with specular 0 is plain Lambert
   float specular = 0.0f;    // F0 of the dielectric coat: 0 none, 0.04 usual
   float metalness = 0.0f;   // base_color becomes F0 as this goes to 1
-  float alpha = 1.0f;       // coverage (liquids' default alpha comes from cvars by name in the client)
+  float alpha = 1.0f;       // coverage
   float index = 1.33f;      // kMaterialDielectric: of refraction, of what is behind the surface; water's
   vec3 absorption{0.0f};    // kMaterialDielectric: of the same, 1/unit
   float scattering = 0.0f;  // kMaterialDielectric: likewise what it scatters; with absorption this is extinction
-  std::uint32_t flags = 0;  // MaterialFlags
+  OpacityFrom opacity_from = OpacityFrom::kItself;  // kMaterialDielectric: of both
+  std::uint32_t flags = 0;                          // MaterialFlags
 };
 // Which of a material's frames shows at a time. The one place that knows how Quake's textures animate.
 const TextureSet& texture_at(const Material& material, double time, bool alternate);

@@ -97,6 +97,13 @@ struct Medium {
   bool scatters() const { return extinction > 0.0f; }
 };
 
+// How opaque the player wants water and slime, of maps that do not say it themselves: a factor on what they absorb and
+// scatter, 0 to 1.
+struct LiquidOpacity {
+  float water = 1.0f, slime = 1.0f;
+  bool operator==(const LiquidOpacity&) const = default;
+};
+
 struct FrameSnapshot {
   std::shared_ptr<const Assets> assets;
   double time = 0.0, prev_time = 0.0;  // seconds: animation, warps, sky
@@ -107,6 +114,7 @@ struct FrameSnapshot {
   Sky sky;
   vec3 ambient{0.0f};  // radiance from everywhere: what the camera sees reflects it, unoccluded and only once
   Medium medium;
+  LiquidOpacity liquid_opacity;
   std::uint32_t camera_liquid = kNone;  // material (kMaterialDielectric) of the liquid that the camera is in
   vec4 screen_tint{0.0f};               // colour and its weight: damage, pickup, liquid
   vec4 tint_in_liquid{0.0f};            // the same where light is absorbed by camera_liquid itself: not the liquid's

@@ -62,6 +62,10 @@ namespace fb::cl {
   X(r_fog, "r_fog", 1.0f, "fog of the map and of the console's fog: factor on its density, 0 none")                    \
   X(r_fog_g, "r_fog_g", 0.4f, "how far ahead fog scatters light: -0.999 back, 0 evenly, 0.999 straight on")            \
   X(r_skyfog, "r_skyfog", 0.5f, "opacity of fog over the sky")                                                         \
+  X(r_wateralpha, "r_wateralpha", 1.0f,                                                                                \
+    "opacity of water (r_water 1) where the map has no key wateralpha, 0 to 1: half of light is left after 256 units " \
+    "over it")                                                                                                         \
+  X(r_slimealpha, "r_slimealpha", 0.0f, "the same of slime, where the map has no key slimealpha; 0: as r_wateralpha")  \
   X(r_playerbody, "r_playerbody", 1.0f, "the player's own body casts shadows and shows in reflections")
 
 struct Settings {

@@ -168,6 +168,7 @@ TEST_F(BenchTest, TheKeyIsOfWhatIsSeen) {
   EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.camera.angles.y += 1; }));
   EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.ambient.y += 1; }));
   EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.sky.color.x += 1; }));
+  EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.liquid_opacity.water = 0.5f; }));
   EXPECT_TRUE(changed([](FrameSnapshot&, Assets& a) { a.materials[0].base_color.y *= 0.5f; }));
   EXPECT_TRUE(changed([](FrameSnapshot&, Assets& a) { a.meshes[0].positions[0].z += 1; }));
 }

@@ -163,6 +163,30 @@ TEST(MapMaterials, LiquidsSkyAndHoles) {
   EXPECT_EQ(by_name.at("wall")->specular, 0.0f);
 }
 
+TEST(MapMaterials, LiquidsAreAsOpaqueAsTheMapOrElseThePlayerSays) {
+  MapBuilder map;
+  map.add_square(0, 0, 0, 64, map.add_texture(texture("*water", 10)));
+  map.add_square(64, 0, 0, 64, map.add_texture(texture("*slime", 10)));
+  map.add_square(128, 0, 0, 64, map.add_texture(texture("*lava", 10)));
+  const auto from = [&](const LiquidAlphas& alphas, test::TestFiles files = {}) {
+    const auto built = build(map, std::move(files), alphas);
+    return std::array{built->material(0).opacity_from, built->material(2).opacity_from,
+                      built->material(4).opacity_from};
+  };
+  using enum OpacityFrom;
+  EXPECT_THAT(from({}), ElementsAre(kWater, kSlime, kItself));
+  EXPECT_THAT(from({0.5f, {}, {}, {}}), ElementsAre(kItself, kSlime, kItself));
+  EXPECT_THAT(from({1.0f, {}, 0.3f, {}}), ElementsAre(kItself, kItself, kItself));
+  test::TestFiles files;
+  constexpr std::string_view kText = "index 1.33\n";
+  files.files["textures/#water.mat"] = Bytes(kText.begin(), kText.end());
+  EXPECT_THAT(from({}, files), ElementsAre(kItself, kSlime, kItself)) << "a text names what fills it";
+  // A map's alpha is the factor that the player's would be.
+  const auto plain = build(map), half = build(map, {}, {0.5f, {}, {}, {}});
+  for (int i = 0; i < 3; ++i) EXPECT_FLOAT_EQ(half->material(0).absorption[i], 0.5f * plain->material(0).absorption[i]);
+  EXPECT_FLOAT_EQ(half->material(0).scattering, 0.5f * plain->material(0).scattering);
+}
+
 // What is left of white light after `depth` in it, by what is neither absorbed nor scattered.
 double luminance_left(const LiquidMedium& medium, double depth) {
   const double weights[] = {0.2126, 0.7152, 0.0722};

@@ -45,10 +45,10 @@ void log_all(const std::vector<std::string>& warnings) {
 LiquidAlphas liquid_alphas(const std::vector<world::Entity>& entities) {
   LiquidAlphas alphas;
   if (entities.empty()) return alphas;
-  const auto read = [&](std::string_view key, float& value) {
+  const auto read = [&](std::string_view key, std::optional<float>& value) {
     const world::Entity& world = entities.front();
-    const float read = world.number(fmt::format("_{}", key), world.number(key, value));
-    value = read > 0.0f ? std::min(read, 1.0f) : 1.0f;  // QuakeSpasm takes 0 for "not said"
+    const float read = world.number(fmt::format("_{}", key), world.number(key, 0.0f));
+    if (read > 0.0f) value = std::min(read, 1.0f);  // QuakeSpasm takes 0 for "not said"
   };
   read("wateralpha", alphas.water);
   read("lavaalpha", alphas.lava);

@@ -141,18 +141,18 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
     case LiquidKind::kNone:
       break;
     case LiquidKind::kWater:
-      material.alpha = alphas_.water;
+      material.alpha = alphas_.water.value_or(1.0f);
       break;
     case LiquidKind::kLava:
-      material.alpha = alphas_.lava;
+      material.alpha = alphas_.lava.value_or(1.0f);
       material.emission_kind = EmissionKind::kLava;
       break;
     case LiquidKind::kSlime:
-      material.alpha = alphas_.slime;
+      material.alpha = alphas_.slime.value_or(1.0f);
       material.emission_kind = EmissionKind::kSlime;
       break;
     case LiquidKind::kTeleport:
-      material.alpha = alphas_.teleport;
+      material.alpha = alphas_.teleport.value_or(1.0f);
       material.emission_kind = EmissionKind::kTeleport;
       break;
   }
@@ -165,10 +165,13 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
                       material.alpha, slime ? kSlimeScatters : kWaterScatters);
     material.absorption = medium.absorption;
     material.scattering = medium.scattering;
+    const bool said = slime ? alphas_.slime.has_value() : alphas_.water.has_value();
+    if (!said) material.opacity_from = slime ? OpacityFrom::kSlime : OpacityFrom::kWater;
   }
   // What a text says of water and slime counts as well; lava and teleporters glow and stay opaque.
-  if ((material.flags & (kMaterialLiquid | kMaterialDielectric)) != kMaterialLiquid)
-    builder_.refract(material, stems(texture.name), map_path_);
+  if ((material.flags & (kMaterialLiquid | kMaterialDielectric)) != kMaterialLiquid &&
+      builder_.refract(material, stems(texture.name), map_path_))
+    material.opacity_from = OpacityFrom::kItself;
 
   const auto lit = surface_lights_.find(lower_case(texture.name));
   if (lit != surface_lights_.end() &&

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,9 +15,10 @@
 
 namespace fb::scene {
 
-// Worldspawn's wateralpha, lavaalpha, slimealpha, telealpha (also with a leading underscore); 1 without them.
+// Worldspawn's wateralpha, lavaalpha, slimealpha, telealpha (also with a leading underscore). Without them all are
+// opaque, and what fills water and slime is as the player wants it (LiquidOpacity).
 struct LiquidAlphas {
-  float water = 1.0f, lava = 1.0f, slime = 1.0f, teleport = 1.0f;
+  std::optional<float> water, lava, slime, teleport;
 };
 
 // What water or slime does to light within it, 1/unit, from its texture's mean colour (linear) and its alpha. The depth
