@@ -1,5 +1,6 @@
-// Media in the whole renderer, against numbers that are known without it: transmittance, single scattering as an
-// integral over a lamp and one along the ray, a glowing room full of fog; and numbers at the ends of their ranges.
+// Media in the whole renderer, against numbers that are known without it: transmittance, the sky's share, single
+// scattering as an integral over a lamp and one along the ray; and numbers at the ends of their ranges. A glowing room
+// full of fog: fog_furnace_test.cpp.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -7,74 +8,21 @@
 #include <cmath>
 #include <initializer_list>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "render/frame_constants.h"
-#include "render/test_device.h"
-#include "render/test_image.h"
+#include "render/test_fog.h"
 #include "scene/in_code/code_scene_parts.h"
 #include "scene/in_code/scene_of_kinds.h"
 #include "scene/in_code/scenes_in_code.h"
 #include "scene/in_code/scenes_of_fog.h"
-#include "shared/test_quadrature.h"
+#include "scene/shapes.h"
 
 namespace fb::render {
 namespace {
 
 using glm::dvec3;
-constexpr double kHalfTurn = 3.14159265358979323846;
-
-class FogTest : public DeviceTest {
- protected:
-  static RenderSettings settings(std::string_view estimator, int spp, int bounces = 1, int fog_bounces = 1) {
-    RenderSettings s;
-    s.estimator = estimator;
-    s.spp = spp;
-    s.bounces = bounces;
-    s.medium_bounces = fog_bounces;
-    s.jitter = 0;
-    return s;
-  }
-  static std::vector<std::string> unbiased() {
-    std::vector<std::string> names;
-    for (const TechniqueInfo& technique : techniques())
-      if (technique.unbiased()) names.emplace_back(technique.name);
-    return names;
-  }
-  static void draw(Renderer& renderer, const scene::FrameSnapshot& snapshot, const RenderSettings& s, int frames) {
-    for (int i = 0; i < frames; ++i) renderer.render(snapshot, nullptr, s);
-  }
-  static void expect_finite(const Renderer& renderer, const std::string& what) {
-    EXPECT_EQ(renderer.read().counters().not_finite, 0u) << what;
-    EXPECT_EQ(renderer.read().counters().states_not_finite, 0u) << what;
-    for (const vec4& p : renderer.read().linear())
-      ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && p.x >= 0.0f) << what;
-  }
-};
-
-// Mean of the red channel over columns of a picture, and its standard error by the spread over frames.
-ImageEstimate columns_estimate(const Renderer& renderer, std::uint32_t width, std::uint32_t from, std::uint32_t to) {
-  const std::vector<vec4> mean = renderer.read().linear(), variance = renderer.read().variance_of_mean();
-  double sum = 0, sum_variance = 0, n = 0;
-  for (std::size_t i = 0; i < mean.size(); ++i) {
-    if (i % width < from || i % width >= to) continue;
-    sum += static_cast<double>(mean[i].x);
-    sum_variance += static_cast<double>(variance[i].x);
-    n += 1;
-  }
-  return {sum / n, std::sqrt(sum_variance) / n};
-}
-
-double left_of_light(double sigma, double distance) { return std::exp(-sigma * distance); }
-double henyey_greenstein(double g, double cosine) {
-  return (1 - g * g) / (4 * kHalfTurn * std::pow(1 + g * g - 2 * g * cosine, 1.5));
-}
-double integral(double low, double high, int panels, const auto& f) {
-  return static_cast<double>(shared::integrate(
-      [&](long double x) { return static_cast<long double>(f(static_cast<double>(x))); }, low, high, panels));
-}
 
 // --- transmittance ---
 
@@ -100,6 +48,54 @@ TEST_F(FogTest, AGlowingWallIsSeenThroughItByTheExponentialLaw) {
   }
 }
 
+// --- the sky ---
+
+// A face of sky across the view, at this distance from the camera.
+scene::FrameSnapshot face_of_sky(float distance, const vec3& color) {
+  auto assets = scene::new_code_assets();
+  const std::uint32_t sky = scene::add_material(*assets, "sky", vec3(0.0f), vec3(1.0f));
+  assets->materials[sky].emission_kind = scene::EmissionKind::kSky;
+  scene::Mesh face;
+  const float side = 4.0f * distance;
+  scene::add_quad(face, {distance, -side, side}, {0, 2 * side, 0}, {0, 0, -2 * side}, sky);
+  scene::FrameSnapshot snapshot = scene::still(assets, scene::camera_at(vec3(0.0f), vec3(0.0f), 60.0f));
+  snapshot.instances.push_back(
+      scene::make_instance(scene::kIdWorld, scene::add_finished(*assets, std::move(face), "face")));
+  snapshot.sky.mode = scene::SkyMode::kConstant;
+  snapshot.sky.color = color;
+  return snapshot;
+}
+
+// The camera sees a share of the sky's own colour, however near the face is that shows it, or without a face. Black fog
+// scatters nothing, so that this is all; paths are traced all the same.
+TEST_F(FogTest, TheSkyKeepsItsShareHoweverFarItsFaceIs) {
+  const vec3 color(0.3f, 0.5f, 0.9f);
+  for (const char* estimator : {"pt", "nee"}) {
+    const RenderSettings s = settings(estimator, 1);
+    auto renderer = make_renderer(s, 24, 16);
+    for (const float distance : {1.0f, 20000.0f, 0.0f})
+      for (const float extinction : {1e-5f, 0.01f, 10.0f})
+        for (const float share : {1.0f, 0.5f, 0.3f, 0.0f}) {
+          scene::FrameSnapshot snapshot = face_of_sky(std::max(distance, 1.0f), color);
+          if (distance == 0.0f) {
+            snapshot.instances.clear();
+            snapshot.sky.beyond_everything = true;
+          }
+          snapshot.medium.extinction = extinction;
+          snapshot.medium.sky = share;
+          draw(*renderer, snapshot, s, 2);
+          const auto gbuffer = renderer->read().gbuffer();
+          const auto image = renderer->read().linear();
+          for (std::size_t i = 0; i < image.size(); ++i) {
+            ASSERT_GE(gbuffer[i].position_t.w, distance);
+            for (int channel = 0; channel < 3; ++channel)
+              ASSERT_NEAR(image[i][channel], share * color[channel], 1e-6f)
+                  << estimator << ", distance " << distance << ", extinction " << extinction << ", share " << share;
+          }
+        }
+  }
+}
+
 // --- single scattering of one lamp ---
 
 struct LampTriangle {
@@ -121,7 +117,7 @@ std::vector<LampTriangle> lamp_triangles(const scene::FrameSnapshot& snapshot) {
 // Light of radiance 1 that comes from the lamp to a point outside and is scattered along -direction there: the integral
 // over the triangles that face the point (the lamp is convex), by Radon's rule of degree 5.
 double scattered_once(const std::vector<LampTriangle>& lamp, const dvec3& point, const dvec3& direction, double sigma,
-                      double g) {
+                      const Lobe& lobe) {
   struct Node {
     double u, v, weight;
   };
@@ -135,7 +131,7 @@ double scattered_once(const std::vector<LampTriangle>& lamp, const dvec3& point,
     for (const Node& node : kNodes) {
       const dvec3 way = t.corner + node.u * t.e1 + node.v * t.e2 - point;
       const double r2 = glm::dot(way, way), r = std::sqrt(r2);
-      sum += node.weight * henyey_greenstein(g, glm::dot(direction, way) / r) * left_of_light(sigma, r) *
+      sum += node.weight * draine(lobe, glm::dot(direction, way) / r) * left_of_light(sigma, r) *
              -glm::dot(t.area, way) / (r2 * r);
     }
   }
@@ -143,12 +139,13 @@ double scattered_once(const std::vector<LampTriangle>& lamp, const dvec3& point,
 }
 
 // The same from all of a ray that starts at the origin and passes by the lamp: the distance is along + apart tan(u).
-double airlight(const std::vector<LampTriangle>& lamp, const dvec3& direction, double sigma, double g, int panels) {
+double airlight(const std::vector<LampTriangle>& lamp, const dvec3& direction, double sigma, const Lobe& lobe,
+                int panels) {
   const dvec3 centre(scene::kSlabLamp);
   const double along = glm::dot(centre, direction), apart = glm::length(centre - direction * along);
   return integral(std::atan2(-along, apart), 0.5 * kHalfTurn, panels, [&](double u) {
     const double t = along + apart * std::tan(u), t_u = apart / (std::cos(u) * std::cos(u));
-    return sigma * left_of_light(sigma, t) * scattered_once(lamp, direction * t, direction, sigma, g) * t_u;
+    return sigma * left_of_light(sigma, t) * scattered_once(lamp, direction * t, direction, sigma, lobe) * t_u;
   });
 }
 
@@ -159,9 +156,10 @@ struct SlabView {
 constexpr std::uint32_t kSlabWidth = 16, kSlabHeight = 8;
 
 // Beside the lamp, whose triangles no ray of the picture comes nearer to than some 25 units.
-SlabView slab_view(float extinction, float g) {
+SlabView slab_view(float extinction, float g, float alpha) {
   SlabView view{scene::slab(extinction, g), {}};
   scene::FrameSnapshot& snapshot = view.snapshot;
+  snapshot.medium.alpha = alpha;
   snapshot.camera.angles = {0, -8, 0};
   snapshot.camera.fov_x = 24;
   snapshot.prev_camera = snapshot.camera;
@@ -172,7 +170,7 @@ SlabView slab_view(float extinction, float g) {
     for (std::uint32_t x = 0; x < kSlabWidth; ++x) {
       const double sx = (x + 0.5) / kSlabWidth * 2 - 1, sy = (y + 0.5) / kSlabHeight * 2 - 1;
       const dvec3 ray = glm::normalize(dvec3(camera.forward) + sx * dvec3(camera.right) - sy * dvec3(camera.up));
-      const double radiance = light * airlight(lamp, ray, static_cast<double>(extinction), static_cast<double>(g), 24);
+      const double radiance = light * airlight(lamp, ray, static_cast<double>(extinction), {g, alpha}, 24);
       view.expected[x >= kSlabWidth / 2] += radiance / (kSlabWidth / 2 * kSlabHeight);
     }
   return view;
@@ -182,9 +180,9 @@ TEST_F(FogTest, TheQuadratureOfAirlightHasConverged) {
   const std::vector<LampTriangle> lamp = lamp_triangles(scene::slab(0.01f, 0.7f));
   for (const double degrees : {-20.0, -8.0, 4.0}) {
     const dvec3 ray(std::cos(radians(static_cast<float>(degrees))), std::sin(radians(static_cast<float>(degrees))), 0);
-    for (const double g : {0.0, 0.7}) {
-      const double coarse = airlight(lamp, ray, 0.01, g, 24), fine = airlight(lamp, ray, 0.01, g, 96);
-      EXPECT_NEAR(coarse, fine, 1e-4 * fine) << degrees << ' ' << g;
+    for (const Lobe& lobe : {Lobe{0.0, 0.0}, Lobe{0.7, 0.0}}) {
+      const double coarse = airlight(lamp, ray, 0.01, lobe, 24), fine = airlight(lamp, ray, 0.01, lobe, 96);
+      EXPECT_NEAR(coarse, fine, 1e-4 * fine) << degrees << ' ' << lobe.g << ' ' << lobe.alpha;
     }
   }
 }
@@ -201,9 +199,10 @@ TEST_F(FogTest, SlabHasTheAirlightIntegral) {
     const RenderSettings s = settings(effort.estimator, effort.spp);
     auto renderer = make_renderer(s, kSlabWidth, kSlabHeight);
     for (const float extinction : {0.002f, 0.01f})
-      for (const float g : {0.0f, 0.7f}) {
-        const SlabView view = slab_view(extinction, g);
-        const std::string what = fmt::format("{}, extinction {}, g {}", effort.estimator, extinction, g);
+      for (const auto& [g, alpha] : {std::pair(0.0f, 0.0f), std::pair(0.7f, 0.0f)}) {
+        const SlabView view = slab_view(extinction, g, alpha);
+        const std::string what =
+            fmt::format("{}, extinction {}, g {}, alpha {}", effort.estimator, extinction, g, alpha);
         draw(*renderer, view.snapshot, s, 16);
         for (const std::uint32_t half : {0u, 1u}) {
           const ImageEstimate e =
@@ -222,95 +221,6 @@ TEST_F(FogTest, SlabHasTheAirlightIntegral) {
         }
         expect_finite(*renderer, what);
       }
-  }
-}
-
-// --- a glowing room full of fog ---
-
-// scene::furnace of albedo and emission about a medium, seen by one ray along x.
-struct FoggyFurnace {
-  double sigma, g, scattered, albedo, emission;
-  static constexpr double kHalf = 128;
-  static constexpr int kCells = 32;
-  std::vector<double> table{};  // of wall_light, over a quarter of a wall
-
-  static double to_wall(const dvec3& from, const dvec3& direction) {
-    double t = 1e30;
-    for (int axis = 0; axis < 3; ++axis)
-      if (std::abs(direction[axis]) > 1e-12)
-        t = std::min(t, ((direction[axis] > 0 ? kHalf : -kHalf) - from[axis]) / direction[axis]);
-    return std::max(t, 0.0);
-  }
-  // Integral over directions about the x axis of weight(cosine) times the light that comes from there, of paths that
-  // leave a wall by emission or, with `reflected`, by one reflection before.
-  double gathered(const dvec3& at, double least_cosine, int panels, bool reflected, const auto& weight) const {
-    return integral(least_cosine, 1, panels, [&](double c) {
-      const double s = std::sqrt(1 - c * c);
-      return weight(c) * integral(0, 2 * kHalfTurn, 2 * panels, [&](double phi) {
-               const dvec3 w(c, s * std::cos(phi), s * std::sin(phi));
-               const double t = to_wall(at, w);
-               return left_of_light(sigma, t) * (emission + (reflected ? albedo * wall_light(at + w * t) : 0.0));
-             });
-    });
-  }
-  // Irradiance over pi at a point of a wall, y and z of one where x is -128.
-  double irradiance(double y, double z, bool reflected, int panels) const {
-    return gathered({-kHalf, y, z}, 0, panels, reflected, [](double c) { return c / kHalfTurn; });
-  }
-  void tabulate() {
-    for (int i = 0; i <= kCells; ++i)
-      for (int j = 0; j <= kCells; ++j) table.push_back(irradiance(kHalf * i / kCells, kHalf * j / kCells, false, 8));
-  }
-  double wall_light(const dvec3& p) const {
-    const dvec3 d = glm::abs(p) * (kCells / kHalf);
-    const int wall = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
-    const double u = d[(wall + 1) % 3], v = d[(wall + 2) % 3];
-    const int i = std::min(static_cast<int>(u), kCells - 1), j = std::min(static_cast<int>(v), kCells - 1);
-    const auto at = [&](int k, int l) { return table[static_cast<std::size_t>(k * (kCells + 1) + l)]; };
-    return glm::mix(glm::mix(at(i, j), at(i + 1, j), u - i), glm::mix(at(i, j + 1), at(i + 1, j + 1), u - i), v - j);
-  }
-  // What a ray from `eye` along x brings.
-  double radiance(const dvec3& eye, int bounces, int fog_bounces) const {
-    const double reach = kHalf - eye.x;
-    const double surface = emission + albedo * irradiance(eye.y, eye.z, bounces > 1, 16);
-    const double in_fog = integral(0, reach, 4, [&](double t) {
-      return sigma * left_of_light(sigma, t) *
-             gathered(eye + dvec3(t, 0, 0), -1, 16, fog_bounces > 1, [&](double c) { return henyey_greenstein(g, c); });
-    });
-    return left_of_light(sigma, reach) * surface + scattered * in_fog;
-  }
-};
-
-// T(d) (e + a E) + albedo * integral of sigma T(s) * (mean over directions, weighted by the phase function, of what
-// comes from the walls), where E is a wall's irradiance over pi. Paths of the surface have r_bounces reflections, those
-// of the fog r_fog_bounces rays, and neither scatters a second time.
-TEST_F(FogTest, AGlowingRoomFullOfItHasItsQuadrature) {
-  FoggyFurnace room{0.006, 0.5, 0.8, 0.6, 0.7};
-  room.tabulate();
-  scene::FrameSnapshot snapshot = scene::furnace(0.6f, 0.7f);
-  snapshot.camera.position = {-40, 30, 10};
-  snapshot.camera.fov_x = 1;
-  snapshot.prev_camera = snapshot.camera;
-  snapshot.medium.extinction = 0.006f;
-  snapshot.medium.albedo = vec3(0.8f);
-  snapshot.medium.g = 0.5f;
-  std::vector<std::pair<std::pair<int, int>, double>> rows;
-  for (const auto& [bounces, fog_bounces] : {std::pair(1, 1), std::pair(2, 1), std::pair(1, 2), std::pair(2, 2)})
-    rows.push_back({{bounces, fog_bounces}, room.radiance({-40, 30, 10}, bounces, fog_bounces)});
-  for (const std::string& estimator : unbiased()) {
-    auto renderer = make_renderer(settings(estimator, 128), 16, 12);
-    for (const auto& [rays, expected] : rows) {
-      const RenderSettings s = settings(estimator, 128, rays.first, rays.second);
-      const std::string what = fmt::format("{}, r_bounces {}, r_fog_bounces {}", estimator, rays.first, rays.second);
-      draw(*renderer, snapshot, s, 8);
-      const ImageEstimate e = columns_estimate(*renderer, 16, 0, 16);
-      // 3e-4: the panels' and the table's error, and half a degree to either side.
-      EXPECT_NEAR(e.mean, expected, 4.5 * e.error + 3e-4 * expected) << what;
-      EXPECT_LT(e.error, 3e-3 * expected) << what << ": the test can see little";
-      fmt::print("{}: {:.5f}, quadrature {:.5f}: {:+.3f}% +- {:.3f}%\n", what, e.mean, expected,
-                 100 * (e.mean / expected - 1), 100 * e.error / expected);
-      expect_finite(*renderer, what);
-    }
   }
 }
 
