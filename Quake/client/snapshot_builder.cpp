@@ -56,6 +56,7 @@ scene::Medium medium_of(const Fog& fog, const Settings& settings) {
   medium.extinction = std::min(std::sqrt(std::log(2.0f)) * density / 64.0f, kMaxExtinction);
   for (int i = 0; i < 3; ++i) medium.albedo[i] = scene::linear_from_srgb(fog.color[i]);
   medium.g = settings.r_fog_g;
+  medium.alpha = settings.r_fog_alpha;
   medium.sky = 1.0f - std::clamp(settings.r_skyfog, 0.0f, 1.0f);
   return medium;
 }

@@ -188,6 +188,22 @@ TEST(Snapshot, AlphaScaleSkinAndAlternateTextures) {
   EXPECT_TRUE(s.find(scene::kIdEntity + 4)->flags & scene::kInstanceAlternate);
 }
 
+TEST(Snapshot, FogScattersAsItsCvarsSay) {
+  Scene s;
+  s.state.fog.now = s.state.fog.before = {0.1f, vec3(0.5f)};
+  s.pass(2.0);
+  ASSERT_TRUE(s.build().medium.scatters());
+  EXPECT_EQ(s.snapshot.medium.g, 0.4f);
+  EXPECT_EQ(s.snapshot.medium.alpha, 0.0f);
+  EXPECT_EQ(s.snapshot.medium.sky, 0.5f);
+  s.settings.r_fog_g = 0.7f;
+  s.settings.r_fog_alpha = 1.0f;
+  s.settings.r_skyfog = 0.25f;
+  EXPECT_EQ(s.build().medium.g, 0.7f);
+  EXPECT_EQ(s.snapshot.medium.alpha, 1.0f);
+  EXPECT_EQ(s.snapshot.medium.sky, 0.75f);
+}
+
 TEST(Snapshot, SpritesPlayTheirGroups) {
   Scene s;
   s.tell({svc::Time{1.1f}, update(1, 3, {0, 0, 24}), update(2, 4, {50, 0, 0})});

@@ -180,7 +180,7 @@ TEST_F(FogTest, TheQuadratureOfAirlightHasConverged) {
   const std::vector<LampTriangle> lamp = lamp_triangles(scene::slab(0.01f, 0.7f));
   for (const double degrees : {-20.0, -8.0, 4.0}) {
     const dvec3 ray(std::cos(radians(static_cast<float>(degrees))), std::sin(radians(static_cast<float>(degrees))), 0);
-    for (const Lobe& lobe : {Lobe{0.0, 0.0}, Lobe{0.7, 0.0}}) {
+    for (const Lobe& lobe : {Lobe{0.0, 0.0}, Lobe{0.7, 0.0}, Lobe{0.7, 1.0}}) {
       const double coarse = airlight(lamp, ray, 0.01, lobe, 24), fine = airlight(lamp, ray, 0.01, lobe, 96);
       EXPECT_NEAR(coarse, fine, 1e-4 * fine) << degrees << ' ' << lobe.g << ' ' << lobe.alpha;
     }
@@ -199,7 +199,7 @@ TEST_F(FogTest, SlabHasTheAirlightIntegral) {
     const RenderSettings s = settings(effort.estimator, effort.spp);
     auto renderer = make_renderer(s, kSlabWidth, kSlabHeight);
     for (const float extinction : {0.002f, 0.01f})
-      for (const auto& [g, alpha] : {std::pair(0.0f, 0.0f), std::pair(0.7f, 0.0f)}) {
+      for (const auto& [g, alpha] : {std::pair(0.0f, 0.0f), std::pair(0.7f, 0.0f), std::pair(0.7f, 1.0f)}) {
         const SlabView view = slab_view(extinction, g, alpha);
         const std::string what =
             fmt::format("{}, extinction {}, g {}, alpha {}", effort.estimator, extinction, g, alpha);

@@ -61,6 +61,9 @@ namespace fb::cl {
   X(r_ambient, "r_ambient", -1.0f, "uniform ambient light: -1 as the map needs, 0 none, 1 shows plain textures")       \
   X(r_fog, "r_fog", 1.0f, "fog of the map and of the console's fog: factor on its density, 0 none")                    \
   X(r_fog_g, "r_fog_g", 0.4f, "how far ahead fog scatters light: -0.999 back, 0 evenly, 0.999 straight on")            \
+  X(r_fog_alpha, "r_fog_alpha", 0.0f,                                                                                  \
+    "alpha of Draine's phase function of fog, 0 to 100: 0 Henyey and Greenstein's; for droplets of a size see "        \
+    "Jendersie and d'Eon 2023")                                                                                        \
   X(r_skyfog, "r_skyfog", 0.5f, "opacity of fog over the sky")                                                         \
   X(r_wateralpha, "r_wateralpha", 1.0f,                                                                                \
     "opacity of water (r_water 1) where the map has no key wateralpha, 0 to 1: half of light is left after 256 units " \
