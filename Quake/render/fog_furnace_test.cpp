@@ -1,5 +1,5 @@
 // A glowing room full of fog, against a quadrature of what its walls send through it: every unbiased estimator by the
-// number of its rays.
+// number of its rays, and mcpg_tail, whose cache stands for all reflections.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -112,6 +112,37 @@ TEST_F(FogTest, AGlowingRoomFullOfItHasItsQuadrature) {
                  100 * (e.mean / expected - 1), 100 * e.error / expected);
       expect_finite(*renderer, what);
     }
+  }
+}
+
+// mcpg_tail: whatever r_fog_bounces says, the cache of the wall that a path from the fog meets stands for all that this
+// wall reflects, as it does for a surface's paths. Biased, so held to a share of the whole, path_tail_test's: a wall of
+// which nothing is known is thought to be lit like the fog that sees it, from all sides. The fog's own tail is 9%, what
+// all walls reflect a second time and on 3%.
+TEST_F(FogTest, PathsFromItThatEndInTheCacheHaveAllReflections) {
+  const dvec3 eye(-40, 30, 10);
+  FoggyFurnace all{0.006, 0.5, 0.8, 0.6, 0.7}, once = all;
+  all.tabulate(8);  // a wall gives back less than a fifth of what reaches it
+  once.tabulate();
+  const double expected = all.radiance(eye, 2, 2), tail = expected - all.radiance(eye, 2, 1);
+  constexpr double kTolerance = 0.02;
+  ASSERT_GT(tail, 4 * kTolerance * expected);
+  ASSERT_GT(expected - once.radiance(eye, 2, 2), kTolerance * expected) << "of the second reflection and on";
+  const scene::FrameSnapshot snapshot = foggy_furnace();
+  for (const int fog_bounces : {1, 2}) {
+    RenderSettings s = settings("mcpg_tail", 4, 2, fog_bounces);
+    s.deterministic = 1;
+    auto renderer = make_renderer(s, 48, 32);
+    draw(*renderer, snapshot, s, 100);
+    renderer->restart_accumulation();
+    draw(*renderer, snapshot, s, 16);
+    const ImageEstimate e = columns_estimate(*renderer, 48, 0, 48);
+    EXPECT_NEAR(e.mean, expected, kTolerance * expected) << fog_bounces;
+    EXPECT_LT(4.5 * e.error, 0.25 * kTolerance * expected) << "the test can see little";
+    fmt::print(
+        "mcpg_tail, r_fog_bounces {}: {:.5f}, all reflections {:.5f}: {:+.3f}% +- {:.3f}%; tail in fog {:.3f}%\n",
+        fog_bounces, e.mean, expected, 100 * (e.mean / expected - 1), 100 * e.error / expected, 100 * tail / expected);
+    expect_finite(*renderer, "mcpg_tail");
   }
 }
 
