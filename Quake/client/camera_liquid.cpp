@@ -21,6 +21,10 @@ bool is_clear_liquid(const scene::Material& material) {
 
 }  // namespace
 
+bool liquid_is_at(const formats::Bsp& map, const vec3& point) {
+  return clear_contents(map, point, 0) != Clear::kNone || world::point_contents(map, point) == formats::kContentsLava;
+}
+
 std::uint32_t liquid_of_world(const formats::Bsp& map, const scene::Assets& assets, const vec3& point) {
   const Clear contents = clear_contents(map, point, 0);
   if (contents == Clear::kNone) return scene::kNone;

@@ -10,6 +10,9 @@
 
 namespace fb::cl {
 
+// The world holds water, slime or lava there.
+bool liquid_is_at(const formats::Bsp& map, const vec3& point);
+
 // The material of the world's liquid about a point: the first of its kind, since leafs do not say which texture is
 // theirs. kNone: there is none, or it has no material that light goes through.
 std::uint32_t liquid_of_world(const formats::Bsp& map, const scene::Assets& assets, const vec3& point);

@@ -45,6 +45,22 @@ TEST(CameraLiquid, OfTheWorldIsOfTheKindThatItsLeafsSay) {
   EXPECT_EQ(liquid_of_world(p.map, p.assets, {5, 5, -1}), 2u) << "glass is no liquid";
 }
 
+TEST(CameraLiquid, LavaIsOneTooAndOfNoMaterial) {
+  Pools p;
+  EXPECT_FALSE(liquid_is_at(p.map, {5, 5, 1}));
+  for (const std::int32_t contents : {formats::kContentsWater, formats::kContentsSlime, formats::kContentsLava,
+                                      formats::kContentsCurrent0, formats::kContentsCurrentDown}) {
+    p.map.leafs[3].contents = contents;
+    EXPECT_TRUE(liquid_is_at(p.map, {5, 5, -1})) << contents;
+  }
+  for (const std::int32_t contents : {formats::kContentsSolid, formats::kContentsSky}) {
+    p.map.leafs[3].contents = contents;
+    EXPECT_FALSE(liquid_is_at(p.map, {5, 5, -1})) << contents;
+  }
+  p.map.leafs[3].contents = formats::kContentsLava;
+  EXPECT_EQ(liquid_of_world(p.map, p.assets, {5, 5, -1}), scene::kNone);
+}
+
 TEST(CameraLiquid, OfABrushModelIsWhereItHasMoved) {
   const Pools p;
   const mat4x3 lifted = entity_transform({0, 0, 100}, vec3(0.0f));

@@ -150,6 +150,7 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
     built_ = input.session.frame;
     prev_camera_ = forget_ ? camera : camera_;
     prev_time_ = forget_ ? state.time : time_;
+    prev_in_liquid_ = in_liquid_;
     cut_ = forget_;
     forget_ = false;
   }
@@ -212,6 +213,9 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
     if (settings.r_particles != 0.0f) add_particles(input, snapshot);
     add_lights(input, snapshot);
   }
+  const bool in_world = input.active && input.library.map() && liquid_is_at(*input.library.map(), camera_.position);
+  in_liquid_ = snapshot.in_liquid = in_world || snapshot.camera_liquid != scene::kNone;
+  snapshot.was_in_liquid = snapshot.cut ? in_liquid_ : prev_in_liquid_;
   // Last, so that models and skins that were made on the way are in it.
   snapshot.assets = input.library.assets();
 }

@@ -53,6 +53,7 @@ class SnapshotBuilder {
 
   History previous_, current_;
   scene::Camera camera_, prev_camera_;
+  bool in_liquid_ = false, prev_in_liquid_ = false;
   double time_ = 0.0, prev_time_ = 0.0;
   std::uint64_t built_ = 0, built_before_ = 0;  // session.frame of the last two snapshots
   std::uint64_t count_ = 0;                     // snapshots ever

@@ -115,7 +115,11 @@ inline std::uint64_t hash_of(const scene::FrameSnapshot& snapshot) {
   const std::vector<scene::Material>& materials = snapshot.assets->materials;
   MomentHash h;
   h.add(snapshot.time).add(snapshot.camera.position).add(snapshot.camera.angles).add(snapshot.camera.fov_x);
-  h.add(snapshot.ambient).add(snapshot.screen_tint).add(snapshot.camera_liquid).add(snapshot.medium.extinction);
+  h.add(snapshot.ambient)
+      .add(snapshot.screen_tint)
+      .add(snapshot.camera_liquid)
+      .add(snapshot.in_liquid)
+      .add(snapshot.medium.extinction);
   h.add(snapshot.medium.albedo).add(snapshot.sky.mode).add(snapshot.sky.color).add(snapshot.instances.size());
   for (const scene::Instance& i : snapshot.instances) {
     h.add(i.id).add(meshes[i.mesh].name).add(i.transform).add(i.pose).add(i.visibility).add(i.alpha);

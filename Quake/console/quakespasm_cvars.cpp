@@ -115,7 +115,6 @@ constexpr Row kRows[] = {
     {"r_stereodepth", "128", false, "stereo focus distance", kTracer},
     {"r_telealpha", "0", false, "opacity of teleporters", kGlowing},
     {"r_waterquality", "8", false, "subdivision of liquid surfaces", kTracer},
-    {"r_waterwarp", "1", false, "1: warp the picture under water", kTracer},
     {"r_showbboxes", "0", false, "1: show the bounding boxes of entities", kTracer},
     {"r_showtris", "0", false, "1: show triangles", kTracer},
     {"vid_borderless", "0", true, "1: borderless window", kVideo},

@@ -257,6 +257,7 @@ constexpr Theirs kTheirCvars[] = {
 const std::map<std::string_view, const char*> kOurs = {
     {"host_maxfps", "250"},   // above 72 the game ticks at 72 all the same
     {"max_edicts", "32000"},  // QuakeSpasm's most
+    {"r_waterwarp", "-1"},    // as 1, but where water refracts
     {"registered", "0"},      // a folder without id's data
 };
 

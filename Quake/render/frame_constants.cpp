@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "shared/phase.h"
+#include "shared/picture_warp.h"
 #include "shared/scene_gpu.h"
 #include "shared/waves.h"
 
@@ -11,6 +12,18 @@ namespace fb::render {
 namespace {
 
 constexpr float kWaveSize = 64.0f;  // about the length of the longest wave of water, units
+
+// QuakeSpasm's: a sine of time takes up to 6% from the width that is seen while it adds them to the height.
+constexpr float kBreath = 0.03f;    // half of that
+constexpr double kBreathing = 1.5;  // radians a second
+
+CameraFrame breathing(CameraFrame frame, bool in_liquid, double time, const RenderSettings& settings) {
+  if (!in_liquid || settings.water_warp != 2) return frame;
+  const auto breath = static_cast<float>(std::sin(kBreathing * time));
+  frame.right *= 1.0f - kBreath + kBreath * breath;
+  frame.up *= 1.0f + kBreath - kBreath * breath;
+  return frame;
+}
 
 }  // namespace
 
@@ -22,6 +35,25 @@ CameraFrame camera_frame(const scene::Camera& camera, std::uint32_t width, std::
   return {camera.position, axes.forward, axes.right * tan_x, axes.up * tan_y};
 }
 
+CameraFrame view_frame(const scene::FrameSnapshot& snapshot, const RenderSettings& settings, uvec2 size) {
+  return breathing(camera_frame(snapshot.camera, size.x, size.y), snapshot.in_liquid, snapshot.time, settings);
+}
+
+CameraFrame former_view_frame(const scene::FrameSnapshot& snapshot, const RenderSettings& settings, uvec2 size) {
+  if (snapshot.cut) return view_frame(snapshot, settings, size);
+  return breathing(camera_frame(snapshot.prev_camera, size.x, size.y), snapshot.was_in_liquid, snapshot.prev_time,
+                   settings);
+}
+
+bool warps_picture(const scene::FrameSnapshot& snapshot, const RenderSettings& settings) {
+  return snapshot.in_liquid && settings.water_warp == 1 && settings.debug_view == 0;
+}
+
+vec2 jitter_at(std::uint32_t index) {
+  const double x = 0.5 + 0.7548776662466927 * index, y = 0.5 + 0.5698402909980532 * index;
+  return {static_cast<float>(x - std::floor(x)) - 0.5f, static_cast<float>(y - std::floor(y)) - 0.5f};
+}
+
 float half_pixel_tangent(const CameraFrame& camera, std::uint32_t height) {
   return glm::length(camera.up) / static_cast<float>(height);
 }
@@ -30,8 +62,8 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
                                        uvec2 render, uvec2 output) {
   shared::FrameConstants c{};
   copy_settings(settings, c);
-  const CameraFrame now = camera_frame(snapshot.camera, render.x, render.y);
-  const CameraFrame before = camera_frame(snapshot.cut ? snapshot.camera : snapshot.prev_camera, render.x, render.y);
+  const CameraFrame now = view_frame(snapshot, settings, render);
+  const CameraFrame before = former_view_frame(snapshot, settings, render);
   c.camera_position = vec4(now.position, half_pixel_tangent(now, render.y));
   c.camera_forward = vec4(now.forward, 0);
   c.camera_right = vec4(now.right, 0);
@@ -84,6 +116,8 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
   c.medium_phase.w = std::clamp(settings.water_g, -shared::kPhaseMaxG, shared::kPhaseMaxG);
   c.camera_liquid = in_liquid ? kMostInside << 16 | snapshot.camera_liquid : shared::kNoIndex;
   c.screen_tint = in_liquid ? snapshot.tint_in_liquid : snapshot.screen_tint;
+  const double turns = snapshot.time * static_cast<double>(shared::kWarpTurns);
+  c.warp_phase = static_cast<float>(turns - std::floor(turns)) * shared::kWarpTurn;
   c.width = render.x;
   c.height = render.y;
   c.output_width = output.x;

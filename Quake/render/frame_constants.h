@@ -14,8 +14,18 @@ struct CameraFrame {
 };
 CameraFrame camera_frame(const scene::Camera& camera, std::uint32_t width, std::uint32_t height);
 
+// The snapshot's camera now, as r_waterwarp 2 has its field of view in a liquid; and before.
+CameraFrame view_frame(const scene::FrameSnapshot& snapshot, const RenderSettings& settings, uvec2 size);
+CameraFrame former_view_frame(const scene::FrameSnapshot& snapshot, const RenderSettings& settings, uvec2 size);
+
+// Whether waves distort the picture.
+bool warps_picture(const scene::FrameSnapshot& snapshot, const RenderSettings& settings);
+
 // Tangent of half the angle that a pixel subtends, of a picture of so many rows.
 float half_pixel_tangent(const CameraFrame& camera, std::uint32_t height);
+
+// Points of a low-discrepancy sequence (Roberts 2018, R2) in [-1/2, 1/2)^2, where rays go through their pixels.
+vec2 jitter_at(std::uint32_t index);
 
 // Camera, sky, suns, time, sizes. What depends on the renderer's history (accumulation, jitter, adaptation) is left to
 // it.

@@ -11,7 +11,8 @@ std::uint64_t scene_key(const scene::FrameSnapshot& s) {
   std::uint64_t key = hash_span(std::span<const scene::Instance>(s.instances), s.assets->generation);
   const float camera[] = {s.camera.position.x,        s.camera.position.y, s.camera.position.z, s.camera.angles.x,
                           s.camera.angles.y,          s.camera.angles.z,   s.camera.fov_x,      s.camera.fov_y,
-                          static_cast<float>(s.time), s.ambient.x,         s.ambient.y,         s.ambient.z};
+                          static_cast<float>(s.time), s.ambient.x,         s.ambient.y,         s.ambient.z,
+                          s.in_liquid ? 1.0f : 0.0f};
   key = hash_bytes(&s.medium, sizeof(s.medium), key);
   key = hash_bytes(&s.liquid_opacity, sizeof(s.liquid_opacity), key);
   key = hash_bytes(&s.camera_liquid, sizeof(s.camera_liquid), key);

@@ -92,7 +92,7 @@ TEST_F(LensTest, OutsideOfTheGameBothAreOff) {
   RenderSettings chosen;
   chosen.denoise = 0;
   chosen.local_exposure = chosen.bloom = 0;
-  chosen.water = 0;
+  chosen.water = chosen.water_warp = 0;
   EXPECT_EQ(as_in_game(chosen, false), chosen);
   EXPECT_EQ(even(0.3f, lens_settings(-1, -1)), even(0.3f, lens_settings(0, 0)));
 }

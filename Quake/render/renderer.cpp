@@ -28,12 +28,6 @@ namespace {
 using gpu::Buffer;
 using gpu::BufferUse;
 
-// Points of a low-discrepancy sequence (Roberts 2018, R2) in [-1/2, 1/2)^2.
-vec2 jitter_at(std::uint32_t index) {
-  const double x = 0.5 + 0.7548776662466927 * index, y = 0.5 + 0.5698402909980532 * index;
-  return {static_cast<float>(x - std::floor(x)) - 0.5f, static_cast<float>(y - std::floor(y)) - 0.5f};
-}
-
 }  // namespace
 
 struct Renderer::Impl {
@@ -108,6 +102,7 @@ struct Renderer::Impl {
   bool restart = true;
   double last_time = 0;
   SceneFeatures features;
+  bool warps = false;           // waves distort the picture
   bool previous_valid = false;  // previous_gbuffer is the former frame's
   MediumDistances distances;
   const TechniqueInfo* info = nullptr;
@@ -302,6 +297,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.adaptation = jump ? 1.0f : 1.0f - static_cast<float>(std::exp(-elapsed / settings.exposure_time));
   constants.local_exposure = std::max(settings.local_exposure, 0.0f);
   constants.bloom = std::max(settings.bloom, 0.0f);
+  warps = warps_picture(snapshot, settings);
   constants.swap_red_blue = swap_red_blue;
   constants.draw_quads = !overlay.empty();
   constants.quad_tiles_x = overlay.tiles_x();
@@ -363,7 +359,7 @@ PassList Renderer::Impl::list_passes() {
   const uvec2 smooth(constants.smooth_width, constants.smooth_height);
   const char* over_time = smooth == render_size ? "temporal_antialias" : "temporal_upscale";
   frame("antialias", shaders.get(constants.taa != 0 ? over_time : "antialias"), groups_over(smooth, 8));
-  frame("present", shaders.get("present"), groups_over(output_size, 8));
+  frame("present", shaders.get(warps ? "present_warped" : "present"), groups_over(output_size, 8));
   return list;
 }
 
@@ -436,7 +432,7 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   if (snapshot.assets->generation != generation) forget_learnt();
   choose_features(snapshot, settings);
   generation = snapshot.assets->generation;
-  const CameraFrame camera = camera_frame(snapshot.camera, render_size.x, render_size.y);
+  const CameraFrame camera = view_frame(snapshot, settings, render_size);
   const uvec2 lit = Denoiser::light_size(render_size, denoiser.light_block(settings));
   technique->prepare({settings, lit, 2 * half_pixel_tangent(camera, render_size.y), snapshot.time,
                       snapshot.medium.scatters(), scene.features().turbid});

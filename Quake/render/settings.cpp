@@ -91,6 +91,7 @@ RenderSettings as_in_game(RenderSettings settings, bool on_cpu) {
   if (settings.local_exposure < 0) settings.local_exposure = kLocalExposure;
   if (settings.bloom < 0) settings.bloom = kBloom;
   if (settings.water < 0) settings.water = on_cpu ? 0 : 1;
+  if (settings.water_warp < 0) settings.water_warp = settings.water > 0 ? 0 : 1;
   return settings;
 }
 

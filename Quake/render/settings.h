@@ -75,7 +75,7 @@ std::string settings_page();
 // The cvars' values now.
 RenderSettings read_render_settings(const con::Console& console);
 // What the game does where a setting leaves it to the program (-1): the denoiser, local exposure and bloom are on, and
-// water is where there is a GPU.
+// water is where there is a GPU; where it is not, the picture in a liquid is distorted.
 RenderSettings as_in_game(RenderSettings settings, bool on_cpu);
 
 }  // namespace fb::render

@@ -115,9 +115,10 @@ struct FrameSnapshot {
   vec3 ambient{0.0f};  // radiance from everywhere: what the camera sees reflects it, unoccluded and only once
   Medium medium;
   LiquidOpacity liquid_opacity;
-  std::uint32_t camera_liquid = kNone;  // material (kMaterialDielectric) of the liquid that the camera is in
-  vec4 screen_tint{0.0f};               // colour and its weight: damage, pickup, liquid
-  vec4 tint_in_liquid{0.0f};            // the same where light is absorbed by camera_liquid itself: not the liquid's
+  std::uint32_t camera_liquid = kNone;            // material (kMaterialDielectric) of the liquid that the camera is in
+  bool in_liquid = false, was_in_liquid = false;  // camera, prev_camera: in water, slime or lava
+  vec4 screen_tint{0.0f};                         // colour and its weight: damage, pickup, liquid
+  vec4 tint_in_liquid{0.0f};  // the same where light is absorbed by camera_liquid itself: not the liquid's
 };
 
 }  // namespace fb::scene

@@ -1,8 +1,9 @@
-// The finished picture in its place in the output: scaled up where it was rendered smaller, tinted, 2D drawing on top,
-// then QuakeSpasm's contrast and gamma over all. Quads come binned into tiles by the host, in their drawing order.
+// The finished picture in its place in the output: scaled up where it was rendered smaller, distorted where the camera is
+// in a liquid (WARP), tinted, 2D drawing on top, then QuakeSpasm's contrast and gamma over all. Quads come binned into tiles by the host, in their drawing order.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pixel.glsl"
+#include "shared/picture_warp.h"
 
 vec3 smoothed_at(ivec2 p) {
   p = clamp(p, ivec2(0), ivec2(frame.smooth_width, frame.smooth_height) - 1);
@@ -11,8 +12,13 @@ vec3 smoothed_at(ivec2 p) {
 
 vec3 picture_at(uvec2 pixel) {
   vec2 size = vec2(frame.smooth_width, frame.smooth_height), shown = vec2(frame.picture_width, frame.picture_height);
+#if WARP
+  vec2 point = warped_point(vec2(pixel) + 0.5, shown, frame.warp_phase);
+#else
   if (size == shown) return smoothed_at(ivec2(pixel));
-  vec2 p = (vec2(pixel) + 0.5) * size / shown - 0.5;
+  vec2 point = vec2(pixel) + 0.5;
+#endif
+  vec2 p = point * size / shown - 0.5;
   vec2 base = floor(p), f = p - base;
   ivec2 i = ivec2(base);
   return mix(mix(smoothed_at(i), smoothed_at(i + ivec2(1, 0)), f.x),

@@ -66,6 +66,7 @@ struct FrameConstants {
   float camera_fog;                      // extinction along the camera's rays: the medium's, 0 in a liquid
   uint turbid;                           // some liquid or glass scatters light
   uint mirrors;                          // some surface is an interface of a liquid
+  float warp_phase;                      // of the picture's waves (shared/picture_warp.h), radians
   uint distances_former, distances_now;  // halves of what is known of distances: the former frame's, kNoIndex: there is
                                          // none; this one's
   FB_FRAME_SETTINGS(FB_UNIFORM_FIELD)

@@ -71,6 +71,7 @@
   X(float, scale, "r_scale", 1, 0.1f, 8, "rendered width and height, relative to the shown picture's, scaled up over time with r_taa; 2 and above, as in QuakeSpasm: 1 / 2 and so on") \
   X(int, water, "r_water", -1, -1, 1, "water and slime: 0 classic opaque or translucent surfaces that warp, 1 clear liquids that reflect, refract and absorb light; -1: 1 in the game on a GPU, else 0") \
   X(int, glass, "r_glass", 1, 0, 1, "what a .mat file names refractive: 1 a smooth interface of glass that reflects, refracts and absorbs light, 0 a surface like any other") \
+  X(int, water_warp, "r_waterwarp", -1, -1, 2, "in water, slime and lava: 0 nothing, 1 waves distort the picture, 2 the field of view widens and narrows; -1: 1 in the game with r_water 0, where nothing else moves, else 0") \
   X(float, water_waves, "r_water_waves", 0.6f, 0, 8, "height of the waves of level surfaces of water, with r_water 1, units") \
   X(float, water_scatter, "r_water_scatter", 1, 0, 1, "share of what water, slime and glass scatter of the light within them, by their kind or their .mat file, that they do scatter; 0 leaves clear liquids") \
   X(float, water_g, "r_water_g", 0.5f, -0.999f, 0.999f, "how far ahead liquids and glass scatter light: mean cosine of their phase function (Henyey and Greenstein 1941); 0: evenly") \
