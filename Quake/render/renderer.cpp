@@ -424,8 +424,9 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   picture = draw != nullptr ? draw->picture : scene::Area();
   features.medium |= snapshot.medium.scatters() || scene.features().turbid;
   const bool new_scene = snapshot.assets->generation != generation;
-  features.water = settings.water > 0 && (scene.features().water || (features.water && !new_scene));
-  features.glass = settings.glass > 0 && (scene.features().glass || (features.glass && !new_scene));
+  const bool all = settings.force_features != 0;
+  features.water = settings.water > 0 && (scene.features().water || (features.water && !new_scene) || all);
+  features.glass = settings.glass > 0 && (scene.features().glass || (features.glass && !new_scene) || all);
   fit(settings);
   swap_gbuffers(static_cast<std::uint32_t>(settings.debug_view));
   scene.stage();
