@@ -37,15 +37,15 @@ struct Pools {
 
 TEST(CameraLiquid, OfTheWorldIsOfTheKindThatItsLeafsSay) {
   Pools p;
-  EXPECT_EQ(liquid_of_world(p.map, p.assets, {5, 5, 1}), scene::kNone);
-  EXPECT_EQ(liquid_of_world(p.map, p.assets, {5, 5, -1}), 2u) << "slime";
+  EXPECT_EQ(liquid_of_world(p.map, p.assets, {}, {5, 5, 1}), scene::kNone);
+  EXPECT_EQ(liquid_of_world(p.map, p.assets, {}, {5, 5, -1}), 2u) << "slime";
   p.map.nodes[0].children[1] = ~4;
-  EXPECT_EQ(liquid_of_world(p.map, p.assets, {5, 5, -1}), 1u) << "a current is water";
+  EXPECT_EQ(liquid_of_world(p.map, p.assets, {}, {5, 5, -1}), 1u) << "a current is water";
   p.assets.materials[1].flags = scene::kMaterialDielectric;
-  EXPECT_EQ(liquid_of_world(p.map, p.assets, {5, 5, -1}), 2u) << "glass is no liquid";
+  EXPECT_EQ(liquid_of_world(p.map, p.assets, {}, {5, 5, -1}), 2u) << "glass is no liquid";
 }
 
-TEST(CameraLiquid, LavaIsOneTooAndOfNoMaterial) {
+TEST(CameraLiquid, LavaIsOneTooAndOfNoMaterialWhereOpaque) {
   Pools p;
   EXPECT_FALSE(liquid_is_at(p.map, {5, 5, 1}));
   for (const std::int32_t contents : {formats::kContentsWater, formats::kContentsSlime, formats::kContentsLava,
@@ -58,19 +58,32 @@ TEST(CameraLiquid, LavaIsOneTooAndOfNoMaterial) {
     EXPECT_FALSE(liquid_is_at(p.map, {5, 5, -1})) << contents;
   }
   p.map.leafs[3].contents = formats::kContentsLava;
-  EXPECT_EQ(liquid_of_world(p.map, p.assets, {5, 5, -1}), scene::kNone);
+  EXPECT_EQ(liquid_of_world(p.map, p.assets, {}, {5, 5, -1}), scene::kNone);
+}
+
+TEST(CameraLiquid, LavaHasAMaterialWhereItIsLessThanOpaque) {
+  Pools p;
+  p.map.leafs[3].contents = formats::kContentsLava;
+  scene::Material lava;
+  lava.flags = scene::kMaterialLiquid;
+  lava.emission_kind = scene::EmissionKind::kLava;
+  lava.opacity_from = scene::OpacityFrom::kLava;
+  p.assets.materials.push_back(lava);
+  const auto number = static_cast<std::uint32_t>(p.assets.materials.size() - 1);
+  EXPECT_EQ(liquid_of_world(p.map, p.assets, {}, {5, 5, -1}), scene::kNone) << "not the map's water";
+  EXPECT_EQ(liquid_of_world(p.map, p.assets, {.lava = 0.5f}, {5, 5, -1}), number);
 }
 
 TEST(CameraLiquid, OfABrushModelIsWhereItHasMoved) {
   const Pools p;
   const mat4x3 lifted = entity_transform({0, 0, 100}, vec3(0.0f));
   const mat4x3 upside_down = entity_transform(vec3(0.0f), {0, 0, 180});
-  EXPECT_EQ(liquid_of_submodel(p.map, p.assets, 1, 1, mat4x3(1.0f), {5, 5, 50}), scene::kNone);
-  EXPECT_EQ(liquid_of_submodel(p.map, p.assets, 1, 1, lifted, {5, 5, 50}), 1u);
-  EXPECT_EQ(liquid_of_submodel(p.map, p.assets, 1, 1, upside_down, {5, 5, 50}), 1u);
-  EXPECT_EQ(liquid_of_submodel(p.map, p.assets, 1, 1, upside_down, {5, 5, -50}), scene::kNone);
-  EXPECT_EQ(liquid_of_submodel(p.map, p.assets, 1, 0, lifted, {5, 5, 50}), scene::kNone) << "it shows no liquid";
-  EXPECT_EQ(liquid_of_submodel(p.map, p.assets, 2, 1, lifted, {5, 5, 50}), scene::kNone) << "there is none";
+  EXPECT_EQ(liquid_of_submodel(p.map, p.assets, {}, 1, 1, mat4x3(1.0f), {5, 5, 50}), scene::kNone);
+  EXPECT_EQ(liquid_of_submodel(p.map, p.assets, {}, 1, 1, lifted, {5, 5, 50}), 1u);
+  EXPECT_EQ(liquid_of_submodel(p.map, p.assets, {}, 1, 1, upside_down, {5, 5, 50}), 1u);
+  EXPECT_EQ(liquid_of_submodel(p.map, p.assets, {}, 1, 1, upside_down, {5, 5, -50}), scene::kNone);
+  EXPECT_EQ(liquid_of_submodel(p.map, p.assets, {}, 1, 0, lifted, {5, 5, 50}), scene::kNone) << "it shows no liquid";
+  EXPECT_EQ(liquid_of_submodel(p.map, p.assets, {}, 2, 1, lifted, {5, 5, 50}), scene::kNone) << "there is none";
 }
 
 }  // namespace

@@ -61,11 +61,12 @@ scene::Medium medium_of(const Fog& fog, const Settings& settings) {
   return medium;
 }
 
-// r_slimealpha 0 is r_wateralpha, as in QuakeSpasm.
+// r_slimealpha 0 is r_wateralpha, as in QuakeSpasm. What glows is opaque at 0, so that no lamp is lost unasked.
 scene::LiquidOpacity liquid_opacity(const Settings& settings) {
   const auto held = [](float alpha) { return alpha > 0.0f ? std::min(alpha, 1.0f) : 0.0f; };
   const float water = held(settings.r_wateralpha), slime = held(settings.r_slimealpha);
-  return {water, slime > 0.0f ? slime : water};
+  const float lava = held(settings.r_lavaalpha), teleport = held(settings.r_telealpha);
+  return {water, slime > 0.0f ? slime : water, lava > 0.0f ? lava : 1.0f, teleport > 0.0f ? teleport : 1.0f};
 }
 
 vec3 unit_or(const vec3& v, const vec3& fallback) {
@@ -166,7 +167,8 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
   snapshot.liquid_opacity = liquid_opacity(input.session.settings);
   snapshot.camera_liquid = scene::kNone;
   if (input.active && input.library.map())
-    snapshot.camera_liquid = liquid_of_world(*input.library.map(), *input.library.assets(), camera_.position);
+    snapshot.camera_liquid =
+        liquid_of_world(*input.library.map(), *input.library.assets(), snapshot.liquid_opacity, camera_.position);
   snapshot.time = time_;
   snapshot.prev_time = prev_time_;
   snapshot.frame = count_;
@@ -241,8 +243,9 @@ void SnapshotBuilder::add_entity(const SnapshotInput& input, scene::FrameSnapsho
       add(snapshot, instance, model.mesh, e.cut_frame > built_before_);
       if (input.library.map() && model.name.starts_with('*') && snapshot.camera_liquid == scene::kNone)
         if (const auto submodel = parse_whole_number_unsigned(std::string_view(model.name).substr(1)))
-          snapshot.camera_liquid = liquid_of_submodel(*input.library.map(), *input.library.assets(), *submodel,
-                                                      model.mesh, instance.transform, camera_.position);
+          snapshot.camera_liquid =
+              liquid_of_submodel(*input.library.map(), *input.library.assets(), snapshot.liquid_opacity, *submodel,
+                                 model.mesh, instance.transform, camera_.position);
       return;
     case scene::ModelKind::kAlias:
       instance.transform =

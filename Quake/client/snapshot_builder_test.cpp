@@ -352,8 +352,11 @@ TEST(Snapshot, LiquidsAreAsOpaqueAsThePlayerWants) {
   struct Case {
     float water, slime;
     scene::LiquidOpacity expected;
+    float lava = 0.0f, teleport = 0.0f;
   };
   for (const Case& c : {Case{0.5f, 0.0f, {0.5f, 0.5f}},
+                        {1.0f, 0.0f, {1.0f, 1.0f, 0.25f, 0.75f}, 0.25f, 0.75f},
+                        {0.5f, 0.0f, {0.5f, 0.5f, 1.0f, 1.0f}, NAN, 2.0f},
                         {0.5f, 0.25f, {0.5f, 0.25f}},
                         {0.0f, 0.0f, {0.0f, 0.0f}},
                         {-1.0f, -1.0f, {0.0f, 0.0f}},
@@ -361,6 +364,8 @@ TEST(Snapshot, LiquidsAreAsOpaqueAsThePlayerWants) {
                         {NAN, NAN, {0.0f, 0.0f}}}) {
     s.settings.r_wateralpha = c.water;
     s.settings.r_slimealpha = c.slime;
+    s.settings.r_lavaalpha = c.lava;
+    s.settings.r_telealpha = c.teleport;
     EXPECT_EQ(s.build().liquid_opacity, c.expected) << c.water << " " << c.slime;
   }
 }

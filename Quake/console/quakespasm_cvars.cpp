@@ -14,7 +14,6 @@ constexpr const char* kTracer = "the path tracer has no such feature";
 constexpr const char* kVideo = "the command line sets up the window";
 constexpr const char* kDiagnosis = "it reports on QuakeSpasm's internals";
 constexpr const char* kAlways = "it is always on";
-constexpr const char* kGlowing = "what glows is opaque, unless a map's own key says otherwise";
 
 struct Row {
   const char* name;
@@ -96,7 +95,6 @@ constexpr Row kRows[] = {
     {"r_fastsky", "0", false, "1: draw the sky in one colour", kTracer},
     {"r_flatlightstyles", "0", false, "1: lights do not flicker", kTracer},
     {"r_fullbright", "0", false, "1: draw everything without lighting", kTracer},
-    {"r_lavaalpha", "0", false, "opacity of lava", kGlowing},
     {"r_lightmap", "0", false, "1: show lightmaps without textures", kTracer},
     {"r_lightmapwide", "1", false, "1: lightmaps of 10 bits a channel", kTracer},
     {"r_litwater", "1", false, "1: lightmaps on liquids", kTracer},
@@ -113,7 +111,6 @@ constexpr Row kRows[] = {
     {"r_skyalpha", "1", false, "opacity of the sky's clouds", kTracer},
     {"r_stereo", "0", false, "stereo eye separation", kTracer},
     {"r_stereodepth", "128", false, "stereo focus distance", kTracer},
-    {"r_telealpha", "0", false, "opacity of teleporters", kGlowing},
     {"r_waterquality", "8", false, "subdivision of liquid surfaces", kTracer},
     {"r_showbboxes", "0", false, "1: show the bounding boxes of entities", kTracer},
     {"r_showtris", "0", false, "1: show triangles", kTracer},

@@ -21,10 +21,13 @@ std::uint64_t hash_value(const T& value, std::uint64_t seed) {
 
 std::uint64_t material_key(const scene::Material& m, std::uint64_t key) {
   key = hash_vector(m.frames, hash_vector(m.alternate_frames, hash_vector(m.end_times, key)));
-  const float numbers[] = {m.frames_per_second, m.base_color.x, m.base_color.y, m.base_color.z,
-                           m.emission.x,        m.emission.y,   m.emission.z,   m.roughness,
-                           m.specular,          m.metalness,    m.alpha,        m.absorption.x,
-                           m.absorption.y,      m.absorption.z, m.scattering};
+  const bool filled = (m.flags & scene::kMaterialDielectric) != 0;  // else what is behind it is not seen
+  const vec3 absorption = filled ? m.absorption : vec3(0.0f);
+  const float numbers[] = {m.frames_per_second, m.base_color.x, m.base_color.y,
+                           m.base_color.z,      m.emission.x,   m.emission.y,
+                           m.emission.z,        m.roughness,    m.specular,
+                           m.metalness,         m.alpha,        absorption.x,
+                           absorption.y,        absorption.z,   filled ? m.scattering : 0.0f};
   key = hash_span(std::span<const float>(numbers), key);
   return hash_value(m.flags, hash_value(static_cast<std::uint32_t>(m.emission_kind), key));
 }
@@ -61,10 +64,13 @@ std::uint64_t content_key(const scene::FrameSnapshot& s) {
   key = sky_key(s.sky, hash_bytes(&s.camera, sizeof s.camera, key));
   key = hash_value(s.camera_liquid, hash_bytes(&s.medium, sizeof s.medium, key));
   if (s.liquid_opacity != scene::LiquidOpacity()) {  // else it changes nothing: keys of stored pictures stay
-    key = hash_value(s.liquid_opacity.slime, hash_value(s.liquid_opacity.water, key));
+    key = hash_bytes(&s.liquid_opacity, sizeof s.liquid_opacity, key);
     if (s.assets)
-      for (const scene::Material& m : s.assets->materials)
+      for (const scene::Material& m : s.assets->materials) {
         key = hash_value(static_cast<std::uint32_t>(m.opacity_from), key);
+        if (scene::lets_light_in(m, s.liquid_opacity))
+          key = hash_value(m.scattering, hash_bytes(&m.absorption, sizeof m.absorption, key));
+      }
   }
   return hash_value(s.time, hash_bytes(&s.ambient, sizeof s.ambient, key));
 }

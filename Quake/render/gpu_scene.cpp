@@ -137,7 +137,7 @@ void GpuScene::Impl::collect(const scene::FrameSnapshot& snapshot) {
     d.instance = &instance;
     d.inverse = inverse_affine(instance.transform);
     if (d.inverse == mat4x3(0.0f) || !is_finite(d.inverse)) continue;
-    d.needs = needs_of(*snapshot.assets, mesh, instance.material_base, interfaces);
+    d.needs = needs_of(*snapshot.assets, mesh, instance.material_base, interfaces, snapshot.liquid_opacity);
     if (!d.needs.known) {
       if (!said_unknown_material)
         log_warning("instance {} names a material that does not exist; it is not drawn", instance.id);

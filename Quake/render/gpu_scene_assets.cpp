@@ -256,7 +256,8 @@ MeshRecord SceneAssets::add_mesh(const scene::Assets& assets, const scene::Mesh&
     if (t.material < assets.materials.size()) {
       const scene::Material& m = assets.materials[t.material];
       if ((m.flags & scene::kMaterialAlphaTest) != 0 || m.alpha < 1.0f) flags |= shared::kTriangleAlphaTest;
-      if ((m.flags & scene::kMaterialDielectric) != 0) flags |= shared::kTriangleDielectric;
+      constexpr scene::LiquidOpacity kClearest{0.0f, 0.0f, 0.0f, 0.0f};
+      if (scene::lets_light_in(m, kClearest)) flags |= shared::kTriangleDielectric;
     }
     if (t.liquid_in_front != 0) flags |= shared::kTriangleLiquidInFront;
     record.asks |= (flags & shared::kTriangleAlphaTest) != 0;

@@ -5,18 +5,6 @@
 namespace fb::render {
 namespace {
 
-float opacity_of(const scene::Material& m, scene::LiquidOpacity opacity) {
-  switch (m.opacity_from) {
-    case scene::OpacityFrom::kItself:
-      break;
-    case scene::OpacityFrom::kWater:
-      return opacity.water;
-    case scene::OpacityFrom::kSlime:
-      return opacity.slime;
-  }
-  return 1.0f;
-}
-
 shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternate, const EmissionScales& scales,
                             Interfaces interfaces, scene::LiquidOpacity opacity, std::size_t number) {
   const scene::TextureSet& set = scene::texture_at(m, time, alternate);
@@ -32,17 +20,21 @@ shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternat
   out.metalness = m.metalness;
   out.flags = m.flags;
   out.emission_kind = static_cast<std::uint32_t>(m.emission_kind);
-  if ((m.flags & scene::kMaterialDielectric) == 0) return out;
+  if (!scene::lets_light_in(m, opacity)) return out;
   const bool liquid = (m.flags & scene::kMaterialLiquid) != 0;
   // Shaders tell by 16 bits what a point is in: the materials after that many are surfaces like any other.
   constexpr std::size_t kMostInside = 0xffff;
   if ((liquid ? interfaces.water : interfaces.glass) && number < kMostInside) {
-    // An interface alone: it has no colour and no glow of its own.
+    out.flags |= scene::kMaterialDielectric;
     out.base_color.w = 1.0f;
-    out.emission = vec4(0.0f, 0.0f, 0.0f, m.index);
-    out.emission_kind = shared::kEmissionNone;
     out.specular = 0.0f;
-    const float factor = opacity_of(m, opacity);
+    out.opaque_share = scene::opaque_share(m, opacity);
+    if (out.opaque_share == 0.0f) {  // an interface alone has no glow of its own
+      out.emission = vec4(0.0f);
+      out.emission_kind = shared::kEmissionNone;
+    }
+    out.emission.w = m.index;
+    const float factor = scene::opacity_of(m, opacity);
     out.extinction_r = (m.absorption.x + m.scattering) * factor;
     out.extinction_g = (m.absorption.y + m.scattering) * factor;
     out.extinction_b = (m.absorption.z + m.scattering) * factor;
@@ -116,7 +108,7 @@ std::uint32_t features_of(const scene::Sky& sky) {
 }
 
 MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std::uint32_t material_base,
-                       Interfaces interfaces) {
+                       Interfaces interfaces, const scene::LiquidOpacity& opacity) {
   MaterialNeeds needs;
   for (std::uint32_t relative : mesh.materials) {
     std::uint64_t index = std::uint64_t{relative} + material_base;
@@ -125,7 +117,7 @@ MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std:
       continue;
     }
     const scene::Material& m = assets.materials[index];
-    const bool dielectric = (m.flags & scene::kMaterialDielectric) != 0;
+    const bool dielectric = scene::lets_light_in(m, opacity);
     const bool liquid = (m.flags & scene::kMaterialLiquid) != 0;
     needs.water |= dielectric && liquid;
     needs.glass |= dielectric && !liquid;

@@ -38,7 +38,7 @@ struct MaterialNeeds {
   bool glass_alone = true;            // all are of glass
 };
 MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std::uint32_t material_base,
-                       Interfaces interfaces = {});
+                       Interfaces interfaces = {}, const scene::LiquidOpacity& opacity = {});
 
 // What surfaces of any instance could need, and the sky of this frame does: shared::kFeature*.
 std::uint32_t features_of(const scene::Assets& assets);

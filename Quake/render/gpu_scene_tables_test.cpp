@@ -111,6 +111,33 @@ TEST_F(Tables, ThePlayersOpacityIsAFactorOnWhatFillsALiquid) {
   EXPECT_EQ(filled(kWater, {0.0f, 1.0f}), vec4(0.0f));
 }
 
+// What glows is an interface where it is less than opaque, and by the rest.
+TEST_F(Tables, LavaLetsLightInWhereThePlayerWantsIt) {
+  scene::Material& m = assets.materials[0];
+  m.flags = scene::kMaterialLiquid;
+  m.emission_kind = scene::EmissionKind::kLava;
+  m.emission = vec3(1.0f);
+  m.absorption = vec3(0.01f);
+  m.opacity_from = scene::OpacityFrom::kLava;
+  const auto resolved = [&](const scene::LiquidOpacity& opacity, bool water) {
+    const Interfaces interfaces{.water = water, .scattering = 1.0f};
+    EXPECT_EQ(needs_of(assets, mesh, 0, interfaces, opacity).water, opacity.lava < 1.0f);
+    table.begin(assets, 0, scales, interfaces, opacity);
+    return table.entries()[0];
+  };
+  const auto is_interface = [](const shared::GpuMaterial& out) {
+    return (out.flags & scene::kMaterialDielectric) != 0;
+  };
+  EXPECT_FALSE(is_interface(resolved({}, true)));
+  EXPECT_FALSE(is_interface(resolved({.lava = 0.5f}, false))) << "r_water 0";
+  const shared::GpuMaterial half = resolved({.lava = 0.5f}, true);
+  EXPECT_TRUE(is_interface(half));
+  EXPECT_EQ(half.opaque_share, 0.5f);
+  EXPECT_EQ(half.extinction_g, 0.005f);
+  EXPECT_EQ(half.emission_kind, shared::kEmissionLava);
+  EXPECT_GT(half.emission.x, 0.0f);
+}
+
 // A still view begins anew when the water becomes clearer.
 TEST_F(Tables, ThePlayersOpacityIsPartOfTheFramesKey) {
   scene::FrameSnapshot snapshot;

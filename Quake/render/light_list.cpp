@@ -58,7 +58,7 @@ float LightList::sky_radiance(const scene::Assets& assets, const scene::Sky& sky
 // The cases are shade_point's (Shaders/lib/material.glsl).
 float LightList::radiance(const scene::Assets& assets, const shared::GpuMaterial& m, float sky) {
   using Kind = scene::EmissionKind;
-  const vec3 factor(m.emission);
+  const vec3 factor = vec3(m.emission) * ((m.flags & scene::kMaterialDielectric) != 0 ? m.opaque_share : 1.0f);
   const auto kind = static_cast<Kind>(m.emission_kind);
   if (kind == Kind::kSky) return sky * sum(factor) / 3.0f;
   if (kind == Kind::kConstant) return sum(factor);

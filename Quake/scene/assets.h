@@ -50,8 +50,8 @@ enum class EmissionKind : std::uint32_t {
 };
 
 // By which of the player's opacities (FrameSnapshot::liquid_opacity) what fills a liquid is multiplied: by one where
-// its map says nothing of it.
-enum class OpacityFrom : std::uint32_t { kItself, kWater, kSlime };
+// its map says nothing of it. kLava, kTeleport: the surface's as well, and below 1 only is it an interface.
+enum class OpacityFrom : std::uint32_t { kItself, kWater, kSlime, kLava, kTeleport };
 
 enum MaterialFlags : std::uint32_t {
   kMaterialAlphaTest = shared::kMaterialAlphaTest,
@@ -88,7 +88,7 @@ struct Material {
   float index = 1.33f;      // kMaterialDielectric: of refraction, of what is behind the surface; water's
   vec3 absorption{0.0f};    // kMaterialDielectric: of the same, 1/unit
   float scattering = 0.0f;  // kMaterialDielectric: likewise what it scatters; with absorption this is extinction
-  OpacityFrom opacity_from = OpacityFrom::kItself;  // kMaterialDielectric: of both
+  OpacityFrom opacity_from = OpacityFrom::kItself;  // kMaterialDielectric (snapshot.h, lets_light_in): of both
   std::uint32_t flags = 0;                          // MaterialFlags
 };
 // Which of a material's frames shows at a time. The one place that knows how Quake's textures animate.

@@ -97,12 +97,20 @@ struct Medium {
   bool scatters() const { return extinction > 0.0f; }
 };
 
-// How opaque the player wants water and slime, of maps that do not say it themselves: a factor on what they absorb and
-// scatter, 0 to 1.
+// How opaque the player wants liquids, of maps that do not say it themselves: a factor on what they absorb and scatter,
+// 0 to 1. Of lava and teleporters it is the share of the surface that glows and hides what is below, too.
 struct LiquidOpacity {
-  float water = 1.0f, slime = 1.0f;
+  float water = 1.0f, slime = 1.0f, lava = 1.0f, teleport = 1.0f;
   bool operator==(const LiquidOpacity&) const = default;
 };
+float opacity_of(const Material& material, const LiquidOpacity& opacity);  // 1: as the map has it
+
+// Whether a surface is an interface that light passes, into what is behind it: of glass, water or slime, or of what
+// glows where the map or the player wants it less than opaque.
+bool lets_light_in(const Material& material, const LiquidOpacity& opacity);
+
+// Of such a surface, the share that is opaque and glows; 0: all of it is an interface.
+float opaque_share(const Material& material, const LiquidOpacity& opacity);
 
 struct FrameSnapshot {
   std::shared_ptr<const Assets> assets;

@@ -44,12 +44,12 @@ GpuAttribute attribute_at(uint index) {
 GpuMaterial material_at(uint index) {
   int at = int(index) * 6;
   uvec4 images_of = texelFetch(material_texels, at), shape = texelFetch(material_texels, at + 3);
-  uvec4 last = texelFetch(material_texels, at + 4);
+  uvec4 last = texelFetch(material_texels, at + 4), inside = texelFetch(material_texels, at + 5);
   return GpuMaterial(images_of.x, images_of.y, images_of.z, images_of.w,
                      uintBitsToFloat(texelFetch(material_texels, at + 1)), uintBitsToFloat(texelFetch(material_texels, at + 2)),
                      uintBitsToFloat(shape.x), uintBitsToFloat(shape.y), uintBitsToFloat(shape.z), shape.w,
                      last.x, uintBitsToFloat(last.y), uintBitsToFloat(last.z), uintBitsToFloat(last.w),
-                     uintBitsToFloat(texelFetch(material_texels, at + 5).x), 0.0, 0.0, 0.0);
+                     uintBitsToFloat(inside.x), uintBitsToFloat(inside.y), 0.0, 0.0);
 }
 
 GpuImage image_at(uint index) {

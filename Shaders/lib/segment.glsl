@@ -107,6 +107,7 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
     uint material = instance_at(s.hit.instance).material_base + a.material;
     GpuMaterial m = material_at(material);
     if ((m.flags & kMaterialDielectric) == 0u) break;  // as r_water and r_glass say
+    if (m.opaque_share > 0.0 && rng_uniform(rng) < m.opaque_share) break;
     pass_piece(s, s.hit.t, nearer, of_camera);
     if (turn == kTurnThrough && events == 1u) parting.within = s.hit.t;
     Interface i = interface_at(s.hit, a, (m.flags & kMaterialLiquid) != 0u, s.direction);

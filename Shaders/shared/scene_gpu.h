@@ -25,9 +25,10 @@ struct GpuAttribute {              // 48 bytes
 FB_CONST uint kTriangleAsks = 1u;
 FB_CONST uint kTriangleVisibilityShift = 1u;
 FB_CONST uint kTriangleInstanceShift = 3u;
-FB_CONST uint kTriangleAlphaTest = 1u;      // candidate hits must ask the texel
-FB_CONST uint kTriangleSmooth = 2u;         // has vertex normals
-FB_CONST uint kTriangleDielectric = 4u;     // its material is kMaterialDielectric, if the instance's material base is 0
+FB_CONST uint kTriangleAlphaTest = 1u;  // candidate hits must ask the texel
+FB_CONST uint kTriangleSmooth = 2u;     // has vertex normals
+FB_CONST uint kTriangleDielectric =
+    4u;  // its material may be kMaterialDielectric, if the instance's material base is 0
 FB_CONST uint kTriangleLiquidInFront = 8u;  // kMaterialDielectric: the liquid is on the side that it faces
 
 struct GpuInstance {  // 272 bytes
@@ -87,7 +88,8 @@ struct GpuMaterial {               // 96 bytes
   uint emission_kind;                              // scene::EmissionKind
   float extinction_r, extinction_g, extinction_b;  // kMaterialDielectric: of what is behind it, 1/unit
   float scattering;                                // likewise, the part of extinction that is scattered
-  float pad0, pad1, pad2;
+  float opaque_share;  // kMaterialDielectric: of its surface, which glows and ends a ray; the rest is the interface
+  float pad0, pad1;
 };
 
 // The list of lights, a buffer of three tables. First a uint for each instance: the number of the light that its

@@ -69,6 +69,10 @@ namespace fb::cl {
     "opacity of water (r_water 1) where the map has no key wateralpha, 0 to 1: half of light is left after 256 units " \
     "over it")                                                                                                         \
   X(r_slimealpha, "r_slimealpha", 0.0f, "the same of slime, where the map has no key slimealpha; 0: as r_wateralpha")  \
+  X(r_lavaalpha, "r_lavaalpha", 0.0f,                                                                                  \
+    "opacity of lava (r_water 1) where the map has no key lavaalpha, as r_wateralpha, and the share of its surface "   \
+    "that glows; 0: opaque")                                                                                           \
+  X(r_telealpha, "r_telealpha", 0.0f, "the same of teleporters, where the map has no key telealpha; 0: opaque")        \
   X(r_playerbody, "r_playerbody", 1.0f, "the player's own body casts shadows and shows in reflections")
 
 struct Settings {

@@ -228,7 +228,7 @@ class Exporter {
     const float alpha = m.alpha * key.alpha;
     pbr["baseColorFactor"] = {base.x, base.y, base.z, alpha};
     if (alpha < 1.0f) out["alphaMode"] = "BLEND";
-    if ((m.flags & scene::kMaterialDielectric) != 0) missing_.insert("liquids and glass do not refract");
+    if (scene::lets_light_in(m, snapshot_.liquid_opacity)) missing_.insert("liquids and glass do not refract");
     document_.use_extension("KHR_materials_specular");
     const float specular = m.specular / kUsualSpecular;
     Json& coat = out["extensions"]["KHR_materials_specular"];

@@ -153,7 +153,7 @@ TEST(MapMaterials, LiquidsSkyAndHoles) {
   EXPECT_FLOAT_EQ(by_name.at("*04water")->alpha, 0.5f);
   EXPECT_FLOAT_EQ(by_name.at("*lava1")->alpha, 0.6f);
   EXPECT_FLOAT_EQ(by_name.at("*teleport")->alpha, 0.8f);
-  EXPECT_EQ(by_name.at("*lava1")->flags, kMaterialWarp | kMaterialLiquid);
+  EXPECT_EQ(by_name.at("*lava1")->flags, kMaterialWarp | kMaterialLiquid | kMaterialDielectric) << "light gets in";
   EXPECT_EQ(by_name.at("sky1")->emission_kind, EmissionKind::kSky);
   EXPECT_EQ(by_name.at("{fence")->flags, kMaterialAlphaTest);
   EXPECT_EQ(by_name.at("lamp")->emission_kind, EmissionKind::kFullbright);
@@ -174,13 +174,14 @@ TEST(MapMaterials, LiquidsAreAsOpaqueAsTheMapOrElseThePlayerSays) {
                       built->material(4).opacity_from};
   };
   using enum OpacityFrom;
-  EXPECT_THAT(from({}), ElementsAre(kWater, kSlime, kItself));
-  EXPECT_THAT(from({0.5f, {}, {}, {}}), ElementsAre(kItself, kSlime, kItself));
-  EXPECT_THAT(from({1.0f, {}, 0.3f, {}}), ElementsAre(kItself, kItself, kItself));
+  EXPECT_THAT(from({}), ElementsAre(kWater, kSlime, kLava));
+  EXPECT_THAT(from({0.5f, {}, {}, {}}), ElementsAre(kItself, kSlime, kLava));
+  EXPECT_THAT(from({1.0f, {}, 0.3f, {}}), ElementsAre(kItself, kItself, kLava));
+  EXPECT_THAT(from({{}, 0.5f, {}, {}}), ElementsAre(kWater, kSlime, kItself));
   test::TestFiles files;
   constexpr std::string_view kText = "index 1.33\n";
   files.files["textures/#water.mat"] = Bytes(kText.begin(), kText.end());
-  EXPECT_THAT(from({}, files), ElementsAre(kItself, kSlime, kItself)) << "a text names what fills it";
+  EXPECT_THAT(from({}, files), ElementsAre(kItself, kSlime, kLava)) << "a text names what fills it";
   // A map's alpha is the factor that the player's would be.
   const auto plain = build(map), half = build(map, {}, {0.5f, {}, {}, {}});
   for (int i = 0; i < 3; ++i) EXPECT_FLOAT_EQ(half->material(0).absorption[i], 0.5f * plain->material(0).absorption[i]);

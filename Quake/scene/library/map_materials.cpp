@@ -7,8 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/library/surface_names.h"
-
 namespace fb::scene {
 
 LiquidMedium liquid_medium(const vec3& color, float alpha, float scatters) {
@@ -104,6 +102,36 @@ std::vector<TextureSet> MapMaterials::sequence(std::string_view base, bool alter
   return sets;
 }
 
+void MapMaterials::fill_liquid(Material& material, LiquidKind kind) const {
+  struct Filling {
+    bool said;  // by the map
+    OpacityFrom from;
+    float scatters, index;
+  };
+  const auto filling = [&]() -> Filling {
+    switch (kind) {
+      case LiquidKind::kSlime:
+        return {alphas_.slime.has_value(), OpacityFrom::kSlime, kSlimeScatters, material.index};
+      case LiquidKind::kLava:
+        return {alphas_.lava.has_value(), OpacityFrom::kLava, kLavaScatters, kLavaIndex};
+      case LiquidKind::kTeleport:
+        return {alphas_.teleport.has_value(), OpacityFrom::kTeleport, kTeleportScatters, kTeleportIndex};
+      default:
+        return {alphas_.water.has_value(), OpacityFrom::kWater, kWaterScatters, material.index};
+    }
+  }();
+  material.flags |= kMaterialWarp | kMaterialLiquid;
+  const bool glows = kind == LiquidKind::kLava || kind == LiquidKind::kTeleport;
+  if (!glows || material.alpha < 1.0f) material.flags |= kMaterialDielectric;
+  const LiquidMedium medium =
+      liquid_medium(mean_color(builder_.palette(), builder_.assets().images[material.frames.front().base]),
+                    material.alpha, filling.scatters);
+  material.absorption = medium.absorption;
+  material.scattering = medium.scattering;
+  material.index = filling.index;
+  if (!filling.said) material.opacity_from = filling.from;
+}
+
 std::uint32_t MapMaterials::make_material(std::uint32_t index) {
   const formats::BspTexture& texture = bsp_.textures[index];
   Material material;
@@ -156,20 +184,10 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
       material.emission_kind = EmissionKind::kTeleport;
       break;
   }
-  if (liquid_kind(texture.name) != LiquidKind::kNone) material.flags |= kMaterialWarp | kMaterialLiquid;
-  const bool slime = liquid_kind(texture.name) == LiquidKind::kSlime;
-  if (slime || liquid_kind(texture.name) == LiquidKind::kWater) {
-    material.flags |= kMaterialDielectric;
-    const LiquidMedium medium =
-        liquid_medium(mean_color(builder_.palette(), builder_.assets().images[material.frames.front().base]),
-                      material.alpha, slime ? kSlimeScatters : kWaterScatters);
-    material.absorption = medium.absorption;
-    material.scattering = medium.scattering;
-    const bool said = slime ? alphas_.slime.has_value() : alphas_.water.has_value();
-    if (!said) material.opacity_from = slime ? OpacityFrom::kSlime : OpacityFrom::kWater;
-  }
-  // What a text says of water and slime counts as well; lava and teleporters glow and stay opaque.
-  if ((material.flags & (kMaterialLiquid | kMaterialDielectric)) != kMaterialLiquid &&
+  const LiquidKind kind = liquid_kind(texture.name);
+  if (kind != LiquidKind::kNone) fill_liquid(material, kind);
+  // What a text says of water and slime counts as well; how opaque lava and teleporters are it does not say.
+  if (kind != LiquidKind::kLava && kind != LiquidKind::kTeleport &&
       builder_.refract(material, stems(texture.name), map_path_))
     material.opacity_from = OpacityFrom::kItself;
 

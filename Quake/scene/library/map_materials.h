@@ -12,22 +12,25 @@
 #include "formats/bsp.h"
 #include "scene/library/asset_builder.h"
 #include "scene/library/lights.h"
+#include "scene/library/surface_names.h"
 
 namespace fb::scene {
 
 // Worldspawn's wateralpha, lavaalpha, slimealpha, telealpha (also with a leading underscore). Without them all are
-// opaque, and what fills water and slime is as the player wants it (LiquidOpacity).
+// opaque, and what fills them is as the player wants it (LiquidOpacity).
 struct LiquidAlphas {
   std::optional<float> water, lava, slime, teleport;
 };
 
-// What water or slime does to light within it, 1/unit, from its texture's mean colour (linear) and its alpha. The depth
+// What a liquid does to light within it, 1/unit, from its texture's mean colour (linear) and its alpha. The depth
 // at which half of white light's luminance is left, neither absorbed nor scattered, is kLiquidHalfDepth / alpha:
 // exactly for a grey texture; for a coloured one the mean of the channels' exponents is ln 2 there, which leaves 0.500
 // to 0.514. What the texture shows less of is lost sooner. Of the channel that is lost least `scatters` is the share
 // that is scattered, and of the others as much; the rest is absorbed.
 constexpr float kLiquidHalfDepth = 256.0f, kLiquidTint = 0.5f;
-constexpr float kWaterScatters = 0.3f, kSlimeScatters = 0.9f;
+constexpr float kWaterScatters = 0.3f, kSlimeScatters = 0.9f, kLavaScatters = 0.0f, kTeleportScatters = 0.5f;
+// Molten basalt refracts about as glass does; a teleporter is no substance.
+constexpr float kLavaIndex = 1.5f, kTeleportIndex = 1.0f;
 struct LiquidMedium {
   vec3 absorption{0.0f};
   float scattering = 0.0f;
@@ -49,6 +52,7 @@ class MapMaterials {
   std::vector<TextureSet> sequence(std::string_view base, bool alternate);
   std::vector<std::string> stems(std::string_view name) const;  // of images in place of a texture
   std::uint32_t make_material(std::uint32_t texture);
+  void fill_liquid(Material& material, LiquidKind kind) const;
   std::uint32_t missing_image();
 
   AssetBuilder& builder_;

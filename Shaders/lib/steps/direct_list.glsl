@@ -38,12 +38,14 @@ struct Aim {
 const Aim kNoAim = Aim(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, kNoIndex, kNoIndex, kTurnNowhere, 0u, 0u, 0u);
 
 
-// Emission towards its origin of what a ray meets, as load_surface has it.
-vec3 light_emission(Hit hit, vec3 direction) {
+// Emission towards its origin of what a ray meets, as load_surface has it. Where interfaces end the ray (`stopped`) that of an
+// opaque part of theirs counts as often as chance would end it there.
+vec3 light_emission(Hit hit, vec3 direction, bool stopped) {
   if (hit.instance == kNoIndex) return frame.sky_beyond != 0u ? sky_radiance(direction) : vec3(0.0);
   GpuMaterial m = material_of(hit.instance, hit.triangle);
   if (shows_sky(m, hit.instance)) return sky_radiance(direction) * m.emission.rgb;
-  return shade_point(m, hit.instance, hit_uv(instance_at(hit.instance).first_attribute + hit.triangle, hit.bary), kNearest).emission;
+  float seen = FEATURE_WATER && stopped && (m.flags & kMaterialDielectric) != 0u ? m.opaque_share : 1.0;
+  return seen * shade_point(m, hit.instance, hit_uv(instance_at(hit.instance).first_attribute + hit.triangle, hit.bary), kNearest).emission;
 }
 
 // The emission that a direction meets is shared by the balance heuristic (Veach and Guibas 1995): light_candidates() samples of
@@ -197,7 +199,7 @@ Direct look_for_light(Vertex v, Guidance g, inout uint rng) {
   float proposed = proposal_pdf(g, aim.direction, aim.bsdf_pdf);
   Segment way = segment_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, aim.turn, rng);
   float weight = found(aim, way, rng) ? shared_weight(aim, way, proposed, false) : 0.0;
-  vec3 emission = weight > 0.0 ? light_emission(way.hit, way.direction) * way.left : vec3(0.0);
+  vec3 emission = weight > 0.0 ? light_emission(way.hit, way.direction, aim.turn == kTurnNowhere) * way.left : vec3(0.0);
   remember_lamp(aim.cell, aim.lamp, dot(aim.f * emission, vec3(weight)), rng);
   return direct_light(v, aim.direction, aim.f, emission * weight);
 }
@@ -209,7 +211,8 @@ Direct last_light(Vertex v, inout uint rng) {
   vec3 direction = looks ? aim.direction : p.direction;
   float reach = looks ? aim.weight > 0.0 ? aim.reach : 0.0 : p.weight != vec3(0.0) ? kRayEnd : 0.0;
   Segment way = segment_from(v, direction, reach, looks ? aim.turn : kTurnByChance, rng);
-  vec3 emission = reach > 0.0 ? light_emission(way.hit, way.direction) * way.left : vec3(0.0);
+  bool stopped = looks && aim.turn == kTurnNowhere;
+  vec3 emission = reach > 0.0 ? light_emission(way.hit, way.direction, stopped) * way.left : vec3(0.0);
   if (looks) {
     float weight = found(aim, way, rng) ? shared_weight(aim, way, aim.bsdf_pdf, true) : 0.0;
     remember_lamp(aim.cell, aim.lamp, dot(aim.f * emission, vec3(weight)), rng);
