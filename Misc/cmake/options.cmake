@@ -10,6 +10,11 @@ target_compile_options(fb_options INTERFACE -ffp-contract=off)
 if(FULLBRIGHT_SANITIZE)
   target_compile_options(fb_options INTERFACE -fsanitize=${FULLBRIGHT_SANITIZE} -fno-omit-frame-pointer
                                               -fno-sanitize-recover=undefined)
+  # Half of a sanitized build is the tests' own text: there, without the checks that are a third of it. A null pointer ends
+  # a test as an access of address 0, too. These options must follow -fsanitize, which else has the last word; what a
+  # target itself asks for comes before it.
+  target_compile_options(fb_options INTERFACE
+    $<$<BOOL:$<TARGET_PROPERTY:FB_TEST_TEXT>>:-fno-sanitize=null,alignment,vptr,pointer-overflow>)
   target_link_options(fb_options INTERFACE -fsanitize=${FULLBRIGHT_SANITIZE})
   # A fifth of the time to link; programs are larger than elsewhere.
   find_program(FULLBRIGHT_LLD ld.lld)
@@ -18,5 +23,6 @@ if(FULLBRIGHT_SANITIZE)
   endif()
 endif()
 if(FULLBRIGHT_FUZZERS)
-  target_compile_options(fb_options INTERFACE -fsanitize=fuzzer-no-link)
+  # What no fuzzer links counts no coverage: that is a fifth of the time in tests, a tenth in libraries.
+  target_compile_options(fb_options INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:FB_UNFUZZED>>>:-fsanitize=fuzzer-no-link>)
 endif()

@@ -28,6 +28,7 @@ endfunction()
 
 # Programs that calculate little by their own text.
 function(fb_quick_program target)
+  set_target_properties(${target} PROPERTIES FB_UNFUZZED ON)
   if(FULLBRIGHT_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)
   endif()
@@ -50,10 +51,9 @@ endfunction()
 
 # fb_quick_test(TARGET LIBRARIES...): compiles a test with little optimisation, but runs the libraries' own code as compiled.
 function(fb_quick_test target)
+  set_target_properties(${target} PROPERTIES FB_TEST_TEXT ON FB_UNFUZZED ON)
   if(FULLBRIGHT_SANITIZE)
-    # Half of a sanitized build is the tests' own text: without optimisation, and without the checks that are a third of it.
-    # A null pointer ends a test as an access of address 0, too.
-    set(options -O0 -fno-sanitize=null,alignment,vptr)
+    set(options -O0)
   else()
     set(options -O1)
   endif()
@@ -69,6 +69,7 @@ function(fb_quick_test target)
       add_library(fb_test_pch OBJECT ${CMAKE_BINARY_DIR}/fb_test_pch.cpp)
       target_link_libraries(fb_test_pch PRIVATE fb_options fb_base GTest::gmock)
       target_compile_options(fb_test_pch PRIVATE ${options})
+      set_target_properties(fb_test_pch PROPERTIES FB_TEST_TEXT ON FB_UNFUZZED ON)
       target_precompile_headers(fb_test_pch PRIVATE <algorithm> <array> <functional> <memory> <optional> <span> <string>
                                 <string_view> <vector> <fmt/format.h> <gmock/gmock.h> <gtest/gtest.h>
                                 ${CMAKE_SOURCE_DIR}/Quake/base/maths.h)
