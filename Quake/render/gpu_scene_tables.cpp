@@ -29,7 +29,9 @@ shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternat
     out.base_color.w = 1.0f;
     out.specular = 0.0f;
     out.opaque_share = scene::opaque_share(m, opacity);
-    if (out.opaque_share == 0.0f) {  // an interface alone has no glow of its own
+    if (out.opaque_share > 0.0f) {
+      out.base_color = vec4(0.0f, 0.0f, 0.0f, 1.0f);  // what it reflects, the interface does
+    } else {                                          // an interface alone has no glow of its own
       out.emission = vec4(0.0f);
       out.emission_kind = shared::kEmissionNone;
     }

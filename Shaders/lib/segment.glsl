@@ -82,6 +82,8 @@ struct Parting {
   float through;     // share that is let through
   float distance;    // to it
   float within;      // from there to what is next behind it
+  Segment skin;      // up to it,
+  float opaque;      // of which this share ends there and sees it glow. The others' `left` is of the rest
 };
 
 // A piece of the way is behind. `nearer`: of what it looks like, through a level surface.
@@ -107,7 +109,8 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
     uint material = instance_at(s.hit.instance).material_base + a.material;
     GpuMaterial m = material_at(material);
     if ((m.flags & kMaterialDielectric) == 0u) break;  // as r_water and r_glass say
-    if (m.opaque_share > 0.0 && rng_uniform(rng) < m.opaque_share) break;
+    bool first_of_camera = turn == kTurnThrough && !s.bent;
+    if (m.opaque_share > 0.0 && !first_of_camera && rng_uniform(rng) < m.opaque_share) break;
     pass_piece(s, s.hit.t, nearer, of_camera);
     if (turn == kTurnThrough && events == 1u) parting.within = s.hit.t;
     Interface i = interface_at(s.hit, a, (m.flags & kMaterialLiquid) != 0u, s.direction);
@@ -119,11 +122,14 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
     float reflectance = dielectric_reflectance(min(-dot(s.direction, i.normal), 1.0), eta);
     bool back = rng_uniform(rng) < reflectance;
     vec3 reflected = kept_on_side(dielectric_reflect(-s.direction, i.normal), i.facing);
-    if (turn == kTurnThrough && !s.bent) {
+    if (first_of_camera) {
+      parting.skin = s;
+      parting.opaque = m.opaque_share;
+      s.left *= 1.0 - m.opaque_share;
       parting.mirrored = Segment(s.hit, offset_origin(i.position, i.facing), reflected, s.left * reflectance, here, true,
                                  reflectance, s.distance, s.seen);
       parting.mirrors_most = dielectric_reflectance(min(-dot(s.direction, i.facing), 1.0), eta) > 0.5;
-      parting.through = 1.0 - reflectance;
+      parting.through = (1.0 - reflectance) * (1.0 - m.opaque_share);
       parting.distance = s.distance;
       parting.beyond = beyond;
       s.left *= 1.0 - reflectance;

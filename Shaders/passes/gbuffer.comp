@@ -70,7 +70,7 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
   GBufferTexel texel = kNothingSeen;
   WaterTexel water = WaterTexel(vec3(0.0), kNoIndex, kNoSecond, kNoIndex, 0u, 0u, false);
   Segment way = straight(frame.camera_position.xyz, direction, frame.camera_liquid);
-  Parting parting = Parting(way, false, direction, kNoIndex, 1.0, 0.0, 0.0);
+  Parting parting = Parting(way, false, direction, kNoIndex, 1.0, 0.0, 0.0, way, 0.0);
   LiquidPiece piece = kNoPiece;
   bool back = false;
   do {
@@ -105,6 +105,12 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
     back = true;
     way = parting.mirrored;
   } while (true);
+  while (parting.opaque > 0.0) {  // a loop, which lavapipe passes by where no lane has it
+    parting.skin.hit.t = parting.skin.seen;
+    Surface s = load_surface(parting.skin.hit, direction, uint(frame.texture_filter), false);
+    emission += s.emission * parting.skin.left * parting.opaque * seen_through_medium(s, parting.skin.seen);
+    parting.opaque = 0.0;
+  }
   store_water(at, water, piece);
   texel.emission_specular.rgb = emission + scattered_by(piece) * frame.ambient.rgb;
   return texel;
