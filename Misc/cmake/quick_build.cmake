@@ -1,5 +1,5 @@
 # For builds from nothing (FULLBRIGHT_QUICK_BUILD, which CI sets): half the time. Sources are compiled in groups, tests with
-# the headers that nearly all of them include precompiled and without optimisation. Off by default: a change to one
+# the headers that nearly all of them include precompiled and with little optimisation. Off by default: a change to one
 # file compiles a group anew, and a compiler cache finds less.
 #
 # Precompiled headers are not for the libraries: with them GCC 12 does not recognise system headers, and warns about their
@@ -18,9 +18,9 @@ function(fb_compile_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# Tests that calculate for long by their own text: optimised where other tests are not.
+# Tests that calculate for long by their own text: optimised under the sanitizers too, where other tests are not.
 function(fb_optimised_tests)
-  if(FULLBRIGHT_SANITIZE OR FULLBRIGHT_QUICK_BUILD)
+  if(FULLBRIGHT_SANITIZE)
     fb_compile_alone(${ARGN})
     set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O1 SKIP_PRECOMPILE_HEADERS ON)
   endif()
@@ -31,8 +31,6 @@ function(fb_quick_program target)
   set_target_properties(${target} PROPERTIES FB_UNFUZZED ON)
   if(FULLBRIGHT_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)
-  elseif(FULLBRIGHT_QUICK_BUILD)
-    target_compile_options(${target} PRIVATE -O1)
   endif()
 endfunction()
 
@@ -51,12 +49,16 @@ function(fb_link_optimised target)
   endif()
 endfunction()
 
-# fb_quick_test(TARGET LIBRARIES...): compiles a test without optimisation, but runs the libraries' own code as compiled.
+# fb_quick_test(TARGET LIBRARIES...): compiles a test with little optimisation, but runs the libraries' own code as compiled.
 function(fb_quick_test target)
   set_target_properties(${target} PROPERTIES FB_TEST_TEXT ON FB_UNFUZZED ON)
-  set(options -O0)
+  if(FULLBRIGHT_SANITIZE)
+    set(options -O0)
+  else()
+    set(options -O1)
+  endif()
   if(FULLBRIGHT_SANITIZE OR FULLBRIGHT_QUICK_BUILD)
-    # With little optimisation (fb_optimised_tests) GCC 12 sees std::string copy beyond its own buffer.
+    # With little optimisation GCC 12 sees std::string copy beyond its own buffer.
     target_compile_options(${target} PRIVATE ${options} $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
                            $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>)
     fb_link_optimised(${target} ${ARGN})
