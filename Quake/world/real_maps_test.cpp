@@ -7,6 +7,7 @@
 #include "base/rng.h"
 #include "fs/filesystem.h"
 #include "world/bsp_query.h"
+#include "world/liquid_windows.h"
 #include "world/pvs.h"
 #include "world/trace.h"
 
@@ -121,6 +122,11 @@ TEST_F(RealMaps, LeafsHoldTheirPointsAndSeeThemselves) {
     }
     EXPECT_GT(open, 300) << name;
   }
+}
+
+// LibreQuake's visibility passes water, whose surfaces are many: nothing is parted there.
+TEST_F(RealMaps, LiquidsHaveNoWindowsWhereVisibilityPassesThem) {
+  for (const char* name : kMaps) EXPECT_EQ(LiquidWindows(load(name)).count(), 0u) << name;
 }
 
 }  // namespace

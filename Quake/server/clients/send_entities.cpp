@@ -19,7 +19,9 @@ bool has_model(Level& level, const Edict& edict, const net::Protocol& protocol) 
 
 std::vector<EdictId> visible_entities(Level& level, EdictId player, const net::Protocol& protocol) {
   const Edict eyes = level.edict(player);
-  const world::LeafSet pvs = world::fat_pvs(*level.bsp, eyes.get(fields::origin) + eyes.get(fields::view_ofs));
+  world::LeafSet pvs = world::fat_pvs(*level.bsp, eyes.get(fields::origin) + eyes.get(fields::view_ofs));
+  const float clear = level.cvars.clear_liquids.value();
+  if (clear < 0 ? level.max_clients == 1 : clear != 0) level.liquid_windows.add(*level.bsp, pvs);
   std::vector<EdictId> seen;
   for (std::uint32_t i = 1; i < level.edicts().count(); ++i) {
     const EdictId id{i};

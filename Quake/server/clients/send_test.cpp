@@ -15,6 +15,38 @@ class SendTest : public ClientsTest {
     MapBuilder map(vec3(-1024, -1024, -64), vec3(1024, 1024, 512));
     map.box(vec3(-16, -1024, -64), vec3(16, 1024, 512));
     formats::Bsp bsp = map.build();
+    parted(bsp);
+    return std::make_shared<formats::Bsp>(std::move(bsp));
+  }
+  // A hall whose right side is full of water, whose surface at x = 0 was opaque to the compiler of its visibility.
+  static std::shared_ptr<const formats::Bsp> beside_water() {
+    MapBuilder map(vec3(-1024, -1024, -64), vec3(1024, 1024, 512));
+    map.box(vec3(0, -1024, -64), vec3(1024, 1024, 512), formats::kContentsWater);
+    formats::Bsp bsp = map.build();
+    parted(bsp);
+    const auto vertex = static_cast<std::uint32_t>(bsp.vertices.size());
+    for (const vec3& at : {vec3(0, -900, -50), vec3(0, 900, -50), vec3(0, 900, 500)}) bsp.vertices.push_back(at);
+    if (bsp.edges.empty()) bsp.edges.push_back({0, 0});
+    formats::BspFace face{};
+    face.first_surfedge = static_cast<std::uint32_t>(bsp.surfedges.size());
+    face.surfedge_count = 3;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      bsp.surfedges.push_back(static_cast<std::int32_t>(bsp.edges.size()));
+      bsp.edges.push_back({vertex + k, vertex + (k + 1) % 3});
+    }
+    face.plane = static_cast<std::uint32_t>(bsp.planes.size());
+    bsp.planes.push_back({vec3(1, 0, 0), 0, 0});
+    face.texinfo = static_cast<std::uint32_t>(bsp.texinfos.size());
+    bsp.texinfos.emplace_back().texture = static_cast<std::uint32_t>(bsp.textures.size());
+    bsp.textures.emplace_back().name = "*water";
+    bsp.models[0].first_face = static_cast<std::uint32_t>(bsp.faces.size());
+    bsp.models[0].face_count = 1;
+    bsp.faces.push_back(face);
+    return std::make_shared<formats::Bsp>(std::move(bsp));
+  }
+
+ private:
+  static void parted(formats::Bsp& bsp) {
     const std::size_t count = bsp.leafs.size() - 1;
     const auto is_left = [&](std::size_t leaf) { return bsp.leafs[leaf].maxs.x <= 0.0f; };
     for (std::size_t leaf = 1; leaf <= count; ++leaf) {
@@ -27,7 +59,6 @@ class SendTest : public ClientsTest {
         if (row == 0) bsp.visibility.push_back(1);
       }
     }
-    return std::make_shared<formats::Bsp>(std::move(bsp));
   }
 };
 
@@ -45,6 +76,22 @@ TEST_F(SendTest, WhatCannotBeSeenIsNotSent) {
   frame();
   EXPECT_FALSE(player.updates.contains(left));
   EXPECT_TRUE(player.updates.contains(right));
+}
+
+// sv_clearliquids: -1 is 1 for one player alone.
+TEST_F(SendTest, WhatClearWaterShowsIsSentWhereItsSurfaceWasOpaque) {
+  for (const int players : {1, 4}) {
+    for (const int clear : {-1, 0, 1}) {
+      bsp_ = beside_water();
+      start_game("void() main = {};", players);
+      console_.set("sv_clearliquids", std::to_string(clear));
+      const auto diver = static_cast<int>(spawn({500, 0, 0}));
+      FakeClient& player = join();
+      place(1, {-200, 0, 0});
+      frame();
+      EXPECT_EQ(player.updates.contains(diver), clear < 0 ? players == 1 : clear == 1) << players << ' ' << clear;
+    }
+  }
 }
 
 TEST_F(SendTest, WhatHasNoModelIsNotSent) {

@@ -41,7 +41,11 @@ Cvars::Cvars(con::Console& console)
       freeze_nonclients(cvar(console, "sv_freezenonclients", "0", "1: only players move")),
       roll_angle(cvar(console, "cl_rollangle", "2.0", "most roll of the view when moving sideways, degrees")),
       roll_speed(
-          cvar(console, "cl_rollspeed", "200", "sideways speed at which the view's roll is full, units a second")) {}
+          cvar(console, "cl_rollspeed", "200", "sideways speed at which the view's roll is full, units a second")),
+      clear_liquids(
+          cvar(console, "sv_clearliquids", "-1",
+               "what is sent in maps whose visibility takes liquids for opaque: 0 what it lets through, 1 what is "
+               "behind surfaces of water and slime, too, -1: 1 in a game played alone")) {}
 
 OptionalFields::OptionalFields(const progs::Program& program)
     : gravity(program.field<float>("gravity")),
@@ -54,6 +58,7 @@ Level::Level(std::string map_name, std::shared_ptr<const formats::Bsp> map, std:
     : map_name(std::move(map_name)),
       bsp(std::move(map)),
       hulls(std::make_shared<world::MapHulls>(*bsp)),
+      liquid_windows(*bsp),
       areas(bsp->models.at(0).mins - vec3(1.0f), bsp->models.at(0).maxs + vec3(1.0f)),  // as QuakeSpasm spreads models
       vm(std::move(machine)),
       autocvars(*vm, console),

@@ -23,6 +23,7 @@
 #include "server/simulation/constants.h"
 #include "world/area_nodes.h"
 #include "world/hull.h"
+#include "world/liquid_windows.h"
 #include "world/pvs.h"
 
 namespace fb::sv {
@@ -39,7 +40,7 @@ struct Cvars {
   explicit Cvars(con::Console& console);
   const con::Cvar &gravity, &max_velocity, &friction, &edge_friction, &stop_speed, &max_speed, &accelerate, &no_step,
       &aim, &ideal_pitch_scale, &skill, &deathmatch, &coop, &teamplay, &nomonsters, &pausable, &max_edicts, &alt_noclip,
-      &freeze_nonclients, &roll_angle, &roll_speed;
+      &freeze_nonclients, &roll_angle, &roll_speed, &clear_liquids;
 };
 
 // A model made of brushes: the world, "*1" and on of the level's map, or the first model of a .bsp of its own.
@@ -98,6 +99,7 @@ class Level final : public progs::EdictListener {
   std::string map_name;  // "e1m1"
   std::shared_ptr<const formats::Bsp> bsp;
   std::shared_ptr<const world::MapHulls> hulls;
+  world::LiquidWindows liquid_windows;  // sv_clearliquids
   world::AreaNodes areas;
   std::unique_ptr<progs::Vm> vm;
   progs::Autocvars autocvars;
