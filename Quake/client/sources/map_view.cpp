@@ -37,7 +37,13 @@ constexpr std::array<Torch, 4> kTorches = {{{"light_torch_small_walltorch", "pro
                                             {"light_flame_small_yellow", "progs/flame2.mdl", 0},
                                             {"light_flame_small_white", "progs/flame2.mdl", 0}}};
 
-bool is_trigger(std::string_view classname) { return classname.substr(0, 8) == "trigger_"; }
+constexpr int kNotInNormal = 512;  // spawnflags: not in a game of skill 1
+
+// Whether a game alone, of skill 1 and before any episode is won, shows its brush model when it begins.
+bool is_shown(const world::Entity& e) {
+  if (e.classname().starts_with("trigger_") || e.classname() == "func_episodegate") return false;
+  return (e.integer("spawnflags", 0) & kNotInNormal) == 0;
+}
 
 Entity make_static(const world::Entity& source, int model, int frame) {
   Entity e;
@@ -121,7 +127,7 @@ Status load_map_view(std::string_view name, scene::ModelLibrary& library, Sessio
   }
   for (const world::Entity& e : *parsed) {
     const std::string_view model = e.text("model");
-    if (!model.empty() && model[0] == '*' && !is_trigger(e.classname()))
+    if (!model.empty() && model[0] == '*' && is_shown(e))
       state.statics.push_back(make_static(e, model_index(model), 0));
     for (const Torch& torch : kTorches)
       if (e.classname() == torch.classname)

@@ -13,8 +13,9 @@ namespace fb::cl {
 // "start" -> "maps/start.bsp"
 std::string map_path(std::string_view name);
 
-// Loads the map and fills a session with its brush entities (triggers left out), torches, lamps' styles and fog; sets
-// the view into the first player start. On failure nothing changes but, maybe, the library.
+// Loads the map and fills a session with the brush entities that a game alone begins with (skill 1, no episode won;
+// triggers left out), torches, lamps' styles and fog; sets the view into the first player start. On failure nothing
+// changes but, maybe, the library.
 Status load_map_view(std::string_view name, scene::ModelLibrary& library, Session& session, View& view);
 
 // Of the worldspawn: fog and the sky's name. Used by games, too.
