@@ -26,7 +26,7 @@ VkBufferUsageFlags usage_flags(BufferUse use, const Device::Impl& device) {
       VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | (device.report.has_addresses ? kAddress : VkBufferUsageFlags{0});
   switch (use) {
     case BufferUse::kStorage:
-      return kCopy | array | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+      return kCopy | array | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
     case BufferUse::kUpload:
     case BufferUse::kGeometry:
       return kCopy | array | (device.ray_query ? kBuildInput : VkBufferUsageFlags{0});

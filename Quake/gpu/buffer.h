@@ -13,7 +13,7 @@
 namespace fb::gpu {
 
 enum class BufferUse {
-  kStorage,   // device-local; shaders read and write; source and target of copies
+  kStorage,   // device-local; shaders read and write, dispatches take their groups from it; source and target of copies
   kUpload,    // mapped, written by the host, read by shaders and copies: small tables that change each frame
   kReadback,  // mapped and cached; target of copies
   kUniform,   // as kUpload, bound as a uniform buffer

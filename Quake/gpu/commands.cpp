@@ -23,7 +23,8 @@ void Commands::push_bytes(const void* data, std::uint32_t bytes) {
   vkCmdPushConstants(cmd_, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, bytes, data);
 }
 
-void Commands::dispatch(const ComputePipeline& pipeline, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+// To run so many workgroups at most.
+void Commands::bind(const ComputePipeline& pipeline, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   FB_CHECK(layout_ != VK_NULL_HANDLE);  // bind() comes first
   FB_CHECK(pipeline);
   const auto& most = device_.limits().max_workgroups;
@@ -31,7 +32,18 @@ void Commands::dispatch(const ComputePipeline& pipeline, std::uint32_t x, std::u
     throw OutOfMemory(fmt::format("\"{}\" has {}x{}x{} workgroups to run; {} takes {}x{}x{} at a time", pipeline.name(),
                                   x, y, z, device_.report().name, most[0], most[1], most[2]));
   vkCmdBindPipeline(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
+}
+
+void Commands::dispatch(const ComputePipeline& pipeline, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  bind(pipeline, x, y, z);
   vkCmdDispatch(cmd_, x, y, z);
+}
+
+void Commands::dispatch_indirect(const ComputePipeline& pipeline, const Buffer& groups, VkDeviceSize offset,
+                                 std::uint32_t x, std::uint32_t y) {
+  FB_CHECK_LE(offset + sizeof(VkDispatchIndirectCommand), groups.size());
+  bind(pipeline, x, y, 1);
+  vkCmdDispatchIndirect(cmd_, groups.handle(), offset);
 }
 
 void Commands::barrier() {
@@ -55,6 +67,11 @@ void Commands::copy(const Buffer& from, const Buffer& to, VkDeviceSize bytes, Vk
 
 void Commands::fill(const Buffer& buffer, std::uint32_t value, VkDeviceSize offset, VkDeviceSize bytes) {
   vkCmdFillBuffer(cmd_, buffer.handle(), offset, bytes, value);
+}
+
+void Commands::update(const Buffer& buffer, std::span<const std::uint32_t> words, VkDeviceSize offset) {
+  FB_CHECK_LE(offset + words.size_bytes(), buffer.size());
+  vkCmdUpdateBuffer(cmd_, buffer.handle(), offset, words.size_bytes(), words.data());
 }
 
 Commands::Scope::Scope(Commands& commands, std::string_view name) : commands_(commands) {

@@ -50,11 +50,16 @@ class Commands {
   }
   // Groups, not invocations.
   void dispatch(const ComputePipeline& pipeline, std::uint32_t x, std::uint32_t y = 1, std::uint32_t z = 1);
+  // As many as a kStorage buffer holds when it runs, three words: VkDispatchIndirectCommand. At most x, y.
+  void dispatch_indirect(const ComputePipeline& pipeline, const Buffer& groups, VkDeviceSize offset, std::uint32_t x,
+                         std::uint32_t y);
   // Everything that shaders, copies and builds wrote before is visible to all that comes after.
   void barrier();
   void copy(const Buffer& from, const Buffer& to, VkDeviceSize bytes, VkDeviceSize from_offset = 0,
             VkDeviceSize to_offset = 0);
   void fill(const Buffer& buffer, std::uint32_t value, VkDeviceSize offset = 0, VkDeviceSize bytes = VK_WHOLE_SIZE);
+  // A few words, at most 64 KiB, that are recorded with the command.
+  void update(const Buffer& buffer, std::span<const std::uint32_t> words, VkDeviceSize offset);
 
   // Times what is recorded in its scope, if a timer is set.
   void set_timer(PassTimer* timer) { timer_ = timer; }
@@ -71,6 +76,7 @@ class Commands {
 
  private:
   void push_bytes(const void* data, std::uint32_t bytes);
+  void bind(const ComputePipeline& pipeline, std::uint32_t x, std::uint32_t y, std::uint32_t z);
   Device& device_;
   VkCommandBuffer cmd_;
   VkPipelineLayout layout_ = VK_NULL_HANDLE;

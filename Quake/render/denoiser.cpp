@@ -117,9 +117,9 @@ void Denoiser::fill_medium(shared::FrameConstants& c, const RenderSettings& sett
   c.medium_y = next / blocks * light_block_ + turn / light_block_;
 }
 
-void Denoiser::add_passes(PassList& list, ShaderSet& shaders, Layers layers) {
+void Denoiser::add_passes(PassList& list, ShaderSet& shaders, const AskedGroups& medium, const AskedGroups& second) {
   if (!on_) return;
-  const Variant variant{.medium = layers.medium, .water = layers.second};
+  const Variant variant{.medium = static_cast<bool>(medium), .water = static_cast<bool>(second)};
   const uvec2 groups = groups_over(size_, 8);
   if (light_block_ > 1) {
     list.dispatch("denoise_light", PassKind::kFrame, shaders.get("denoise_light", variant),
@@ -127,24 +127,23 @@ void Denoiser::add_passes(PassList& list, ShaderSet& shaders, Layers layers) {
   }
   list.dispatch("denoise_temporal", PassKind::kFrame,
                 shaders.get(light_block_ > 1 ? "denoise_temporal_sparse" : "denoise_temporal", variant), groups);
-  if (layers.medium) add_layer(list, shaders, variant, "denoise_medium", medium_block_);
-  if (layers.second) add_layer(list, shaders, variant, "denoise_second", light_block_);
+  if (medium) add_layer(list, shaders, variant, "denoise_medium", medium);
+  if (second) add_layer(list, shaders, variant, "denoise_second", second);
   add_wavelets(list, shaders, variant);
 }
 
 // Its light ends in slot 3 (shared/denoise.h).
 void Denoiser::add_layer(PassList& list, ShaderSet& shaders, const Variant& variant, const std::string& name,
-                         std::uint32_t block) const {
-  const uvec2 groups = groups_over(light_size(size_, block), 8);
+                         const AskedGroups& groups) const {
   const gpu::ComputePipeline& temporal = shaders.get(name + "_temporal", variant);
   const gpu::ComputePipeline& wavelet = shaders.get(name, variant);
   list.add(name, PassKind::kFrame, [&temporal, &wavelet, groups](gpu::Commands& commands) {
-    commands.dispatch(temporal, groups.x, groups.y);
+    groups.dispatch(commands, temporal);
     commands.barrier();
     Level level{1, 0, 2, 3};
     for (int i = 0; i < kLayerLevels; ++i) {
       commands.push(level);
-      commands.dispatch(wavelet, groups.x, groups.y);
+      groups.dispatch(commands, wavelet);
       commands.barrier();
       level = {2 * level.x - level.y, level.x + 2 * level.y, level.target, level.source};
     }

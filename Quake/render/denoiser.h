@@ -64,8 +64,8 @@ class Denoiser {
   void fill(shared::FrameConstants& constants, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
             bool still);
   // From radiance to the denoised picture; none if it is off.
-  // `layers`: of this frame.
-  void add_passes(PassList& list, ShaderSet& shaders, Layers layers);
+  // `medium`, `second`: of the layers that this frame may have.
+  void add_passes(PassList& list, ShaderSet& shaders, const AskedGroups& medium, const AskedGroups& second);
 
   bool on() const { return on_; }
   // rgb: denoised radiance of the last frame.
@@ -76,7 +76,7 @@ class Denoiser {
  private:
   void fill_medium(shared::FrameConstants& c, const RenderSettings& settings, std::uint32_t turn, std::uint64_t frame);
   void add_layer(PassList& list, ShaderSet& shaders, const Variant& variant, const std::string& name,
-                 std::uint32_t block) const;
+                 const AskedGroups& groups) const;
   void add_wavelets(PassList& list, ShaderSet& shaders, const Variant& variant) const;
 
   gpu::Device& device_;

@@ -150,6 +150,7 @@ void GpuScene::Impl::collect(const scene::FrameSnapshot& snapshot) {
     features.specular |= d.needs.specular;
     features.water |= d.needs.water;
     features.glass |= d.needs.glass;
+    features.surfaces |= d.needs.skins ? shared::kFeatureSkins : 0u;
     features.turbid |= d.needs.turbid && interfaces.scattering > 0.0f;
     const Bounds local = InstanceCopies::bounds(mesh, InstanceCopies::canonical(mesh, instance.pose));
     d.bounds = transform_bounds(instance.transform, local);

@@ -124,6 +124,7 @@ MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std:
     needs.water |= dielectric && liquid;
     needs.glass |= dielectric && !liquid;
     needs.turbid |= dielectric && m.scattering > 0.0f && (liquid ? interfaces.water : interfaces.glass);
+    needs.skins |= dielectric && scene::opaque_share(m, opacity) > 0.0f;
     needs.glass_alone &= dielectric && !liquid;
     needs.alpha_test |= (m.flags & scene::kMaterialAlphaTest) != 0;
     needs.translucent |= m.alpha < 1.0f;

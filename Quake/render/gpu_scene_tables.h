@@ -35,6 +35,7 @@ struct MaterialNeeds {
   bool known = true, alpha_test = false, translucent = false, specular = false;
   bool water = false, glass = false;  // some material of it can be an interface of a liquid; of glass
   bool turbid = false;                // behind some interface light is scattered
+  bool skins = false;                 // a share of some interface is opaque
   bool glass_alone = true;            // all are of glass
 };
 MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std::uint32_t material_base,

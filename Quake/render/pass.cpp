@@ -17,6 +17,14 @@ void PassList::dispatch(std::string name, PassKind kind, const gpu::ComputePipel
   });
 }
 
+void PassList::dispatch(std::string name, PassKind kind, const gpu::ComputePipeline& pipeline,
+                        const AskedGroups& groups) {
+  add(std::move(name), kind, [&pipeline, groups](gpu::Commands& commands) {
+    groups.dispatch(commands, pipeline);
+    commands.barrier();
+  });
+}
+
 void PassList::record(gpu::Commands& commands) const {
   for (const Pass& pass : passes_) {
     gpu::Commands::Scope scope(commands, pass.name);

@@ -25,12 +25,24 @@ struct PassTime {
 // Workgroups of `side` x `side` invocations that cover a picture.
 inline uvec2 groups_over(uvec2 pixels, std::uint32_t side) { return (pixels + (side - 1)) / side; }
 
+// Workgroups of a dispatch that happens only if the frame asks for it (shared/work.h).
+struct AskedGroups {
+  const gpu::Buffer* words = nullptr;  // null: the frame can't ask
+  std::uint32_t word = 0;
+  uvec2 most{0, 0};
+  explicit operator bool() const { return words != nullptr; }
+  void dispatch(gpu::Commands& commands, const gpu::ComputePipeline& pipeline) const {
+    commands.dispatch_indirect(pipeline, *words, VkDeviceSize{word} * sizeof(std::uint32_t), most.x, most.y);
+  }
+};
+
 class PassList {
  public:
   // `record` ends with a barrier after what later passes read.
   void add(std::string name, PassKind kind, std::function<void(gpu::Commands&)> record);
   // One dispatch and a barrier.
   void dispatch(std::string name, PassKind kind, const gpu::ComputePipeline& pipeline, uvec2 groups);
+  void dispatch(std::string name, PassKind kind, const gpu::ComputePipeline& pipeline, const AskedGroups& groups);
 
   // Each pass in a timed scope of its name.
   void record(gpu::Commands& commands) const;

@@ -62,12 +62,12 @@ void add_paths_pass(const TechniquePasses& passes, std::string_view name, const 
   const gpu::ComputePipeline& paths =
       constants.meanwhile ? passes.shaders.get(name, variant, meanwhile) : passes.shaders.get(name, variant);
   passes.list.dispatch("paths", PassKind::kEstimator, paths, groups_over(passes.size, 8));
-  if (passes.medium_size.x == 0) return;
+  if (!passes.medium) return;
   variant.technique = constants.medium;
   variant.one_bounce = passes.medium_bounces == 1;
   variant.show_view = false;
   passes.list.dispatch("fog", PassKind::kEstimator, passes.shaders.get(std::string(name) + "_medium", variant),
-                       groups_over(passes.medium_size, 8));
+                       passes.medium);
 }
 
 std::unique_ptr<Technique> make_path_technique(const TechniqueTools&, std::string_view name) {

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "render/denoiser.h"
+#include "shared/work.h"
 
 namespace fb::render {
 namespace {
@@ -45,6 +46,14 @@ std::vector<glm::uvec4> Readback::history() const { return from_.denoiser.read_h
 FrameCounters Readback::counters() const {
   const auto words = gpu::read_now<std::uint32_t>(from_.device, from_.counters, shared::kCounterCount);
   return {words[shared::kCounterNan], words[shared::kCounterGuideNan], words[shared::kCounterHistory]};
+}
+
+FrameWork Readback::work() const {
+  const auto words = gpu::read_now<std::uint32_t>(from_.device, from_.counters, shared::kCounterCount);
+  const auto word = [&](std::uint32_t kind, std::uint32_t i) {
+    return words[shared::work_word(kind, from_.work_parity) + i];
+  };
+  return {word(shared::kWorkMedium, 0) != 0, word(shared::kWorkSecond, 0) != 0, word(shared::kWorkWater, 3)};
 }
 
 float Readback::exposure() const {

@@ -20,6 +20,12 @@ struct FrameCounters {
   std::uint32_t history_not_finite = 0;  // irradiances that were kept out of the denoiser's history
 };
 
+// What the last frame's G-buffer asked later passes for (shared/work.h).
+struct FrameWork {
+  bool medium = false, second = false;
+  std::uint32_t water_tiles = 0;
+};
+
 class Readback {
  public:
   struct Source {
@@ -27,6 +33,7 @@ class Readback {
     const gpu::Buffer &output, &mean, &m2, &gbuffer, &counters, &exposure;
     const Denoiser& denoiser;
     uvec2 output_size, render_size;
+    std::uint32_t work_parity;
   };
   explicit Readback(const Source& source) : from_(source) {}
 
@@ -38,6 +45,7 @@ class Readback {
   // The denoiser's history as it is packed (shared/denoise.h), kSectionHistory of the last frame.
   std::vector<glm::uvec4> history() const;
   FrameCounters counters() const;
+  FrameWork work() const;
   float exposure() const;  // factor on radiance before the tone curve
 
  private:

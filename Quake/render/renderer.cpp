@@ -19,6 +19,7 @@
 #include "render/overlay.h"
 #include "render/picture_size.h"
 #include "render/shader_set.h"
+#include "render/work.h"
 #include "shared/kinds.h"
 #include "shared/rng.h"
 
@@ -79,6 +80,7 @@ struct Renderer::Impl {
   bool shows_view() const {
     return info->views != shared::kViewOfFrame && view_owner(constants.debug_view) == info->views;
   }
+  Work work() const { return {counters, constants}; }
   PassList list_passes();
 
   gpu::Device& device;
@@ -94,6 +96,7 @@ struct Renderer::Impl {
   uvec2 output_size{640, 360}, render_size{0, 0}, allocated_output{0, 0};
   scene::Area picture;  // in the output, as it was asked for last; empty: all of it
   std::uint32_t gbuffer_planes = 0;
+  std::uint32_t work_parity = 0;
   bool swap_red_blue = false;
 
   std::uint64_t key = 0, last_scene = 0;
@@ -304,6 +307,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.atlas_width = overlay.atlas_width();
   constants.technique_view = shows_view();
   constants.previous_gbuffer = previous_valid && !snapshot.cut;
+  constants.work_parity = work_parity ^= 1u;
   denoiser.fill(constants, snapshot, settings, scene == last_scene);
   constants.spp *= static_cast<int>(constants.history_gain);
   distances.fill(constants, snapshot.cut);
@@ -336,15 +340,16 @@ PassList Renderer::Impl::list_passes() {
     list.dispatch(name, PassKind::kFrame, pipeline, groups);
   };
   scene.add_passes(list);
-  frame("gbuffer", shaders.get("gbuffer", variant), tiles);
+  add_gbuffer(list, shaders, variant, work(), ldr);
   Variant path_variant = variant;
   path_variant.show_view = shows_view();
   const bool medium = MediumDistances::scatters(constants);
   technique->add_passes({list, shaders, path_variant, Denoiser::light_size(render_size, constants.light_block),
-                         medium ? Denoiser::light_size(render_size, constants.medium_block) : uvec2(0),
-                         constants.bounces, constants.medium_bounces});
+                         medium ? work().groups(shared::kWorkMedium) : AskedGroups(), constants.bounces,
+                         constants.medium_bounces});
   frame("accumulate", shaders.get(medium ? "accumulate_medium" : "accumulate"), tiles);
-  denoiser.add_passes(list, shaders, {medium, has_interfaces()});
+  denoiser.add_passes(list, shaders, medium ? work().groups(shared::kWorkMedium) : AskedGroups(),
+                      has_interfaces() ? work().groups(shared::kWorkSecond) : AskedGroups());
   frame("histogram", shaders.get("exposure_histogram"), groups_over(render_size, 16));
   const bool lens = constants.debug_view == 0 && (constants.bloom > 0 || constants.local_exposure > 0);
   if (lens) frame("local_exposure", shaders.get("local_exposure"), {(shared::kGridCells + 63) / 64, 1});
@@ -447,6 +452,7 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
     timer.reset(commands.handle());
     commands.set_timer(&timer);
     commands.bind(table);
+    work().begin(commands);
     passes.record(commands);
   });
   under_way = true;
@@ -474,7 +480,7 @@ Readback Renderer::read() const {
   impl_->finish();
   const Impl& r = *impl_;
   return Readback({r.device, r.output, r.mean, r.m2, r.gbuffer, r.counters, r.exposure, r.denoiser, r.allocated_output,
-                   r.render_size});
+                   r.render_size, r.constants.work_parity});
 }
 std::uint64_t Renderer::learnt_bytes() const { return impl_->technique ? impl_->technique->bytes() : 0; }
 const Denoiser& Renderer::denoiser() const { return impl_->denoiser; }

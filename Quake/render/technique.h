@@ -39,7 +39,7 @@ struct TechniquePasses {
   ShaderSet& shaders;
   Variant variant;  // what the scene needs; the technique adds its own constants
   uvec2 size;
-  uvec2 medium_size;                     // pixels at which paths begin in the medium; 0: none do
+  AskedGroups medium;                    // of paths that begin in the medium
   std::int32_t bounces, medium_bounces;  // most reflections of paths from surfaces, from the medium
 };
 

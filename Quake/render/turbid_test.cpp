@@ -234,5 +234,53 @@ TEST_F(TurbidTest, DenoisedItKeepsItsEnergy) {
   }
 }
 
+// A block of pixels that lies across the rim of a pool is asked at dry pixels, too: there nothing scatters, which says
+// nothing of the light in the water.
+TEST_F(TurbidTest, DenoisedItIsNoDarkerAtAPoolsRim) {
+  scene::FrameSnapshot pool = scene::furnace(0.0f, 1.0f);
+  look(pool, {0, 0, 60}, 90, 60);
+  add_water(pool, 0.0f, 20.0f, vec3(0.0f), 0.02f);
+  RenderSettings s = denoising();
+  s.estimator = "pt";
+  s.water = 1;
+  s.water_waves = 0;
+  s.jitter = 0;
+  s.light_scale = 0.5f;
+  s.fog_scale = 0.5f;
+  RenderSettings every = s;  // pixel's own samples, and many
+  every.light_scale = every.fog_scale = 1;
+  every.spp = 64;
+  every.accumulate = 0;
+  const auto mean_of_frames = [&](const RenderSettings& settings, int from, int to, bool denoised) {
+    auto renderer = make_renderer(settings, 48, 48);
+    std::vector<double> mean(48 * 48);
+    for (int frame = 0; frame < to; ++frame) {
+      renderer->render(at_time(pool, frame), nullptr, settings);
+      if (frame < from) continue;
+      const auto picture = denoised ? renderer->read().denoised() : renderer->read().linear();
+      for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += static_cast<double>(picture[i].x) / (to - from);
+    }
+    return mean;
+  };
+  const std::vector<double> shown = mean_of_frames(s, 64, 96, true), truth = mean_of_frames(every, 0, 16, false);
+  auto renderer = make_renderer(every, 48, 48);
+  renderer->render(at_time(pool, 0), nullptr, every);
+  const auto gbuffer = renderer->read().gbuffer();
+  const auto wet = [&](std::size_t i) { return (gbuffer[i].material_metalness & shared::kTexelLiquid) != 0; };
+  double rim = 0, rim_truth = 0;
+  int pixels = 0;
+  for (std::size_t y = 1; y < 47; ++y)
+    for (std::size_t x = 1; x < 47; ++x) {
+      const std::size_t i = y * 48 + x;
+      if (!wet(i) || (wet(i - 1) && wet(i + 1) && wet(i - 48) && wet(i + 48))) continue;
+      rim += shown[i];
+      rim_truth += truth[i];
+      ++pixels;
+    }
+  fmt::print("{} pixels at the rim: {:.4f} for {:.4f}\n", pixels, rim / pixels, rim_truth / pixels);
+  ASSERT_GT(pixels, 40);
+  EXPECT_NEAR(rim / rim_truth, 1.0, 0.02);
+}
+
 }  // namespace
 }  // namespace fb::render

@@ -71,7 +71,9 @@ LayerThere second_there(uint at, vec3 ray) {
 }
 
 // A layer's light at a pixel, from slot 3: of the four blocks about it, those of its place. `guess`: where none has any.
+// Where no pixel of the frame has the layer the slot was not written.
 vec3 layer_color(Layer layer, LayerThere there, uvec2 pixel, vec3 guess) {
+  if (there.factor == vec3(0.0)) return vec3(0.0);
   uint place = place_of(there);
   vec2 point = (vec2(pixel) + 0.5) / float(layer.block) - 0.5, corner = floor(point), f = point - corner;
   uint from = layer_slot(layer, 3u);

@@ -4,6 +4,7 @@
 #ifndef FB_LIB_MEDIUM_DISTANCES
 #define FB_LIB_MEDIUM_DISTANCES
 #include "lib/pixel.glsl"
+#include "lib/work.glsl"
 #include "shared/medium.h"
 
 const float kMostFrames = 32.0;      // of a running mean
@@ -23,7 +24,7 @@ uint distances_at(uint half_of, uvec2 block) {
 
 // Of the four blocks about a point of the former frame's picture.
 Distances former_distances(vec2 pixel) {
-  if (frame.distances_former == kNoIndex) return Distances(0.0, 0.0, 0.0, 0.0);
+  if (frame.distances_former == kNoIndex || !was_asked_for(kWorkMedium)) return Distances(0.0, 0.0, 0.0, 0.0);
   vec2 point = pixel / float(frame.medium_block) - 0.5, corner = floor(point), f = point - corner;
   ivec2 last = ivec2(frame.medium_width, (frame.height + frame.medium_block - 1u) / frame.medium_block) - 1;
   vec4 sum = vec4(0.0);

@@ -39,6 +39,14 @@ struct Interface {
   bool enters;  // the ray comes from outside
 };
 
+// What was hit bends light.
+bool is_interface(Hit hit) {
+  if (hit.instance == kNoIndex) return false;
+  GpuInstance instance = instance_at(hit.instance);
+  GpuAttribute a = attribute_at(instance.first_attribute + hit.triangle);
+  return (a.flags & kTriangleDielectric) != 0u && (material_at(instance.material_base + a.material).flags & kMaterialDielectric) != 0u;
+}
+
 Interface interface_at(Hit hit, GpuAttribute a, bool waves, vec3 direction) {
   GpuTriangle t = world_triangle(hit.instance, hit.triangle);
   Interface i;
@@ -110,7 +118,7 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
     GpuMaterial m = material_at(material);
     if ((m.flags & kMaterialDielectric) == 0u) break;  // as r_water and r_glass say
     bool first_of_camera = turn == kTurnThrough && !s.bent;
-    if (m.opaque_share > 0.0 && !first_of_camera && rng_uniform(rng) < m.opaque_share) break;
+    if (has_feature(kFeatureSkins) && m.opaque_share > 0.0 && !first_of_camera && rng_uniform(rng) < m.opaque_share) break;
     pass_piece(s, s.hit.t, nearer, of_camera);
     if (turn == kTurnThrough && events == 1u) parting.within = s.hit.t;
     Interface i = interface_at(s.hit, a, (m.flags & kMaterialLiquid) != 0u, s.direction);
@@ -124,12 +132,12 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
     vec3 reflected = kept_on_side(dielectric_reflect(-s.direction, i.normal), i.facing);
     if (first_of_camera) {
       parting.skin = s;
-      parting.opaque = m.opaque_share;
-      s.left *= 1.0 - m.opaque_share;
+      parting.opaque = has_feature(kFeatureSkins) ? m.opaque_share : 0.0;
+      s.left *= 1.0 - parting.opaque;
       parting.mirrored = Segment(s.hit, offset_origin(i.position, i.facing), reflected, s.left * reflectance, here, true,
                                  reflectance, s.distance, s.seen);
       parting.mirrors_most = dielectric_reflectance(min(-dot(s.direction, i.facing), 1.0), eta) > 0.5;
-      parting.through = (1.0 - reflectance) * (1.0 - m.opaque_share);
+      parting.through = (1.0 - reflectance) * (1.0 - parting.opaque);
       parting.distance = s.distance;
       parting.beyond = beyond;
       s.left *= 1.0 - reflectance;

@@ -6,6 +6,7 @@
 #include "lib/gbuffer_texel.glsl"
 #include "lib/interaction.glsl"
 #include "lib/second_surface.glsl"
+#include "lib/work.glsl"
 
 struct WaterTexel {
   vec3 position;  // of the second surface
@@ -15,6 +16,7 @@ struct WaterTexel {
   uint normal, shading_normal;  // of the second
   bool bent;                    // an interface is before both; else nothing of the second is stored but its albedo
 };
+const WaterTexel kNoWater = WaterTexel(vec3(0.0), kNoIndex, kNoSecond, kNoIndex, 0u, 0u, false);
 
 // The piece of the camera's way on which a liquid scatters light to it: where the camera is in one its straight way to the first
 // surface or interface, else the way behind the first interface. All other pieces are left out.
@@ -39,7 +41,9 @@ vec3 scattered_by(LiquidPiece p) {
 
 void store_water(uint at, WaterTexel w, LiquidPiece p) {
   gbuffer.at[in_plane(kFirstWaterPlane, at)] = uvec4(pack_second(w.seen), w.own_liquid);
+  if (w.seen.albedo != vec3(0.0)) ask_for(kWorkSecond, frame.light_width);
   if (frame.turbid != 0u) {
+    if (p.reach > 0.0) ask_for(kWorkMedium, frame.medium_width);
     vec3 light = scattered_by(p);
     float mean = p.reach > 0.0 ? p.start + p.straight * mean_interaction(material_at(p.liquid & kNoMaterial).extinction_g, p.reach) : 0.0;
     gbuffer.at[in_plane(kLiquidPlane, at)] = uvec4(packHalf2x16(light.rg), packHalf2x16(vec2(light.b, mean)),

@@ -3,6 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pixel.glsl"
+#include "lib/work.glsl"
 
 void main() {
   uvec2 pixel = invocation_pixel();
@@ -10,7 +11,7 @@ void main() {
   uint at = pixel.y * frame.width + pixel.x;
   vec3 x = radiance.at[at].rgb;
 #if MEDIUM
-  x += radiance.at[frame.width * frame.height + at].rgb;
+  if (asked_for(kWorkMedium)) x += radiance.at[frame.width * frame.height + at].rgb;
   bool sampled = pixel == medium_pixel(pixel / frame.medium_block);  // light is sampled there, too
 #else
   bool sampled = pixel == light_pixel(pixel / frame.light_block);

@@ -5,10 +5,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/layers.glsl"
+#include "lib/work.glsl"
 
 #if SECOND
+const uint kThisWork = kWorkSecond;
 Layer this_layer() { return second_layer(); }
 #else
+const uint kThisWork = kWorkMedium;
 Layer this_layer() { return medium_layer(); }
 #endif
 
@@ -31,7 +34,7 @@ LayerLight gathered(Layer layer, vec2 pixel, uint place) {
     sum.mean_square += weight * m.mean_square;
     weights += weight;
   }
-  if (frame.history_valid == 0u || !(weights > 0.02)) return LayerLight(vec3(0.0), 0.0, 0u, 0.0, 0.0);
+  if (frame.history_valid == 0u || !was_asked_for(kThisWork) || !(weights > 0.02)) return LayerLight(vec3(0.0), 0.0, 0u, 0.0, 0.0);
   float scale = 1.0 / weights;
   return LayerLight(sum.light * scale, sum.frames * scale, 0u, sum.mean * scale, sum.mean_square * scale);
 }

@@ -54,21 +54,22 @@ FB_CONST uint kTexelBuffers = 14u;
 // Set kSetFrame: the picture and what passes keep from frame to frame.
 FB_CONST uint kBindGBuffer =
     0u;  // uvec4[5][pixels], a GBufferTexel's; with water [kWaterPlanes][pixels] more (lib/water_texel.glsl)
-FB_CONST uint kBindRadiance = 1u;   // vec4[pixels]: this frame's mean of samples; w: samples that were not finite.
-                                    // Then, where there is a medium, the light that it scatters, and twice what is
-                                    // known of distances in it (lib/medium_distances.glsl); then, with water,
-                                    // vec4[pixels] of second surfaces (lib/second_surface.glsl)
-FB_CONST uint kBindMean = 2u;       // vec4[pixels]: mean over the accumulated frames (rgb), w their number
-FB_CONST uint kBindM2 = 3u;         // vec4[pixels]: sum of squared deviations from that mean (Welford)
-FB_CONST uint kBindLdr = 4u;        // uint[pixels]: tone-mapped, sRGB, r lowest
-FB_CONST uint kBindSmooth = 5u;     // uint[pixels]: after anti-aliasing
-FB_CONST uint kBindOutput = 6u;     // uint[output pixels]: what is shown
-FB_CONST uint kBindExposure = 7u;   // ExposureBuffer[1]
-FB_CONST uint kBindQuads = 8u;      // GpuQuad[]
-FB_CONST uint kBindTiles = 9u;      // uint[]: a tile's first and last+1 index, then the lists of quads
-FB_CONST uint kBindAtlas = 10u;     // uint[]: texels of 2D drawing
-FB_CONST uint kBindCounters = 11u;  // uint[kCounterCount]
-FB_CONST uint kBindHistory = 12u;   // uvec4[]: the denoiser's past frames (shared/denoise.h)
+FB_CONST uint kBindRadiance = 1u;  // vec4[pixels]: this frame's mean of samples; w: samples that were not finite.
+                                   // Then, where there is a medium, the light that it scatters, and twice what is
+                                   // known of distances in it (lib/medium_distances.glsl); then, with water,
+                                   // vec4[pixels] of second surfaces (lib/second_surface.glsl)
+FB_CONST uint kBindMean = 2u;      // vec4[pixels]: mean over the accumulated frames (rgb), w their number
+FB_CONST uint kBindM2 = 3u;        // vec4[pixels]: sum of squared deviations from that mean (Welford)
+FB_CONST uint kBindLdr = 4u;     // uint[pixels]: tone-mapped, sRGB, r lowest. Before that, while the G-buffer is made:
+                                 // uint[2][tiles of 8x8 pixels], lib/water_tiles.glsl
+FB_CONST uint kBindSmooth = 5u;  // uint[pixels]: after anti-aliasing
+FB_CONST uint kBindOutput = 6u;  // uint[output pixels]: what is shown
+FB_CONST uint kBindExposure = 7u;          // ExposureBuffer[1]
+FB_CONST uint kBindQuads = 8u;             // GpuQuad[]
+FB_CONST uint kBindTiles = 9u;             // uint[]: a tile's first and last+1 index, then the lists of quads
+FB_CONST uint kBindAtlas = 10u;            // uint[]: texels of 2D drawing
+FB_CONST uint kBindCounters = 11u;         // uint[kCounterCount]
+FB_CONST uint kBindHistory = 12u;          // uvec4[]: the denoiser's past frames (shared/denoise.h)
 FB_CONST uint kBindPreviousGBuffer = 13u;  // kBindGBuffer of the former frame, for techniques that want it
 FB_CONST uint kFrameArrays = 14u;
 

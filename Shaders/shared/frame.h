@@ -6,10 +6,11 @@
 #include "shared/settings.h"
 FB_NAMESPACE_BEGIN
 
-FB_CONST uint kCounterNan = 0u;       // samples that were NaN or infinite; they count as zero
-FB_CONST uint kCounterGuideNan = 1u;  // states of the guide that were not finite; they were not stored
-FB_CONST uint kCounterHistory = 8u;   // irradiances that were not finite and never entered the denoiser's history
-FB_CONST uint kCounterCount = 16u;
+FB_CONST uint kCounterNan = 0u;         // samples that were NaN or infinite; they count as zero
+FB_CONST uint kCounterGuideNan = 1u;    // states of the guide that were not finite; they were not stored
+FB_CONST uint kCounterHistory = 8u;     // irradiances that were not finite and never entered the denoiser's history
+FB_CONST uint kCounterFirstWork = 16u;  // of two frames (shared/work.h)
+FB_CONST uint kCounterCount = 40u;
 FB_CONST uint kHistogramBins = 128u;
 FB_CONST uint kDrawTile = 32u;  // output pixels a side
 
@@ -69,6 +70,7 @@ struct FrameConstants {
   float warp_phase;                      // of the picture's waves (shared/picture_warp.h), radians
   uint distances_former, distances_now;  // halves of what is known of distances: the former frame's, kNoIndex: there is
                                          // none; this one's
+  uint work_parity;                      // of this frame's words in shared/work.h
   FB_FRAME_SETTINGS(FB_UNIFORM_FIELD)
   FB_DENOISER_SETTINGS(FB_UNIFORM_FIELD)
 };

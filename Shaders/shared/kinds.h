@@ -63,7 +63,8 @@ FB_CONST uint kFeatureLuma = 4u;         // images of what glows
 FB_CONST uint kFeatureWarp = 8u;         // liquids that swing
 FB_CONST uint kFeatureSkyTexture = 16u;  // layers or a box
 FB_CONST uint kFeatureSuns = 32u;
-FB_CONST uint kFeaturesAll = 63u;
+FB_CONST uint kFeatureSkins = 64u;  // interfaces of which a share is opaque
+FB_CONST uint kFeaturesAll = 127u;
 
 FB_NAMESPACE_END
 #endif
