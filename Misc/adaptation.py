@@ -1,19 +1,21 @@
 #!/usr/bin/env python3
 """Measures how fast a learning estimator follows a moving light and forgets a vanished one.
 
-Runs `fullbright-lab bench` on the scenes `rocket` and `lightsout` and prints tables of the error, frame by frame.
+Runs `fullbright-lab bench` on the scenes `rocket`, `lightsout` and `horde` and prints tables of the error, frame by frame.
 
-    Misc/adaptation.py [--lab build/fullbright-lab] [--size 160x90] [--reference-spp 1024] [--repeats 8]
-                       [--keep DIR] [rocket|lightsout]
+    Misc/adaptation.py [--lab build/fullbright-lab] [--estimator mcpg] [--size 160x90] [--reference-spp 1024] [--repeats 8]
+                       [--keep DIR] [rocket|lightsout|flashes]
 
-rocket: MSE of single frames of pt divided by that of mcpg (gain at equal samples), with and without prediction
+rocket: MSE of single frames of pt divided by that of the estimator (gain at equal samples), with and without prediction
 (r_mc_predict): of the mean over the runs, and of the median run, which rare bright samples do not affect. "Settled" is
 the gain for the same frame held still, after 60 frames of learning; the difference is the cost of motion. "Tracked"
 means: from this frame on the median run's gain stays above 5.
 
-lightsout: relMSE and MAPE of frames without the lamp, eight together, divided by those of an mcpg that has never seen
+lightsout: relMSE and MAPE of frames without the lamp, eight together, divided by those of the estimator when it has never seen
 the lamp and has learnt for as many frames; with and without the light-loss heuristic (r_mc_loss) and the irradiance
 cache (r_mc_cache), each divided by its own cold start. "Recovered" means: from these frames on the ratio stays below 1.1.
+
+flashes: shots and explosions of the demo `horde`, a frame of it every 0.05 s: MSE of pt divided by that of nee, and of the estimator.
 """
 
 import argparse
@@ -29,10 +31,14 @@ WINDOW = 8
 LIGHTS_OUT = 100  # kLightsOutFrame of Quake/scene/in_code/scenes_in_motion.h
 
 
+HORDE = str(pathlib.Path(__file__).resolve().parent.parent / "testdemos/horde.dem")
+
+
 def bench(options, scene, frames, warmup, configurations, name, *more):
     """Runs the bench; returns {configuration: {frame: [record of each run]}}, frames counted from the first measured."""
     out = options.keep / f"{name}.csv"
-    command = [options.lab, "bench", "--scene", scene, "--size", options.size, "--frames", frames]
+    view = ["--demo", scene, "--fps", "20"] if scene.endswith(".dem") else ["--scene", scene]
+    command = [options.lab, "bench", *view, "--size", options.size, "--frames", frames]
     command += ["--warmup", str(warmup), "--repeats", str(options.repeats), "--quiet"]
     command += ["--reference-spp", str(options.reference_spp), "--reference-dir", str(options.keep / "references")]
     command += ["--csv", str(out)]
@@ -70,7 +76,7 @@ def typical(records, column):
 
 def rocket(options):
     configurations = ["pt:r_estimator=pt"]
-    configurations += [f"{c}:r_estimator=mcpg,r_mc_predict={on}" for c, on in (("with", 1), ("without", 0))]
+    configurations += [f"{c}:r_estimator={options.estimator},r_mc_predict={on}" for c, on in (("with", 1), ("without", 0))]
     runs = bench(options, "rocket", "0:20", 0, configurations, "rocket")
     settled = {}
     for frame in (5, 12, 20):
@@ -102,7 +108,7 @@ def rocket(options):
 def lightsout(options):
     frames = f"{LIGHTS_OUT}:{LIGHTS_OUT + options.frames - 1}"
     variants = {"loss": "", "none": ",r_mc_loss=0", "uncached": ",r_mc_cache=0", "neither": ",r_mc_loss=0,r_mc_cache=0"}
-    configurations = [f"{name}:r_estimator=mcpg{sets}" for name, sets in variants.items()]
+    configurations = [f"{name}:r_estimator={options.estimator}{sets}" for name, sets in variants.items()]
     warm = bench(options, "lightsout", frames, 60, configurations, "lightsout_warm")
     cold = bench(options, "lightsout", frames, 0, configurations, "lightsout_cold")
     columns = [(c, of) for c in variants for of in ("relmse_corrected", "mape")]
@@ -122,17 +128,35 @@ def lightsout(options):
             print(f"{variants[c] or 'default'}: within {100 * (RECOVERED - 1):.0f}% of a cold start by {of}: {words}")
 
 
+def flashes(options):
+    names = ["nee", options.estimator]
+    runs = bench(options, HORDE, "24:55", 24, [f"{name}:r_estimator={name}" for name in ["pt", *names]], "flashes")
+    print("| frame | MSE of pt | " + " | ".join(f"gain of {name}, typical" for name in names) + " |")
+    print("| --- | --- | --- | --- |")
+    worst = {}
+    for f in sorted(runs["pt"]):
+        cells = []
+        for name in names:
+            gains = [of(runs["pt"][f], "mse_corrected") / of(runs[name][f], "mse_corrected") for of in (mean, typical)]
+            worst.setdefault(name, []).append(gains)
+            cells.append("{:.1f}, {:.1f}".format(*gains))
+        print(f"| {f + 24} | {mean(runs['pt'][f], 'mse_corrected'):.4g} | " + " | ".join(cells) + " |")
+    for name in names:
+        print(f"{name}: least gain " + ", ".join(f"{min(g):.1f}" for g in zip(*worst[name])))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("scenes", nargs="*", metavar="SCENE", help="rocket, lightsout; both if none is named")
+    parser.add_argument("scenes", nargs="*", metavar="SCENE", help="rocket, lightsout, flashes; all if none is named")
     parser.add_argument("--lab", default="build/fullbright-lab")
+    parser.add_argument("--estimator", default="mcpg", help="one that learns")
     parser.add_argument("--size", default="160x90")
     parser.add_argument("--reference-spp", type=int, default=1024)
     parser.add_argument("--repeats", type=int, default=8)
     parser.add_argument("--frames", type=int, default=32, help="of lightsout, from the one without the lamp on")
     parser.add_argument("--keep", type=pathlib.Path, help="folder for references and CSV files")
     options = parser.parse_args()
-    experiments = {"rocket": rocket, "lightsout": lightsout}
+    experiments = {"rocket": rocket, "lightsout": lightsout, "flashes": flashes}
     with tempfile.TemporaryDirectory() as folder:
         if options.keep is None:
             options.keep = pathlib.Path(folder)
