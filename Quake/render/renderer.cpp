@@ -22,6 +22,7 @@
 #include "render/work.h"
 #include "shared/kinds.h"
 #include "shared/rng.h"
+#include "shared/work.h"
 
 namespace fb::render {
 namespace {
