@@ -29,6 +29,15 @@ class TurbidTest : public WaterDeviceTest {
     s.spp = spp;
     return s;
   }
+  // Level water.
+  static RenderSettings denoised_settings(const std::string& estimator) {
+    RenderSettings s = denoising();
+    s.estimator = estimator;
+    s.water = 1;
+    s.water_waves = 0;
+    s.jitter = 0;
+    return s;
+  }
 };
 
 ImageEstimate mean_of(Renderer& renderer, const scene::FrameSnapshot& snapshot, const RenderSettings& s, int frames) {
@@ -214,11 +223,7 @@ TEST_F(TurbidTest, NothingIsLostAtTheEndsOfTheRanges) {
 TEST_F(TurbidTest, DenoisedItKeepsItsEnergy) {
   for (const bool above : {true, false}) {
     const scene::FrameSnapshot pool = scene::ripple({40.0f, true, above, 0.006f});
-    RenderSettings s = denoising();
-    s.estimator = "mcpg_nee";
-    s.water = 1;
-    s.water_waves = 0;
-    s.jitter = 0;
+    RenderSettings s = denoised_settings("mcpg_nee");
     s.fog_scale = 1;
     auto renderer = make_renderer(s, 48, 32);
     double denoised = 0, raw = 0;
@@ -240,11 +245,7 @@ TEST_F(TurbidTest, DenoisedItIsNoDarkerAtAPoolsRim) {
   scene::FrameSnapshot pool = scene::furnace(0.0f, 1.0f);
   look(pool, {0, 0, 60}, 90, 60);
   add_water(pool, 0.0f, 20.0f, vec3(0.0f), 0.02f);
-  RenderSettings s = denoising();
-  s.estimator = "pt";
-  s.water = 1;
-  s.water_waves = 0;
-  s.jitter = 0;
+  RenderSettings s = denoised_settings("pt");
   s.light_scale = 0.5f;
   s.fog_scale = 0.5f;
   RenderSettings every = s;  // pixel's own samples, and many

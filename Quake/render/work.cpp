@@ -9,6 +9,8 @@
 namespace fb::render {
 namespace {
 
+static_assert(shared::kCounterFirstWork + 2 * shared::kWorkKinds * shared::kWorkWords <= shared::kCounterCount);
+
 std::uint32_t block_of(std::uint32_t kind, const shared::FrameConstants& c) {
   switch (kind) {
     case shared::kWorkMedium:

@@ -91,7 +91,7 @@ TEST_F(WorkTest, WhatIsOutOfSightIsForgotten) {
   for (int i = 0; i < 4; ++i) render(bright);
   render(away);
   render(dim);
-  // The own surfaces' history is of the brighter walls above, by another depth; the second's would be of this place.
+  // What the pixels' own surfaces were in the frame before was the ceiling, so that these have no history either.
   const auto pixels = renderer->read().denoised();
   for (const vec4& p : pixels) EXPECT_NEAR(p.x, 0.1f * (1 + kAlbedo), 0.005f);
   EXPECT_EQ(renderer->read().counters().history_not_finite, 0u);
