@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Measures how fast a learning estimator follows a moving light and forgets a vanished one.
 
-Runs `fullbright-lab bench` on the scenes `rocket`, `lightsout` and `horde` and prints tables of the error, frame by frame.
+Runs `fullbright-lab bench` on the scenes `rocket`, `lightsout`, `horde` and `candles_flicker` and prints tables of the error, frame by frame.
 
     Misc/adaptation.py [--lab build/fullbright-lab] [--estimator mcpg] [--size 160x90] [--reference-spp 1024] [--repeats 8]
-                       [--keep DIR] [rocket|lightsout|flashes]
+                       [--keep DIR] [rocket|lightsout|flashes|flicker]
 
 rocket: MSE of single frames of pt divided by that of the estimator (gain at equal samples), with and without prediction
 (r_mc_predict): of the mean over the runs, and of the median run, which rare bright samples do not affect. "Settled" is
@@ -17,6 +17,8 @@ cache (r_mc_cache), each divided by its own cold start. "Recovered" means: from 
 
 flashes: shots and explosions of the demo `horde`, a frame of it every 0.05 s: relMSE of pt divided by that of nee, and of the
 estimator. (MSE is that of overexposed fireballs, which shine on themselves: there pt is as good as can be.)
+
+flicker: the same of the scene `candles_flicker`, a frame every 0.05 s, in which each of the candles burns otherwise.
 """
 
 import argparse
@@ -38,8 +40,7 @@ HORDE = str(pathlib.Path(__file__).resolve().parent.parent / "testdemos/horde.de
 def bench(options, scene, frames, warmup, configurations, name, *more):
     """Runs the bench; returns {configuration: {frame: [record of each run]}}, frames counted from the first measured."""
     out = options.keep / f"{name}.csv"
-    view = ["--demo", scene, "--fps", "20"] if scene.endswith(".dem") else ["--scene", scene]
-    command = [options.lab, "bench", *view, "--size", options.size, "--frames", frames]
+    command = [options.lab, "bench", "--demo" if scene.endswith(".dem") else "--scene", scene, "--size", options.size, "--frames", frames]
     command += ["--warmup", str(warmup), "--repeats", str(options.repeats), "--quiet"]
     command += ["--reference-spp", str(options.reference_spp), "--reference-dir", str(options.keep / "references")]
     command += ["--csv", str(out)]
@@ -130,8 +131,17 @@ def lightsout(options):
 
 
 def flashes(options):
+    in_motion(options, HORDE, "flashes")
+
+
+def flicker(options):
+    in_motion(options, "candles_flicker", "flicker")
+
+
+def in_motion(options, scene, experiment):
     names = ["nee", options.estimator]
-    runs = bench(options, HORDE, "24:55", 24, [f"{name}:r_estimator={name}" for name in ["pt", *names]], "flashes")
+    configurations = [f"{name}:r_estimator={name}" for name in ["pt", *names]]
+    runs = bench(options, scene, "24:55", 24, configurations, experiment, "--fps", "20")
     print("| frame | relMSE of pt | " + " | ".join(f"gain of {name}, typical" for name in names) + " |")
     print("| --- | --- | --- | --- |")
     worst = {}
@@ -143,12 +153,14 @@ def flashes(options):
             cells.append("{:.1f}, {:.1f}".format(*gains))
         print(f"| {f + 24} | {mean(runs['pt'][f], 'relmse_corrected'):.4g} | " + " | ".join(cells) + " |")
     for name in names:
-        print(f"{name}: least gain " + ", ".join(f"{min(g):.1f}" for g in zip(*worst[name])))
+        gains = list(zip(*worst[name]))
+        print(f"{name}: least gain " + ", ".join(f"{min(g):.1f}" for g in gains) +
+              "; median frame " + ", ".join(f"{statistics.median(g):.1f}" for g in gains))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("scenes", nargs="*", metavar="SCENE", help="rocket, lightsout, flashes; all if none is named")
+    parser.add_argument("scenes", nargs="*", metavar="SCENE", help="rocket, lightsout, flashes, flicker; all if none is named")
     parser.add_argument("--lab", default="build/fullbright-lab")
     parser.add_argument("--estimator", default="mcpg", help="one that learns")
     parser.add_argument("--size", default="160x90")
@@ -157,7 +169,7 @@ def main():
     parser.add_argument("--frames", type=int, default=32, help="of lightsout, from the one without the lamp on")
     parser.add_argument("--keep", type=pathlib.Path, help="folder for references and CSV files")
     options = parser.parse_args()
-    experiments = {"rocket": rocket, "lightsout": lightsout, "flashes": flashes}
+    experiments = {"rocket": rocket, "lightsout": lightsout, "flashes": flashes, "flicker": flicker}
     with tempfile.TemporaryDirectory() as folder:
         if options.keep is None:
             options.keep = pathlib.Path(folder)

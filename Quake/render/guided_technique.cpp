@@ -132,6 +132,7 @@ RenderSettings GuidedTechnique::adapt(RenderSettings settings) const {
   settings.mc_learn_share = 0;
   settings.mc_share = 0.9f;
   settings.mc_share_score = 0;
+  settings.mc_train = 1;
   settings.mc_in_world = 0;
   settings.mc_loss = 1;
   settings.mc_predict = 1;

@@ -77,7 +77,7 @@ void update_state(Vertex v, Transition t, vec3 hit_position, vec3 velocity, bool
   vec3 to_target = (s.count > 0u ? expected : hit_position) - v.position;
   if (!(dot(to_target, to_target) > 1e-6)) return;
   float scale = view_state(s, to_target, v.scatter).scale;
-  bool seen = score > 0.0 && t.value >= 0.1 * s.weight * scale;
+  bool seen = score > 0.0 && (t.value >= 0.1 * s.weight * scale || guide.mc_paper != 0);
   bool lost = !bent && is_lost(t, scale);
   if (seen) s.target = expected;
   s = update_guide_state(s, v.position, hit_position, t.value / scale, score > 0.0 ? emitted / score : 0.0,

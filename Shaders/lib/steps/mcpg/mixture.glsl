@@ -28,7 +28,7 @@ struct Guidance {
   vec2 weights[kGuideLobes];  // in the mixture; the state's score here
   GuideCell cells[GUIDE_ACCESSES];
   float total, all;    // sums of the weights
-  bool moved;          // the last cell is of where the vertex was
+  bool moved;          // the last cell is of where the vertex was (the paper's method: all are)
   bool last;           // emission alone counts
   CacheCell cache;
   uint cache_frames;   // that it has been trained in
@@ -49,7 +49,7 @@ void load_mixture(Vertex v, inout Guidance g, inout uint group_rng, inout uint r
   float stratum = rng_uniform(group_rng);
   [[unroll]] for (uint a = 0u; a < GUIDE_ACCESSES; ++a) {
     bool adaptive = float(a) + stratum < guide.mc_adaptive * float(GUIDE_ACCESSES);
-    bool from_past = g.moved && a + 1u == GUIDE_ACCESSES;
+    bool from_past = g.moved && (a + 1u == GUIDE_ACCESSES || guide.mc_paper != 0);
     GuideCell cell = guide_cell(from_past ? v.previous : v.position, v.scatter, adaptive, a, group_rng);
     g.cells[a] = cell;
     [[unroll]] for (uint j = 0u; j < GUIDE_BUCKET; ++j) {

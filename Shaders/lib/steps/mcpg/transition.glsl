@@ -13,9 +13,10 @@ struct Transition {
   bool near;         // the direction is nearer to its lobe's mean than its mean cosine
 };
 
-// The light is gone: nothing where it should be, and nobody saw it in the former frame (Alber 2025, Section 5). `scale`: of the
-// state as it is seen from the vertex.
+// The light is gone: nothing where it should be, and nobody saw it in the former frame either (the paper's method: in this one;
+// Alber 2025, Section 5). `scale`: of the state as it is seen from the vertex.
 bool is_lost(Transition t, float scale) {
-  return guide.mc_loss != 0 && t.matched && t.near && t.value < kLeastOfWeight * t.state.weight * scale && guide_age(t.state) > 1u;
+  uint lately = guide.mc_paper != 0 ? 0u : 1u;
+  return guide.mc_loss != 0 && t.matched && t.near && t.value < kLeastOfWeight * t.state.weight * scale && guide_age(t.state) > lately;
 }
 #endif
