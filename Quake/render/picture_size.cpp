@@ -36,6 +36,12 @@ float scale_for_pixels(uvec2 output, float pixels) {
   return std::clamp(std::sqrt(pixels / static_cast<float>(pixels_of(output))), 0.1f, 1.0f);
 }
 
+scene::Area area_within(scene::Area asked, uvec2 output) {
+  asked.min = glm::min(asked.min, output);
+  asked.size = glm::min(asked.size, output - asked.min);
+  return asked.size.x > 0 && asked.size.y > 0 ? asked : scene::Area{uvec2(0), output};
+}
+
 uvec2 scaled_size(uvec2 output, const RenderSettings& settings) {
   const float scale = rendered_fraction(settings);
   const auto scaled = [&](std::uint32_t size) {

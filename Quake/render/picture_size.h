@@ -7,12 +7,17 @@
 #include "gpu/device.h"
 #include "render/denoiser.h"
 #include "render/settings.h"
+#include "scene/draw_list.h"
 #include "shared/frame.h"
 
 namespace fb::render {
 
 // Rendered width relative to the shown one's: r_scale, or one over it where it is QuakeSpasm's whole number.
 float rendered_fraction(const RenderSettings& settings);
+
+// The part of an output that shows the picture: the area that is asked for, as far as it lies within; all of it where
+// none does.
+scene::Area area_within(scene::Area asked, uvec2 output);
 
 // What is rendered for an output of this size (r_scale).
 uvec2 scaled_size(uvec2 output, const RenderSettings& settings);

@@ -61,7 +61,7 @@ struct Renderer::Impl {
   }
   bool has_interfaces() const { return features.water || features.glass; }
   void resize_buffers(uvec2 render, uvec2 output, const RenderSettings& settings);
-  scene::Area shown() const;
+  scene::Area shown() const { return area_within(picture, output_size); }
   void fit(const RenderSettings& settings);
   void begin(const scene::FrameSnapshot& snapshot, const scene::DrawList* draw, const RenderSettings& asked);
   void finish();
@@ -189,14 +189,6 @@ VkDeviceSize Renderer::Impl::second_radiance(const RenderSettings& settings, uve
   if (!features.medium) return pixels;
   const uvec2 blocks = Denoiser::light_size(render, denoiser.medium_block(settings));
   return 2 * pixels + 2 * static_cast<VkDeviceSize>(blocks.x) * blocks.y;
-}
-
-// Where the picture is; never beyond the output.
-scene::Area Renderer::Impl::shown() const {
-  scene::Area area = picture;
-  area.min = glm::min(area.min, output_size);
-  area.size = glm::min(area.size, output_size - area.min);
-  return area.size.x > 0 && area.size.y > 0 ? area : scene::Area{uvec2(0), output_size};
 }
 
 // Buffers of the picture's size.

@@ -136,5 +136,14 @@ TEST(PictureSize, ScaleIsAFractionOrQuakeSpasmsWholeNumber) {
   EXPECT_EQ(scaled_size({1280, 720}, s), uvec2(427, 240));
 }
 
+TEST(PictureSize, AnAreaEndsWhereTheOutputDoes) {
+  const uvec2 output(640, 480);
+  EXPECT_EQ(area_within({uvec2(10, 20), uvec2(30, 40)}, output), (scene::Area{uvec2(10, 20), uvec2(30, 40)}));
+  EXPECT_EQ(area_within({uvec2(600, 100), uvec2(100, 500)}, output), (scene::Area{uvec2(600, 100), uvec2(40, 380)}));
+  const scene::Area all{uvec2(0), output};
+  EXPECT_EQ(area_within({}, output), all) << "none was asked for";
+  EXPECT_EQ(area_within({uvec2(700, 0), uvec2(50, 50)}, output), all) << "it lies beyond";
+}
+
 }  // namespace
 }  // namespace fb::render
