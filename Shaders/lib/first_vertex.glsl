@@ -20,6 +20,7 @@ Vertex first_vertex(GBufferTexel g, uvec2 pixel) {
   v.previous = v.position;
   if (kFollowsMotion) v.previous = previous_world(g, vec2(pixel) + 0.5 + vec2(frame.jitter_x, frame.jitter_y));
   v.liquid = kNoIndex;
+  v.glows = g.emission_specular.rgb != vec3(0.0);
   v.view = normalize(frame.camera_position.xyz - v.position);
   v.scatter.medium = false;
   v.scatter.phase = kNoPhase;

@@ -13,6 +13,7 @@ struct Vertex {
   vec3 view;      // towards the previous vertex
   Scatter scatter;
   uint liquid;  // that it is in: a liquid or glass, below
+  bool glows;   // itself, at this very point
 };
 
 // What a point is in: the material in the low half, the one around that in the high half, kNoMaterial for air. So kNoIndex is air,
@@ -23,14 +24,14 @@ uint medium_around(uint liquid) { return kNoMaterial << 16u | liquid >> 16u; }
 float medium_index(uint liquid) { return liquid == kNoIndex ? 1.0 : material_at(liquid & kNoMaterial).emission.w; }
 
 Vertex surface_vertex(Surface s, vec3 view) {
-  return Vertex(s.position, s.position, view, Scatter(s.normal, s.shading_normal, s.bsdf, false, kNoPhase), kNoIndex);
+  return Vertex(s.position, s.position, view, Scatter(s.normal, s.shading_normal, s.bsdf, false, kNoPhase), kNoIndex, s.emission != vec3(0.0));
 }
 
 // A point of the medium between surfaces, or of a liquid.
 Vertex medium_vertex(vec3 position, vec3 view, uint liquid) {
   bool fog = !FEATURE_WATER || liquid == kNoIndex;
   PhaseFunction phase = PhaseFunction(fog ? frame.medium_phase.x : frame.medium_phase.w, fog ? frame.medium_phase.y : 0.0);
-  return Vertex(position, position, view, Scatter(view, view, Bsdf(vec3(0.0), 1.0, 0.0, 0.0), true, phase), liquid);
+  return Vertex(position, position, view, Scatter(view, view, Bsdf(vec3(0.0), 1.0, 0.0, 0.0), true, phase), liquid, false);
 }
 
 vec3 extinction_of(GpuMaterial m) { return vec3(m.extinction_r, m.extinction_g, m.extinction_b); }

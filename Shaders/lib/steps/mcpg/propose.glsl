@@ -46,7 +46,9 @@ void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance
   g.choice.state = kNoIndex;
   if (!GUIDES) return;
   load_mixture(v, g, path.group_rng, rng);
-  g.share = g.total > 0.0 ? learnt_share(g.cache, g.cache_frames) : 0.0;
+  // A flame's own texels are lit by the flame, in whatever direction: the BSDF has no variance there, and their cell knows nothing of it.
+  bool guided = g.total > 0.0 && (!v.glows || guide.mc_paper != 0);
+  g.share = guided ? learnt_share(g.cache, g.cache_frames) : 0.0;
 }
 
 float share_pdf(Guidance g, float guided_pdf, float bsdf_pdf) {
