@@ -13,7 +13,7 @@ struct Vertex {
   vec3 view;      // towards the previous vertex
   Scatter scatter;
   uint liquid;  // that it is in: a liquid or glass, below
-  bool glows;   // itself, at this very point
+  bool glows;   // itself, at this very point; false where that is not known
 };
 
 // What a point is in: the material in the low half, the one around that in the high half, kNoMaterial for air. So kNoIndex is air,
