@@ -176,7 +176,7 @@ TEST_F(DenoiserTest, APuddleSharesNothingWithItsFloor) {
     const std::vector<vec4> picture = renderer->read().denoised();
     const auto gbuffer = renderer->read().gbuffer();
     for (std::size_t i = 0; i < picture.size(); ++i) {
-      if ((gbuffer[i].material_metalness & 0x7fffffu) != room.triangles[0].material) continue;
+      if ((gbuffer[i].material_metalness & shared::kTexelMaterial) != room.triangles[0].material) continue;
       const double relative = (luminance(picture[i]) - luminance(reference[i])) / (luminance(reference[i]) + 1e-2);
       error[liquid ? 1 : 0] += relative * relative;
     }

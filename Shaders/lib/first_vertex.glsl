@@ -20,10 +20,7 @@ Vertex first_vertex(GBufferTexel g, uvec2 pixel) {
   v.previous = v.position;
   if (kFollowsMotion) v.previous = previous_world(g, vec2(pixel) + 0.5 + vec2(frame.jitter_x, frame.jitter_y));
   v.liquid = kNoIndex;
-  // A texel's emission holds even light, too, and where there is fog or water what they add: then nothing is known of its own.
-  vec3 even = g.albedo_roughness.rgb * frame.ambient.rgb;
-  bool known = !FEATURE_WATER && !(FEATURE_MEDIUM && frame.ambient.rgb != vec3(0.0));
-  v.glows = known && any(greaterThan(g.emission_specular.rgb, 1.001 * even + 1e-6));
+  v.glows = (g.material_metalness & kTexelGlows) != 0u;
   v.view = normalize(frame.camera_position.xyz - v.position);
   v.scatter.medium = false;
   v.scatter.phase = kNoPhase;

@@ -29,7 +29,8 @@ void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float 
   texel.shading_normal = pack_direction(s.shading_normal);
   texel.id = instance_at(hit.instance).id;
   bool liquid = has_feature(kFeatureWarp) && (material_at(s.material).flags & kMaterialLiquid) != 0u;
-  texel.material_metalness = s.material | (liquid ? kTexelLiquid : 0u) | (uint(s.bsdf.metalness * 255.0 + 0.5) << 24u);
+  uint glows = s.emission != vec3(0.0) ? kTexelGlows : 0u;
+  texel.material_metalness = s.material | glows | (liquid ? kTexelLiquid : 0u) | (uint(s.bsdf.metalness * 255.0 + 0.5) << 24u);
   texel.motion = vec4(before.xy - point, depth, before.z);
 }
 

@@ -84,6 +84,7 @@ float choose_surface(inout Vertex v, uint at, bool bent, inout uint rng, out boo
   if (!second) return 1.0 / (1.0 - chance);
   v.position = v.previous = w.position;
   v.liquid = w.liquid;
+  v.glows = false;
   v.scatter.normal = unpack_direction(w.normal);
   v.scatter.shading_normal = unpack_direction(w.shading_normal);
   v.view = v.scatter.shading_normal;

@@ -55,7 +55,7 @@ vec3 debug_color(uint at) {
     case kViewDepth: return vec3(exp2(-g.motion.z / 512.0));
     case kViewMotion: return vec3(g.motion.xy / 16.0 + 0.5, 0.5);
     case kViewInstance: return id_color(g.id);
-    case kViewMaterial: return id_color(g.material_metalness & 0x7fffffu);
+    case kViewMaterial: return id_color(g.material_metalness & kTexelMaterial);
     case kViewGloss: return vec3(g.albedo_roughness.w, g.emission_specular.w, float(g.material_metalness >> 24u) / 255.0);
     case kViewRadiance: return srgb_from_linear(filmic(radiance.at[at].rgb * exposure_now()));
     case kViewDeviation: case kViewHistory: case kViewDisocclusion: case kViewDenoised: case kViewNoisy:

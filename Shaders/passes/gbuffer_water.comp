@@ -21,7 +21,7 @@ GBufferTexel texel_of(Surface s, Segment way, vec3 direction, vec2 point, float 
   vec3 moved = previous_position(way.hit) - s.position;
   vec3 before = previous_pixel(frame.camera_position.xyz + direction * way.seen + moved);
   texel.motion = vec4(before.xy - point, depth, before.z);
-  texel.material_metalness = (texel.material_metalness & 0x7fffffu) | kTexelLiquid;
+  texel.material_metalness = (texel.material_metalness & (kTexelMaterial | kTexelGlows)) | kTexelLiquid;
   return texel;
 }
 

@@ -82,6 +82,9 @@ struct NeeConstants {
   uint seen_ways;    // the table of ways that is read, 0 or 1
 };
 
+// Of GBufferTexel::material_metalness.
+FB_CONST uint kTexelMaterial = 0x3fffffu;
+FB_CONST uint kTexelGlows = 0x400000u;   // the point emits light itself
 FB_CONST uint kTexelLiquid = 0x800000u;  // the surface of a liquid
 
 // In memory five planes, four words of every pixel in each.
@@ -93,7 +96,7 @@ struct GBufferTexel {                                    // 80 bytes
   vec4 emission_specular;       // rgb radiance towards the camera
   uint normal, shading_normal;  // octahedral; both face the camera
   uint id;                      // scene::Instance::id
-  uint material_metalness;      // material in the low 23 bits, kTexelLiquid, metalness * 255 above
+  uint material_metalness;      // kTexelMaterial, kTexelGlows, kTexelLiquid; metalness * 255 above
   vec4 motion;                  // xy: previous minus current position in pixels; z, w: view depth now and before
 };
 

@@ -49,15 +49,28 @@ vec3 light_emission(Hit hit, vec3 direction, bool stopped) {
 }
 
 // The emission that a direction meets is shared by the balance heuristic (Veach and Guibas 1995): light_candidates() samples of
-// the list or, inside of a sun's disc, one of the suns; and one of whatever the path's own directions come from. Where one ray does
-// for both (`one`), it looks for light with probability kLooks.
-const float kLooks = 0.75;
+// the list or, inside of a sun's disc, one of the suns; and one of whatever the path's own directions come from. Turns: how often
+// each of the two is tried. Where one ray does for both it mostly looks for light; at a point that glows, as a flame's, light is
+// all about, which scattered rays meet and few points of the list are near enough for.
+const float kLooks = 0.75, kLooksWithinLight = 0.25;
 
-float density_of_all(float looked_for, float proposed, bool one) {
-  return (one ? kLooks : 1.0) * looked_for + (one ? 1.0 - kLooks : 1.0) * proposed;
+struct Turns {
+  float looking, scattering;
+};
+const Turns kBoth = Turns(1.0, 1.0);
+Turns turns_of_one(Vertex v) {
+  float looking = v.glows ? kLooksWithinLight : kLooks;
+  return Turns(looking, 1.0 - looking);
 }
 
+float density_of_all(float looked_for, float proposed, Turns turns) { return turns.looking * looked_for + turns.scattering * proposed; }
+
 uint cell_of(Vertex v) { return seen_cell(v.position, scatter_axis(v.scatter)); }
+
+// A flame's own light is all about its points: scattered rays have next to no variance there, and a point of the list has that of
+// the balance, up to half of the square of what comes (Veach and Guibas 1995). So points that glow look for no light that is so near.
+const float kWithinLight = 24.0;
+bool is_within_light(Vertex v, float distance) { return v.glows && distance < kWithinLight; }
 
 // Of light that is looked for, where a way from the vertex in a direction ends, of the ways with its turns that directions find.
 float looked_for_density(Vertex v, vec3 direction, Segment way) {
@@ -66,17 +79,17 @@ float looked_for_density(Vertex v, vec3 direction, Segment way) {
     if (!way.bent) return sun_pdf(direction);
     return mirrors_suns(v) && way.mirrored > 0.0 ? mirrored_density(direction) / way.mirrored : 0.0;
   }
-  return way.bent ? 0.0 : hit_light_pdf(cell_of(v), way.hit, direction);
+  return way.bent || is_within_light(v, way.hit.t) ? 0.0 : hit_light_pdf(cell_of(v), way.hit, direction);
 }
 
 // The share of emission that was met by a direction of the path's own.
-float met_share_of(Vertex v, Segment way, Proposal p, vec3 emission, bool one) {
-  if (emission == vec3(0.0) || (p.flags & kScatterDelta) != 0u) return one ? 1.0 / (1.0 - kLooks) : 1.0;
-  float all = density_of_all(looked_for_density(v, p.direction, way), p.pdf, one);
+float met_share_of(Vertex v, Segment way, Proposal p, vec3 emission, Turns turns) {
+  if (emission == vec3(0.0) || (p.flags & kScatterDelta) != 0u) return 1.0 / turns.scattering;
+  float all = density_of_all(looked_for_density(v, p.direction, way), p.pdf, turns);
   return all > 0.0 ? p.pdf / all : 1.0;
 }
 
-float met_share(Vertex v, Segment way, Proposal p, vec3 emission) { return met_share_of(v, way, p, emission, false); }
+float met_share(Vertex v, Segment way, Proposal p, vec3 emission) { return met_share_of(v, way, p, emission, kBoth); }
 
 // For this share of the rays what is known chooses the kind of light, for the others each kind has half: neither has less than
 // a tenth of the rays. A cell that is new has half and half, too: a sun outshines all lights, also where walls hide it.
@@ -105,7 +118,7 @@ void aim_at_mirrored_sun(Vertex v, float hoped, inout Aim aim, inout uint rng) {
 // One of light_candidates() points of lights and a direction to a sun, chosen by what each would bring (resampled importance
 // sampling, Talbot 2005) if each light were even and if as many rays to its kind arrived as did before from hereabouts. Emission,
 // with its textures, is read of what is met.
-Aim aim_at_light(Vertex v, bool one, inout uint rng) {
+Aim aim_at_light(Vertex v, Turns turns, inout uint rng) {
   Aim aim = kNoAim;
   vec3 origin = scatter_origin(v.scatter, v.position);
   aim.cell = cell_of(v);
@@ -126,8 +139,8 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
     float bsdf, density = draws_of(candidates, light) * triangle_pdf(t, reach, direction);
     vec3 f = scatter_eval(v.scatter, v.view, direction, bsdf);
     float area = 0.5 * length(cross(t.e1.xyz, t.e2.xyz));
-    float all = density_of_all(density, bsdf, one);
-    float value = there && density > 0.0 ? dot(f, vec3(1.0)) * frame.light_power * light_probability(light) / (area * all) : 0.0;
+    float all = density_of_all(density, bsdf, turns);
+    float value = there && density > 0.0 && !is_within_light(v, reach) ? dot(f, vec3(1.0)) * frame.light_power * light_probability(light) / (area * all) : 0.0;
     if (FEATURE_MEDIUM) value *= transmittance(frame.medium.w, reach);
     uint to = seen_way(here, origin + way);
     value *= hope_of(candidates, light, to);
@@ -145,7 +158,7 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
     vec3 f = scatter_eval(v.scatter, v.view, direction, bsdf);
     // Zero on a rim that rounding left out: directions of the BSDF miss it as well.
     float sun = bends ? refracted_density(v, direction) : sun_pdf(direction);
-    float all = density_of_all(sun, bsdf, one);
+    float all = density_of_all(sun, bsdf, turns);
     float value = sun > 0.0 ? dot(f, vec3(1.0)) * radiance / all : 0.0;
     float even = 1e-6 * (value + sum) + 1e-20;  // where neither was ever reached
     float reached = seen_share(seen.x) * value + even, both = reached + seen_share(seen.y) * sum + even;
@@ -167,9 +180,9 @@ Aim aim_at_light(Vertex v, bool one, inout uint rng) {
 
 // What chose a direction shares it with the BSDF, which is cheap to ask; what it brings, with all that paths propose there, as often
 // as they take the way's turns.
-float shared_weight(Aim aim, Segment way, float proposed, bool one) {
+float shared_weight(Aim aim, Segment way, float proposed, Turns turns) {
   if (aim.weight <= 0.0) return 0.0;
-  return aim.weight / density_of_all(aim.density, aim.turn == kTurnBack ? proposed * way.mirrored : proposed, one);
+  return aim.weight / density_of_all(aim.density, aim.turn == kTurnBack ? proposed * way.mirrored : proposed, turns);
 }
 
 // Whether a way met what it was to look for. A point of the list inside of a sun's disc is the sun's.
@@ -195,10 +208,10 @@ Direct direct_light(Vertex v, vec3 direction, vec3 f, vec3 light) {
 }
 
 Direct look_for_light(Vertex v, Guidance g, inout uint rng) {
-  Aim aim = aim_at_light(v, false, rng);
+  Aim aim = aim_at_light(v, kBoth, rng);
   float proposed = proposal_pdf(g, aim.direction, aim.bsdf_pdf);
   Segment way = segment_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, aim.turn, rng);
-  float weight = found(aim, way, rng) ? shared_weight(aim, way, proposed, false) : 0.0;
+  float weight = found(aim, way, rng) ? shared_weight(aim, way, proposed, kBoth) : 0.0;
   vec3 emission = weight > 0.0 ? light_emission(way.hit, way.direction, aim.turn == kTurnNowhere) * way.left : vec3(0.0);
   remember_lamp(aim.cell, aim.lamp, dot(aim.f * emission, vec3(weight)), rng);
   return direct_light(v, aim.direction, aim.f, emission * weight);
@@ -206,19 +219,20 @@ Direct look_for_light(Vertex v, Guidance g, inout uint rng) {
 
 Direct last_light(Vertex v, inout uint rng) {
   Proposal p = propose_scattered(v, rng);
-  Aim aim = aim_at_light(v, true, rng);
-  bool looks = rng_uniform(rng) < kLooks;
+  Turns turns = turns_of_one(v);
+  Aim aim = aim_at_light(v, turns, rng);
+  bool looks = rng_uniform(rng) < turns.looking;
   vec3 direction = looks ? aim.direction : p.direction;
   float reach = looks ? aim.weight > 0.0 ? aim.reach : 0.0 : p.weight != vec3(0.0) ? kRayEnd : 0.0;
   Segment way = segment_from(v, direction, reach, looks ? aim.turn : kTurnByChance, rng);
   bool stopped = looks && aim.turn == kTurnNowhere;
   vec3 emission = reach > 0.0 ? light_emission(way.hit, way.direction, stopped) * way.left : vec3(0.0);
   if (looks) {
-    float weight = found(aim, way, rng) ? shared_weight(aim, way, aim.bsdf_pdf, true) : 0.0;
+    float weight = found(aim, way, rng) ? shared_weight(aim, way, aim.bsdf_pdf, turns) : 0.0;
     remember_lamp(aim.cell, aim.lamp, dot(aim.f * emission, vec3(weight)), rng);
     return direct_light(v, direction, aim.f, emission * weight);
   }
-  vec3 light = emission * met_share_of(v, way, p, emission, true);
+  vec3 light = emission * met_share_of(v, way, p, emission, turns);
   return direct_light(v, direction, p.weight * p.pdf, p.pdf > 0.0 ? light / p.pdf : vec3(0.0));
 }
 #endif
