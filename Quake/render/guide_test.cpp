@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <map>
+#include <memory>
 #include <numeric>
+#include <string>
 #include <vector>
 #include <algorithm>
 
@@ -76,6 +79,7 @@ const std::pair<const char*, std::function<void(RenderSettings&)>> kFeatures[] =
     {"exponent 0", [](RenderSettings& s) { s.mc_power = 0; }},
     {"exponent 4", [](RenderSettings& s) { s.mc_power = 4; }},
     {"one in 64 trains", [](RenderSettings& s) { s.mc_train = 64; }},
+    {"three parts", [](RenderSettings& s) { s.mc_parts = 3; }},
     {"extreme numbers", [](RenderSettings& s) { s.mc_alpha = 1e-4f, s.mc_radius = 0.01f, s.mc_static_width = 1; }},
     {"and the other way",
      [](RenderSettings& s) { s.mc_alpha = 1, s.mc_count = 1, s.mc_radius = 1024, s.mc_angle = 45; }},
@@ -153,6 +157,63 @@ TEST_F(GuideTest, FollowsALightThroughFramesOfUnevenLength) {
   }
   RecordProperty("gain", std::to_string(errors[0] / errors[1]));
   EXPECT_LT(errors[1], 0.33 * errors[0]);
+}
+
+// With r_deterministic, as where a device runs all paths at once, a state takes one sample of each part of a frame.
+class GuideAtOnceTest : public GuideTest {
+ protected:
+  // Mean of the logarithm of the squared error of frames of a rocket's flight.
+  double rocket_error(const std::string& estimator, int parts, std::uint64_t first, std::uint64_t last) {
+    const auto assets = scene::rocket_assets();
+    double sum = 0;
+    for (std::uint64_t judged = first; judged <= last; ++judged) {
+      const std::vector<vec4>& truth = truth_of(assets, judged);
+      for (int seed = 0; seed < kSeeds; ++seed) {
+        const RenderSettings s = guided(1, 2, [&](RenderSettings& r) {
+          r.estimator = estimator;
+          r.jitter = r.accumulate = 0;
+          r.seed = seed;
+          r.deterministic = 1;
+          r.mc_parts = parts;
+        });
+        auto renderer = make_renderer(s, kSize.x, kSize.y);
+        for (std::uint64_t frame = 0; frame <= judged; ++frame)
+          renderer->render(scene::rocket(assets, frame, 60), nullptr, s);
+        sum += std::log(mean_square_difference(renderer->read().linear(), truth));
+      }
+    }
+    return sum / static_cast<double>(kSeeds * (last - first + 1));
+  }
+
+ private:
+  static constexpr int kSeeds = 4;
+  static constexpr uvec2 kSize{96, 54};
+  const std::vector<vec4>& truth_of(const std::shared_ptr<const scene::Assets>& assets, std::uint64_t frame) {
+    std::vector<vec4>& truth = truths_[frame];
+    if (!truth.empty()) return truth;
+    RenderSettings s;
+    s.estimator = "nee";
+    s.spp = 64;
+    s.jitter = 0;
+    s.seed = 77;
+    auto renderer = make_renderer(s, kSize.x, kSize.y);
+    render_frames(*renderer, scene::rocket(assets, frame, 60), s, 4);
+    return truth = renderer->read().linear();
+  }
+  std::map<std::uint64_t, std::vector<vec4>> truths_;
+};
+
+TEST_F(GuideAtOnceTest, APartOfAFrameLearnsFromThoseBefore) {
+  const double gain = std::exp(rocket_error("mcpg", 1, 3, 5) - rocket_error("mcpg", 0, 3, 5));
+  RecordProperty("gain", std::to_string(gain));
+  EXPECT_GT(gain, 2);
+}
+
+// Else a state forgets where its light is by what those found who do not see it.
+TEST_F(GuideAtOnceTest, ASightOutranksAMiss) {
+  const double gain = std::exp(rocket_error("pt", 1, 11, 13) - rocket_error("mcpg", 1, 11, 13));
+  RecordProperty("gain", std::to_string(gain));
+  EXPECT_GT(gain, 8);
 }
 
 // A face of sky near by shows a sun that is far off: what one point learns of it must serve its neighbours.

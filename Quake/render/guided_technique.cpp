@@ -60,6 +60,7 @@ class GuidedTechnique : public Technique {
   std::uint32_t accesses_ = 1, bucket_ = 1;          // cells that a vertex takes states from; states in a cell
   std::uint32_t frame_ = 0;                          // since it forgot
   std::array<double, shared::kPastFrames> times_{};  // of the last frames, by their numbers
+  std::uint32_t parts_ = 1;                          // of a frame's paths
   bool resolve_ = false, guides_fog_ = true;
   bool forget_ = true;
 };
@@ -142,6 +143,8 @@ RenderSettings GuidedTechnique::adapt(RenderSettings settings) const {
 void GuidedTechnique::prepare(const TechniqueFrame& frame) {
   const RenderSettings& s = frame.settings;
   resolve_ = s.deterministic != 0;
+  const int parts = resolve_ ? 4 : device_.is_software() ? 1 : 2;
+  parts_ = static_cast<std::uint32_t>(s.mc_parts > 0 ? s.mc_parts : parts);
   guides_fog_ = !seen_ || s.mc_fog != 0 || frame.turbid;  // no straight ray finds what lights a liquid from above
   bucket_ = std::bit_floor(static_cast<std::uint32_t>(s.mc_bucket));
   accesses_ = std::min(static_cast<std::uint32_t>(s.mc_accesses), kMaxLobes / bucket_);
@@ -165,13 +168,19 @@ void GuidedTechnique::add_passes(const TechniquePasses& passes) {
   PathSpecs specs{{resolve_, accesses_, bucket_, 1}, {}, {resolve_, accesses_, bucket_, guides_fog_}};
   // Paths that look for light alone are nearly as good.
   if (seen_ && !resolve_) specs.meanwhile = {0, 1, 1, 0};
+  specs.parts = parts_;
+  std::function<void(gpu::Commands&)> resolve;
+  if (resolve_) {
+    resolve = [&pipeline = passes.shaders.get("guide_states"),
+               groups = static_cast<std::uint32_t>((vertices_ + 63) / 64)](gpu::Commands& commands) {
+      commands.dispatch(pipeline, std::min(groups, kGroupsWide), (groups + kGroupsWide - 1) / kGroupsWide);
+      commands.barrier();
+    };
+  }
+  specs.between_parts = resolve;
   add_paths_pass(passes, name_, specs);
   if (seen_) seen_->add_fold(passes.list, passes.shaders);
-  if (resolve_) {
-    const auto groups = static_cast<std::uint32_t>((vertices_ + 63) / 64);
-    passes.list.dispatch("guide states", PassKind::kEstimator, passes.shaders.get("guide_states"),
-                         {std::min(groups, kGroupsWide), (groups + kGroupsWide - 1) / kGroupsWide});
-  }
+  if (resolve) passes.list.add("guide states", PassKind::kEstimator, resolve);
   passes.list.dispatch("guide cache", PassKind::kEstimator, passes.shaders.get("guide_cache"), {kFoldGroups, 1});
 }
 

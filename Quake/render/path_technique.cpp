@@ -1,4 +1,5 @@
 // Techniques of one pass that traces paths, which remember nothing or only what shadow rays reached.
+#include <array>
 #include <cstring>
 #include <string>
 
@@ -50,6 +51,16 @@ class NeeTechnique : public PathTechnique {
   std::uint32_t frame_ = 0;  // since it forgot
 };
 
+// Of workgroups: every `step`-th from `first`.
+struct Rows {
+  std::uint32_t step, first, count;
+};
+// Parts lie among each other: what one learns is of use all over the picture.
+Rows rows_of_part(std::uint32_t part, std::uint32_t parts, std::uint32_t rows) {
+  const std::uint32_t step = 1u << (part == 0 ? parts - 1 : parts - part), first = part == 0 ? 0 : step / 2;
+  return {step, first, rows > first ? (rows - first + step - 1) / step : 0};
+}
+
 }  // namespace
 
 void add_paths_pass(const TechniquePasses& passes, std::string_view name, const PathSpecs& constants) {
@@ -61,7 +72,19 @@ void add_paths_pass(const TechniquePasses& passes, std::string_view name, const 
   meanwhile.technique = constants.meanwhile.value_or(constants.surfaces);
   const gpu::ComputePipeline& paths =
       constants.meanwhile ? passes.shaders.get(name, variant, meanwhile) : passes.shaders.get(name, variant);
-  passes.list.dispatch("paths", PassKind::kEstimator, paths, groups_over(passes.size, 8));
+  const uvec2 groups = groups_over(passes.size, 8);
+  passes.list.add(
+      "paths", PassKind::kEstimator,
+      [&paths, groups, parts = constants.parts, between = constants.between_parts](gpu::Commands& commands) {
+        for (std::uint32_t part = 0; part < parts; ++part) {
+          const Rows rows = rows_of_part(part, parts, groups.y);
+          if (rows.count == 0) continue;
+          if (between && part > 0) between(commands);
+          commands.push(std::array{rows.step, rows.first});
+          commands.dispatch(paths, groups.x, rows.count);
+          commands.barrier();
+        }
+      });
   if (!passes.medium) return;
   variant.technique = constants.medium;
   variant.one_bounce = passes.medium_bounces == 1;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -98,6 +99,11 @@ struct PathSpecs {
   TechniqueSpecs surfaces{};
   std::optional<TechniqueSpecs> meanwhile;
   TechniqueSpecs medium{};
+  // Of a technique that learns: parts in which a frame's paths from surfaces are traced one after the other, the last
+  // of half of them, each before it of half of the rest. Where a device runs all paths at once none learns from
+  // another.
+  std::uint32_t parts = 1;
+  std::function<void(gpu::Commands&)> between_parts{};  // if any
 };
 // The passes that trace paths, of a technique's shader: from surfaces and, where there is one, from the medium.
 void add_paths_pass(const TechniquePasses& passes, std::string_view name, const PathSpecs& constants = {});

@@ -8,8 +8,18 @@
 // The technique writes the picture itself: a debug view of its own. A constant, since lavapipe runs both sides of a branch.
 layout(constant_id = kSpecShowView) const bool SHOW_VIEW = false;
 
+// A technique that learns traces a frame's paths in parts, each every so many rows of workgroups (render/technique.h).
+layout(push_constant) uniform Part {
+  uint row_step, first_row;
+};
+
+uvec2 block_of_part() {
+  uint row = gl_WorkGroupID.y;
+  return invocation_pixel() + uvec2(0u, 8u * (row * row_step + first_row - row));
+}
+
 void main() {
-  uvec2 block = invocation_pixel(), pixel = IN_MEDIUM ? medium_pixel(block) : light_pixel(block);
+  uvec2 block = kLearns && !IN_MEDIUM ? block_of_part() : invocation_pixel(), pixel = IN_MEDIUM ? medium_pixel(block) : light_pixel(block);
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
   uint at = pixel.y * frame.width + pixel.x, number = (block.y * (IN_MEDIUM ? frame.medium_width : frame.light_width) + block.x) * frame.spp;
   if (IN_MEDIUM) {

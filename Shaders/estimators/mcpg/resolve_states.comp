@@ -10,7 +10,7 @@ void main() {
   if (proposal >= guide.vertices) return;
   uvec4 rest = guide_proposals.at[proposal * 2u + 1u];
   uint at = rest.z, winner = guide_winner_at() + at;
-  if (guide_cache.at[winner] != proposal_rank(proposal)) return;
+  if (guide_cache.at[winner] != proposal_rank(proposal, rest.w != 0u)) return;
   guide_states.at[at] = guide_proposals.at[proposal * 2u];
   store_guide_motion(at, rest.xy);
   guide_cache.at[winner] = 0u;

@@ -38,9 +38,12 @@ uint guide_moment_sums_at(uint number) { return guide_tail_at() + kTailMomentSum
 uint guide_light_sum_at(uint number) { return guide_tail_at() + kTailLightSums + (number & 1u); }
 uint guide_winner_at() { return guide_tail_at() + kTailWords; }
 
-// Of the proposals for one slot, the one of highest rank is taken: as good as random, and the same in any order.
-// Multiplication by an odd number and exclusive or with a constant permute the words.
-uint proposal_rank(uint proposal) { return ((proposal + 1u) * 2654435769u) ^ hash_u32(guide.frame_number); }
+// Of the proposals for one slot, the one of highest rank is taken: as good as random, and the same in any order. Those that saw
+// the light come first: they alone say where it is now. Multiplication by an odd number and exclusive or permute the words.
+uint proposal_rank(uint proposal, bool seen) {
+  uint rank = (((proposal + 1u) * 2654435769u) ^ hash_u32(guide.frame_number)) & 0x7fffffffu;
+  return seen ? rank | 0x80000000u : rank;
+}
 
 struct CacheCell {
   uint entry;  // first word of the entry that holds the cell, or kNoIndex

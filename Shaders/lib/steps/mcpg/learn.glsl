@@ -88,7 +88,7 @@ void update_state(Vertex v, Transition t, vec3 hit_position, vec3 velocity, bool
     s.velocity = velocity;
   }
   s.check = t.check;
-  store_guide_state(s, t.slot, proposal);
+  store_guide_state(s, t.slot, proposal, seen);
 }
 
 void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout Path path, inout uint rng) {

@@ -49,7 +49,8 @@ uvec2 load_guide_motion(uint at) {
 }
 GuideState load_guide_state(uint at) { return add_guide_motion(unpack_guide_state(guide_quad(at)), load_guide_motion(at)); }
 
-void store_guide_state(GuideState s, uint at, uint proposal) {
+// `seen`: its light was there.
+void store_guide_state(GuideState s, uint at, uint proposal, bool seen) {
   if (isnan(s.weight) || isinf(s.weight) || any(isnan(s.target)) || any(isinf(s.target))) {
     atomicAdd(counters.at[kCounterGuideNan], 1u);
     return;
@@ -58,8 +59,8 @@ void store_guide_state(GuideState s, uint at, uint proposal) {
   uvec2 motion = pack_guide_motion(s);
   if (GUIDE_RESOLVE) {
     guide_proposals.at[proposal * 2u] = words;
-    guide_proposals.at[proposal * 2u + 1u] = uvec4(motion, at, 0u);
-    atomicMax(guide_cache.at[guide_winner_at() + at], proposal_rank(proposal));
+    guide_proposals.at[proposal * 2u + 1u] = uvec4(motion, at, seen ? 1u : 0u);
+    atomicMax(guide_cache.at[guide_winner_at() + at], proposal_rank(proposal, seen));
   } else {
     guide_states.at[at] = words;
     store_guide_motion(at, motion);
