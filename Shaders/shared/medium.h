@@ -146,8 +146,10 @@ FB_FN float sample_distance(DistanceMix m, float u0) {
   return min(d, m.reach);
 }
 FB_FN float pdf_distance(DistanceMix m, float distance) {
-  float p = mix(pdf_transmittance(m.sigma, m.reach, distance), pdf_equi_angular(m.light, distance), m.share);
-  return m.known_share > 0.0f ? mix(p, pdf_equi_angular(m.known, distance), m.known_share) : p;
+  // Not mix(): a device may take it as a + share (b - a), which leaves nothing of the smaller one.
+  float by_transmittance = pdf_transmittance(m.sigma, m.reach, distance);
+  float p = (1.0f - m.share) * by_transmittance + m.share * pdf_equi_angular(m.light, distance);
+  return m.known_share > 0.0f ? (1.0f - m.known_share) * p + m.known_share * pdf_equi_angular(m.known, distance) : p;
 }
 
 FB_NAMESPACE_END
