@@ -137,6 +137,7 @@ RenderSettings GuidedTechnique::adapt(RenderSettings settings) const {
   settings.mc_in_world = 0;
   settings.mc_loss = 1;
   settings.mc_predict = 1;
+  settings.mc_parts = 1;
   return settings;
 }
 

@@ -147,6 +147,7 @@ TABLES = {
     "scaling": scaling,
     "alber2025": lambda: gains_of("alber2025", "figure"),
     "default": lambda: gains_of("default", "scene"),
+    "guiding": lambda: gains_of("guiding", "view"),
     "judge": lambda: judge("judge"),
     "judge_librequake": lambda: judge("judge_librequake"),
     "judge_quick": lambda: judge("judge_quick"),
