@@ -75,6 +75,12 @@ class Lab:
         return folder
 
 
+def without_folder(header: dict) -> dict:
+    """The header of an EXR file with the demo's path as from the repository's root, as its view is named."""
+    kind, value = header.get("fullbright.view", ("string", b""))
+    return header | {"fullbright.view": (kind, value.replace(f"{ROOT}/".encode(), b""))} if value else header
+
+
 def make_reference(lab: Lab, name: str, spp: int) -> None:
     REFERENCES.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
@@ -82,7 +88,7 @@ def make_reference(lab: Lab, name: str, spp: int) -> None:
         lab.reference(name, whole, CENTRES, spp=spp, size=SIZE, estimator=load(name)["reference_estimator"])
         planes, header = read(whole)
         kept = {n: p for n, p in planes.items() if n in "RGB" or n.startswith("variance.")}
-        write(REFERENCES / f"{name}.exr", kept, header)
+        write(REFERENCES / f"{name}.exr", kept, without_folder(header))
 
 
 def errors_of(lab: Lab, name: str) -> list[dict]:

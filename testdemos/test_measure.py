@@ -57,6 +57,13 @@ class Pictures(unittest.TestCase):
         self.assertEqual(spp, 256)
         self.assertTrue((again["R"] == planes["R"]).all())
 
+    def test_references_name_no_folder_of_this_machine(self):
+        header = {"fullbright.view": ("string", f"--demo {measure.ROOT}/testdemos/pool.dem --frame 56".encode()), "other": ("int", b"1")}
+        self.assertEqual(measure.without_folder(header)["fullbright.view"], ("string", b"--demo testdemos/pool.dem --frame 56"))
+        self.assertEqual(measure.without_folder({"other": 1}), {"other": 1})
+        for path in (HERE / "references").glob("*.exr"):
+            self.assertNotIn(b"/testdemos", path.read_bytes(), path.name)
+
     @unittest.skipUnless(shutil.which("convert"), "needs ImageMagick")
     def test_a_picture_is_drawn_until_it_is_good_enough(self):
         with mock.patch.object(measure, "PICTURES", self.folder):
