@@ -24,7 +24,21 @@
 namespace fb::render {
 namespace {
 
-using GuideTest = DeviceTest;
+class GuideTest : public DeviceTest {
+ protected:
+  // A frame of the rocket's flight without noise to speak of.
+  static std::vector<vec4> rocket_reference(const std::shared_ptr<const scene::Assets>& assets, std::uint64_t frame,
+                                            const uvec2& size) {
+    RenderSettings s;
+    s.estimator = "nee";
+    s.spp = 64;
+    s.jitter = 0;
+    s.seed = 77;
+    auto renderer = make_renderer(s, size.x, size.y);
+    for (int i = 0; i < 4; ++i) renderer->render(scene::rocket(assets, frame, 60), nullptr, s);
+    return renderer->read().linear();
+  }
+};
 
 RenderSettings guided(int spp, int bounces, const std::function<void(RenderSettings&)>& change = {}) {
   RenderSettings s;
@@ -120,16 +134,7 @@ TEST_F(GuideTest, FollowsALightThroughFramesOfUnevenLength) {
   const std::vector<std::uint64_t> shown = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 14, 18, 22, 26}, judged = {14, 18, 22, 26};
   const uvec2 size(96, 54);
   std::vector<std::vector<vec4>> references;
-  for (const std::uint64_t frame : judged) {
-    RenderSettings s;
-    s.estimator = "nee";
-    s.spp = 64;
-    s.jitter = 0;
-    s.seed = 77;
-    auto renderer = make_renderer(s, size.x, size.y);
-    render_frames(*renderer, at(frame), s, 4);
-    references.push_back(renderer->read().linear());
-  }
+  for (const std::uint64_t frame : judged) references.push_back(rocket_reference(assets, frame, size));
   // Geometric means: without prediction a frame either finds the light or misses it by a factor of a hundred, so that
   // its median jumps from run to run.
   std::vector<double> errors;
@@ -190,15 +195,8 @@ class GuideAtOnceTest : public GuideTest {
   static constexpr uvec2 kSize{96, 54};
   const std::vector<vec4>& truth_of(const std::shared_ptr<const scene::Assets>& assets, std::uint64_t frame) {
     std::vector<vec4>& truth = truths_[frame];
-    if (!truth.empty()) return truth;
-    RenderSettings s;
-    s.estimator = "nee";
-    s.spp = 64;
-    s.jitter = 0;
-    s.seed = 77;
-    auto renderer = make_renderer(s, kSize.x, kSize.y);
-    render_frames(*renderer, scene::rocket(assets, frame, 60), s, 4);
-    return truth = renderer->read().linear();
+    if (truth.empty()) truth = rocket_reference(assets, frame, kSize);
+    return truth;
   }
   std::map<std::uint64_t, std::vector<vec4>> truths_;
 };

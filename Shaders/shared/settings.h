@@ -100,7 +100,7 @@
   X(float, mc_wider, "r_mc_wider", 4, 1, 64, "path guiding: width of each further static cell over that of the one before") \
   X(float, mc_coarser, "r_mc_coarser", 0.3f, 0, 0.95f, "path guiding: probability of gathering one adaptive level coarser, applied again at each level") \
   X(float, mc_jitter, "r_mc_jitter", 0.4f, 0, 1, "path guiding: how far from its own cell a vertex may gather, at random, in halves of a cell's width: 1 as in the paper, where no border between cells shows; less, and cells know better what is seen where") \
-  X(int, mc_parts, "r_mc_parts", 0, 0, 4, "path guiding: parts in which a frame's paths are traced one after the other, the last of half of them, each before it of half of the rest: later ones know what earlier ones found; 0: 4 with r_deterministic, 2 on a GPU, 1 on a processor, which runs few paths at once") \
+  X(int, mc_parts, "r_mc_parts", 0, 0, 4, "path guiding: number of parts that a frame's paths are traced in, one after the other, so that each uses what those before it learnt; the last part has half of the paths. 0: 4 with r_deterministic, 2 on a GPU, 1 on a processor, which runs few paths at once anyway") \
   X(float, mc_share, "r_mc_share", 0.5f, 0, 1, "path guiding: probability of guiding (1 - p_bsdf), where it is not learnt") \
   X(int, mc_learn_share, "r_mc_learn_share", 1, 0, 1, "path guiding: learn the probability of guiding, from second moments of the estimate") \
   X(float, mc_share_min, "r_mc_share_min", 0, 0, 1, "path guiding: lower bound of the learnt probability of guiding") \

@@ -68,7 +68,8 @@ float density_of_all(float looked_for, float proposed, Turns turns) { return tur
 uint cell_of(Vertex v) { return seen_cell(v.position, scatter_axis(v.scatter)); }
 
 // A flame's own light is all about its points: scattered rays have next to no variance there, and a point of the list has that of
-// the balance, up to half of the square of what comes (Veach and Guibas 1995). So points that glow look for no light that is so near.
+// the balance, up to half of the square of what comes (Veach and Guibas 1995). So points that glow look for no light that is as near
+// as the other side of a torch's flame, in units.
 const float kWithinLight = 24.0;
 bool is_within_light(Vertex v, float distance) { return v.glows && distance < kWithinLight; }
 
