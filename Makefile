@@ -23,7 +23,7 @@ all: ## build/fullbright and build/fullbright-lab, and the base game in build/ga
 test: ## build everything and run every test
 	@$(DEPS) test
 	$(call configure_and_build,release,build)
-	Misc/with_display.sh ctest --test-dir build --output-on-failure
+	@Misc/with_display.sh Misc/run_tests.py build
 
 demo: all ## play a recorded demo headless through the path tracer; QUAKE_DIR=... uses other data than the base game's
 	@Misc/demo.sh

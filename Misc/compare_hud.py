@@ -302,9 +302,9 @@ def main() -> int:
     data = pathlib.Path(os.environ.get("FULLBRIGHT_TEST_DATA", ROOT.parent / "shared/librequake")).resolve()
     theirs = shutil.which("quakespasm", path=os.environ.get("PATH", "") + ":/usr/games")
     if not (data / "id1/pak0.pak").exists():
-        skip(f"there is no game data in {data}")
+        skip(f"no LibreQuake in {data}: FULLBRIGHT_TEST_DATA names the folder that holds its id1/pak0.pak")
     if not theirs or not shutil.which("xvfb-run"):
-        skip("quakespasm and xvfb are not installed")
+        skip("quakespasm or xvfb is not installed (Linux/install-deps.sh test)")
     if subprocess.run([build / "fullbright", "-listdevices"], capture_output=True, check=False).returncode != 0:
         skip("there is no Vulkan device")
     if not (build / "game/id1/progs.dat").exists():

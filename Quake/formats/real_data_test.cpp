@@ -2,12 +2,12 @@
 // promises of the headers, and needs few mendings. Skipped where the data is absent.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 
+#include "base/librequake.h"
 #include "formats/bsp.h"
 #include "formats/dem.h"
 #include "formats/image.h"
@@ -31,8 +31,7 @@ Bytes read_whole(const stdfs::path& path) {
 const std::map<std::string, Bytes>& test_data() {
   static const std::map<std::string, Bytes> files = [] {
     std::map<std::string, Bytes> found;
-    const char* variable = std::getenv("FULLBRIGHT_TEST_DATA");
-    const stdfs::path root = stdfs::path(variable != nullptr ? variable : "../shared/librequake") / "id1";
+    const stdfs::path root = librequake_folder() / "id1";
     if (!stdfs::exists(root)) return found;
     for (const auto& entry : stdfs::recursive_directory_iterator(root)) {
       if (!entry.is_regular_file()) continue;
@@ -68,9 +67,9 @@ std::vector<std::pair<std::string, const Bytes*>> files_ending_in(std::string_vi
 }
 
 #define SKIP_WITHOUT_DATA() \
-  if (test_data().empty()) GTEST_SKIP() << "no game data: set FULLBRIGHT_TEST_DATA"
+  if (test_data().empty()) GTEST_SKIP() << librequake_lacks()
 #define SKIP_WITHOUT(file) \
-  if (!test_data().contains(file)) GTEST_SKIP() << "no " << (file) << ": set FULLBRIGHT_TEST_DATA"
+  if (!test_data().contains(file)) GTEST_SKIP() << librequake_lacks(std::string("id1/") + (file))
 
 TEST(RealData, MapsParse) {
   SKIP_WITHOUT_DATA();

@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <chrono>
 
+#include "base/librequake.h"
 #include "fs/test_files.h"
 #include "fs/test_log.h"
 
@@ -312,12 +312,10 @@ TEST(FileSystem, LoaderFollowsAReopenedFileSystem) {
 }
 
 TEST(FileSystem, RealData) {
-  const char* variable = std::getenv("FULLBRIGHT_TEST_DATA");
+  if (const std::string lacks = librequake_lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
   FsOptions options;
-  options.base_dir = variable != nullptr ? variable : "../shared/librequake";
+  options.base_dir = librequake_folder();
   options.user_dir.emplace();
-  if (!std::filesystem::exists(options.base_dir / "id1" / "pak0.pak"))
-    GTEST_SKIP() << "no game data: set FULLBRIGHT_TEST_DATA to a directory that holds id1/pak0.pak";
   const FileSystem files = open(options);
   for (const FoundFile& file : files.find("", "")) {
     const auto data = files.load(file.name);

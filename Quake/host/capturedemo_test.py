@@ -100,4 +100,4 @@ class CaptureDemo(unittest.TestCase):
 
 if __name__ == "__main__":
     need(BUILD, base_game=True)
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=sys.argv[:1], verbosity=2)

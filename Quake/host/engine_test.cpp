@@ -5,11 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <algorithm>
 
+#include "base/librequake.h"
 #include "base/log.h"
 #include "fs/file.h"
 #include "server/simulation/test_rules.h"
@@ -31,9 +31,8 @@ constexpr const char* kWalk =
 class EngineTest : public testing::Test {
  protected:
   void SetUp() override {
-    const char* variable = std::getenv("FULLBRIGHT_TEST_DATA");
-    data = variable ? variable : "../shared/librequake";
-    if (!stdfs::exists(data / "id1" / "pak0.pak")) GTEST_SKIP() << "no LibreQuake data in " << data;
+    data = librequake_folder();
+    if (const std::string lacks = librequake_lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
     folder = stdfs::path(testing::TempDir()) /
              ("engine_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     stdfs::remove_all(folder);

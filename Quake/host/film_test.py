@@ -226,4 +226,4 @@ class Film(unittest.TestCase):
 
 if __name__ == "__main__":
     need(BUILD)
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -10,6 +10,7 @@
 #include <set>
 #include <system_error>
 
+#include "base/librequake.h"
 #include "fs/file.h"
 #include "host/base_game.h"
 #include "host/lab_numbers.h"
@@ -203,8 +204,7 @@ Place place_of(const lab::SuiteView& view, const std::string& basedir, const std
   const bool free = view.data == Data::kGame;
   std::string folder = free ? basedir : librequake;
   if (folder.empty() && free) folder = find_base_game(platform::program_directory()).string();
-  const char* named = std::getenv("FULLBRIGHT_TEST_DATA");
-  if (folder.empty() && !free) folder = named != nullptr ? named : "../shared/librequake";
+  if (folder.empty() && !free) folder = librequake_folder().string();
   if (!folder.empty() && std::filesystem::is_directory(std::filesystem::path(folder) / "id1", ignored))
     return {folder, ""};
   if (free)

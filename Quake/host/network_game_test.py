@@ -16,6 +16,7 @@ import threading
 import time
 
 from lossy_relay import Relay, Weather
+from programs_needed import librequake
 
 SKIPPED = 77
 FRAMES_A_SECOND = 20
@@ -252,9 +253,9 @@ def play(game, seconds):
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     seconds = int(sys.argv[2]) if len(sys.argv) > 2 else 60
-    data = pathlib.Path(os.environ.get("FULLBRIGHT_TEST_DATA", "../shared/librequake")).resolve()
-    if not (data / "id1" / "pak0.pak").exists():
-        skip(f"no LibreQuake data in {data}")
+    data, lacks = librequake()
+    if lacks:
+        skip(lacks)
     if not shutil.which("fteqcc"):
         skip("fteqcc is not installed (Linux/install-deps.sh test)")
     if subprocess.run([build / "fullbright", "-listdevices"], capture_output=True).returncode != 0:

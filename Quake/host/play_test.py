@@ -422,7 +422,7 @@ def main():
         ("the base game", (build / "game" / "id1" / "progs.dat").exists()),
         ("a Vulkan device", subprocess.run([build / "fullbright", "-listdevices"], capture_output=True).returncode == 0)) if not there]
     if wanting:
-        print("skipped for want of " + ", ".join(wanting))
+        print("skipped: no " + ", no ".join(wanting) + " (Linux/install-deps.sh test)")
         return SKIPPED
     if arguments.pictures:
         arguments.pictures.mkdir(parents=True, exist_ok=True)

@@ -1,9 +1,18 @@
 """What the programs' tests need, or are skipped without: exit status 77, and why."""
 
+import os
+import pathlib
 import subprocess
 import sys
 
 SKIPPED = 77
+
+
+def librequake():
+    """LibreQuake's folder, and what is missing of it in one sentence (None where nothing is)."""
+    data = pathlib.Path(os.environ.get("FULLBRIGHT_TEST_DATA", "../shared/librequake"))
+    lacks = None if (data / "id1/pak0.pak").exists() else f"no LibreQuake in {data}: FULLBRIGHT_TEST_DATA names the folder that holds its id1/pak0.pak"
+    return data.resolve(), lacks
 
 
 def need(build, base_game=False):

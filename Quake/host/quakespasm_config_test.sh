@@ -8,8 +8,8 @@ build=$1
 data=${FULLBRIGHT_TEST_DATA:-../shared/librequake}
 export PATH=$PATH:/usr/games
 skip() { echo "skipped: $*"; exit 77; }
-[[ -e $data/id1/pak0.pak ]] || skip "there is no game data in $data"
-command -v quakespasm >/dev/null && command -v xvfb-run >/dev/null || skip "quakespasm and xvfb are not installed"
+[[ -e $data/id1/pak0.pak ]] || skip "no LibreQuake in $data: FULLBRIGHT_TEST_DATA names the folder that holds its id1/pak0.pak"
+command -v quakespasm >/dev/null && command -v xvfb-run >/dev/null || skip "quakespasm or xvfb is not installed (Linux/install-deps.sh test)"
 "$build/fullbright" -listdevices >/dev/null 2>&1 || skip "there is no Vulkan device"
 
 work=$(mktemp -d)

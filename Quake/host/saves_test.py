@@ -100,7 +100,7 @@ def full_disk(build, home):
     """Files that may not grow beyond 2 KB, which fails amid a write; and where a disk can be mounted, one of 64 KB."""
     refused(build, home / "limit", "files limited in size", before=["sh", "-c", 'ulimit -f 2; exec "$@"', "sh"])  # blocks of 1 KB, or half that
     if not can("unshare", "-rm", "true"):
-        return print("no small disk can be mounted here: skipped")
+        return print("skipped: no small disk can be mounted here")
     disk = home / "disk"
     disk.mkdir()
     inside = 'mount -t tmpfs -o size=64k none "$0" && cp -r "$0.kept/." "$0" && dd if=/dev/zero of="$0/filler" 2>/dev/null; "$@"; ' \
@@ -124,7 +124,7 @@ def read_only(build, home):
     if os.geteuid() == 0:  # root may write anywhere, unless it gives that up
         before = ["setpriv", "--bounding-set", "-dac_override,-dac_read_search"]
         if not can(*before, "true"):
-            return print("root cannot give up its rights here: the folder that may not be written is skipped")
+            return print("skipped: root cannot give up its rights here, so no folder is closed to it")
     folder = home / "locked"
 
     def lock():
@@ -141,7 +141,7 @@ def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     kills = int(sys.argv[2]) if len(sys.argv) > 2 else 25
     if not (build / "game" / "id1" / "progs.dat").exists():
-        print("skipped for want of the base game")
+        print("skipped: the base game is not built")
         return SKIPPED
     seed = random.SystemRandom().randrange(1 << 32)
     print(f"seed {seed}")

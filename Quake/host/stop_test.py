@@ -15,6 +15,7 @@ import tempfile
 import time
 
 from network_game_test import SKIPPED, Program, compile_rules
+from programs_needed import librequake
 
 AT_ONCE, GRACE = 2.0, 5.0  # seconds; the second is base/stop.h's
 SLOW = float(os.environ.get("FULLBRIGHT_TEST_SLOWNESS", "1"))  # where other tests run beside, or the build is sanitized
@@ -152,10 +153,11 @@ def window(build, game, folder):
 
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
-    data = pathlib.Path(os.environ.get("FULLBRIGHT_TEST_DATA", "../shared/librequake")).resolve()
+    data, lacks = librequake()
     skipped = []
     device = subprocess.run([build / "fullbright", "-listdevices"], capture_output=True).returncode == 0
-    has_game = (data / "id1" / "pak0.pak").exists() and shutil.which("fteqcc")
+    lacks = lacks or (None if shutil.which("fteqcc") else "fteqcc is not installed (Linux/install-deps.sh test)")
+    has_game = not lacks
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         game = ["-basedir", data, "-userdir", folder]
@@ -164,17 +166,17 @@ def main():
             compile_rules("testdemos/rules", folder / "id1" / "progs.dat")
             servers(build, game)
         else:
-            skipped.append("games, for want of LibreQuake's data or fteqcc")
+            skipped.append(lacks)
         if device:
             laboratory(build, folder)
         else:
-            skipped.append("what draws, for want of a Vulkan device")
+            skipped.append("no Vulkan device")
         if device and has_game:
             games(build, game, folder)
         if device and has_game and os.environ.get("DISPLAY"):
             window(build, game, folder)
-        else:
-            skipped.append("a window, for want of a display")
+        elif device and has_game:
+            skipped.append("no display, which a window needs (Linux/install-deps.sh test)")
     print(*(f"skipped: {why}" for why in skipped), sep="\n")
     return 0 if has_game or device else SKIPPED
 

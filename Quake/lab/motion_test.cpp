@@ -1,9 +1,9 @@
 // Motion on real models: the running monsters and the weapon of testdemos/fight.dem, where LibreQuake's data is.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
+#include "base/librequake.h"
 #include "client/client.h"
 #include "console/console.h"
 #include "fs/filesystem.h"
@@ -17,13 +17,10 @@ namespace {
 using MotionTest = render::DeviceTest;
 
 TEST_F(MotionTest, MonstersAndWeaponCarryTheirPoints) {
-  const char* named = std::getenv("FULLBRIGHT_TEST_DATA");
+  if (const std::string lacks = librequake_lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
   fs::FsOptions options;
-  options.base_dir = named != nullptr ? named : "../shared/librequake";
+  options.base_dir = librequake_folder();
   options.user_dir.emplace();
-  if (!std::filesystem::exists(options.base_dir / "id1")) {
-    GTEST_SKIP() << "no game data in " << options.base_dir;
-  }
   auto files = fs::FileSystem::open(options);
   ASSERT_TRUE(files.ok()) << files.error().message;
   con::Console console;

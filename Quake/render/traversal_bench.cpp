@@ -23,6 +23,7 @@
 #include <map>
 #include <thread>
 
+#include "base/librequake.h"
 #include "base/rng.h"
 #include "fs/filesystem.h"
 #include "render/ray_list.h"
@@ -174,9 +175,8 @@ std::unique_ptr<Workload> finish(scene::FrameSnapshot snapshot) {
 }
 
 std::optional<fs::FileSystem> game_data() {
-  const char* set = std::getenv("FULLBRIGHT_TEST_DATA");
   fs::FsOptions options;
-  options.base_dir = set != nullptr ? set : "../shared/librequake";
+  options.base_dir = librequake_folder();
   options.user_dir = std::filesystem::path();
   if (!std::filesystem::exists(options.base_dir)) return std::nullopt;
   Result<fs::FileSystem> files = fs::FileSystem::open(options);
@@ -279,7 +279,7 @@ void traversal(benchmark::State& state, const std::string& name, bool bounces, b
   if (d == nullptr) return state.SkipWithError("no Vulkan device");
   if (ray_query && !d->has_ray_query()) return state.SkipWithError("the device has no ray query");
   const Workload* work = workload(name);
-  if (work == nullptr) return state.SkipWithError("no LibreQuake data: set FULLBRIGHT_TEST_DATA");
+  if (work == nullptr) return state.SkipWithError(librequake_lacks().c_str());
   const std::vector<ListRay>& rays = bounces ? work->bounce : work->primary;
   GpuSceneOptions options;
   options.ray_query = ray_query;

@@ -101,7 +101,7 @@ class QuakeSpasmSaves : public ::testing::TestWithParam<const char*> {
     game_ = folder_.filename().string();  // QuakeSpasm saves below the user's home: under a name that nobody has
     stdfs::create_directories(folder_ / "id1");
     stdfs::create_directories(folder_ / game_);
-    for (const auto& entry : stdfs::directory_iterator(stdfs::absolute(testing::game_data()) / "id1"))
+    for (const auto& entry : stdfs::directory_iterator(stdfs::absolute(librequake_folder()) / "id1"))
       stdfs::create_symlink(entry.path(), folder_ / "id1" / entry.path().filename());
   }
   void put_rules(const std::string& more) {

@@ -2,10 +2,10 @@
 // linking and moving alone. FULLBRIGHT_TEST_DATA (../shared/librequake) names the data.
 #include <benchmark/benchmark.h>
 
-#include <cstdlib>
 #include <memory>
 #include <optional>
 
+#include "base/librequake.h"
 #include "fs/filesystem.h"
 #include "progs/builtins/builtins.h"
 #include "progs/builtins/test_builtins.h"
@@ -68,9 +68,8 @@ void() main = {
 class Game final : public LevelEvents {
  public:
   static std::unique_ptr<Game> make() {
-    const char* variable = std::getenv("FULLBRIGHT_TEST_DATA");
     fs::FsOptions options;
-    options.base_dir = variable != nullptr ? variable : "../shared/librequake";
+    options.base_dir = librequake_folder();
     options.user_dir = "";
     const auto files = fs::FileSystem::open(options);
     if (!files) return nullptr;

@@ -1,29 +1,21 @@
 // LibreQuake's maps for tests: the data, and QuakeC for what stands in them beside the rules of testdemos/rules.
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 
+#include "base/librequake.h"
 #include "fs/options.h"
 
 namespace fb::sv::testing {
 
-inline std::filesystem::path game_data() {
-  const char* variable = std::getenv("FULLBRIGHT_TEST_DATA");
-  return variable != nullptr ? variable : "../shared/librequake";
-}
 // For FileSystem::open.
 inline fs::FsOptions game_data_options() {
   fs::FsOptions options;
-  options.base_dir = game_data();
+  options.base_dir = librequake_folder();
   options.user_dir = "";
   return options;
 }
-// What is missing, for GTEST_SKIP; empty if nothing is.
-inline std::string game_data_lacks() {
-  if (std::filesystem::exists(game_data() / "id1" / "pak1.pak")) return {};
-  return "no LibreQuake data in " + game_data().string();
-}
+inline std::string game_data_lacks() { return librequake_lacks("id1/pak1.pak"); }
 
 // Monsters and items. What monsters do is the test's: monster_think, and first_delay(), seconds until they begin.
 constexpr const char* kInhabitants = R"qc(

@@ -8,7 +8,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -79,7 +78,7 @@ class QuakeSpasmServer {
       : port_(port) {
     namespace stdfs = std::filesystem;
     stdfs::create_directories(folder_ / "id1");
-    for (const auto& entry : stdfs::directory_iterator(stdfs::absolute(game_data()) / "id1"))
+    for (const auto& entry : stdfs::directory_iterator(stdfs::absolute(librequake_folder()) / "id1"))
       stdfs::create_symlink(entry.path(), folder_ / "id1" / entry.path().filename());
     directory_.put("game/progs.dat", progs);
     const std::string command = fmt::format(

@@ -2,12 +2,12 @@
 
 #include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "base/librequake.h"
 #include "base/log.h"
 #include "fs/filesystem.h"
 
@@ -164,12 +164,10 @@ TEST(Atlas, AnImageMayBeReplaced) {
 }
 
 TEST(Atlas, RealData) {
-  const char* variable = std::getenv("FULLBRIGHT_TEST_DATA");
+  if (const std::string lacks = librequake_lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
   fs::FsOptions options;
-  options.base_dir = variable != nullptr ? variable : "../shared/librequake";
+  options.base_dir = librequake_folder();
   options.user_dir.emplace();
-  if (!std::filesystem::exists(options.base_dir / "id1" / "pak0.pak"))
-    GTEST_SKIP() << "no game data: set FULLBRIGHT_TEST_DATA to a directory that holds id1/pak0.pak";
   const auto files = fs::FileSystem::open(options);
   ASSERT_TRUE(files) << files.error().message;
   Atlas atlas(files->loader());

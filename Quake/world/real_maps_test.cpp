@@ -1,9 +1,9 @@
 // Traces, areas and visibility on LibreQuake's maps. Skipped where the data is absent.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
+#include "base/librequake.h"
 #include "base/rng.h"
 #include "fs/filesystem.h"
 #include "world/bsp_query.h"
@@ -17,12 +17,10 @@ namespace {
 class RealMaps : public testing::Test {
  protected:
   void SetUp() override {
-    const char* variable = std::getenv("FULLBRIGHT_TEST_DATA");
+    if (const std::string lacks = librequake_lacks("id1/pak1.pak"); !lacks.empty()) GTEST_SKIP() << lacks;
     fs::FsOptions options;
-    options.base_dir = variable != nullptr ? variable : "../shared/librequake";
+    options.base_dir = librequake_folder();
     options.user_dir = "";
-    if (!std::filesystem::exists(options.base_dir / "id1" / "pak1.pak"))
-      GTEST_SKIP() << "no LibreQuake data in " << options.base_dir;
     auto opened = fs::FileSystem::open(options);
     ASSERT_TRUE(opened.ok()) << opened.error().message;
     files.emplace(std::move(*opened));

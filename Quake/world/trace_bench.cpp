@@ -2,9 +2,9 @@
 // hull. FULLBRIGHT_TEST_DATA (../shared/librequake) names the data.
 #include <benchmark/benchmark.h>
 
-#include <cstdlib>
 #include <optional>
 
+#include "base/librequake.h"
 #include "base/rng.h"
 #include "fs/filesystem.h"
 #include "world/pvs.h"
@@ -15,9 +15,8 @@ namespace {
 
 const formats::Bsp* map_of_bench(benchmark::State& state) {
   static const std::optional<formats::Bsp> loaded = []() -> std::optional<formats::Bsp> {
-    const char* variable = std::getenv("FULLBRIGHT_TEST_DATA");
     fs::FsOptions options;
-    options.base_dir = variable != nullptr ? variable : "../shared/librequake";
+    options.base_dir = librequake_folder();
     options.user_dir = "";
     const auto files = fs::FileSystem::open(options);
     if (!files) return std::nullopt;

@@ -144,7 +144,7 @@ def main() -> int:
     try:
         version = run([options.blender, "--version"]).splitlines()[0]
     except OSError:
-        print("there is no Blender (Debian: blender; Linux/install-deps.sh outside)", file=sys.stderr)
+        print("skipped: there is no Blender (Linux/install-deps.sh outside)")
         return 77
     results, apart = {"blender": version, "samples": options.samples, "size": options.size, "views": {}}, []
     with tempfile.TemporaryDirectory() as folder:

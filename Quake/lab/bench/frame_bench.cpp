@@ -5,10 +5,10 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 
+#include "base/librequake.h"
 #include "client/client.h"
 #include "console/console.h"
 #include "fs/filesystem.h"
@@ -19,11 +19,6 @@ namespace fb::lab {
 namespace {
 
 constexpr std::uint32_t kWidth = 320, kHeight = 180;
-
-std::string data_folder() {
-  const char* named = std::getenv("FULLBRIGHT_TEST_DATA");
-  return named != nullptr ? named : "../shared/librequake";
-}
 
 gpu::Device* device() {
   static std::unique_ptr<gpu::Device> made = [] {
@@ -37,7 +32,7 @@ gpu::Device* device() {
 scene::FrameSnapshot map_snapshot(const std::string& name) {
   scene::FrameSnapshot snapshot;
   fs::FsOptions options;
-  options.base_dir = data_folder();
+  options.base_dir = librequake_folder();
   options.user_dir.emplace();
   auto files = fs::FileSystem::open(options);
   if (!files) return snapshot;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +12,7 @@
 #include <iterator>
 #include <system_error>
 
+#include "base/librequake.h"
 #include "formats/bsp.h"
 #include "scene/library/library.h"
 #include "scene/library/test_sound.h"
@@ -33,8 +33,7 @@ Bytes read_file(const stdfs::path& path) {
 class LibreQuake : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    const char* variable = std::getenv("FULLBRIGHT_TEST_DATA");
-    const stdfs::path root = stdfs::path(variable != nullptr ? variable : "../shared/librequake") / "id1";
+    const stdfs::path root = librequake_folder() / "id1";
     for (const char* pak : {"pak0.pak", "pak1.pak"}) {
       const Bytes data = read_file(root / pak);
       ByteReader reader(data, pak);
@@ -52,7 +51,7 @@ class LibreQuake : public testing::Test {
       files_["maps/" + entry.path().filename().string()] = read_file(entry.path());
   }
   void SetUp() override {
-    if (files_.empty()) GTEST_SKIP() << "no LibreQuake data: set FULLBRIGHT_TEST_DATA";
+    if (const std::string lacks = librequake_lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
   }
   static std::optional<Bytes> load(std::string_view path) {
     const auto found = files_.find(path);

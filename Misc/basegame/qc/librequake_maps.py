@@ -34,7 +34,7 @@ class LibreQuakeTest(unittest.TestCase):
         if not cls.engine:
             raise unittest.SkipTest("FULLBRIGHT names no program to play with")
         if not DATA.is_dir():
-            raise unittest.SkipTest(f"LibreQuake's data is not in {DATA}")
+            raise unittest.SkipTest(f"no LibreQuake in {DATA.parent}: FULLBRIGHT_TEST_DATA names the folder that holds its id1/pak0.pak")
         try:
             progs = compile_progs()
         except CompileError as error:
