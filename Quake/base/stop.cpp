@@ -1,12 +1,15 @@
 #include "base/stop.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <initializer_list>
+#include <ctime>
+#include <iterator>
 
 #ifdef _WIN32
 #include <io.h>
@@ -17,11 +20,39 @@
 namespace fb {
 namespace {
 
-static_assert(std::atomic<int>::is_always_lock_free, "a handler may take no lock");
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<double>::is_always_lock_free,
+              "a handler may take no lock");
 std::atomic<int> wanted_signal{0};  // 0: none
 std::atomic<bool> told_once{false};
+std::atomic<double> told_at{0.0};  // seconds of the steady clock
 std::atomic<const char*> program_name{""};
 std::atomic<StopMode> stop_mode{StopMode::kInSteps};
+
+struct EndingSignal {
+  int number;
+  const char* name;
+};
+// Every signal whose default ends a program, but for failed writes, faults and real-time signals. SIGALRM and its like
+// come from timers that outlive exec, SIGUSR1 from batch systems whose time is nearly over.
+constexpr EndingSignal kEndingSignals[] = {
+    {SIGINT, "SIGINT"},
+    {SIGTERM, "SIGTERM"},
+#ifdef _WIN32
+    {SIGBREAK, "SIGBREAK"},
+#else
+    {SIGHUP, "SIGHUP"},       {SIGQUIT, "SIGQUIT"}, {SIGXCPU, "SIGXCPU"}, {SIGALRM, "SIGALRM"},
+    {SIGVTALRM, "SIGVTALRM"}, {SIGPROF, "SIGPROF"}, {SIGUSR1, "SIGUSR1"}, {SIGUSR2, "SIGUSR2"},
+#ifdef SIGPWR
+    {SIGPWR, "SIGPWR"},
+#endif
+#ifdef SIGIO
+    {SIGIO, "SIGIO"},
+#endif
+#ifdef SIGSTKFLT
+    {SIGSTKFLT, "SIGSTKFLT"},
+#endif
+#endif
+};
 
 // The functions below may run in a signal handler: no memory allocation, no locks, no streams.
 
@@ -42,10 +73,27 @@ bool at_terminal() {
 #endif
 }
 
+double steady_seconds() {
+#ifdef _WIN32
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;  // since the start, there
+#else
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+#endif
+}
+
+const char* name_of(int signal) {
+  const auto* const found = std::ranges::find(kEndingSignals, signal, &EndingSignal::number);
+  return found == std::end(kEndingSignals) ? "a signal" : found->name;
+}
+
 [[noreturn]] void die_by(int signal) {
   if (at_terminal()) write_text("\n");  // after "^C", or an unfinished line
   write_text(program_name);
-  write_text(signal == SIGINT ? ": stopped by SIGINT\n" : ": stopped by SIGTERM\n");
+  write_text(": stopped by ");
+  write_text(name_of(signal));
+  write_text("\n");
   std::signal(signal, SIG_DFL);
 #ifndef _WIN32
   // The handler blocks its own signal.
@@ -59,17 +107,41 @@ bool at_terminal() {
 }
 
 #ifndef _WIN32
-void on_alarm(int) { die_by(wanted_signal != 0 ? wanted_signal.load() : SIGTERM); }
+void on_grace_over(int) { die_by(wanted_signal != 0 ? wanted_signal.load() : SIGTERM); }
+// The kernel repeats it each second.
+void on_more_processor_time(int) {}
+// No SIG_IGN: programs that this one starts would inherit that.
+void on_failed_write(int) {}
 #endif
 
 void on_signal(int signal) {
-  if (stop_mode == StopMode::kAtOnce || told_once.exchange(true)) die_by(signal);
+  const int kept_errno = errno;
+#ifdef _WIN32
+  std::signal(signal, on_signal);  // a handler serves once there
+#endif
+  const double now = steady_seconds();
+  if (stop_mode == StopMode::kAtOnce) die_by(signal);
+  if (told_once.exchange(true)) {
+    if (now - told_at >= kOneTelling) die_by(signal);
+    errno = kept_errno;
+    return;
+  }
+  told_at = now;
   wanted_signal = signal;
 #ifndef _WIN32
-  if (stop_mode == StopMode::kAsQuit) return;
-  std::signal(SIGALRM, on_alarm);
-  ::alarm(kGraceSeconds);
+  if (signal == SIGXCPU) std::signal(SIGXCPU, on_more_processor_time);
+  if (stop_mode != StopMode::kAsQuit) {
+    std::signal(SIGALRM, on_grace_over);
+    ::alarm(kGraceSeconds);
+  }
 #endif
+  errno = kept_errno;
+}
+
+// Where nobody else has decided.
+void handle(int signal, void (*handler)(int)) {
+  const auto before = std::signal(signal, handler);
+  if (before != SIG_DFL && before != SIG_ERR && before != handler) std::signal(signal, before);
 }
 
 }  // namespace
@@ -77,9 +149,14 @@ void on_signal(int signal) {
 void stop_on_signals(const char* program, StopMode mode) {
   program_name = program;
   stop_mode = mode;
-  for (const int signal : {SIGINT, SIGTERM}) {
-    if (std::signal(signal, on_signal) == SIG_IGN) std::signal(signal, SIG_IGN);
-  }
+  for (const EndingSignal& ending : kEndingSignals) handle(ending.number, on_signal);
+  survive_failed_writes();
+}
+
+void survive_failed_writes() {
+#ifndef _WIN32
+  for (const int signal : {SIGPIPE, SIGXFSZ}) handle(signal, on_failed_write);
+#endif
 }
 
 bool stop_wanted() { return wanted_signal.load(std::memory_order_relaxed) != 0; }

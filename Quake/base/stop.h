@@ -1,4 +1,5 @@
-// How SIGINT and SIGTERM end a program. There is one handler with three modes.
+// How signals end a program. All that are meant to end one (kEndingSignals in stop.cpp: SIGHUP of a closed terminal,
+// SIGINT, SIGTERM, SIGXCPU ...) go one way, which has three modes.
 //
 // kInSteps, for a game: the handler sets a flag, long work checks it between its steps, and the program ends in its
 // usual way, so that a recording is complete and other players are told. If work does not finish a step within
@@ -9,17 +10,25 @@
 // up.
 //
 // Except for `quit`, one message is printed and the program dies by the signal: a shell reports 128 plus its number,
-// and the parent process sees the signal itself.
+// and the parent process sees the signal itself. A second signal is one that comes kOneTelling or more after the first:
+// a terminal that closes sends SIGHUP itself and by its shell, `timeout` to the program and to its group.
+//
+// SIGPIPE and SIGXFSZ end nothing: the write that they tell of fails, too, with EPIPE or EFBIG. Signals that tell of a
+// fault in the program (SIGSEGV ...), and those that stop a job and let it go on, keep their default.
 #pragma once
 
 namespace fb {
 
 enum class StopMode { kInSteps, kAsQuit, kAtOnce };
 constexpr unsigned kGraceSeconds = 5;
+constexpr double kOneTelling = 0.25;  // seconds
 
-// Installs the handler. `program` is the start of the message; the text must stay valid. A signal that was
-// ignored before, as a shell ignores SIGINT for background processes, stays ignored.
+// Installs the handlers. `program` is the start of the message; the text must stay valid. A signal that was ignored
+// before, as nohup ignores SIGHUP and a shell SIGINT for background processes, stays ignored; one that has another
+// handler, a profiler's say, keeps it.
 void stop_on_signals(const char* program, StopMode mode);
+// The part of it that concerns SIGPIPE and SIGXFSZ. Programs that this one starts have their defaults again.
+void survive_failed_writes();
 
 // Whether the program was told to end.
 bool stop_wanted();

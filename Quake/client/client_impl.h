@@ -61,6 +61,7 @@ struct Client::Impl {
   void keep_for_recording(ByteView data);
   void record_game_so_far();
   void stop_recording();
+  void cut_recording(const Error& why);
 
   // demo_play.cpp
   Status start(FileData data, std::string_view name, DemoMode mode);

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 #include "base/log.h"
 #include "formats/dem.h"
@@ -14,6 +15,9 @@ namespace fb::cl {
 namespace {
 
 namespace stdfs = std::filesystem;
+
+// No message is shorter.
+constexpr std::uint8_t kGoodbye[] = {net::svc::Disconnect::kCommand.number};
 
 stdfs::path part_path(const stdfs::path& path) {
   stdfs::path part = path;
@@ -42,11 +46,15 @@ struct DemoRecorder::File {
   stdfs::path path;
   std::ofstream stream;
 
+  std::uint64_t last = 0, whole = 0;  // bytes: before the last message that was written whole, and with it
+  vec3 view_angles{0.0f};             // of the last message
+
   Status write(ByteView data) {
     stream.write(reinterpret_cast<const char*>(data.data()), static_cast<std::streamsize>(data.size()));
     // Each message at once: a program that ends badly leaves what it has.
     stream.flush();
     if (!stream.good()) return cannot_be_written(part_path(path));
+    last = std::exchange(whole, whole + data.size());
     return ok_status();
   }
 };
@@ -81,17 +89,35 @@ Result<DemoRecorder> DemoRecorder::start(const stdfs::path& path, int track) {
 Status DemoRecorder::add(const vec3& view_angles, ByteView message) {
   Bytes bytes;
   formats::append_dem_message(bytes, view_angles, message);
+  file_->view_angles = view_angles;
   return file_->write(bytes);
 }
 
 Status DemoRecorder::finish(const vec3& view_angles) {
-  const Bytes goodbye = {net::svc::Disconnect::kCommand.number};
-  if (auto status = add(view_angles, goodbye); !status.ok()) return status;
+  if (auto status = add(view_angles, kGoodbye); !status.ok()) return status;
   file_->stream.close();
   std::error_code failed;
   stdfs::rename(part_path(file_->path), file_->path, failed);
   if (failed) return Error{fmt::format("{}: {}", file_->path.string(), failed.message())};
   return ok_status();
+}
+
+Result<stdfs::path> DemoRecorder::cut_short() {
+  File& file = *file_;
+  if (file.last == 0) return Error{fmt::format("{}: no message is whole", part_path(file.path).string())};
+  const stdfs::path part = part_path(file.path);
+  file.stream.close();
+  file.stream.clear();
+  std::error_code failed;
+  stdfs::resize_file(part, file.last, failed);
+  file.stream.open(part, std::ios::binary | std::ios::app);
+  if (failed || !file.stream) return cannot_be_written(part);
+  if (auto status = add(file.view_angles, kGoodbye); !status.ok()) return status.error();
+  file.stream.close();
+  const stdfs::path name = stdfs::exists(file.path, failed) ? free_path(file.path) : file.path;
+  stdfs::rename(part, name, failed);
+  if (failed) return Error{fmt::format("{}: {}", name.string(), failed.message())};
+  return name;
 }
 
 }  // namespace fb::cl

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "base/log.h"
+#include "base/stop.h"
 #include "client/client.h"
 #include "client/demo_recorder.h"
 #include "client/test_server.h"
@@ -376,23 +376,33 @@ TEST_F(Playing, RecordingWhereNothingCanBeWrittenIsASentence) {
 // The process's files may not grow beyond a size, as on a full disk.
 class FullDisk {
  public:
-  explicit FullDisk(std::uintmax_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+  explicit FullDisk(std::uintmax_t bytes) {
+    survive_failed_writes();  // as both programs do
     getrlimit(RLIMIT_FSIZE, &before_);
     rlimit limit = before_;
     limit.rlim_cur = bytes;
     setrlimit(RLIMIT_FSIZE, &limit);
   }
-  ~FullDisk() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
+  ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
   FullDisk(const FullDisk&) = delete;
   FullDisk& operator=(const FullDisk&) = delete;
 
  private:
-  void (*handler_)(int);
   rlimit before_{};
 };
+
+void expect_whole(const stdfs::path& path) {
+  const Bytes bytes = read_whole(path);
+  auto demo = formats::DemReader::open(bytes, path.string());
+  ASSERT_TRUE(demo.ok()) << demo.error().message;
+  Bytes last;
+  while (!demo->at_end()) {
+    const auto message = demo->next();
+    ASSERT_TRUE(message.ok()) << message.error().message;
+    last.assign(message->data.begin(), message->data.end());
+  }
+  EXPECT_THAT(last, ElementsAre(net::svc::Disconnect::kCommand.number)) << path;
+}
 
 TEST_F(Playing, AFullDiskEndsTheRecordingAloneAndSpoilsNothing) {
   stdfs::create_directories(folder);
@@ -406,12 +416,37 @@ TEST_F(Playing, AFullDiskEndsTheRecordingAloneAndSpoilsNothing) {
     const FullDisk full(recorded);
     frames(2);
   }
-  EXPECT_THAT(log, HasSubstr("x.dem.part: cannot be written: File too large; the recording ends here"));
+  const stdfs::path kept = folder / "x_cut1.dem";
+  EXPECT_THAT(log,
+              HasSubstr("x.dem.part: cannot be written: File too large; the recording ends here, as " + kept.string()));
   EXPECT_TRUE(console.failed());
   EXPECT_FALSE(client.recording());
   EXPECT_TRUE(client.connected());
   EXPECT_EQ(read_whole(folder / "x.dem").size(), 11u) << "the old one";
-  EXPECT_EQ(stdfs::file_size(folder / "x.dem.part"), recorded) << "and what was recorded";
+  EXPECT_FALSE(stdfs::exists(folder / "x.dem.part"));
+  expect_whole(kept);
+  EXPECT_LE(stdfs::file_size(kept), recorded);
+}
+
+// Whichever byte is the first that does not fit, be it of the demo's end.
+TEST_F(Playing, ARecordingIsWholeWhereverTheDiskIsFull) {
+  join();
+  console.append("record whole\n");
+  frames(3);
+  console.execute("stop");
+  const auto bytes = stdfs::file_size(folder / "whole.dem");
+  for (std::uintmax_t room = bytes - 40; room < bytes; ++room) {
+    console.append("record y\n");
+    {
+      const FullDisk full(room);
+      frames(3);
+      console.execute("stop");
+    }
+    EXPECT_FALSE(client.recording());
+    ASSERT_FALSE(stdfs::exists(folder / "y.dem.part")) << room;
+    expect_whole(folder / "y.dem");
+    stdfs::remove(folder / "y.dem");
+  }
 }
 
 }  // namespace

@@ -56,9 +56,14 @@ void Client::Impl::record(const con::Args& args) {
 void Client::Impl::record_message(ByteView data) {
   if (!recorder) return;
   const Status status = recorder->add(session.state.view_angles, data);
-  if (status.ok()) return;
-  console.fail(fmt::format("{}; the recording ends here", status.error().message));
+  if (!status.ok()) cut_recording(status.error());
+}
+
+void Client::Impl::cut_recording(const Error& why) {
+  const auto kept = recorder->cut_short();
+  console.fail(fmt::format("{}; the recording ends here{}", why.message, kept.ok() ? ", as " + kept->string() : ""));
   recorder.reset();
+  session.forced_track = -1;
 }
 
 // A server that talks for ever before the game begins fills no memory: such a game cannot be recorded from its midst.
@@ -97,10 +102,8 @@ void Client::Impl::record_game_so_far() {
 void Client::Impl::stop_recording() {
   if (!recorder) return;
   const Status status = recorder->finish(session.state.view_angles);
-  if (status.ok())
-    log_info("Completed demo {}", recorder->path().string());
-  else
-    console.fail_unless(status);
+  if (!status.ok()) return cut_recording(status.error());
+  log_info("Completed demo {}", recorder->path().string());
   recorder.reset();
   session.forced_track = -1;
 }

@@ -15,6 +15,7 @@ import tempfile
 import threading
 import time
 
+import default_signals  # noqa: F401
 from lossy_relay import Relay, Weather
 from programs_needed import librequake
 
@@ -48,7 +49,7 @@ class Program:
     """A process whose lines are read as they come."""
 
     def __init__(self, name, command):
-        self.name, self.lines, self.fresh = name, [], queue.Queue()
+        self.name, self.lines, self.fresh, self.deaf = name, [], queue.Queue(), False
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                         text=True, errors="replace", bufsize=1)
         threading.Thread(target=self.read, daemon=True).start()
@@ -56,7 +57,14 @@ class Program:
     def read(self):
         for line in self.process.stdout:
             self.fresh.put(line.rstrip("\n"))
+            if self.deaf:
+                self.process.stdout.close()
+                break
         self.fresh.put(None)
+
+    def stop_reading(self):
+        """After its next line, as `head` does."""
+        self.deaf = True
 
     def say(self, line):
         self.process.stdin.write(line + "\n")

@@ -5,6 +5,8 @@ import pathlib
 import subprocess
 import sys
 
+import default_signals  # noqa: F401
+
 SKIPPED = 77
 
 

@@ -76,10 +76,9 @@ def refused(build, home, what, before=(), prepare=lambda: None):
                                "+writeconfig", "kept", "+quit"), check=True, capture_output=True, timeout=60)
     former = {path: path.read_bytes() for path in (kept.save, kept.config)}
     prepare()
-    # restore_signals: the limit of a file's size is to fail as a full disk does, without a signal.
     ran = subprocess.run(command(build, home, "+map", "start", "+seta", "filler", "x" * 4000, "+save", "kept", "+writeconfig", "kept", "+save", "other/new",
                                  "+echo", "still here", "+sv_run", "1", "+edictcount", "+quit", before=before),
-                         text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60, restore_signals=False)
+                         text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60)
     said = ran.stdout.splitlines()
     for name in ("kept.sav", "kept.cfg", "other/new.sav"):
         sentences = [line for line in said if name in line and "cannot be" in line]

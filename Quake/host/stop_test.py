@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
-"""Both programs are told to end: stop_test.py BUILD_DIR. Whatever they do, SIGTERM and SIGINT end them within two seconds
-(a frame that takes minutes: within the grace period), by that signal and with one sentence; a recording is whole, nothing
-half done has its final name, and nothing further is executed. At a window SIGTERM is `quit`. What needs game data, a
-compiler of QuakeC, a Vulkan device or a display is skipped, saying so."""
+"""Both programs are told to end: stop_test.py BUILD_DIR. Whatever they do, SIGTERM, SIGINT and a terminal that closes end
+them within two seconds (a frame that takes minutes: within the grace period), by that signal and with one sentence; a
+recording is whole, nothing half done has its final name, and nothing further is executed. At a window SIGTERM is `quit`.
+A log that nobody reads any more and a file that may not grow end nothing. What needs game data, a compiler of QuakeC, a
+Vulkan device or a display is skipped, saying so."""
 import os
 import pathlib
 import random
+import pty
 import re
+import resource
+import select
 import shutil
 import signal
 import subprocess
@@ -64,7 +68,36 @@ class Case:
         return self.running.process.poll() is None
 
 
-def servers(build, game):
+class AtTerminal:
+    """A program in a session of its own, at a terminal that this is the other end of."""
+
+    def __init__(self, name, command):
+        print(f"- {name}", flush=True)
+        self.name, self.said = name, ""
+        self.end, inner = pty.openpty()
+        self.process = subprocess.Popen(["setsid", "--ctty", *command], stdin=inner, stdout=inner, stderr=inner)
+        os.close(inner)
+
+    def wait_for(self, pattern, seconds=60):
+        until = time.monotonic() + seconds * SLOW
+        while not (found := re.search(pattern, self.said)):
+            assert time.monotonic() < until, f"{self.name} did not say {pattern!r}:\n{self.said}"
+            if select.select([self.end], [], [], 0.1)[0]:
+                self.said += os.read(self.end, 4096).decode(errors="replace")
+        return found
+
+    def close(self):
+        """The status; the program ends in time."""
+        os.close(self.end)
+        return self.process.wait(AT_ONCE * SLOW)
+
+
+def is_whole(demo):
+    assert demo.exists() and not demo.with_suffix(".dem.part").exists(), "the recording is not whole"
+    assert demo.read_bytes().endswith(b"\x02"), "the recording does not end as one does"
+
+
+def servers(build, game, folder):
     def dedicated(name, *arguments):
         port = str(random.randint(20000, 60000))
         return Case(build, name, "fullbright", "-dedicated", "1", "-port", port, "-seed", "1", *game, *arguments)
@@ -80,20 +113,67 @@ def servers(build, game):
     run.is_stopped_by(signal.SIGINT, before_grace=True)
     idle = dedicated("a server that waits", "+map", "start")
     idle.wait_for("^Server spawned")
+    ignored = re.search(r"^SigIgn:\s*(\w+)", pathlib.Path(f"/proc/{idle.running.process.pid}/status").read_text(), re.M)[1]
+    assert int(ignored, 16) == 0, f"a program that a test starts ignores signals: {ignored}"
     idle.is_stopped_by(signal.SIGTERM)
+    idle = dedicated("a server whose terminal hangs up", "+map", "start")
+    idle.wait_for("^Server spawned")
+    idle.is_stopped_by(signal.SIGHUP)
+
+    unread = dedicated("a server whose log reader ends", "+map", "start")
+    unread.wait_for("^Server spawned")
+    unread.running.stop_reading()
+    unread.running.say("echo who hears\n" * 100 + "seta zzz_unread 1\nwriteconfig unread")
+    unread.wait_for_file(folder / "id1" / "unread.cfg", 10)
+    unread.running.say("quit")
+    assert unread.running.process.wait(AT_ONCE * SLOW) == 0
+    assert "zzz_unread" in (folder / "id1" / "unread.cfg").read_text()
+
+    if not shutil.which("setsid"):
+        return print("skipped: terminals, for want of setsid")
+    options = [build / "fullbright", "-dedicated", "1", "-nolan", *game, "+map", "start"]
+    closed = AtTerminal("a server at a terminal that closes", options)
+    closed.wait_for("Server spawned")
+    assert closed.close() == -signal.SIGHUP
+    # What is typed is the shell's.
+    behind = AtTerminal("a server in the background of a shell", ["sh", "-m", "-c", '"$@" & echo "job $!."; wait', "sh", *options])
+    job = int(behind.wait_for(r"job (\d+)\.")[1])
+    behind.wait_for("Server spawned")
+    os.write(behind.end, b"quit\n")
+    time.sleep(1)
+    state = pathlib.Path(f"/proc/{job}/stat").read_text().rpartition(") ")[2][0]
+    assert state in "RSD", f"the server is in state {state}"
+    os.kill(job, signal.SIGTERM)
+    behind.wait_for("stopped by SIGTERM", AT_ONCE)
+    behind.close()
 
 
 def games(build, game, folder):
     def headless(name, *arguments):
         return Case(build, name, "fullbright", "-headless", "-seed", "1", *game, *arguments)
 
-    record = headless("a recording", "-size", "16x16", "-capture", folder / "recorded", "+r_bounces", "0", "+record", "cut", "start")
-    record.wait_for("^recording to")
-    record.wait_for_file(folder / "recorded" / "frame_000001.png")
-    record.is_stopped_by(signal.SIGTERM)
-    demo = folder / "id1" / "cut.dem"
-    assert demo.exists() and not demo.with_suffix(".dem.part").exists(), "the recording is not whole"
-    assert demo.read_bytes().endswith(b"\x02"), "the recording does not end as one does"
+    small = ["-size", "16x16", "+r_bounces", "0"]
+    for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGUSR1):
+        name = number.name.lower()
+        record = headless(f"a recording, {number.name}", *small, "-capture", folder / name, "+record", name, "start")
+        record.wait_for("^recording to")
+        record.wait_for_file(folder / name / "frame_000001.png")
+        record.is_stopped_by(number)
+        is_whole(folder / "id1" / f"{name}.dem")
+    if shutil.which("setsid"):
+        record = AtTerminal("a recording at a terminal that closes", [build / "fullbright", "-headless", "-seed", "1", *game, *small,
+                                                                     "+record", "closed", "start", "+wait", "+wait", "+echo", "is recorded"])
+        record.wait_for(r"(?s)recording to.*is recorded")
+        assert record.close() == -signal.SIGHUP
+        is_whole(folder / "id1" / "closed.dem")
+    limited = headless("a recording whose file may not grow", *small, "+record", "limited", "start", "+wait", "+wait", "+echo", "is recorded")
+    limited.wait_for("^recording to")
+    limited.wait_for("^is recorded")
+    most = (folder / "id1" / "limited.dem.part").stat().st_size + 10000
+    resource.prlimit(limited.running.process.pid, resource.RLIMIT_FSIZE, (most, most))
+    limited.wait_for("cannot be written: File too large; the recording ends here, as .*limited.dem")
+    is_whole(folder / "id1" / "limited.dem")
+    limited.is_stopped_by(signal.SIGTERM)
 
     timed = headless("timedemo", "-size", "64x36", "-capture", folder / "frames", "+timedemo", "demo1", "+echo", "behind")
     timed.wait_for("^Playing demo")
@@ -164,7 +244,7 @@ def main():
         if has_game:
             (folder / "id1").mkdir()
             compile_rules("testdemos/rules", folder / "id1" / "progs.dat")
-            servers(build, game)
+            servers(build, game, folder)
         else:
             skipped.append(lacks)
         if device:

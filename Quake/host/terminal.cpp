@@ -28,6 +28,9 @@ bool TerminalLines::read_more() {
   return false;
 #else
   if (ended_) return false;
+  // A background job that reads what is typed for the shell would be stopped (SIGTTIN).
+  const pid_t in_front = ::tcgetpgrp(file_);
+  if (in_front > 0 && in_front != ::getpgrp()) return false;
   pollfd wanted{file_, POLLIN, 0};
   if (poll(&wanted, 1, 0) <= 0) return false;
   std::array<char, 4096> bytes{};

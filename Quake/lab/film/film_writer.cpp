@@ -19,6 +19,7 @@
 #endif
 #endif
 
+#include "base/stop.h"
 #include "lab/image_io.h"
 #include "lab/judge/program.h"
 #include "lab/picture.h"
@@ -107,7 +108,7 @@ class FfmpegWriter : public FilmWriter {
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
-    std::signal(SIGPIPE, SIG_IGN);
+    survive_failed_writes();  // ffmpeg may end before its input
     const pid_t parent = ::getpid();
     child_ = ::fork();
     if (child_ == 0) {
