@@ -74,10 +74,8 @@ Status Client::Impl::load_models(ClientState& state) {
 }
 
 void Client::Impl::find_models(ClientState& state) {
-  for (std::size_t i = 1; i < state.model_names.size(); ++i) {
+  for (std::size_t i = 1; i < state.model_names.size(); ++i)
     if (library.map() || i > 1) state.models[i] = &library.model(state.model_names[i]);
-    if (link()) link()->keep_alive(clock());
-  }
 }
 
 void Client::Impl::tell_of_even_light(const std::string& map) {

@@ -52,7 +52,7 @@ void Client::Impl::connect(std::unique_ptr<net::Connection> connection, std::str
   view = {};
   ++games;
   last_server = server;
-  const ServerLink& joined = source.emplace<ServerLink>(std::move(connection), std::move(server), clock());
+  const ServerLink& joined = source.emplace<ServerLink>(std::move(connection), std::move(server));
   session.command = nullptr;
   if (joined.is_local()) session.command = [this](std::string_view line) { console.append(std::string(line) + "\n"); };
 }
@@ -86,6 +86,7 @@ void Client::Impl::poll_attempt() {
       break;
     case net::ConnectAttempt::State::kConnected:
       connect(server.attempt->take(), std::move(server.name));
+      if (network->any_thread()) link()->keep_alive();
       log_info("Connection accepted");
       break;
     case net::ConnectAttempt::State::kFailed:

@@ -56,6 +56,9 @@ Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::ve
   console_.set_file_loader(files_.loader());
   console_.add_cvar({"net_messagetimeout", "300", "seconds without a packet after which a new connection times out",
                      con::kCvarPlain, 1.0f, 86400.0f});
+  console_.add_cvar({"sv_maxperhost", "8",
+                     "players that may come from one address, several of a network behind one router; 0: any number",
+                     con::kCvarPlain, 0.0f, 16.0f});
   register_time_cvars(console_);
   if (options.server) {
     make_server(options);
@@ -194,7 +197,10 @@ void Engine::execute_commands(double now) {
 void Engine::frame(const FramePlan& plan, const vec2& mouse, double now) {
   now_ = now;
   server_list_.poll(now);
-  if (listener_) listener_->set_timeout(static_cast<double>(console_.cvar("net_messagetimeout").value()));
+  if (listener_) {
+    listener_->set_timeout(static_cast<double>(console_.cvar("net_messagetimeout").value()));
+    listener_->set_most_per_host(console_.cvar("sv_maxperhost").integer());
+  }
   if (client_) {
     client_->set_in_step(plan.in_step);
     client_->look(plan.seconds, mouse);

@@ -2,7 +2,7 @@
 """A network game of real processes: network_game_test.py BUILD_DIR [SECONDS]. A dedicated server and two headless
 clients, one over IPv4 and one over IPv6 where there is any, all of it through a relay that loses one packet in ten,
 repeats and reorders. Both walk for a minute; nobody may drop, and in the end both must show both players where the
-server has them, to a step of the wire. Skipped, saying so, without game data, a compiler of QuakeC or a Vulkan device."""
+server has them, to a step of the wire. Then one draws a picture that takes minutes, and must not be dropped for silence. Skipped, saying so, without game data, a compiler of QuakeC or a Vulkan device."""
 import os
 import pathlib
 import queue
@@ -162,8 +162,8 @@ class Game:
     """The three programs and what is between them."""
 
     def __init__(self, build, data, folder, seconds):
-        self.folder, self.programs = folder, []
-        port = free_port()
+        self.folder, self.programs, self.headless = folder, [], [build / "fullbright", "-headless", "-basedir", data]
+        self.port = port = free_port()
         self.relay = Relay(port, Weather(seed=4))
         doors = [("127.0.0.2", socket.AF_INET), ("::1", socket.AF_INET6) if has_ipv6() else ("127.0.0.3", socket.AF_INET)]
         self.server = self.start("server", [build / "fullbright", "-dedicated", "2", "-port", str(port), "-seed", "1",
@@ -176,7 +176,7 @@ class Game:
             user = self.user_folder(name)
             (user / "id1" / "walk.cfg").write_text(script(name, seconds))
             self.clients.append(self.start(
-                name, [build / "fullbright", "-headless", "-size", "32x18", "-basedir", data],
+                name, [*self.headless, "-size", "32x18"],
                 ["+r_bounces 0", f"+host_maxfps {FRAMES_A_SECOND}", f"+name {name}", f"+connect {door}", "+exec walk"]))
         self.relay.start()
 
@@ -258,6 +258,31 @@ def play(game, seconds):
     assert relay.lost > relay.sent / 20 and relay.repeated > 0 and relay.overtaken > relay.sent / 20
 
 
+def be_patient(game):
+    """A player who computes for long says that it is there."""
+    patience = 8  # seconds, of which the first packet after five is a word in time
+    for client in game.clients:
+        client.end()
+    game.server.say(f"net_messagetimeout {patience}")
+    busy = game.start("busy", [*game.headless, "-size", "1280x720"],
+                      ["+r_spp 4096", f"+connect 127.0.0.1:{game.port}", *["+wait"] * 200, "+echo drawn"])
+    for _ in range(60):
+        game.server.say("status")
+        if "1 active" in game.server.wait_for("^players: [0-9]+ active", 20):
+            break
+        time.sleep(1)
+    time.sleep(3 * patience)
+    game.server.say("status")
+    game.server.wait_for("^players: 1 active", 20)
+    busy.catch_up()
+    spoken = "\n".join(game.server.lines + busy.lines)
+    assert not re.search("timed out|Lost the connection|^drawn", spoken, re.M), spoken
+    busy.process.kill()
+    busy.process.wait()
+    game.server.wait_for("timed out", 10 * patience)
+    print(f"a player whose frame takes long stays, with {patience} s of patience, and goes once it is killed")
+
+
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     seconds = int(sys.argv[2]) if len(sys.argv) > 2 else 60
@@ -273,6 +298,7 @@ def main():
         game = Game(build, data, pathlib.Path(folder), seconds)
         try:
             play(game, seconds)
+            be_patient(game)
         except AssertionError as why:
             print(f"FAILED: {why}")
             game.end()

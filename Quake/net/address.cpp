@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/number.h"
 #include "net/network.h"
 
@@ -16,6 +18,12 @@ std::string Address::to_string() const {
   const bool v4 = family == Family::kIpv4;
   inet_ntop(v4 ? AF_INET : AF_INET6, bytes.data(), text, sizeof text);
   return v4 ? fmt::format("{}:{}", text, port) : fmt::format("[{}]:{}", text, port);
+}
+
+bool Address::same_site(const Address& other) const {
+  const bool link_local = bytes[0] == 0xfe && (bytes[1] & 0xc0) == 0x80;
+  if (family == Family::kIpv4 || family != other.family || link_local) return same_host(other);
+  return std::equal(bytes.begin(), bytes.begin() + 8, other.bytes.begin());
 }
 
 Address ipv4(std::uint8_t a, std::uint8_t b, std::uint8_t c, std::uint8_t d, std::uint16_t port) {

@@ -116,5 +116,15 @@ TEST(SystemNetwork, SocketsHaveTheAddressThatIsAskedFor) {
   EXPECT_NE(nowhere.error().message.find("192.0.2.1:26000"), std::string::npos) << nowhere.error().message;
 }
 
+TEST(Address, AHostChoosesItsOwnHalfOfAnIpv6Address) {
+  const auto at = [](const char* text) { return *parse_address(text, 0); };
+  EXPECT_TRUE(at("192.0.2.1:1").same_site(at("192.0.2.1:2")));
+  EXPECT_FALSE(at("192.0.2.1").same_site(at("192.0.2.2")));
+  EXPECT_TRUE(at("2001:db8::1").same_site(at("2001:db8::ffff:1")));
+  EXPECT_FALSE(at("2001:db8::1").same_site(at("2001:db8:0:1::1")));
+  EXPECT_FALSE(at("fe80::1").same_site(at("fe80::2"))) << "a local network's machines";
+  EXPECT_FALSE(at("192.0.2.1").same_site(at("2001:db8::1")));
+}
+
 }  // namespace
 }  // namespace fb::net

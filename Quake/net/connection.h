@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,6 +55,13 @@ class Connection {
   // The longest unreliable message that no network fragments: kMaxMessage or kDatagramMtu.
   virtual std::size_t unreliable_limit() const = 0;
   virtual double connect_time() const = 0;
+  // The player is in the game: a listener that limits how many sign on at a time counts this one no more.
+  virtual void set_signed_on() {}
+
+  // For Keepalive, from any thread where the network allows that: sends an unreliable message of one byte, svc_nop and
+  // clc_nop; how many packets have been sent so far.
+  virtual void say_nothing() {}
+  virtual std::uint64_t packets_sent() const { return 0; }
 };
 
 // A listener, which accepts connections.

@@ -21,7 +21,7 @@ std::int32_t ahead(std::uint32_t number, std::uint32_t expected) {
 
 DatagramConnection::DatagramConnection(std::unique_ptr<Socket> socket, const Address& peer, double now, double timeout)
     : socket_(std::move(socket)),
-      peer_(std::make_shared<Peer>(Peer{peer, now, true, {}})),
+      peer_(std::make_shared<Peer>(Peer{peer, now})),
       connect_time_(now),
       timeout_(timeout),
       next_probe_(now + kFirstProbe) {}
@@ -58,7 +58,15 @@ Status DatagramConnection::send_unreliable(ByteView message, double) {
 
 void DatagramConnection::send(const Packet& packet) {
   socket_->send_to(peer_->address, write_packet(packet));
+  ++sent_;
   ++statistics_.packets_sent;
+}
+
+void DatagramConnection::say_nothing() {
+  const Bytes nothing = {kNop};
+  socket_->send_to(peer_->address,
+                   write_packet({PacketKind::kUnreliable, false, unreliable_send_sequence_++, nothing}));
+  ++sent_;
 }
 
 void DatagramConnection::send_fragment(double now, bool again) {
@@ -84,17 +92,18 @@ void DatagramConnection::do_what_time_demands(double now) {
   next_probe_ = now + kProbeEvery;
 }
 
+// What has arrived counts before the time that has passed: after a stall of one's own nobody has been silent.
 bool DatagramConnection::poll_peer(double now) {
-  do_what_time_demands(now);
   if (!verified_ && is_open()) early_ = read_packets(now);
+  if (is_open()) do_what_time_demands(now);
   return verified_;
 }
 
 std::optional<ReceivedMessage> DatagramConnection::receive(double now) {
   if (early_) return std::exchange(early_, std::nullopt);
-  if (!is_open()) return std::nullopt;
-  do_what_time_demands(now);
-  return is_open() ? read_packets(now) : std::nullopt;
+  auto message = read_packets(now);
+  if (is_open()) do_what_time_demands(now);
+  return message;
 }
 
 std::optional<ReceivedMessage> DatagramConnection::read_packets(double now) {

@@ -8,6 +8,7 @@
 // engines that do not send first (Quake's own) acknowledge it. See DatagramListener.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -33,7 +34,8 @@ class DatagramConnection final : public Connection {
     Address address;
     double last_heard = 0.0;
     bool open = true;
-    std::string close_reason;
+    bool signed_on = false;  // see Connection::set_signed_on
+    std::string close_reason = {};
   };
 
   DatagramConnection(std::unique_ptr<Socket> socket, const Address& peer, double now, double timeout = kDefaultTimeout);
@@ -50,6 +52,9 @@ class DatagramConnection final : public Connection {
   bool is_local() const override { return false; }
   std::size_t unreliable_limit() const override { return kDatagramMtu; }
   double connect_time() const override { return connect_time_; }
+  void set_signed_on() override { peer_->signed_on = true; }
+  void say_nothing() override;
+  std::uint64_t packets_sent() const override { return sent_; }
 
   const DatagramStatistics& statistics() const { return statistics_; }
   void set_timeout(double seconds) { timeout_ = seconds; }
@@ -84,11 +89,14 @@ class DatagramConnection final : public Connection {
   std::size_t in_flight_offset_ = 0;
   double last_send_ = 0.0;
   std::uint32_t send_sequence_ = 0;  // of the fragment in flight, or the next one
-  std::uint32_t unreliable_send_sequence_ = 0;
-  Bytes arriving_;  // fragments so far
+  Bytes arriving_;                   // fragments so far
   std::uint32_t receive_sequence_ = 0;
   std::uint32_t unreliable_receive_sequence_ = 0;
   DatagramStatistics statistics_;
+
+  // With the socket's send_to and the peer's address, all that say_nothing() touches.
+  std::atomic<std::uint32_t> unreliable_send_sequence_{0};
+  std::atomic<std::uint64_t> sent_{0};
 };
 
 }  // namespace fb::net

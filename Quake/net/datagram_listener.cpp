@@ -2,10 +2,16 @@
 
 #include <algorithm>
 
+#include "net/server_messages.h"
+
 namespace fb::net {
 namespace {
 
 constexpr int kMostRequestsACall = 512;  // so that a flood cannot delay the frame
+constexpr double kPause = 1.0;           // seconds between two calls, in which silence is one's own deafness
+constexpr double kMayBeGone = 1.0;       // seconds of silence before which nobody can be back from a crash
+constexpr const char* kFull = "Server is full.\n";
+constexpr const char* kTooMany = "Too many players of your address are here.\n";
 
 std::string cut(const std::string& text, std::size_t most) { return text.substr(0, most); }
 int to_byte(std::size_t n) { return static_cast<int>(std::min<std::size_t>(n, 255)); }
@@ -22,6 +28,18 @@ std::optional<ccrep::RuleInfo> rule_after(const ServerStatus& status, const std:
   rule = std::find_if(rule, status.rules.end(), [&](const auto& r) { return r.first.size() <= room; });
   if (rule == status.rules.end()) return ccrep::RuleInfo{};
   return ccrep::RuleInfo{rule->first, cut(rule->second, room - rule->first.size())};
+}
+
+// In words, as far as one packet tells.
+void refuse(DatagramConnection& connection, const char* why, double now) {
+  MessageWriter writer;
+  write_server_message(writer, svc::Print{why});
+  write_server_message(writer, svc::Disconnect{});
+  if (connection.can_send())
+    (void)connection.send_reliable(writer.bytes(), now);
+  else
+    (void)connection.send_unreliable(writer.bytes(), now);
+  connection.close();
 }
 
 }  // namespace
@@ -45,8 +63,11 @@ DatagramListener::DatagramListener(Network& network, std::vector<std::unique_ptr
 DatagramListener::~DatagramListener() = default;
 
 std::unique_ptr<Connection> DatagramListener::accept(double now) {
+  if (now - polled_ > kPause) awake_since_ = now;
+  polled_ = now;
   for (const auto& socket : sockets_) read_requests(*socket, now);
-  return take_verified(now);
+  take_proven(now);
+  return hand_out(now);
 }
 
 void DatagramListener::read_requests(Socket& socket, double now) {
@@ -94,53 +115,127 @@ void DatagramListener::answer_request(Socket& socket, const Address& from, std::
 void DatagramListener::answer_connect(Socket& socket, const Address& from, std::size_t size,
                                       const ccreq::Connect& request, double now) {
   if (request.version != kConnectVersion) return answer(socket, from, size, ccrep::Reject{"Incompatible version.\n"});
-  const auto same = std::ranges::find_if(pending_, [&](const auto& p) { return p->peer()->address == from; });
-  if (same != pending_.end()) return answer(socket, from, size, ccrep::Accept{(*same)->local_port()});
-  if (knows(from, now)) return;
+  const auto accept = [&](const DatagramConnection& connection) {
+    answer(socket, from, size, ccrep::Accept{connection.local_port()});
+  };
+  for (const auto& pending : pending_)
+    if (pending->peer()->address == from) return accept(*pending);
+  for (const Newcomer& newcomer : waiting_)
+    if (newcomer.address() == from) return accept(*newcomer.connection);
+  forget_closed();
+  for (const auto& peer : connected_)  // a request that was late, or repeated on its way
+    if (peer->address == from && silence(*peer, now) < kMayBeGone) return;
   const ServerStatus status = status_();
-  if (static_cast<int>(status.players.size()) >= status.max_players)
-    return answer(socket, from, size, ccrep::Reject{"Server is full.\n"});
-  if (pending_.size() == kMostPending) pending_.erase(pending_.begin());
+  if (static_cast<int>(status.players.size()) >= status.max_players) {
+    const auto old = most_silent(from, now);
+    if (!old || silence(*old, now) < kMayBeGone) return answer(socket, from, size, ccrep::Reject{kFull});
+  }
+  make_room_for_pending();
   auto own = network_.open(from.family, 0);
   if (!own) return;
   pending_.push_back(std::make_unique<DatagramConnection>(std::move(*own), from, now, timeout_));
   pending_.back()->doubt_peer();
-  answer(socket, from, size, ccrep::Accept{pending_.back()->local_port()});
+  accept(*pending_.back());
 }
 
-// Whether `from` belongs to a live connection. Closes connections that `from` replaces.
-bool DatagramListener::knows(const Address& from, double now) {
-  std::erase_if(connected_, [](const auto& weak) {
-    const auto peer = weak.lock();
-    return !peer || !peer->open;
-  });
-  for (const auto& weak : connected_) {
-    const auto peer = weak.lock();
-    const double silence = now - peer->last_heard;
-    if (peer->address == from && silence < kSilent) return true;
-    // Another port of the same host may be another player, or a player back after a crash: wait longer before replacing
-    // it.
-    if (peer->address == from || (peer->address.same_host(from) && silence > 2 * kSilent)) {
-      peer->open = false;
-      peer->close_reason = "connected anew";
-    }
-  }
-  return false;
+// Whoever asks in the name of one host a thousand times takes the place of that host alone.
+void DatagramListener::make_room_for_pending() {
+  if (pending_.size() < kMostPending) return;
+  const auto of_same_site = [this](const auto& pending) {
+    return std::ranges::count_if(
+        pending_, [&](const auto& other) { return other->peer()->address.same_site(pending->peer()->address); });
+  };
+  pending_.erase(std::ranges::max_element(pending_, {}, of_same_site));  // the first, and so the oldest, of equals
 }
 
-std::unique_ptr<Connection> DatagramListener::take_verified(double now) {
-  std::unique_ptr<DatagramConnection> taken;
+void DatagramListener::forget_closed() {
+  std::erase_if(connected_, [](const auto& peer) { return !peer->open; });
+}
+
+// What was said while nobody listened here has not been read yet.
+double DatagramListener::silence(const Peer& peer, double now) const {
+  return now - std::max(peer.last_heard, awake_since_);
+}
+
+std::shared_ptr<DatagramListener::Peer> DatagramListener::most_silent(const Address& host, double now) const {
+  std::shared_ptr<Peer> most;
+  for (const auto& peer : connected_)
+    if (peer->open && peer->address.same_host(host) && (!most || silence(*peer, now) > silence(*most, now)))
+      most = peer;
+  return most;
+}
+
+// Those whose address is proven by now wait for a slot from here on.
+void DatagramListener::take_proven(double now) {
   for (auto& pending : pending_) {
-    if (!pending->poll_peer(now) || taken) continue;
-    const ServerStatus status = status_();
-    if (static_cast<int>(status.players.size()) < status.max_players)
-      taken = std::move(pending);
+    if (!pending->poll_peer(now)) continue;
+    const Address& from = pending->peer()->address;
+    const auto of_host = static_cast<std::size_t>(
+        std::ranges::count_if(waiting_, [&](const Newcomer& other) { return other.address().same_site(from); }));
+    if (waiting_.size() < kMostWaiting && of_host < kMostWaitingOfHost)
+      waiting_.push_back({std::move(pending), now});
     else
-      pending->close();  // other clients took the slots
+      refuse(*pending, kFull, now);
   }
   std::erase_if(pending_, [](const auto& pending) { return !pending || !pending->is_open(); });
+}
+
+std::unique_ptr<Connection> DatagramListener::hand_out(double now) {
+  if (waiting_.empty()) return nullptr;
+  forget_closed();
+  const ServerStatus status = status_();
+  std::unique_ptr<DatagramConnection> taken;
+  for (Newcomer& newcomer : waiting_) {
+    newcomer.connection->poll_peer(now);
+    switch (judge(newcomer, status, now)) {
+      case Verdict::kComesIn:
+        taken = std::move(newcomer.connection);
+        break;
+      case Verdict::kWaits:
+        break;
+      case Verdict::kNoRoom:
+        refuse(*newcomer.connection, kFull, now);
+        break;
+      case Verdict::kTooManyOfHost:
+        refuse(*newcomer.connection, kTooMany, now);
+        break;
+    }
+    if (taken) break;
+  }
+  std::erase_if(waiting_, [](const Newcomer& one) { return !one.connection || !one.connection->is_open(); });
   if (taken) connected_.push_back(taken->peer());
   return taken;
+}
+
+DatagramListener::Verdict DatagramListener::judge(Newcomer& newcomer, const ServerStatus& status, double now) {
+  const Address& from = newcomer.address();
+  const auto replace = [&](Peer& old) {
+    old.open = false;
+    old.close_reason = "connected anew";
+    newcomer.replaces = true;
+  };
+  for (const auto& peer : connected_)
+    if (peer->open && peer->address == from) replace(*peer);
+  const auto old = most_silent(from, now);
+  if (!newcomer.replaces && old && silence(*old, now) > kSilent) replace(*old);
+
+  int of_host = 0, signing_on = 0, promised = 0;
+  for (const auto& peer : connected_) {
+    if (!peer->open || !peer->address.same_site(from)) continue;
+    ++of_host;
+    if (!peer->signed_on) ++signing_on;
+  }
+  for (const Newcomer& other : waiting_)
+    if (other.replaces && &other != &newcomer) ++promised;
+  const int taken = static_cast<int>(status.players.size()) + (newcomer.replaces ? 0 : promised);
+  const bool room = taken < status.max_players;
+  const bool host_has_room = most_per_host_ == 0 || of_host < most_per_host_;
+  const bool may_sign_on = signing_on < std::max(2, (status.max_players + 1) / 2);
+  if (room && host_has_room && may_sign_on) return Verdict::kComesIn;
+  // One that has said nothing since may have gone.
+  const bool may_replace = newcomer.replaces || (old && old->last_heard <= newcomer.since);
+  if (now - newcomer.since < kLongestWait && (may_replace || (room && host_has_room))) return Verdict::kWaits;
+  return host_has_room ? Verdict::kNoRoom : Verdict::kTooManyOfHost;
 }
 
 }  // namespace fb::net

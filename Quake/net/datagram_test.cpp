@@ -255,5 +255,18 @@ TEST(Datagram, AFloodDoesNotHoldUpTheFrame) {
   EXPECT_LT(calls, 100);
 }
 
+// What waits in the socket was said in time.
+TEST(Datagram, WhoStandsStillTakesNobodyForSilent) {
+  TestNetwork network;
+  Pair pair(network);
+  for (int i = 0; i < 10; ++i) {
+    ASSERT_TRUE(pair.b.send_unreliable(Bytes{7}, network.now()).ok());
+    network.advance(100.0);
+  }
+  ASSERT_GT(network.now(), kDefaultTimeout);
+  EXPECT_TRUE(pair.a.receive(network.now()).has_value());
+  EXPECT_TRUE(pair.a.is_open());
+}
+
 }  // namespace
 }  // namespace fb::net

@@ -8,80 +8,18 @@
 
 #include "net/connect_attempt.h"
 #include "net/server_query.h"
-#include "net/test_network.h"
+#include "net/test_listener.h"
 
 namespace fb::net {
 namespace {
 
 using ::testing::ElementsAre;
+using testing::kClient;
+using testing::kFrame;
+using testing::kServer;
+using testing::kVictim;
+using testing::ListenerTest;
 using ::testing::Pair;
-using testing::TestNetwork;
-using testing::Weather;
-
-const Address kServer = ipv4(192, 0, 2, 1, 26000), kClient = ipv4(192, 0, 2, 50, 0),
-              kVictim = ipv4(203, 0, 113, 7, 5000);
-constexpr double kFrame = 1.0 / 72.0;
-
-class ListenerTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    status.name = "test server";
-    status.map = "start";
-    status.max_players = 4;
-    status.rules = {{"sv_gravity", "800"}, {"sv_maxspeed", "320"}, {"teamplay", "0"}};
-    auto opened = DatagramListener::open(
-        network.host(kServer), kServer.port, [this] { return status; }, 1);
-    ASSERT_TRUE(opened.ok()) << opened.error().message;
-    listener = std::move(*opened);
-    network.watch = [this](const Address&, const Address& to, ByteView data) {
-      if (to == kVictim) victim_bytes += data.size();
-    };
-  }
-  void accept_all() {
-    while (auto connection = listener->accept(network.now())) {
-      accepted.push_back(std::move(connection));
-      status.players.push_back({"player", 0, 0, 0.0});
-    }
-  }
-  void frame() {
-    accept_all();
-    for (auto& connection : accepted)
-      while (auto message = connection->receive(network.now())) received.push_back(std::move(message->data));
-    network.advance(kFrame);
-  }
-  // The client's end, null if it failed.
-  std::unique_ptr<Connection> connect(const Address& from, double seconds = 10.0) {
-    ConnectAttempt attempt(network.host(from), kServer);
-    const double end = network.now() + seconds;
-    while (network.now() < end) {
-      const auto state = attempt.poll(network.now());
-      if (state == ConnectAttempt::State::kFailed) failure = attempt.failure();
-      if (state != ConnectAttempt::State::kTrying) return attempt.take();
-      frame();
-    }
-    return nullptr;
-  }
-  std::unique_ptr<Socket> open_socket(const Address& at) {
-    return std::move(*network.host(at).open(Family::kIpv4, at.port));
-  }
-  std::optional<ControlReply> ask(Socket& socket, const ControlRequest& request) {
-    socket.send_to(kServer, write_control(request));
-    accept_all();
-    const auto datagram = socket.receive_from();
-    if (!datagram) return std::nullopt;
-    const auto reply = parse_control_reply(datagram->data);
-    EXPECT_TRUE(reply.ok());
-    return reply.ok() ? std::optional(*reply) : std::nullopt;
-  }
-
-  TestNetwork network;
-  ServerStatus status;
-  std::unique_ptr<DatagramListener> listener;
-  std::vector<std::unique_ptr<Connection>> accepted;
-  std::vector<Bytes> received;
-  std::string failure;
-  std::uint64_t victim_bytes = 0;
-};
 
 TEST_F(ListenerTest, ConnectsOnAPortOfItsOwn) {
   auto client = connect(kClient);
@@ -186,40 +124,6 @@ TEST_F(ListenerTest, ClientsThatDoNotSpeakFirst) {
   EXPECT_TRUE(accepted[0]->can_send());
 }
 
-TEST_F(ListenerTest, AskingAgainGetsTheSamePort) {
-  const auto socket = open_socket(kClient.with_port(7));
-  const auto first = ask(*socket, ccreq::Connect{});
-  const auto second = ask(*socket, ccreq::Connect{});
-  ASSERT_TRUE(first && second);
-  EXPECT_EQ(*first, *second);
-}
-
-TEST_F(ListenerTest, TwoPlayersOfOneHost) {
-  auto a = connect(kClient), b = connect(kClient);
-  ASSERT_TRUE(a && b);
-  for (int i = 0; i < 100; ++i) {
-    (void)a->receive(network.now());
-    (void)b->receive(network.now());
-    frame();
-  }
-  ASSERT_EQ(accepted.size(), 2u);
-  EXPECT_TRUE(accepted[0]->is_open() && accepted[1]->is_open());
-}
-
-TEST_F(ListenerTest, BackFromACrash) {
-  auto client = connect(kClient);
-  ASSERT_NE(client, nullptr);
-  frame();
-  ASSERT_EQ(accepted.size(), 1u);
-  client.reset();
-  network.advance(11.0);
-  auto again = connect(kClient);
-  ASSERT_NE(again, nullptr);
-  frame();
-  EXPECT_FALSE(accepted[0]->is_open());
-  EXPECT_EQ(accepted[0]->close_reason(), "connected anew");
-}
-
 // The same over the machine's own sockets.
 TEST(SystemListener, ConnectsOverTheLoopbackInterface) {
   const auto network = system_network();
@@ -282,26 +186,6 @@ TEST_F(ListenerTest, AFloodOfInventedSendersLeavesRoom) {
   EXPECT_NE(connect(kClient), nullptr);
   frame();
   EXPECT_EQ(accepted.size(), 1u);
-}
-
-TEST_F(ListenerTest, NobodyIsThrownOutByAForgedRequest) {
-  Address client_address;
-  network.watch = [&](const Address& from, const Address& to, ByteView) {
-    if (to.same_host(kServer)) client_address = from;
-  };
-  auto client = connect(kClient);
-  ASSERT_NE(client, nullptr);
-  for (int i = 0; i < 72 * 20; ++i) {
-    (void)client->receive(network.now());
-    if (i % 72 == 0) {
-      ASSERT_TRUE(client->send_unreliable(Bytes{3}, network.now()).ok());
-    }
-    network.forge(client_address, kServer, write_control(ControlRequest(ccreq::Connect{})));
-    network.forge(client_address.with_port(9), kServer, write_control(ControlRequest(ccreq::Connect{})));
-    frame();
-    ASSERT_EQ(accepted.size(), 1u);
-    ASSERT_TRUE(accepted[0]->is_open()) << i;
-  }
 }
 
 // Whatever is asked, however the server names itself, no reply is longer than so many times the request.

@@ -30,6 +30,8 @@ struct Address {
   bool same_host(const Address& other) const {
     return family == other.family && bytes == other.bytes && scope == other.scope;
   }
+  // The same host as far as others can tell: which of a network's IPv6 addresses it has is for a host to choose.
+  bool same_site(const Address& other) const;
   Address with_port(std::uint16_t other) const {
     Address copy = *this;
     copy.port = other;
@@ -70,6 +72,8 @@ class Network {
   virtual ~Network() = default;
   // Opens a socket that may also broadcast; port 0 takes any free port.
   virtual Result<std::unique_ptr<Socket>> open(Family family, std::uint16_t port) = 0;
+  // Whether a socket's send_to may be called from another thread than the one that uses it.
+  virtual bool any_thread() const { return false; }
   // Resolves a name, or a numeric address, with or without a port. May use the system's resolver, so it may take
   // seconds.
   virtual Result<Address> resolve(std::string_view name, std::uint16_t default_port = kDefaultPort) = 0;

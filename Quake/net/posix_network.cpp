@@ -147,6 +147,8 @@ class PosixNetwork final : public Network {
     return std::unique_ptr<Socket>(std::move(socket));
   }
 
+  bool any_thread() const override { return true; }
+
   Result<Address> resolve(std::string_view name, std::uint16_t default_port) override {
     if (const auto address = parse_address(name, default_port)) return *address;
     const auto parts = split_port(name, default_port);

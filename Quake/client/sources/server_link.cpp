@@ -17,8 +17,8 @@ Bytes encoded(const net::ClientMessage& message, const net::Protocol& protocol =
 
 }  // namespace
 
-ServerLink::ServerLink(std::unique_ptr<net::Connection> connection, std::string name, double now)
-    : connection_(std::move(connection)), name_(std::move(name)), last_sent_(now) {}
+ServerLink::ServerLink(std::unique_ptr<net::Connection> connection, std::string name)
+    : connection_(std::move(connection)), name_(std::move(name)) {}
 ServerLink::~ServerLink() = default;
 
 bool ServerLink::command(std::string_view text) {
@@ -35,7 +35,7 @@ void ServerLink::flush(double now) {
     message.insert(message.end(), command.begin(), command.end());
     waiting_.pop_front();
   }
-  if (connection_->send_reliable(message, now).ok()) last_sent_ = now;
+  (void)connection_->send_reliable(message, now);
 }
 
 std::optional<net::ReceivedMessage> ServerLink::receive(double now) {
@@ -46,16 +46,13 @@ std::optional<net::ReceivedMessage> ServerLink::receive(double now) {
 
 void ServerLink::send_move(const net::clc::Move& move, const net::Protocol& protocol, double now) {
   if (++moves_ <= kDroppedMoves) return;
-  if (connection_->send_unreliable(encoded(move, protocol), now).ok()) last_sent_ = now;
+  (void)connection_->send_unreliable(encoded(move, protocol), now);
 }
 
-void ServerLink::keep_alive(double now) {
-  if (now - last_sent_ < kKeepaliveSeconds) return;
-  last_sent_ = now;
-  (void)connection_->send_unreliable(encoded(net::clc::Nop{}), now);
-}
+void ServerLink::keep_alive() { keepalive_ = std::make_unique<net::Keepalive>(*connection_); }
 
 void ServerLink::disconnect(double now) {
+  keepalive_.reset();
   (void)connection_->send_unreliable(encoded(net::clc::Disconnect{}), now);
   connection_->close();
 }

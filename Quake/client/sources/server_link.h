@@ -12,21 +12,21 @@
 #include "base/result.h"
 #include "net/client_messages.h"
 #include "net/connection.h"
+#include "net/keepalive.h"
 
 namespace fb::cl {
 
 class ServerLink {
  public:
   static constexpr std::size_t kMostWaiting = 256;    // commands
-  static constexpr double kKeepaliveSeconds = 5.0;    // while loading
   static constexpr int kDroppedMoves = 2;             // of a level: they may hold what was pressed on the last one
   static constexpr std::size_t kMessageBytes = 1000;  // as many commands as fit go in one message
 
   // `name` is what sentences call the server.
-  ServerLink(std::unique_ptr<net::Connection> connection, std::string name, double now);
+  ServerLink(std::unique_ptr<net::Connection> connection, std::string name);
   ~ServerLink();
   ServerLink(ServerLink&&) = default;
-  ServerLink& operator=(ServerLink&&) = default;
+  ServerLink& operator=(ServerLink&&) = delete;
 
   const std::string& name() const { return name_; }
   bool is_local() const { return connection_->is_local(); }
@@ -43,8 +43,8 @@ class ServerLink {
   void send_move(const net::clc::Move& move, const net::Protocol& protocol, double now);
   // A new level has begun.
   void begin_level() { moves_ = 0; }
-  // Shows the server that this client is alive though it has nothing to say; at most every kKeepaliveSeconds.
-  void keep_alive(double now);
+  // From now on the server hears every five seconds that this client is alive, whatever it computes.
+  void keep_alive();
   // Says goodbye and closes.
   void disconnect(double now);
 
@@ -53,7 +53,7 @@ class ServerLink {
   std::string name_;
   std::deque<std::string> waiting_;
   int moves_ = 0;
-  double last_sent_ = 0.0;
+  std::unique_ptr<net::Keepalive> keepalive_;  // goes before the connection
 };
 
 }  // namespace fb::cl

@@ -120,6 +120,8 @@ struct ClientCommands {
   void begin() {
     if (client.stage != Stage::kInLevel) return;
     client.stage = Stage::kPlaying;
+    client.signed_on = true;
+    client.connection->set_signed_on();
   }
 
   // QuakeC's ClientConnect and PutClientInServer, on an empty edict.

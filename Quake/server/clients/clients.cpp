@@ -53,6 +53,9 @@ Clients::Clients(con::Console& console, const ClientsOptions& options)
   if (!console.find_cvar("sv_protocol"))
     console.add_cvar("sv_protocol", "666",
                      "network protocol: 15 NetQuake, 666 FitzQuake or 999 RMQ; takes effect at the next level");
+  if (!console.find_cvar("sv_signontime"))
+    console.add_cvar({"sv_signontime", "60", "seconds within which a newcomer must have signed on; 0: no limit",
+                      con::kCvarPlain, 0.0f, 3600.0f});
   if (!console.find_cvar("hostname"))
     console.add_cvar("hostname", "UNNAMED", "name of the server in server lists", con::kCvarArchive);
   set_max_clients(options.max_clients);

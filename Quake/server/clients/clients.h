@@ -52,6 +52,9 @@ struct ServerClient {
   enum class Stage { kConnected, kPrespawned, kInLevel, kPlaying };
   Stage stage = Stage::kConnected;
   bool spawned() const { return stage == Stage::kPlaying; }  // gets datagrams, and its moves count
+  // Whether it has been in the game, on this level or one before, and how long a newcomer has been on its way, seconds.
+  bool signed_on = false;
+  double signing_on = 0.0;
 
   std::string name;  // as it may be shown
   int colors = 0;    // 16 * shirt + trousers
@@ -173,6 +176,7 @@ class Clients final : public LevelEvents {
   bool read_messages(ServerClient& client, double now);
   bool read_message(ServerClient& client, ByteView message, double now);
   void read_move(ServerClient& client, const net::clc::Move& move);
+  bool signs_on_too_long(ServerClient& client, double passed);
   void update_frags();
   void send_signon(ServerClient& client, double now);
   bool send_datagram(ServerClient& client, double now);

@@ -13,11 +13,13 @@ namespace {
 
 namespace fields = progs::fields;
 
-constexpr int kMostMessages = 256;  // of a player in a frame; what is more waits
+constexpr int kMostMessages = 256;     // of a player in a frame; what is more waits
+constexpr double kMostOfAStall = 1.0;  // seconds: while the server did not listen, nobody could sign on
 
 }  // namespace
 
 void Clients::receive(double now, const std::function<void(ServerClient&)>& think) {
+  const double passed = std::clamp(now - heard_at_, 0.0, kMostOfAStall);
   heard_at_ = now;
   for (auto& client : slots_) {
     if (!level_ || level_->failed()) return;
@@ -27,11 +29,26 @@ void Clients::receive(double now, const std::function<void(ServerClient&)>& thin
       continue;
     }
     if (!client->active()) continue;
+    if (signs_on_too_long(*client, passed)) {
+      drop(*client, false, now);
+      continue;
+    }
     if (!client->spawned())
       client->move = {};
     else if (!level_->failed())
       think(*client);
   }
+}
+
+// A newcomer that never signs on holds no slot. Who was in the game before may take longer for a level.
+bool Clients::signs_on_too_long(ServerClient& client, double passed) {
+  if (client.signed_on || client.connection->is_local()) return false;
+  client.signing_on += passed;
+  const double most = console_.cvar("sv_signontime").value();
+  if (most <= 0.0 || client.signing_on <= most) return false;
+  log_info("{} has not signed on within {} s", client.connection->address(), most);
+  print(client, "You have not signed on in time.\n");
+  return true;
 }
 
 // False: this player's game is over.

@@ -237,5 +237,54 @@ TEST_F(ReceiveTest, OnlyTheHostKicks) {
   EXPECT_FALSE(clients_.console_command(con::Args("quit"), now_));
 }
 
+// --- signing on ---
+
+TEST_F(ReceiveTest, WhoNeverSignsOnHoldsNoSlot) {
+  start_game("void() main = {};", 2);
+  frame();
+  FakeClient& fake = connect(true);
+  fake.answers = false;
+  frame(580);
+  EXPECT_TRUE(slot(0).active());
+  now_ += 400.0;  // the server stands still, and nobody can sign on
+  frame(5);
+  EXPECT_TRUE(slot(0).active()) << "58 s, a pause that counts one, and 0.4 s";
+  const LogWatch log;
+  frame(10);
+  EXPECT_FALSE(slot(0).active());
+  EXPECT_THAT(log.text(), HasSubstr("192.0.2.1:26001 has not signed on within 60 s"));
+  EXPECT_THAT(fake.prints(), HasSubstr("You have not signed on in time."));
+}
+
+TEST_F(ReceiveTest, SigningOnTakesAsLongAsTheServerLets) {
+  start_game("void() main = {};", 2);
+  frame();
+  console_.set("sv_signontime", "5");
+  connect(true).answers = false;
+  frame(49);
+  EXPECT_TRUE(slot(0).active());
+  frame(3);
+  EXPECT_FALSE(slot(0).active());
+  console_.set("sv_signontime", "0");
+  connect(true).answers = false;
+  frame(1000);
+  EXPECT_TRUE(slot(0).active());
+}
+
+// A level may be long to load; and nobody shuts the player of the server's own program out.
+TEST_F(ReceiveTest, WhoHasPlayedAndWhoIsHereMayTakeLonger) {
+  start_game("void() main = {};", 2);
+  FakeClient& played = join(true);
+  ASSERT_TRUE(slot(0).spawned());
+  played.answers = false;
+  connect().answers = false;
+  begin_level();
+  finish_level();
+  frame(1000);
+  EXPECT_TRUE(slot(0).active());
+  EXPECT_FALSE(slot(0).spawned());
+  EXPECT_TRUE(slot(1).active());
+}
+
 }  // namespace
 }  // namespace fb::sv::testing
