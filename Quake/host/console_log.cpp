@@ -17,11 +17,12 @@ std::string_view prefix(LogLevel level) {
 
 }  // namespace
 
-Result<std::unique_ptr<ConsoleLog>> ConsoleLog::open(const std::filesystem::path& path) {
+Result<std::unique_ptr<ConsoleLog>> ConsoleLog::open(const std::filesystem::path& path, std::uint64_t most_bytes) {
   std::error_code ignored;  // opening fails for the same reason
   std::filesystem::create_directories(path.parent_path(), ignored);
   auto file = std::make_shared<File>();
   file->name = path.string();
+  file->room = most_bytes;
   errno = 0;
   file->stream.open(path, std::ios::binary | std::ios::trunc);
   if (!file->stream)
@@ -37,15 +38,19 @@ ConsoleLog::ConsoleLog(std::shared_ptr<File> file)
 ConsoleLog::~ConsoleLog() { remove_log_listener(listener_); }
 
 void ConsoleLog::File::write(LogLevel level, std::string_view text) {
-  bool ended = false;
+  bool failed = false, full = false;
   {
     const std::lock_guard lock(mutex);
     if (!stream.is_open()) return;
-    stream << prefix(level) << text << '\n' << std::flush;
-    ended = !stream;
-    if (ended) stream.close();
+    const std::uint64_t bytes = prefix(level).size() + text.size() + 1;
+    full = bytes > room;
+    if (!full) stream << prefix(level) << text << '\n' << std::flush;
+    room -= full ? 0 : bytes;
+    failed = !stream;
+    if (failed || full) stream.close();
   }
-  if (ended) log_error("-condebug: {} cannot be written any more and ends here", name);
+  if (failed) log_error("-condebug: {} cannot be written any more and ends here", name);
+  if (full) log_error("-condebug: {} has as much as may be in a file and ends here", name);
 }
 
 }  // namespace fb::host

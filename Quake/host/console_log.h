@@ -1,6 +1,7 @@
 // -condebug: writes all log lines to a file as they come, so that they survive a crash.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -15,8 +16,9 @@ namespace fb::host {
 
 class ConsoleLog {
  public:
-  // Truncates the file, and creates missing folders.
-  static Result<std::unique_ptr<ConsoleLog>> open(const std::filesystem::path& path);
+  // Truncates the file, and creates missing folders. It ends, with a message, before it has more than `most_bytes`.
+  static Result<std::unique_ptr<ConsoleLog>> open(const std::filesystem::path& path,
+                                                  std::uint64_t most_bytes = std::uint64_t{1} << 30);
   ~ConsoleLog();
   ConsoleLog(const ConsoleLog&) = delete;
   ConsoleLog& operator=(const ConsoleLog&) = delete;
@@ -27,6 +29,7 @@ class ConsoleLog {
     std::mutex mutex;
     std::ofstream stream;
     std::string name;
+    std::uint64_t room = 0;  // bytes
 
     void write(LogLevel level, std::string_view text);
   };

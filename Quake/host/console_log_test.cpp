@@ -52,5 +52,19 @@ TEST(ConsoleLog, AFullDiskIsToldOfOnce) {
   EXPECT_EQ(said.find("-condebug", at + 1), std::string::npos) << said;
 }
 
+TEST(ConsoleLog, EndsBeforeItIsTooLarge) {
+  const TestDirectory directory;
+  const auto path = directory.path() / "qconsole.log";
+  testing::internal::CaptureStderr();
+  const auto log = ConsoleLog::open(path, 200 + path.string().size());
+  for (int i = 0; i < 100; ++i) log_info("a line of twenty one");
+  const std::string said = testing::internal::GetCapturedStderr(), text = text_of(path);
+  EXPECT_LE(text.size(), 200 + path.string().size());
+  EXPECT_GT(text.size(), 150 + path.string().size());
+  EXPECT_TRUE(text.ends_with("twenty one\n")) << "whole lines";
+  EXPECT_NE(said.find("-condebug"), std::string::npos);
+  EXPECT_EQ(said.find("-condebug"), said.rfind("-condebug")) << said;
+}
+
 }  // namespace
 }  // namespace fb::host

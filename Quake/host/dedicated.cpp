@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/log.h"
+#include "base/log_budget.h"
 #include "base/stop.h"
 #include "host/terminal.h"
 #include "platform/clock.h"
@@ -32,6 +33,7 @@ Result<std::unique_ptr<Engine>> assemble_dedicated(const GameOptions& options) {
 }
 
 Result<int> run_dedicated(const GameOptions& options) {
+  const LogBudget budget;
   auto made = assemble_dedicated(options);
   if (!made) return made.error();
   Engine& engine = **made;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "base/log.h"
+#include "base/log_budget.h"
 #include "console/other_engines.h"
 #include "console/quakespasm_cvars.h"
 #include "fs/path.h"
@@ -195,6 +196,7 @@ void Engine::execute_commands(double now) {
 }
 
 void Engine::frame(const FramePlan& plan, const vec2& mouse, double now) {
+  advance_log_time(std::max({now - now_, plan.seconds, plan.ticks * plan.tick_seconds, 0.0}));
   now_ = now;
   server_list_.poll(now);
   if (listener_) {

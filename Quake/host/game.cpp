@@ -9,6 +9,7 @@
 
 #include "base/check.h"
 #include "base/log.h"
+#include "base/log_budget.h"
 #include "base/out_of_memory.h"
 #include "base/stop.h"
 #include "fs/file.h"
@@ -312,6 +313,7 @@ bool Game::frame() {
 bool Game::settled() const { return !renderer_ || renderer_->settled(); }
 
 int Game::run() {
+  const LogBudget budget;
   set_reproduction_hint([this] {
     return fmt::format("demo {}, frame {}, {}x{}, {}", engine_->client().demo_name(), frame_,
                        renderer_->output_size().x, renderer_->output_size().y, device_->report().name);

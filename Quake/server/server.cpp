@@ -7,6 +7,7 @@
 #include <new>
 
 #include "base/log.h"
+#include "base/log_budget.h"
 #include "base/out_of_memory.h"
 #include "base/progress.h"
 #include "base/stop.h"
@@ -304,6 +305,7 @@ Status Server::run(double seconds, double step) {
   Progress progress("sv_run, second of the game", static_cast<std::uint64_t>(seconds), {.lines = true});
   for (double i = 0; i < frames && !stop_wanted(); ++i) {
     frame(step, now_);
+    advance_log_time(step);
     progress.update(static_cast<std::uint64_t>((i + 1) * step));
     if (!active()) return last_error_.value_or(Error{"the game has ended"});
   }
