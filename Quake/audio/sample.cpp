@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
 #include "audio/resampler.h"
 #include "base/log.h"
@@ -20,6 +21,8 @@ std::int16_t to_sixteen_bits(float value, bool eight_bits) {
   return static_cast<std::int16_t>(
       std::clamp(std::rint(value / step) * step, -32768.0f, eight_bits ? 32512.0f : 32767.0f));
 }
+
+std::uint64_t bytes_of(const Sample& sample) { return sample.frames.size() * sizeof(sample.frames[0]); }
 
 }  // namespace
 
@@ -57,8 +60,17 @@ Result<SamplePtr> SampleCache::load_file(std::string_view name) const {
 
 SamplePtr SampleCache::load(std::string_view name) {
   if (const auto found = samples_.find(name); found != samples_.end()) return found->second;
+  if (without_room_.contains(name)) return nullptr;
   auto made = load_file(name);
   if (!made) log_warning("{}", made.error().message);
+  if (made && bytes_of(**made) > most_bytes_ - bytes_) {
+    if (!std::exchange(said_full_, true))
+      log_warning("sound/{}: not loaded, nor any other sound for which there is no room: {} hold {} of {} already",
+                  name, samples_.size(), memory_text(bytes_), memory_text(most_bytes_));
+    without_room_.emplace(name);
+    return nullptr;
+  }
+  if (made) bytes_ += bytes_of(**made);
   return samples_.emplace(std::string(name), made ? std::move(*made) : nullptr).first->second;
 }
 
@@ -69,6 +81,8 @@ void SampleCache::set_format(const SampleFormat& format) {
 }
 
 void SampleCache::keep_only(const std::vector<std::string>& names) {
+  without_room_.clear();
+  said_full_ = false;
   std::vector<std::string> sorted = names;
   std::sort(sorted.begin(), sorted.end());
   for (auto it = samples_.begin(); it != samples_.end();) {
@@ -76,7 +90,10 @@ void SampleCache::keep_only(const std::vector<std::string>& names) {
       ++it;
       continue;
     }
-    if (it->second) dropped_.push_back(std::move(it->second));
+    if (it->second) {
+      bytes_ -= bytes_of(*it->second);
+      dropped_.push_back(std::move(it->second));
+    }
     it = samples_.erase(it);
   }
 }

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/file_data.h"
@@ -41,9 +44,14 @@ Result<SamplePtr> make_sample(const formats::Wav& wav, const std::string& name, 
 // frees it. No other function frees one, so the mixer's thread never does.
 class SampleCache {
  public:
-  explicit SampleCache(FileLoader files) : files_(std::move(files)) {}
+  // All that is loaded takes `most_bytes` together at most: far more than a level has, far less than files of a
+  // thousandth of its size can ask for (8 bits at 1 kHz become 16 at the mix's rate).
+  static constexpr std::uint64_t kMostBytes = std::uint64_t{512} << 20;
+  explicit SampleCache(FileLoader files, std::uint64_t most_bytes = kMostBytes)
+      : files_(std::move(files)), most_bytes_(most_bytes) {}
 
-  // Null after one logged sentence if the sound is missing or malformed.
+  // Null after one logged sentence if the sound is missing or malformed, or if there is no room, which is said once
+  // until something is dropped.
   SamplePtr load(std::string_view name);
   // A change drops all samples: what plays keeps its own, the next load() makes new ones.
   void set_format(const SampleFormat& format);
@@ -60,6 +68,9 @@ class SampleCache {
   Result<SamplePtr> load_file(std::string_view name) const;
 
   FileLoader files_;
+  std::uint64_t most_bytes_, bytes_ = 0;
+  bool said_full_ = false;
+  std::set<std::string, std::less<>> without_room_;
   SampleFormat format_;
   std::map<std::string, SamplePtr, std::less<>> samples_;
   std::vector<SamplePtr> dropped_;

@@ -57,6 +57,28 @@ TEST(Samples, TooLongToBeKept) {
   EXPECT_EQ(sample.error().message, "sound/long.wav: 400 seconds are too long for a sound");
 }
 
+// Small files of a low rate ask for much.
+TEST(Samples, BeyondTheirRoomAreNotLoadedAndToldOnce) {
+  test::Files files;
+  for (const char* name : {"a.wav", "b.wav", "c.wav", "d.wav"})
+    files.add_sound(name, {.rate = 1000, .samples = std::vector<int>(100, 1)});  // 8,820 bytes each, at 44.1 kHz
+  files.add_sound("small.wav", {.rate = 44100, .samples = std::vector<int>(100, 1)});
+  SampleCache cache(files.loader(), 20000);
+  ::testing::internal::CaptureStderr();
+  EXPECT_TRUE(cache.load("a.wav"));
+  EXPECT_TRUE(cache.load("b.wav"));
+  EXPECT_FALSE(cache.load("c.wav"));
+  EXPECT_FALSE(cache.load("d.wav"));
+  EXPECT_FALSE(cache.load("c.wav"));
+  EXPECT_TRUE(cache.load("small.wav"));
+  const std::string log = ::testing::internal::GetCapturedStderr();
+  EXPECT_THAT(log, ::testing::HasSubstr("sound/c.wav: not loaded, nor any other sound for which there is no room"));
+  EXPECT_EQ(log.find("not loaded"), log.rfind("not loaded"));
+  cache.keep_only({"a.wav", "c.wav"});  // another level
+  EXPECT_TRUE(cache.load("c.wav"));
+  EXPECT_FALSE(cache.load("d.wav"));
+}
+
 TEST(Samples, LiveUntilNobodyPlaysThem) {
   test::Files files;
   for (const char* name : {"a.wav", "b.wav", "c.wav"}) files.add_sound(name, WaveFile{});
