@@ -1,5 +1,5 @@
-// LogBudget: while one lives, very many log lines are counted instead of written (base/log_flow.h). For programs that run for
-// long, and whose lines come from mods and players; tools and tests write all of theirs.
+// LogBudget: while one lives, very many log lines are counted instead of written (base/log_flow.h). For programs that
+// run for long, and whose lines come from mods and players; tools and tests write all of theirs.
 #pragma once
 
 #include "base/log_flow.h"

@@ -1,9 +1,10 @@
-// LogFlow: which of very many lines are worth writing. A mod that prints in every frame, or a client that makes the server
-// speak, would fill a disk and hide what else is said. So a line that comes over and over is counted after a while, and
-// beyond a budget of lines lines are counted; how many is said as soon as something else is, or a second later.
-// What is an error is always written.
+// LogFlow: which of very many lines are worth writing. A mod that prints in every frame, or a client that makes the
+// server speak, would fill a disk and hide what else is said. So a line that comes over and over is counted after a
+// while, and beyond a budget of lines lines are counted; how many is said as soon as something else is, or a second
+// later. What is an error is always written.
 //
-// Time is what the program says it is (advance): a server that simulates an hour in a minute may say as much as in an hour.
+// Time is what the program says it is (advance): a server that simulates an hour in a minute may say as much as in an
+// hour.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +14,8 @@
 namespace fb {
 
 struct LogLimits {
-  // Lines that may come at once, and of these how many come back in a second. The longest list that a command prints (all
-  // entities of a level) is far below the first. A long line counts as several of kLineBytes.
+  // Lines that may come at once, and of these how many come back in a second. The longest list that a command prints
+  // (all entities of a level) is far below the first. A long line counts as several of kLineBytes.
   double burst = 100000.0, lines_a_second = 200.0;
   std::uint64_t same_in_a_row = 100;
   static constexpr double kLineBytes = 256.0;

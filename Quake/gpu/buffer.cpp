@@ -185,8 +185,8 @@ VkDeviceAddress Buffer::address() const {
 bool Buffer::reserve(VkDeviceSize bytes) {
   FB_CHECK(device_ != nullptr);
   if (bytes <= size_) return false;
-  // Room to grow, but not beyond what the device binds: what is needed may still fit.
-  const VkDeviceSize roomy = std::min(size_ + size_ / 2, largest_buffer(*device_, use_));
+  // Room to grow, but not beyond what the device binds, mapped memory too: what is needed may still fit.
+  const VkDeviceSize roomy = std::min(size_ + size_ / 2, largest_buffer(*device_, BufferUse::kStorage));
   *this = Buffer(*device_, use_, std::max(bytes, roomy), name_);
   return true;
 }

@@ -148,7 +148,14 @@ Result<std::unique_ptr<Device>> Device::make(const DeviceOptions& options) {
   impl->timestamp_bits = physical.timestamp_bits;
   impl->ray_query = options.ray_query && physical.report.has_ray_query;
   impl->limits = read_limits(physical);
+  if (options.most_buffer_bytes != 0)
+    impl->limits.max_storage_buffer_range = std::min(impl->limits.max_storage_buffer_range, options.most_buffer_bytes);
   vkGetPhysicalDeviceMemoryProperties(physical.handle, &impl->memory);
+  for (std::uint32_t i = 0; i < impl->memory.memoryHeapCount; ++i) {
+    const VkMemoryHeap& heap = impl->memory.memoryHeaps[i];
+    if ((heap.flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0)
+      impl->limits.local_memory_bytes = std::max(impl->limits.local_memory_bytes, heap.size);
+  }
   impl->leave_driver_room(kRoomToStart);
   const VkResult result = make_device(physical, options.present, impl->ray_query, &impl->device);
   if (result != VK_SUCCESS)

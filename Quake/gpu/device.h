@@ -26,6 +26,7 @@ struct DeviceOptions {
   std::vector<const char*> instance_extensions;  // what the window system asks for; empty: headless
   bool present = false;                          // needs a queue that can present
   bool shares_pipelines = true;                  // those of one shader and its constants are made once (gpu/pipeline.h)
+  VkDeviceSize most_buffer_bytes = 0;  // for tests: a storage buffer's, if the device allows more; 0: as it does
 };
 
 // A device as -listdevices shows it.
@@ -40,6 +41,7 @@ Result<std::vector<DeviceReport>> list_devices(const DeviceOptions& options);
 struct DeviceLimits {
   VkDeviceSize max_storage_buffer_range = 0;  // of a storage buffer that is a texel buffer as well
   VkDeviceSize max_allocation_bytes = 0;
+  VkDeviceSize local_memory_bytes = 0;            // of the largest heap that is the device's own
   std::array<std::uint32_t, 3> max_workgroups{};  // of a dispatch
   float timestamp_period_ns = 0;                  // 0: no timestamps
   std::uint32_t max_workgroup_invocations = 0;

@@ -85,6 +85,7 @@ Status Game::open_device() {
   auto device = gpu::Device::create(wanted);
   if (!device) return device.error();
   device_ = std::move(*device);
+  engine_->library().set_most_texel_bytes(render::most_texel_bytes(*device_));
   if (window_) {
     if (auto status = open_swapchain(); !status) return status;
     show_start("starting");

@@ -141,6 +141,7 @@ Status open_stage(Stage& stage, const StageOptions& o) {
   auto device = gpu::Device::create(wanted);
   if (!device) return device.error();
   stage.device = std::move(*device);
+  if (stage.engine) stage.engine->library().set_most_texel_bytes(render::most_texel_bytes(*stage.device));
   auto renderer = render::Renderer::create(*stage.device, stage.settings);
   if (!renderer) return renderer.error();
   stage.renderer = std::move(*renderer);

@@ -10,9 +10,12 @@
 
 #include "base/check.h"
 #include "base/log.h"
+#include "base/out_of_memory.h"
+#include "base/physical_memory.h"
 #include "render/gpu_scene_assets.h"
 #include "render/gpu_scene_copies.h"
 #include "render/gpu_scene_rays.h"
+#include "render/gpu_scene_room.h"
 #include "render/gpu_scene_tables.h"
 #include "render/gpu_scene_tree.h"
 #include "render/light_list.h"
@@ -75,6 +78,8 @@ struct GpuScene::Impl {
 
   void collect(const scene::FrameSnapshot& snapshot);
   void choose_world();
+  bool is_copy(std::size_t drawn_index) const;
+  void leave_out_farthest(const scene::FrameSnapshot& snapshot);
   void make_room();
   void fill(const scene::FrameSnapshot& snapshot, const EmissionScales& emission);
   void list_lights(const scene::FrameSnapshot& snapshot, bool wanted);
@@ -115,6 +120,7 @@ struct GpuScene::Impl {
   bool recorded = true;     // the last prepared frame was recorded
   bool has_lights = false;  // the device has the list of lights as it is
   bool said_unknown_material = false;
+  std::uint64_t said_too_many = 0;   // of the assets of this generation
   std::uint32_t asset_features = 0;  // features_of(assets), when these were known
   std::size_t known_meshes = 0, known_materials = 0;
   SceneFeatures features;
@@ -163,13 +169,47 @@ void GpuScene::Impl::collect(const scene::FrameSnapshot& snapshot) {
   }
   for (Drawn& d : drawn) d.order = morton_code((d.bounds.min + d.bounds.max) * 0.5f, space);
   choose_world();
+  leave_out_farthest(snapshot);
 
   copies.begin(assets);
   for (std::uint32_t i = 0; i < drawn.size(); ++i) {
     Drawn& d = drawn[i];
-    const bool is_copy = options.ray_query ? assets.meshes()[d.instance->mesh].posed : i > 0 || !has_world;
-    if (is_copy) d.copy = copies.add(assets, *d.instance, i, d.asks());
+    if (is_copy(i)) d.copy = copies.add(assets, *d.instance, i, d.asks());
   }
+}
+
+bool GpuScene::Impl::is_copy(std::size_t i) const {
+  return options.ray_query ? assets.meshes()[drawn[i].instance->mesh].posed : i > 0 || !has_world;
+}
+
+// Where the device's arrays cannot hold all that is in sight.
+void GpuScene::Impl::leave_out_farthest(const scene::FrameSnapshot& snapshot) {
+  SceneRoom room = copies.room(assets);
+  constexpr std::uint64_t kMostInTopLevel = 1u << 23;  // Vulkan promises 2^24 - 1, and RayStructures adds some to spare
+  room.instances = std::min(room.instances, instances.most());
+  if (options.ray_query) room.instances = std::min(room.instances, kMostInTopLevel);
+  room.copies = std::min<std::uint64_t>(jobs.most(), device.limits().max_workgroups[0]);
+  std::vector<SceneDemand> demands;
+  demands.reserve(drawn.size());
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const Bounds& box = drawn[i].bounds;
+    const vec3 eye = snapshot.camera.position;
+    const float distance = glm::distance(glm::clamp(eye, box.min, box.max), eye);
+    SceneDemand demand{{}, std::isfinite(distance) ? distance : 0.0f};
+    if (is_copy(i)) demand.room = copies.needs(assets.meshes()[drawn[i].instance->mesh]);
+    if (i == 0 && has_world) demand.distance = -1.0f;
+    demands.push_back(demand);
+  }
+  const std::vector<bool> fits = nearest_that_fit(demands, room);
+  std::size_t i = 0;
+  const std::size_t left_out = std::erase_if(drawn, [&](const Drawn&) { return !fits[i++]; });
+  if (left_out == 0 || said_too_many == assets.generation()) return;
+  said_too_many = assets.generation();
+  log_warning(
+      "{} of {} models and particles are not drawn, the farthest: they are more than {} allows, buffers of {} and {} "
+      "models",
+      left_out, fits.size(), device.report().name, memory_text(gpu::largest_buffer(device, gpu::BufferUse::kStorage)),
+      room.copies);
 }
 
 // The largest rigid instance that all rays see and that stands where its mesh does becomes instance 0: its own
@@ -257,7 +297,12 @@ void GpuScene::Impl::list_lights(const scene::FrameSnapshot& snapshot, bool want
     for (std::size_t i = 0; i < drawn.size(); ++i)
       sources.push_back({drawn[i].instance, &assets.meshes()[drawn[i].instance->mesh], &instance_table[i]});
   }
-  light_list.build(*snapshot.assets, snapshot.sky, sources, material_table.entries());
+  // Beside the tables of instances and of lamps.
+  const std::uint64_t bytes = lights.most() * sizeof(glm::uvec4),
+                      others = sources.size() * sizeof(std::uint32_t) + shared::kMostLamps * sizeof(shared::GpuLamp) +
+                               2 * sizeof(glm::uvec4);
+  light_list.build(*snapshot.assets, snapshot.sky, sources, material_table.entries(),
+                   (bytes - std::min(bytes, others)) / sizeof(shared::GpuLight));
   if (light_list.made_anew()) has_lights = false;
 }
 
@@ -337,6 +382,11 @@ void GpuScene::Impl::record_rays(gpu::Commands& commands) {
   if (!options.ray_query) return;
   rays.record(commands, assets, copies);
   commands.barrier();
+}
+
+std::uint64_t most_texel_bytes(const gpu::Device& device) {
+  return std::min({gpu::largest_buffer(device, gpu::BufferUse::kStorage), device.limits().local_memory_bytes / 4,
+                   physical_memory() / 8});
 }
 
 GpuScene::GpuScene(gpu::Device& device, gpu::BindingTable& table, const GpuSceneOptions& options)

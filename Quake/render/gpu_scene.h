@@ -58,6 +58,10 @@ struct SceneStatistics {
   double host_milliseconds = 0;      // prepare() and stage(), this frame
 };
 
+// What a game's images may take on this device (scene/library/texel_budget.h): one buffer of it holds them all, and
+// they leave it and the machine, which has them as well, most of their memory.
+std::uint64_t most_texel_bytes(const gpu::Device& device);
+
 // What tests look into.
 struct SceneBuffers {
   const gpu::Buffer *nodes, *triangles, *instances;

@@ -20,6 +20,8 @@ class DeviceArray {
 
   const gpu::Buffer& buffer() const { return buffer_; }
   std::uint64_t bytes() const { return buffer_ ? buffer_.size() : 0; }
+  // Items that the device allows.
+  std::uint64_t most() const { return gpu::largest_buffer(device_, use_) / 16 * 16 / sizeof(T); }
   // Items that stay from frame to frame.
   std::uint32_t kept() const { return kept_; }
   void clear() { kept_ = 0; }

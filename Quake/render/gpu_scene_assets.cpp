@@ -1,14 +1,18 @@
 #include "render/gpu_scene_assets.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <queue>
+#include <string>
 #include <utility>
 
 #include "base/check.h"
 #include "base/log.h"
+#include "base/out_of_memory.h"
 #include "gpu/bvh.h"
 #include "scene/snapshot.h"
 #include "shared/packing.h"
@@ -87,6 +91,12 @@ std::vector<SubtreeRef> take_apart(const gpu::Bvh& bvh) {
   return heap;
 }
 
+// What meshes may take of an array in which a frame's copies stand, too.
+template <typename T>
+std::uint64_t most_kept(const DeviceArray<T>& array) {
+  return array.most() - array.most() / kCopiesPart;
+}
+
 template <typename T>
 void append_to(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
@@ -103,6 +113,7 @@ struct SceneAssets::Batch {
   std::vector<scene::PoseVertex> poses;
   std::vector<std::uint32_t> normals, levels;
   std::vector<vec3> vertices;
+  std::vector<std::string> cut;  // names of meshes for which there was not enough room
 };
 
 SceneAssets::SceneAssets(gpu::Device& device, bool ray_query)
@@ -161,7 +172,7 @@ void SceneAssets::update(const scene::Assets& assets) {
 }
 
 void SceneAssets::add_images(const scene::Assets& assets) {
-  const std::uint64_t limit = device_.limits().max_storage_buffer_range / 4;
+  const std::uint64_t limit = texels_.most();
   std::uint64_t total = texels_.kept();
   for (std::size_t i = images_added_; i < assets.images.size(); ++i) total += words_of(assets.images[i]);
   texels_.reserve(std::min(total, limit));
@@ -182,11 +193,15 @@ void SceneAssets::add_images(const scene::Assets& assets) {
       std::size_t bytes = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * texel;
       std::memcpy(words.data() + (first - texels_.kept()), image.texels.data(), bytes);
     } else {
-      // One texel in its place, the first there is.
+      // One texel in its place, its first, or where there is no room for that either, the first of all.
       header.size = 1u | 1u << 16u;
-      std::uint32_t word = 0;
-      std::memcpy(&word, image.texels.data(), std::min<std::size_t>(image.texels.size(), 4));
-      words.push_back(word);
+      if (first < limit) {
+        std::uint32_t word = 0;
+        std::memcpy(&word, image.texels.data(), std::min<std::size_t>(image.texels.size(), 4));
+        words.push_back(word);
+      } else {
+        header.first = 0;
+      }
       ++refused;
     }
     headers.push_back(header);
@@ -225,6 +240,24 @@ void SceneAssets::add_meshes(const scene::Assets& assets) {
   normals_.append(std::span<const std::uint32_t>(batch.normals));
   levels_.append(std::span<const std::uint32_t>(batch.levels));
   if (ray_query_) vertices_.append(std::span<const vec3>(batch.vertices));
+  tell_of_cut(batch);
+}
+
+void SceneAssets::tell_of_cut(const Batch& batch) const {
+  if (batch.cut.empty()) return;
+  const std::string others = batch.cut.size() == 1 ? "" : fmt::format(" and {} more", batch.cut.size() - 1);
+  log_warning("{}{}: not drawn whole; the level has more than {} allows, buffers of {}", batch.cut.front(), others,
+              device_.report().name, memory_text(gpu::largest_buffer(device_, gpu::BufferUse::kStorage)));
+}
+
+// By the arrays that hold an item a triangle.
+std::size_t SceneAssets::triangles_that_fit(const Batch& batch, bool posed) const {
+  const auto left = [](std::uint64_t most, std::uint64_t taken) { return most - std::min(most, taken); };
+  std::uint64_t count = left(attributes_.most(), batch.first_attribute + batch.attributes.size());
+  if (posed) return count;
+  count = std::min(count, left(most_kept(triangles_), batch.first_triangle + batch.triangles.size()));
+  if (ray_query_) count = std::min(count, left(most_kept(vertices_), batch.first_vertex + batch.vertices.size()) / 3);
+  return count;
 }
 
 MeshRecord SceneAssets::add_mesh(const scene::Assets& assets, const scene::Mesh& mesh, Batch& batch) const {
@@ -241,10 +274,38 @@ MeshRecord SceneAssets::add_mesh(const scene::Assets& assets, const scene::Mesh&
     boxes.push_back(box);
     used.push_back(i);
   }
-  if (used.empty()) return record;
   FB_CHECK(!mesh.posed() || mesh.poses.size() >= std::size_t{mesh.pose_count} * mesh.vertex_count);
-
-  gpu::Bvh bvh = gpu::build_bvh(boxes, {.max_leaf = kLeafTriangles, .primitive_cost = kTriangleCost});
+  // Where there is no room a rigid mesh loses its last triangles, a posed one its last poses.
+  bool cut = false;
+  const auto keep = [&](std::size_t triangles) {
+    if (used.size() <= triangles) return;
+    cut = true;
+    used.resize(mesh.posed() ? 0 : triangles);
+    boxes.resize(used.size());
+  };
+  keep(triangles_that_fit(batch, mesh.posed()));
+  std::uint32_t poses = mesh.pose_count;
+  if (mesh.posed()) {
+    const std::uint64_t most = poses_.most(), taken = batch.first_pose + batch.poses.size();
+    const std::uint64_t fitting = (most - std::min(most, taken)) / std::max(mesh.vertex_count, 1u);
+    if (fitting < poses) {
+      cut = true;
+      poses = static_cast<std::uint32_t>(fitting);
+      if (poses == 0) keep(0);
+    }
+  }
+  constexpr gpu::BvhOptions kTree{.max_leaf = kLeafTriangles, .primitive_cost = kTriangleCost};
+  gpu::Bvh bvh = used.empty() ? gpu::Bvh{} : gpu::build_bvh(boxes, kTree);
+  if (!ray_query_) {
+    const std::uint64_t most = most_kept(nodes_), taken = batch.first_node + batch.nodes.size();
+    const std::uint64_t nodes = most - std::min(most, taken);
+    if (bvh.nodes.size() > nodes) {
+      keep(nodes + 1);  // a binary tree has fewer nodes than leaves
+      if (!used.empty()) bvh = gpu::build_bvh(boxes, kTree);
+    }
+  }
+  if (cut) batch.cut.push_back(mesh.name);
+  if (used.empty()) return record;
   record.triangle_count = static_cast<std::uint32_t>(used.size());
   record.first_attribute = batch.first_attribute + static_cast<std::uint32_t>(batch.attributes.size());
   const bool smooth = mesh.posed() || mesh.normals.size() >= shape.size();
@@ -277,15 +338,16 @@ MeshRecord SceneAssets::add_mesh(const scene::Assets& assets, const scene::Mesh&
   if (mesh.posed()) {
     record.first_pose_vertex = batch.first_pose + static_cast<std::uint32_t>(batch.poses.size());
     record.vertex_count = mesh.vertex_count;
-    record.pose_count = mesh.pose_count;
+    record.pose_count = poses;
     record.pose_scale = mesh.pose_scale;
     record.pose_origin = mesh.pose_origin;
-    record.pose_bounds.resize(mesh.pose_count);
-    for (std::uint32_t pose = 0; pose < mesh.pose_count; ++pose) {
+    record.pose_bounds.resize(poses);
+    for (std::uint32_t pose = 0; pose < poses; ++pose) {
       for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) record.pose_bounds[pose].add(pose_position(mesh, pose, v));
       record.bounds.add(record.pose_bounds[pose]);
     }
-    append_to(batch.poses, mesh.poses);
+    const auto end = mesh.poses.begin() + static_cast<std::ptrdiff_t>(std::size_t{poses} * mesh.vertex_count);
+    batch.poses.insert(batch.poses.end(), mesh.poses.begin(), end);
   } else {
     record.first_vertex = batch.first_vertex + static_cast<std::uint32_t>(batch.vertices.size());
     record.bounds = bvh.bounds;

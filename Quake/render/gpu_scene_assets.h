@@ -15,6 +15,8 @@
 namespace fb::render {
 
 constexpr std::uint32_t kSubtrees = 256;  // parts that a large mesh's tree is taken into
+// Of the arrays that meshes share with a frame's copies, one part of so many is kept for the copies.
+constexpr std::uint32_t kCopiesPart = 8;
 
 // A part of a mesh's tree: what the top of the frame's tree is built over.
 struct SubtreeRef {
@@ -80,6 +82,8 @@ class SceneAssets {
   void add_meshes(const scene::Assets& assets);
   struct Batch;  // the new meshes' parts, uploaded together
   MeshRecord add_mesh(const scene::Assets& assets, const scene::Mesh& mesh, Batch& batch) const;
+  std::size_t triangles_that_fit(const Batch& batch, bool posed) const;
+  void tell_of_cut(const Batch& batch) const;
 
   gpu::Device& device_;
   bool ray_query_;

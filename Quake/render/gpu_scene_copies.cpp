@@ -38,6 +38,35 @@ Bounds InstanceCopies::bounds(const MeshRecord& mesh, const scene::PoseBlend& bl
   return {box.min - pad, box.max + pad};
 }
 
+// As add() and finish() place them, and GpuScene makes room: a leaf's triangles for each copy on the host, and a node
+// of the tree above.
+SceneRoom InstanceCopies::needs(const MeshRecord& mesh) const {
+  SceneRoom room{.copies = on_host(mesh) ? 0u : 1u};
+  if (mesh.posed) room.triangles += mesh.triangle_count;
+  if (ray_query_) {
+    room.vertices = 3 * std::uint64_t{mesh.triangle_count};
+    return room;
+  }
+  room.triangles += shared::kMaxLeafTriangles;
+  room.nodes = 1;
+  if (!on_host(mesh)) {
+    room.triangles += mesh.triangle_count;
+    room.nodes += mesh.node_count;
+  }
+  return room;
+}
+
+SceneRoom InstanceCopies::room(SceneAssets& assets) const {
+  const auto left = [](std::uint64_t most, std::uint64_t taken) { return most - std::min(most, taken); };
+  SceneRoom room;
+  room.instances = shared::kNoIndex >> shared::kTriangleInstanceShift;
+  room.copies = room.instances;
+  room.triangles = left(assets.triangles().most(), assets.triangles().kept() + shared::kMaxLeafTriangles);
+  room.nodes = left(assets.nodes().most(), assets.nodes().kept() + kSubtrees + 1);
+  room.vertices = left(assets.vertices().most(), assets.vertices().kept());
+  return room;
+}
+
 void InstanceCopies::begin(SceneAssets& assets) {
   std::swap(copies_, before_);
   copies_.clear();

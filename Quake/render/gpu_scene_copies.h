@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/gpu_scene_assets.h"
+#include "render/gpu_scene_room.h"
 #include "scene/snapshot.h"
 
 namespace fb::render {
@@ -27,6 +28,10 @@ struct InstanceCopy {
 class InstanceCopies {
  public:
   explicit InstanceCopies(bool ray_query) : ray_query_(ray_query) {}
+  // What a copy of this mesh takes.
+  SceneRoom needs(const MeshRecord& mesh) const;
+  // What there is for all of a frame's copies, and for the tree above them.
+  SceneRoom room(SceneAssets& assets) const;
   // Starts a frame.
   void begin(SceneAssets& assets);
   // A copy for the instance that will have this index on the device; returns the copy's index.

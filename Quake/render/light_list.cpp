@@ -70,7 +70,8 @@ float LightList::radiance(const scene::Assets& assets, const shared::GpuMaterial
   return shared::all_texels_glow(m.emission_kind) ? sum(means(assets, m.base).all * factor) : 0.0f;
 }
 
-std::vector<LightList::Glowing> LightList::find_glowing(std::span<const Source> sources, std::span<const float> glow) {
+std::vector<LightList::Glowing> LightList::find_glowing(std::span<const Source> sources, std::span<const float> glow,
+                                                        std::uint64_t most) {
   std::vector<Glowing> found;
   for (std::uint32_t i = 0; i < sources.size(); ++i) {
     const Source& s = sources[i];
@@ -87,6 +88,8 @@ std::vector<LightList::Glowing> LightList::find_glowing(std::span<const Source> 
           return glow[material + g.material_base] > 0.0f;
         }))
       continue;
+    if (s.mesh->triangle_count > most) continue;
+    most -= s.mesh->triangle_count;
     g.transform = s.instance->transform;
     g.pose = s.instance->pose;
     found.push_back(g);
@@ -207,7 +210,7 @@ const std::vector<float>& LightList::areas(const scene::Assets& assets, const So
 }
 
 void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::span<const Source> sources,
-                      std::span<const shared::GpuMaterial> materials) {
+                      std::span<const shared::GpuMaterial> materials, std::uint64_t most) {
   // Other meshes: a triangle's index means another.
   const bool others = assets.generation != generation_ || sources.empty();
   if (others) {
@@ -227,7 +230,7 @@ void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::s
   const float sky_mean = sky_radiance(assets, sky);
   std::vector<float> glow(materials.size());
   for (std::size_t i = 0; i < materials.size(); ++i) glow[i] = radiance(assets, materials[i], sky_mean);
-  std::vector<Glowing> glowing = find_glowing(sources, glow);
+  std::vector<Glowing> glowing = find_glowing(sources, glow, most);
   made_anew_ = others || first_lights_.size() != sources.size() || glow != glow_ || glowing != glowing_;
   glow_ = std::move(glow);
   glowing_ = std::move(glowing);

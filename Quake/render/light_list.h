@@ -25,9 +25,9 @@ class LightList {
     const shared::GpuInstance* gpu = nullptr;
   };
   // `materials`: what GpuInstance::material_base counts in. Meshes are `assets`' own, their records' order that of
-  // leaves.
+  // leaves. Of more than `most` triangles, those of the last instances are not listed.
   void build(const scene::Assets& assets, const scene::Sky& sky, std::span<const Source> sources,
-             std::span<const shared::GpuMaterial> materials);
+             std::span<const shared::GpuMaterial> materials, std::uint64_t most = shared::kLightRange);
   // As Shaders/shared/scene_gpu.h has them.
   const std::vector<std::uint32_t>& first_lights() const { return first_lights_; }  // of each instance
   const std::vector<shared::GpuLight>& lights() const { return lights_; }
@@ -50,7 +50,8 @@ class LightList {
     scene::PoseBlend pose;
     bool operator==(const Glowing&) const = default;
   };
-  static std::vector<Glowing> find_glowing(std::span<const Source> sources, std::span<const float> glow);
+  static std::vector<Glowing> find_glowing(std::span<const Source> sources, std::span<const float> glow,
+                                           std::uint64_t most);
   void list_triangles(const scene::Assets& assets, std::span<const Source> sources);
   std::vector<std::vector<std::uint32_t>> find_lamps(std::uint32_t instance) const;
   void list_lamps();

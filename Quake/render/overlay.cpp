@@ -1,7 +1,10 @@
 #include "render/overlay.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "base/log.h"
+#include "base/out_of_memory.h"
 #include "shared/frame.h"
 
 namespace fb::render {
@@ -36,6 +39,26 @@ void Overlay::bind() {
   table_.set_array(shared::kSetFrame, shared::kBindAtlas, atlas_);
 }
 
+// From the top down: what is above the rest is the console and the menu.
+std::uint32_t Overlay::first_that_fits(const scene::DrawList& list, std::uint32_t width, std::uint32_t height,
+                                       std::size_t tile_count) {
+  const std::uint64_t bytes = gpu::largest_buffer(device_, gpu::BufferUse::kStorage);
+  std::uint64_t words = bytes / sizeof(std::uint32_t), quads = bytes / sizeof(shared::GpuQuad);
+  words -= std::min<std::uint64_t>(words, 2 * tile_count);
+  auto first = static_cast<std::uint32_t>(list.quads.size());
+  for (; first > 0 && quads > 0; --first, --quads) {
+    const TileRange range = tiles_of(list.quads[first - 1], width, height);
+    const std::uint64_t tiles = range.empty ? 0 : std::uint64_t{range.x1 - range.x0 + 1} * (range.y1 - range.y0 + 1);
+    if (tiles > words) break;
+    words -= tiles;
+  }
+  if (first > 0 && !std::exchange(said_too_many_, true))
+    log_warning(
+        "{} of {} pictures and letters over the game are not drawn: they are more than {} allows, buffers of {}", first,
+        list.quads.size(), device_.report().name, memory_text(bytes));
+  return first;
+}
+
 void Overlay::prepare(const scene::DrawList* list, std::uint32_t width, std::uint32_t height) {
   bind();  // even if there is nothing to draw: the last list's preparation may have ended early
   empty_ = list == nullptr || list->quads.empty();
@@ -53,8 +76,9 @@ void Overlay::prepare(const scene::DrawList* list, std::uint32_t width, std::uin
   // Count, prefix-sum, fill: lists in drawing order.
   std::vector<std::uint32_t> words(2 * tile_count, 0);
   std::vector<std::uint32_t> counts(tile_count, 0);
+  const std::uint32_t first = first_that_fits(*list, width, height, tile_count);
   const auto for_each_tile = [&](auto&& visit) {
-    for (std::uint32_t i = 0; i < list->quads.size(); ++i) {
+    for (std::uint32_t i = first; i < list->quads.size(); ++i) {
       const TileRange range = tiles_of(list->quads[i], width, height);
       if (range.empty) continue;
       for (std::uint32_t y = range.y0; y <= range.y1; ++y) {
@@ -69,16 +93,16 @@ void Overlay::prepare(const scene::DrawList* list, std::uint32_t width, std::uin
     at += counts[tile];
   }
   words.resize(at);
-  for_each_tile([&](std::size_t tile, std::uint32_t quad) { words[words[2 * tile + 1]++] = quad; });
+  for_each_tile([&](std::size_t tile, std::uint32_t quad) { words[words[2 * tile + 1]++] = quad - first; });
 
   tiles_.reserve(words.size() * sizeof(std::uint32_t));
   std::copy(words.begin(), words.end(), tiles_.mapped_as<std::uint32_t>().begin());
-  quads_.reserve(list->quads.size() * sizeof(shared::GpuQuad));
+  quads_.reserve((list->quads.size() - first) * sizeof(shared::GpuQuad));
   auto quads = quads_.mapped_as<shared::GpuQuad>();
-  for (std::size_t i = 0; i < list->quads.size(); ++i) {
+  for (std::size_t i = first; i < list->quads.size(); ++i) {
     const scene::DrawQuad& q = list->quads[i];
-    quads[i] = {vec4(q.min.x, q.min.y, q.max.x, q.max.y), vec4(q.uv_min.x, q.uv_min.y, q.uv_max.x, q.uv_max.y),
-                q.color};
+    quads[i - first] = {vec4(q.min.x, q.min.y, q.max.x, q.max.y), vec4(q.uv_min.x, q.uv_min.y, q.uv_max.x, q.uv_max.y),
+                        q.color};
   }
   bind();
 }

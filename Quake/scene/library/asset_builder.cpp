@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/log.h"
+#include "base/out_of_memory.h"
 #include "scene/library/material_text.h"
 
 namespace fb::scene {
@@ -32,19 +33,50 @@ formats::Palette read_palette(const FileLoader& loader) {
 
 }  // namespace
 
-AssetBuilder::AssetBuilder(FileLoader loader, FileRank rank)
-    : loader_(std::move(loader)), rank_(std::move(rank)), assets_(std::make_shared<Assets>()) {
+AssetBuilder::AssetBuilder(FileLoader loader, FileRank rank, std::uint64_t most_texel_bytes)
+    : loader_(std::move(loader)),
+      rank_(std::move(rank)),
+      assets_(std::make_shared<Assets>()),
+      most_texel_bytes_(std::max(most_texel_bytes, kLeastTexelBytes)) {
   assets_->generation = next_generation();
   assets_->palette = read_palette(loader_);
 }
 
+void AssetBuilder::set_most_texel_bytes(std::uint64_t most) {
+  most_texel_bytes_ = std::max(most, kLeastTexelBytes);
+  fit_texels();
+}
+
+// More than must be, so that it happens rarely: whoever draws these takes all of them anew.
+void AssetBuilder::fit_texels() {
+  if (texel_bytes_ <= most_texel_bytes_) return;
+  const std::uint64_t wanted = texel_bytes_;
+  const std::size_t halved = halve_largest(assets_->images, most_texel_bytes_ - most_texel_bytes_ / 8);
+  texel_bytes_ = 0;
+  for (const Image& image : assets_->images) texel_bytes_ += texel_bytes(image);
+  assets_->generation = next_generation();
+  if (halved > 0 && !std::exchange(said_texels_, true))
+    log_warning("{} images, the largest, are shown smaller than they are: all would take {} of {}", halved,
+                memory_text(wanted), memory_text(most_texel_bytes_));
+}
+
+template <typename T>
+std::uint32_t AssetBuilder::append(std::vector<T>& all, T&& one, std::size_t most, std::string_view kind) {
+  if (all.size() < most)
+    all.push_back(std::move(one));
+  else if (!std::exchange(said_number_, true))
+    log_warning("there are more than {} {}: what comes now looks like the last", most, kind);
+  return static_cast<std::uint32_t>(all.size() - 1);
+}
+
 std::uint32_t AssetBuilder::add_image(Image image) {
-  assets_->images.push_back(std::move(image));
-  return static_cast<std::uint32_t>(assets_->images.size() - 1);
+  if (assets_->images.size() < kMostImages) texel_bytes_ += texel_bytes(image);
+  const std::uint32_t index = append(assets_->images, std::move(image), kMostImages, "images");
+  fit_texels();
+  return index;
 }
 std::uint32_t AssetBuilder::add_material(Material material) {
-  assets_->materials.push_back(std::move(material));
-  return static_cast<std::uint32_t>(assets_->materials.size() - 1);
+  return append(assets_->materials, std::move(material), kMostMaterials, "materials");
 }
 std::uint32_t AssetBuilder::add_mesh(Mesh mesh) {
   assets_->meshes.push_back(std::move(mesh));

@@ -13,18 +13,25 @@
 #include "formats/image.h"
 #include "scene/assets.h"
 #include "scene/library/library.h"
+#include "scene/library/texel_budget.h"
 
 namespace fb::scene {
 
 class AssetBuilder {
  public:
-  // Reads gfx/palette.lmp; without it (one logged sentence) colours are greys.
-  explicit AssetBuilder(FileLoader loader, FileRank rank = {});
+  static constexpr std::size_t kMostImages = 1u << 17u, kMostMaterials = 1u << 17u;
+
+  // Reads gfx/palette.lmp; without it (one logged sentence) colours are greys. The images take `most_texel_bytes`
+  // together (texel_budget.h): beyond them the largest become smaller, which is said once. Assets then have another
+  // generation where that changed an image that was there before.
+  explicit AssetBuilder(FileLoader loader, FileRank rank = {}, std::uint64_t most_texel_bytes = kUsualTexelBytes);
 
   Assets& assets() { return *assets_; }
   std::shared_ptr<const Assets> shared_assets() const { return assets_; }
   const formats::Palette& palette() const { return assets_->palette; }
 
+  void set_most_texel_bytes(std::uint64_t most);
+  // Of more than kMostImages and kMostMaterials, more than any game has, the last stands for all others.
   std::uint32_t add_image(Image image);
   std::uint32_t add_material(Material material);
   std::uint32_t add_mesh(Mesh mesh);
@@ -46,10 +53,15 @@ class AssetBuilder {
   static constexpr int kBaseGame = -1;  // FileRank's lowest
 
   int least_rank(std::string_view owner) const;
+  void fit_texels();
+  template <typename T>
+  std::uint32_t append(std::vector<T>& all, T&& one, std::size_t most, std::string_view kind);
 
   FileLoader loader_;
   FileRank rank_;
   std::shared_ptr<Assets> assets_;
+  std::uint64_t most_texel_bytes_, texel_bytes_ = 0;
+  bool said_texels_ = false, said_number_ = false;
   std::map<std::string, std::uint32_t, std::less<>> image_files_;
 };
 

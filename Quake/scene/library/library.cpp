@@ -112,6 +112,7 @@ Model sprite_model(AssetBuilder& builder, const formats::Spr& spr, const std::st
 struct ModelLibrary::Impl {
   FileLoader loader;
   FileRank rank;
+  std::uint64_t most_texel_bytes;
   std::unique_ptr<AssetBuilder> builder;
   std::map<std::string, Model, std::less<>> models;
   std::map<std::tuple<std::uint32_t, int, int>, std::uint32_t> translated;
@@ -126,8 +127,9 @@ struct ModelLibrary::Impl {
   std::uint32_t sphere = kNone, tetrahedron = kNone;
   std::uint32_t particle = kNone, dynamic_light = kNone, entity_light = kNone;
 
-  Impl(FileLoader file_loader, FileRank file_rank) : loader(std::move(file_loader)), rank(std::move(file_rank)) {
-    builder = std::make_unique<AssetBuilder>(loader, rank);
+  Impl(FileLoader file_loader, FileRank file_rank, std::uint64_t most)
+      : loader(std::move(file_loader)), rank(std::move(file_rank)), most_texel_bytes(most) {
+    builder = std::make_unique<AssetBuilder>(loader, rank, most_texel_bytes);
   }
 
   void take_map(const std::string& path, formats::Bsp bsp, const std::vector<world::Entity>& entities);
@@ -138,9 +140,14 @@ struct ModelLibrary::Impl {
 };
 
 ModelLibrary::ModelLibrary(FileLoader loader, FileRank rank)
-    : impl_(std::make_shared<Impl>(std::move(loader), std::move(rank))) {}
+    : impl_(std::make_shared<Impl>(std::move(loader), std::move(rank), kUsualTexelBytes)) {}
 
-void ModelLibrary::clear() { *impl_ = Impl(impl_->loader, impl_->rank); }
+void ModelLibrary::clear() { *impl_ = Impl(impl_->loader, impl_->rank, impl_->most_texel_bytes); }
+
+void ModelLibrary::set_most_texel_bytes(std::uint64_t most) {
+  impl_->most_texel_bytes = most;
+  impl_->builder->set_most_texel_bytes(most);
+}
 
 Status ModelLibrary::load_map(std::string_view bsp_path) {
   return within_memory([&] { return load_map_file(bsp_path); });
@@ -189,7 +196,7 @@ Status ModelLibrary::load_map_file(std::string_view bsp_path) {
     log_warning("{}; the map has no lights", parsed.error().message);
 
   // Nothing can fail from here on but for want of memory. The former map stays whole until this one is.
-  const auto fresh = impl_->map ? std::make_unique<Impl>(impl_->loader, impl_->rank) : nullptr;
+  const auto fresh = impl_->map ? std::make_unique<Impl>(impl_->loader, impl_->rank, impl_->most_texel_bytes) : nullptr;
   Impl& impl = fresh ? *fresh : *impl_;
   std::erase_if(impl.models, [](const auto& entry) { return entry.second.kind == ModelKind::kMissing; });
   try {

@@ -81,6 +81,8 @@ class ModelLibrary {
   explicit ModelLibrary(FileLoader loader, FileRank rank = {});
   // Forgets everything; Assets get a new generation.
   void clear();
+  // What all images together may take, as the device and the host have memory (texel_budget.h); now and for later maps.
+  void set_most_texel_bytes(std::uint64_t most);
   // Loads a map: mesh of the world and of every submodel ("*1"...), textures with replacements from textures/
   // (<map>/<name> then <name>; .png .tga .pcx; _luma, _glow, _norm, _gloss), sky, entity lights, suns.
   // External maps/x@<crc>.ent or else x.ent, and x.vis, beside it are used, by their rank. On failure, also for want of
