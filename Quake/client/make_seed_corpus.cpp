@@ -1,8 +1,10 @@
-// client_make_seed_corpus DIRECTORY: writes what fuzz_message starts from, all made in code, into
-// DIRECTORY/fuzz_message/.
+// client_make_seed_corpus DIRECTORY: writes what fuzz_message and fuzz_whole_client start from into folders of these
+// names: messages made in code, and for the latter demos of testdemos, where it is started beside them.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <string>
 
 #include "client/test_demo.h"
 
@@ -77,23 +79,32 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: client_make_seed_corpus DIRECTORY\n");
     return 1;
   }
-  const std::filesystem::path directory = std::filesystem::path(argv[1]) / "fuzz_message";
-  std::filesystem::create_directories(directory);
-  const auto write = [&](const std::string& name, const fb::Bytes& bytes) {
-    std::ofstream out(directory / name, std::ios::binary);
+  const std::filesystem::path to = argv[1];
+  const auto write = [&](const std::string& target, const std::string& name, const fb::Bytes& bytes) {
+    std::filesystem::create_directories(to / target);
+    std::ofstream out(to / target / name, std::ios::binary);
     out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   };
   for (std::size_t p = 0; p < std::size(kProtocols); ++p) {
-    fb::Bytes game{static_cast<std::uint8_t>(p)};
+    const auto protocol = static_cast<std::uint8_t>(p);
+    fb::Bytes game{protocol}, whole{protocol, 0x23};
     int number = 0;
     for (const auto& messages : datagrams()) {
       const fb::Bytes datagram = test::datagram(messages, kProtocols[p]);
       append(game, datagram);
-      fb::Bytes alone{static_cast<std::uint8_t>(p)};
+      append(whole, datagram);
+      fb::Bytes alone{protocol};
       append(alone, datagram);
-      write("protocol" + std::to_string(p) + "_" + std::to_string(number++), alone);
+      write("fuzz_message", "protocol" + std::to_string(p) + "_" + std::to_string(number++), alone);
     }
-    write("protocol" + std::to_string(p) + "_game", game);
+    write("fuzz_message", "protocol" + std::to_string(p) + "_game", game);
+    write("fuzz_whole_client", "protocol" + std::to_string(p) + "_game", whole);
+  }
+  for (const std::string name : {"cbox", "plain"}) {
+    std::ifstream in("testdemos/" + name + ".dem", std::ios::binary);
+    fb::Bytes demo{static_cast<std::uint8_t>(std::size(kProtocols)), 0x31};
+    demo.insert(demo.end(), std::istreambuf_iterator<char>(in), {});
+    if (demo.size() > 2) write("fuzz_whole_client", name, demo);
   }
   return 0;
 }

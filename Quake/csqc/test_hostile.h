@@ -2,6 +2,7 @@
 // that draws. For tests and the fuzzer.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -35,6 +36,16 @@ class HostileBar {
     FB_CHECK(vm.ok());
     vm_ = std::move(*vm);
     vm_->edicts().start_level(1);
+  }
+
+  // As it was made: globals, edicts, strings, commands that wait. What builtins keep for themselves (the words of the
+  // last tokenize) stays.
+  void reset() {
+    vm_->edicts().start_level(1);
+    vm_->strings() = progs::StringTable(vm_->program().strings);
+    std::copy(vm_->program().globals.begin(), vm_->program().globals.end(), vm_->globals_data());
+    console_.forget_commands();
+    console_.execute("resetall");
   }
 
   std::uint32_t functions() const { return static_cast<std::uint32_t>(vm_->program().functions.size()); }

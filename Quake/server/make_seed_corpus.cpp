@@ -40,6 +40,38 @@ void write_saves(const std::filesystem::path& folder) {
   std::ofstream(folder / "unknown") << header << "{\n\"nothing\" \"1\"\n}\n{\n\"think\" \"none\"\n}\n";
 }
 
+// As fuzz_whole_server.cpp has it: 0 and 1 are what players say, reliably, 2 is a line of the console, 3 + 4 n are n
+// ticks.
+void write_whole(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  const char* const games[][8] = {
+      {"impulse 9", "god", "kill", "say hello", "name \"x\"", "color 1 2", "pause", "pause"},
+      {"fly", "noclip", "notarget", "setpos 0 0 64", "give 7", "give r 50", "ping", "status"}};
+  const char* const lines[][4] = {{"save a", "load a", "restart", "status"},
+                                  {"edict 1", "edictcount", "skill 3", "sv_gravity 100; sv_maxspeed 3000"}};
+  for (std::uint8_t game = 0; game < 2; ++game) {
+    Bytes input = {static_cast<std::uint8_t>(game | 12)};
+    const auto move = [&](std::uint8_t how, int buttons, int impulse) {
+      add_piece(
+          input, how,
+          bytes_of(net::clc::Move{1.0f, fb::vec3(10, 90, 0), 400, 350, 200, buttons, impulse}, game == 0 ? 15 : 666));
+    };
+    for (const char* text : games[game])
+      for (const std::uint8_t how : {0, 1}) add_piece(input, how, bytes_of(net::clc::StringCommand{text}, 15));
+    for (const int impulse : {2, 3, 7, 8}) {
+      move(0, 1, impulse);
+      move(1, 3, impulse);
+      input.push_back(3 + 4 * 5);
+    }
+    for (const char* line : lines[game]) {
+      add_piece(input, 2, Bytes(line, line + std::string(line).size()));
+      input.push_back(3 + 4 * 8);
+    }
+    std::ofstream(folder / std::to_string(game), std::ios::binary)
+        .write(reinterpret_cast<const char*>(input.data()), static_cast<std::streamsize>(input.size()));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -48,6 +80,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   write_saves(std::filesystem::path(argv[1]) / "fuzz_save");
+  write_whole(std::filesystem::path(argv[1]) / "fuzz_whole_server");
   const std::filesystem::path folder = std::filesystem::path(argv[1]) / "fuzz_client_messages";
   std::filesystem::create_directories(folder);
   constexpr int kProtocols[] = {15, 666, 999};
@@ -81,7 +114,7 @@ int main(int argc, char** argv) {
                                "pause",
                                "kick # 2 why",
                                "quit"})
-        for (const std::uint8_t how : {2, 1}) say(how, net::clc::StringCommand{text});
+        for (const std::uint8_t how : {6, 1}) say(how, net::clc::StringCommand{text});
       say(0, net::clc::Move{1.0f, fb::vec3(10, 20, 0), 400, -350, 200, 3, 7});
       say(1, net::clc::Nop{});
       say(1, net::clc::Disconnect{});
