@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <utility>
 #include <vector>
+
+#include "fs/file.h"
 
 namespace fb::audio {
 namespace {
@@ -41,22 +42,18 @@ Header make_header(std::uint32_t rate, std::uint32_t bytes) {
 
 }  // namespace
 
-Error WavWriter::failure() const { return Error{fmt::format("{}: {}", path_, std::strerror(errno))}; }
-
 Result<WavWriter> WavWriter::create(const std::filesystem::path& path, std::uint32_t rate) {
-  std::FILE* const file = std::fopen(path.c_str(), "wb");
-  if (!file) return Error{fmt::format("{}: {}", path.string(), std::strerror(errno))};
-  WavWriter writer(file, path.string(), rate);
+  const auto there = fs::output_path(path);
+  if (!there) return there.error();
+  auto file = fs::HeldFile::take(*there);
+  if (!file) return file.error();
+  if (const Status status = file->empty(); !status) return status.error();
+  WavWriter writer(*std::move(file), path.string(), rate);
   if (const Status status = writer.put_header(0); !status) return status.error();
   return writer;
 }
 
-Status WavWriter::put_header(std::uint32_t bytes) {
-  const Header header = make_header(rate_, bytes);
-  if (std::fseek(file_.get(), 0, SEEK_SET) != 0 || std::fwrite(header.data(), header.size(), 1, file_.get()) != 1)
-    return failure();
-  return ok_status();
-}
+Status WavWriter::put_header(std::uint32_t bytes) { return file_.write_at(0, make_header(rate_, bytes)); }
 
 Status WavWriter::write(std::span<const float> stereo) {
   std::vector<std::uint8_t> data;
@@ -68,14 +65,11 @@ Status WavWriter::write(std::span<const float> stereo) {
     data.push_back(static_cast<std::uint8_t>(sample >> 8u));
   }
   if (bytes_ + data.size() > kMostBytes) return Error{fmt::format("{}: a wave file holds no more than 4 GiB", path_)};
-  if (std::fwrite(data.data(), 1, data.size(), file_.get()) != data.size()) return failure();
+  if (const Status status = file_.append(data); !status) return status;
   bytes_ += data.size();
   return ok_status();
 }
 
-Status WavWriter::finish() {
-  if (const Status status = put_header(static_cast<std::uint32_t>(bytes_)); !status) return status;
-  return std::fflush(file_.get()) == 0 ? ok_status() : Status(failure());
-}
+Status WavWriter::finish() { return put_header(static_cast<std::uint32_t>(bytes_)); }
 
 }  // namespace fb::audio

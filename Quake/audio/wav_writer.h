@@ -2,19 +2,19 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "base/result.h"
+#include "fs/held_file.h"
 
 namespace fb::audio {
 
 class WavWriter {
  public:
-  // Fails if the file cannot be created.
+  // Fails if the file cannot be created, or another program writes it.
   static Result<WavWriter> create(const std::filesystem::path& path, std::uint32_t rate);
   WavWriter(WavWriter&&) noexcept = default;
   WavWriter& operator=(WavWriter&&) noexcept = default;
@@ -26,14 +26,11 @@ class WavWriter {
   const std::string& path() const { return path_; }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  WavWriter(std::FILE* file, std::string path, std::uint32_t rate) : file_(file), path_(std::move(path)), rate_(rate) {}
+  WavWriter(fs::HeldFile file, std::string path, std::uint32_t rate)
+      : file_(std::move(file)), path_(std::move(path)), rate_(rate) {}
   Status put_header(std::uint32_t bytes);
-  Error failure() const;
 
-  std::unique_ptr<std::FILE, Close> file_;
+  fs::HeldFile file_;
   std::string path_;
   std::uint32_t rate_ = 0;
   std::uint64_t bytes_ = 0;  // of frames

@@ -38,12 +38,22 @@ TEST(WavWriter, WritesWhatAReaderReads) {
 TEST(WavWriter, NamesWhatItCannotWrite) {
   const auto nowhere = WavWriter::create("no such folder/mix.wav", 44100);
   ASSERT_FALSE(nowhere.ok());
-  EXPECT_EQ(nowhere.error().message, "no such folder/mix.wav: No such file or directory");
+  EXPECT_EQ(nowhere.error().message, "no such folder/mix.wav: cannot be written: No such file or directory");
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
   auto full = WavWriter::create("/dev/full", 44100);
   const Status status = full.ok() ? full->write(std::vector<float>(100000)) : Status(full.error());
   ASSERT_FALSE(status.ok());
-  EXPECT_EQ(status.error().message, "/dev/full: No space left on device");
+  EXPECT_EQ(status.error().message, "/dev/full: cannot be written: No space left on device");
+}
+
+TEST(WavWriter, LeavesAnotherProgramsRecordingAlone) {
+  const TestDirectory directory;
+  auto first = WavWriter::create(directory.path() / "mix.wav", 44100);
+  ASSERT_TRUE(first.ok() && first->write(std::vector<float>(200)));
+  const auto second = WavWriter::create(directory.path() / "mix.wav", 44100);
+  ASSERT_FALSE(second.ok());
+  EXPECT_THAT(second.error().message, ::testing::EndsWith("mix.wav: another program is writing it"));
+  EXPECT_EQ(std::filesystem::file_size(directory.path() / "mix.wav"), 44u + 400u);
 }
 
 }  // namespace

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
 #include "base/log.h"
 #include "formats/dem.h"
+#include "fs/held_file.h"
 #include "net/server_messages.h"
 
 namespace fb::cl {
@@ -35,25 +34,18 @@ stdfs::path free_path(const stdfs::path& path) {
   }
 }
 
-// The stream's own failures name no cause; the system's last one is what made it fail.
-Error cannot_be_written(const stdfs::path& path) {
-  return Error{fmt::format("{}: cannot be written: {}", path.string(), std::generic_category().message(errno))};
-}
-
 }  // namespace
 
 struct DemoRecorder::File {
   stdfs::path path;
-  std::ofstream stream;
+  fs::HeldFile part;
 
   std::uint64_t last = 0, whole = 0;  // bytes: before the last message that was written whole, and with it
   vec3 view_angles{0.0f};             // of the last message
 
+  // Each message at once: a program that ends badly leaves what it has.
   Status write(ByteView data) {
-    stream.write(reinterpret_cast<const char*>(data.data()), static_cast<std::streamsize>(data.size()));
-    // Each message at once: a program that ends badly leaves what it has.
-    stream.flush();
-    if (!stream.good()) return cannot_be_written(part_path(path));
+    if (auto status = part.append(data); !status.ok()) return status;
     last = std::exchange(whole, whole + data.size());
     return ok_status();
   }
@@ -70,16 +62,17 @@ Result<DemoRecorder> DemoRecorder::start(const stdfs::path& path, int track) {
   stdfs::create_directories(path.parent_path(), failed);
   if (failed) return Error{fmt::format("{}: its directory cannot be made: {}", path.string(), failed.message())};
   const stdfs::path part = part_path(path);
-  if (stdfs::exists(part, failed)) {
+  auto held = fs::HeldFile::take(part);
+  if (!held) return held.error();
+  if (held->size() > 0) {
     const stdfs::path kept = free_path(path);
     stdfs::rename(part, kept, failed);
     if (failed) return Error{fmt::format("{}: left by a recording that was cut short, and in the way", part.string())};
     log_info("A recording that was cut short is now {}.", kept.string());
+    held = fs::HeldFile::take(part);
+    if (!held) return held.error();
   }
-  auto file = std::make_unique<File>();
-  file->path = path;
-  file->stream.open(part, std::ios::binary | std::ios::trunc);
-  if (!file->stream) return cannot_be_written(part);
+  auto file = std::make_unique<File>(File{path, *std::move(held)});
   const std::string line = fmt::format("{}\n", track);
   if (auto status = file->write({reinterpret_cast<const std::uint8_t*>(line.data()), line.size()}); !status.ok())
     return status.error();
@@ -95,10 +88,11 @@ Status DemoRecorder::add(const vec3& view_angles, ByteView message) {
 
 Status DemoRecorder::finish(const vec3& view_angles) {
   if (auto status = add(view_angles, kGoodbye); !status.ok()) return status;
-  file_->stream.close();
+  if (auto status = file_->part.flush(); !status.ok()) return status;
   std::error_code failed;
   stdfs::rename(part_path(file_->path), file_->path, failed);
   if (failed) return Error{fmt::format("{}: {}", file_->path.string(), failed.message())};
+  fs::flush_path(file_->path.parent_path());
   return ok_status();
 }
 
@@ -106,14 +100,10 @@ Result<stdfs::path> DemoRecorder::cut_short() {
   File& file = *file_;
   if (file.last == 0) return Error{fmt::format("{}: no message is whole", part_path(file.path).string())};
   const stdfs::path part = part_path(file.path);
-  file.stream.close();
-  file.stream.clear();
-  std::error_code failed;
-  stdfs::resize_file(part, file.last, failed);
-  file.stream.open(part, std::ios::binary | std::ios::app);
-  if (failed || !file.stream) return cannot_be_written(part);
+  if (auto status = file.part.cut(file.last); !status.ok()) return status.error();
   if (auto status = add(file.view_angles, kGoodbye); !status.ok()) return status.error();
-  file.stream.close();
+  (void)file.part.flush();
+  std::error_code failed;
   const stdfs::path name = stdfs::exists(file.path, failed) ? free_path(file.path) : file.path;
   stdfs::rename(part, name, failed);
   if (failed) return Error{fmt::format("{}: {}", name.string(), failed.message())};

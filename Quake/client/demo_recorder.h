@@ -17,8 +17,8 @@ namespace fb::cl {
 class DemoRecorder {
  public:
   // The demo will be `path`; its folder is made. track -1: the server's own choice of music. Fails where nothing can be
-  // written. What a recording that was cut short has left under the .part name is moved out of the way and named in the
-  // log.
+  // written, and where another program records a demo of this name. What a recording that was cut short has left under
+  // the .part name is moved out of the way and named in the log.
   static Result<DemoRecorder> start(const std::filesystem::path& path, int track);
   DemoRecorder(DemoRecorder&&) noexcept;
   DemoRecorder& operator=(DemoRecorder&&) noexcept;

@@ -15,6 +15,7 @@
 #include "client/test_server.h"
 #include "console/console.h"
 #include "formats/dem.h"
+#include "fs/held_file.h"
 
 namespace fb::cl {
 namespace {
@@ -351,6 +352,19 @@ TEST_F(Playing, RecordingSpoilsNothing) {
   EXPECT_THAT(log, HasSubstr("Not recording a demo."));
   console.execute("record");
   EXPECT_THAT(log, HasSubstr("record <demo> [<map> [cd track]]"));
+}
+
+TEST_F(Playing, AnotherProgramsRecordingIsLeftAlone) {
+  stdfs::create_directories(folder);
+  const auto held = fs::HeldFile::take(folder / "same.dem.part");
+  ASSERT_TRUE(held.ok() && held->append(Bytes{1, 2, 3}));
+  join();
+  console.append("record same\n");
+  frame();
+  EXPECT_FALSE(client.recording());
+  EXPECT_THAT(log, HasSubstr("same.dem.part: another program is writing it"));
+  EXPECT_EQ(read_whole(folder / "same.dem.part").size(), 3u);
+  EXPECT_FALSE(stdfs::exists(folder / "same_cut1.dem"));
 }
 
 TEST_F(Playing, AMapThatCannotBeginIsNotRecorded) {

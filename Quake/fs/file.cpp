@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <new>
+#include <ostream>
 #include <system_error>
 #include <utility>
 
 #include "fs/file_mapping.h"
+#include "fs/links.h"
+#include "fs/temporary_file.h"
 
 #ifdef _WIN32
 #define NOMINMAX
@@ -25,28 +28,17 @@
 namespace fb::fs {
 namespace {
 
+ByteView bytes_of_text(std::string_view text) {
+  return ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+}
+
 #ifdef _WIN32
 
 std::string last_failure() { return std::system_category().message(static_cast<int>(GetLastError())); }
 
 HANDLE as_handle(std::intptr_t handle) { return reinterpret_cast<HANDLE>(handle); }
 
-std::intptr_t open_to_write(const std::filesystem::path& path) {
-  return reinterpret_cast<std::intptr_t>(
-      CreateFileW(path.c_str(), GENERIC_WRITE, 0, nullptr, CREATE_ALWAYS, FILE_ATTRIBUTE_NORMAL, nullptr));
-}
-
-bool write_all(std::intptr_t handle, ByteView data) {
-  while (!data.empty()) {
-    DWORD written = 0;
-    const DWORD wanted = static_cast<DWORD>(std::min<std::size_t>(data.size(), 1u << 30u));
-    if (!WriteFile(as_handle(handle), data.data(), wanted, &written, nullptr) || written == 0) return false;
-    data = data.subspan(written);
-  }
-  return FlushFileBuffers(as_handle(handle)) != 0;
-}
-
-bool close_handle(std::intptr_t handle) { return CloseHandle(as_handle(handle)) != 0; }
+void close_handle(std::intptr_t handle) { CloseHandle(as_handle(handle)); }
 
 std::uint64_t size_of(std::intptr_t handle) {
   LARGE_INTEGER size;
@@ -57,21 +49,7 @@ std::uint64_t size_of(std::intptr_t handle) {
 
 std::string last_failure() { return std::generic_category().message(errno); }
 
-std::intptr_t open_to_write(const std::filesystem::path& path) {
-  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-}
-
-bool write_all(std::intptr_t handle, ByteView data) {
-  while (!data.empty()) {
-    const ssize_t written = ::write(static_cast<int>(handle), data.data(), data.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    data = data.subspan(static_cast<std::size_t>(written));
-  }
-  return ::fsync(static_cast<int>(handle)) == 0;
-}
-
-bool close_handle(std::intptr_t handle) { return ::close(static_cast<int>(handle)) == 0; }
+void close_handle(std::intptr_t handle) { ::close(static_cast<int>(handle)); }
 
 std::uint64_t size_of(std::intptr_t handle) {
   struct stat facts {};
@@ -170,31 +148,35 @@ Result<FileData> read_whole_file(const std::filesystem::path& path) {
   return file->read(0, file->size());
 }
 
-Status write_text_atomically(const std::filesystem::path& path, std::string_view text) {
-  return write_file_atomically(path, ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+Status write_file_atomically(const std::filesystem::path& path, ByteView data, Flush flush) {
+  auto file = TemporaryFile::create(path);
+  if (!file) return file.error();
+  if (auto status = file->append(data); !status) return status;
+  return file->commit(flush);
 }
 
-Status write_file_atomically(const std::filesystem::path& path, ByteView data) {
-  const std::string name = path.generic_string();
+Status write_text_atomically(const std::filesystem::path& path, std::string_view text) {
+  return write_file_atomically(path, bytes_of_text(text));
+}
+
+Result<std::filesystem::path> output_path(const std::filesystem::path& typed) {
   std::error_code code;
-  if (path.has_parent_path()) {
-    std::filesystem::create_directories(path.parent_path(), code);
-    if (code) return Error{fmt::format("{}: its directory cannot be made: {}", name, code.message())};
-  }
-  std::filesystem::path beside = path;
-  beside += ".new";
-  const std::intptr_t handle = open_to_write(beside);
-  if (handle == -1) return Error{fmt::format("{}: cannot be written: {}", beside.generic_string(), last_failure())};
-  std::string failure;
-  if (!write_all(handle, data)) failure = last_failure();
-  if (!close_handle(handle) && failure.empty()) failure = last_failure();
-  if (failure.empty()) {
-    std::filesystem::rename(beside, path, code);
-    if (!code) return ok_status();
-    failure = code.message();
-  }
-  std::filesystem::remove(beside, code);
-  return Error{fmt::format("{}: cannot be written: {}", name, failure)};
+  if (!std::filesystem::is_symlink(std::filesystem::symlink_status(typed, code))) return typed;
+  auto followed = follow_links(typed.parent_path(), typed.filename());
+  return followed ? Result<std::filesystem::path>(std::move(followed->path)) : followed.error();
+}
+
+Status write_output(const std::filesystem::path& typed, std::string_view text) {
+  const auto path = output_path(typed);
+  if (!path) return path.error();
+  std::error_code code;
+  const auto type = std::filesystem::status(*path, code).type();
+  if (type != std::filesystem::file_type::character && type != std::filesystem::file_type::fifo)
+    return write_text_atomically(*path, text);
+  std::ofstream stream(typed, std::ios::binary);
+  stream << text << std::flush;
+  if (stream) return ok_status();
+  return Error{fmt::format("{}: cannot be written: {}", typed.generic_string(), last_failure())};
 }
 
 }  // namespace fb::fs

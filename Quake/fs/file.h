@@ -47,8 +47,19 @@ class RandomAccessFile {
 
 // The whole file.
 Result<FileData> read_whole_file(const std::filesystem::path& path);
-// Writes to a temporary name beside the path, then renames. Creates missing directories.
-Status write_file_atomically(const std::filesystem::path& path, ByteView data);
+
+enum class Flush {
+  kNow,   // on the disk before it has its name: it survives a power cut from then on
+  kLater  // when the system likes: for what can be made again, and for many files that are flushed together
+};
+// Writes a TemporaryFile (fs/temporary_file.h). Creates missing directories. A link of this name is replaced.
+Status write_file_atomically(const std::filesystem::path& path, ByteView data, Flush flush = Flush::kNow);
 Status write_text_atomically(const std::filesystem::path& path, std::string_view text);
+
+// For a path that the user has typed: where a link of this name leads, for the file there is the one that is meant.
+// Fails on a link that leads in a circle.
+Result<std::filesystem::path> output_path(const std::filesystem::path& typed);
+// The same as write_text_atomically to there; a device or a pipe (/dev/stdout) is written to, not replaced.
+Status write_output(const std::filesystem::path& typed, std::string_view text);
 
 }  // namespace fb::fs

@@ -12,6 +12,7 @@
 
 #include "base/log.h"
 #include "fs/directory_index.h"
+#include "fs/links.h"
 #include "fs/obstacle.h"
 #include "fs/path.h"
 
@@ -20,6 +21,7 @@ namespace {
 
 namespace stdfs = std::filesystem;
 
+constexpr std::string_view kSettings = "config.cfg";
 constexpr int kMaxDepth = 16;  // depth of directories below a gamedir; links may form loops
 
 // One place that is searched: a pak, or a directory of loose files.
@@ -111,6 +113,7 @@ Result<bool> take_directory(const stdfs::path& directory) {
 struct FileSystem::Impl {
   FsOptions options;
   stdfs::path user_dir;            // empty: none
+  bool homeless = false;           // there is no user_dir where one was wanted
   std::string game = "id1";        // where writing goes
   std::vector<Place> places;       // in search order
   mutable DirectoryIndex index;    // guards itself
@@ -125,6 +128,9 @@ struct FileSystem::Impl {
   std::optional<Hit> find_ignoring_case(const std::string& name) const;
   std::optional<Hit> locate(std::string_view name) const;
   std::optional<Error> obstacle(std::string_view name) const;
+  bool stays_within(const stdfs::path& path) const;
+  stdfs::path write_folder() const { return (user_dir.empty() ? options.base_dir : user_dir) / game; }
+  static bool keeps_settings(const std::string& name, const stdfs::path& target);
   // True the first time.
   bool note(const std::string& text) const;
 };
@@ -270,6 +276,10 @@ Result<FileSystem> FileSystem::open(const FsOptions& options) {
       !options.base_dir_named && !options.base_game.empty() && !is_a_directory(options.base_dir / "id1");
   if (in_the_box) impl->options.base_dir = options.base_game;
   impl->user_dir = options.user_dir ? *options.user_dir : default_user_dir();
+#ifndef _WIN32
+  impl->homeless = !options.user_dir && impl->user_dir.empty();
+#endif
+  if (impl->homeless) log_warning("There is no home folder: nothing can be saved; -userdir DIR names a folder for it.");
   // If the user directory is the base directory, the same files would be found twice.
   std::error_code code;
   if (!impl->user_dir.empty() && stdfs::equivalent(impl->user_dir, impl->options.base_dir, code))
@@ -325,6 +335,27 @@ std::optional<FileData> FileSystem::read(std::string_view name) const {
   return std::nullopt;
 }
 
+// Whether a path without links lies in a folder that is searched.
+bool FileSystem::Impl::stays_within(const stdfs::path& path) const {
+  return std::ranges::any_of(places,
+                             [&](const Place& place) { return !place.pak && is_within(path, place.directory); });
+}
+
+std::optional<FileData> FileSystem::read_for_mod(std::string_view name) const {
+  const auto hit = impl_->locate(name);
+  if (hit && hit->entry == nullptr) {
+    const stdfs::path& folder = hit->place->directory;
+    const auto followed = follow_links(folder, hit->path.lexically_relative(folder));
+    if (!followed || (followed->by_link && !impl_->stays_within(followed->path))) {
+      if (impl_->note(hit->path.string())) {
+        log_warning("{}: not read for the mod: a link leads out of the game's folders", hit->path.generic_string());
+      }
+      return std::nullopt;
+    }
+  }
+  return read(name);
+}
+
 std::optional<FileData> FileSystem::read_own(std::string_view raw_name) const {
   const auto name = normalise(raw_name);
   if (!name) return std::nullopt;
@@ -371,16 +402,35 @@ std::vector<FoundFile> FileSystem::find(std::string_view prefix, std::string_vie
   return list;
 }
 
+// A file of settings that a mod's archive could name would be no harm; ~/.profile would.
+bool FileSystem::Impl::keeps_settings(const std::string& name, const stdfs::path& target) {
+  std::error_code code;
+  const bool fits = stdfs::is_regular_file(target, code) ||
+                    (!stdfs::exists(target, code) && stdfs::is_directory(target.parent_path(), code));
+  return name == kSettings && fits && ends_with_ignoring_case(target.filename().string(), ".cfg");
+}
+
 Result<stdfs::path> FileSystem::write_path(std::string_view raw_name) const {
   const auto name = normalise(raw_name);
   if (!name) return Error{fmt::format("{}: not a name that the game may write to", raw_name)};
-  return (impl_->user_dir.empty() ? impl_->options.base_dir : impl_->user_dir) / impl_->game / *name;
+  if (impl_->homeless)
+    return Error{fmt::format("{}: cannot be written: there is no home folder; -userdir DIR names another", *name)};
+  const stdfs::path folder = impl_->write_folder();
+  auto followed = follow_links(folder, *name);
+  if (!followed) return followed.error();
+  if (!followed->by_link || is_within(followed->path, folder) || Impl::keeps_settings(*name, followed->path))
+    return std::move(followed->path);
+  return Error{fmt::format("{}: cannot be written: a link leads out of the game's folder, to {}",
+                           (folder / *name).generic_string(), followed->path.generic_string())};
 }
 
-Status FileSystem::write(std::string_view name, ByteView data) const {
+Status FileSystem::write(std::string_view name, ByteView data, Flush flush) const {
   const auto path = write_path(name);
   if (!path) return path.error();
-  return write_file_atomically(*path, data);
+  auto status = write_file_atomically(*path, data, flush);
+  std::error_code code;
+  if (status || stdfs::exists(impl_->write_folder(), code)) return status;
+  return Error{status.error().message + "; -userdir DIR names another folder to write to"};
 }
 
 std::vector<std::string> FileSystem::describe() const {

@@ -21,6 +21,7 @@
 #include "base/bytes.h"
 #include "base/file_data.h"
 #include "base/result.h"
+#include "fs/file.h"
 #include "fs/options.h"
 #include "fs/pak.h"
 
@@ -49,6 +50,9 @@ class FileSystem {
   Result<FileData> load(std::string_view name) const;
   // Bytes of the file from `offset` on, at most `most`, without reading the rest: headers of many files.
   Result<FileData> load_part(std::string_view name, std::uint64_t offset, std::uint64_t most) const;
+  // As read(), for QuakeC: what is only there by a link that leads out of the searched folders is not read, and logged
+  // once.
+  std::optional<FileData> read_for_mod(std::string_view name) const;
   // Searches only the last gamedir's loose files, the user's before the base directory's: files that the game has
   // written itself (saves). Nullopt as above.
   std::optional<FileData> read_own(std::string_view name) const;
@@ -68,10 +72,12 @@ class FileSystem {
   std::vector<FoundFile> find(std::string_view prefix, std::string_view extension) const;
 
   // Where to write `name`: below the user directory, else below the base directory, in the last gamedir. Fails on a
-  // name that is refused. Directories are not made here: see write().
+  // name that is refused, where there is no home to write to, and where a link within the gamedir leads out of it; one
+  // that stays in it is followed, and so is config.cfg, to another file of settings (.cfg), where people keep theirs.
+  // The user directory and the gamedir may themselves be links. Directories are not made here: see write().
   Result<std::filesystem::path> write_path(std::string_view name) const;
   // Writes the file there completely, or not at all.
-  Status write(std::string_view name, ByteView data) const;
+  Status write(std::string_view name, ByteView data, Flush flush = Flush::kNow) const;
 
   // The opened places in search order, for people: "id1/pak1.pak (300 files)".
   std::vector<std::string> describe() const;

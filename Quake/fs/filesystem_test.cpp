@@ -3,10 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
+#include <cstdlib>
+#include <optional>
 
 #include "base/librequake.h"
 #include "fs/test_files.h"
 #include "fs/test_log.h"
+#include "fs/test_permissions.h"
 
 namespace fb::fs {
 namespace {
@@ -31,6 +34,32 @@ FsOptions options_for(const TestDirectory& base, std::vector<std::string> games 
   options.user_dir.emplace();
   return options;
 }
+
+// The environment without a home while it lives.
+class NoHome {
+ public:
+  NoHome() {
+    for (const char* name : {"HOME", "XDG_DATA_HOME"}) {
+      const char* value = ::getenv(name);
+      before_.emplace_back(name, value ? std::optional<std::string>(value) : std::nullopt);
+    }
+    ::setenv("HOME", "", 1);
+    ::unsetenv("XDG_DATA_HOME");
+  }
+  ~NoHome() {
+    for (const auto& [name, value] : before_) {
+      if (value)
+        ::setenv(name.c_str(), value->c_str(), 1);
+      else
+        ::unsetenv(name.c_str());
+    }
+  }
+  NoHome(const NoHome&) = delete;
+  NoHome& operator=(const NoHome&) = delete;
+
+ private:
+  std::vector<std::pair<std::string, std::optional<std::string>>> before_;
+};
 
 std::string text(const FileSystem& files, std::string_view name) {
   const auto data = files.read(name);
@@ -208,6 +237,38 @@ TEST(FileSystem, WritesBelowTheBaseWhereThereIsNoUserDirectory) {
   const TestDirectory base;
   base.put("id1/x", "");
   EXPECT_EQ(*open(options_for(base)).write_path("s0.sav"), base.path() / "id1" / "s0.sav");
+}
+
+TEST(FileSystem, WithoutAHomeNothingIsWrittenIntoTheGamesData) {
+  const TestDirectory base;
+  base.put("id1/x", "");
+  std::filesystem::permissions(base.path(), std::filesystem::perms::all);
+  std::filesystem::permissions(base.path() / "id1", std::filesystem::perms::all);
+  FsOptions options = options_for(base);
+  options.user_dir.reset();
+  const NoHome none;
+  const PermissionsCount nobody;  // who has no home either
+  if (!default_user_dir().empty()) GTEST_SKIP() << "this user has a home, and cannot become another";
+  const LogLines log;
+  const FileSystem files = open(options);
+  EXPECT_THAT(log.lines, ElementsAre(HasSubstr("-userdir DIR")));
+  const Status written = files.write("s0.sav", Bytes{1});
+  ASSERT_FALSE(written);
+  EXPECT_THAT(written.error().message, HasSubstr("s0.sav: cannot be written: there is no home folder; -userdir DIR"));
+  EXPECT_FALSE(std::filesystem::exists(base.path() / "id1" / "s0.sav"));
+  options.user_dir = "";  // -nohome
+  EXPECT_TRUE(open(options).write("s0.sav", Bytes{1}));
+}
+
+TEST(FileSystem, AFolderThatCannotBeMadeIsNamedWithTheWayOut) {
+  const TestDirectory base;
+  base.put("id1/x", "");
+  base.put("file", "");
+  FsOptions options = options_for(base);
+  options.user_dir = base.path() / "file" / "home";
+  const Status written = open(options).write("s0.sav", Bytes{1});
+  ASSERT_FALSE(written);
+  EXPECT_THAT(written.error().message, HasSubstr("Not a directory; -userdir DIR names another folder"));
 }
 
 TEST(FileSystem, NamesOutsideAreNeverFound) {

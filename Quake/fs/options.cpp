@@ -4,6 +4,12 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <system_error>
+
+#ifndef _WIN32
+#include <pwd.h>
+#include <unistd.h>
+#endif
 
 #include "fs/path.h"
 
@@ -57,6 +63,12 @@ std::filesystem::path default_user_dir() {
     return std::filesystem::path(data) / "fullbright";
   if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/')
     return std::filesystem::path(home) / ".fullbright";
+  // A user of a service has a home there that does not exist.
+  std::error_code code;
+  const passwd* user = ::getpwuid(::geteuid());
+  if (user != nullptr && user->pw_dir != nullptr && *user->pw_dir == '/' &&
+      std::filesystem::is_directory(user->pw_dir, code))
+    return std::filesystem::path(user->pw_dir) / ".fullbright";
 #endif
   return {};
 }

@@ -28,8 +28,9 @@ struct FsOptions {
 // not about files are ignored. Fails on an option without its value and on a gamedir that is a path.
 Result<FsOptions> options_from_arguments(std::span<const std::string> arguments);
 
-// $XDG_DATA_HOME/fullbright if that is set, else ~/.fullbright; empty if there is no home, and on Windows, where games
-// write beside their data. It need not exist.
+// $XDG_DATA_HOME/fullbright if that is set, else ~/.fullbright, where ~ is $HOME or, if that names no folder, what the
+// system's list of users has. Empty if there is none of them, and on Windows, where games write beside their data. It
+// need not exist.
 std::filesystem::path default_user_dir();
 
 }  // namespace fb::fs

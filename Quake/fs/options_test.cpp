@@ -1,7 +1,9 @@
 #include "fs/options.h"
 
 #include <gmock/gmock.h>
+#include <pwd.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 namespace fb::fs {
 namespace {
@@ -84,8 +86,16 @@ TEST(FsOptions, UserDirectoryFollowsTheEnvironment) {
   ::setenv("XDG_DATA_HOME", "relative", 1);  // the specification has such a value ignored
   EXPECT_EQ(default_user_dir(), "/home/ranger/.fullbright");
   ::unsetenv("XDG_DATA_HOME");
+  // What the system's list of users has, where that folder exists: never the game's own data.
+  const passwd* user = ::getpwuid(::geteuid());
+  const bool listed = user != nullptr && std::filesystem::is_directory(user->pw_dir);
+  const auto at_home = listed ? std::filesystem::path(user->pw_dir) / ".fullbright" : std::filesystem::path();
+  for (const char* no_home : {"", "relative"}) {
+    ::setenv("HOME", no_home, 1);
+    EXPECT_EQ(default_user_dir(), at_home) << no_home;
+  }
   ::unsetenv("HOME");
-  EXPECT_TRUE(default_user_dir().empty());
+  EXPECT_EQ(default_user_dir(), at_home);
 
   if (home != nullptr) ::setenv("HOME", old_home.c_str(), 1);
   if (data != nullptr) ::setenv("XDG_DATA_HOME", old_data.c_str(), 1);

@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <ostream>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 namespace fb::host {
 namespace {
+
+constexpr int kMostPrograms = 9;  // with a log in one folder
 
 std::string_view prefix(LogLevel level) {
   return level == LogLevel::kWarning ? "warning: " : level == LogLevel::kError ? "error: " : "";
@@ -20,14 +20,18 @@ std::string_view prefix(LogLevel level) {
 Result<std::unique_ptr<ConsoleLog>> ConsoleLog::open(const std::filesystem::path& path, std::uint64_t most_bytes) {
   std::error_code ignored;  // opening fails for the same reason
   std::filesystem::create_directories(path.parent_path(), ignored);
-  auto file = std::make_shared<File>();
-  file->name = path.string();
-  file->room = most_bytes;
-  errno = 0;
-  file->stream.open(path, std::ios::binary | std::ios::trunc);
-  if (!file->stream)
-    return Error{fmt::format("-condebug: {} cannot be written ({})", file->name, std::strerror(errno))};
-  return std::unique_ptr<ConsoleLog>(new ConsoleLog(std::move(file)));
+  std::optional<Error> failure;
+  for (int i = 1; i <= kMostPrograms; ++i) {
+    std::filesystem::path own = path;
+    if (i > 1) own.replace_filename(fmt::format("{}{}{}", path.stem().string(), i, path.extension().string()));
+    auto held = fs::HeldFile::take(own);
+    const Status ready = held ? held->cut(0) : Status(held.error());
+    if (ready)
+      return std::unique_ptr<ConsoleLog>(
+          new ConsoleLog(std::make_shared<File>(*std::move(held), own.string(), most_bytes)));
+    if (!failure) failure = ready.error();
+  }
+  return Error{fmt::format("-condebug: {}", failure->message)};
 }
 
 ConsoleLog::ConsoleLog(std::shared_ptr<File> file)
@@ -38,19 +42,19 @@ ConsoleLog::ConsoleLog(std::shared_ptr<File> file)
 ConsoleLog::~ConsoleLog() { remove_log_listener(listener_); }
 
 void ConsoleLog::File::write(LogLevel level, std::string_view text) {
-  bool failed = false, full = false;
+  const std::string line = fmt::format("{}{}\n", prefix(level), text);
+  const char* why = nullptr;
   {
     const std::lock_guard lock(mutex);
-    if (!stream.is_open()) return;
-    const std::uint64_t bytes = prefix(level).size() + text.size() + 1;
-    full = bytes > room;
-    if (!full) stream << prefix(level) << text << '\n' << std::flush;
-    room -= full ? 0 : bytes;
-    failed = !stream;
-    if (failed || full) stream.close();
+    if (ended) return;
+    if (line.size() > room)
+      why = "has as much as may be in a file";
+    else if (!held.append(ByteView(reinterpret_cast<const std::uint8_t*>(line.data()), line.size())))
+      why = "cannot be written any more";
+    room -= why ? 0 : line.size();
+    ended = why != nullptr;
   }
-  if (failed) log_error("-condebug: {} cannot be written any more and ends here", name);
-  if (full) log_error("-condebug: {} has as much as may be in a file and ends here", name);
+  if (why) log_error("-condebug: {} {} and ends here", name, why);
 }
 
 }  // namespace fb::host

@@ -40,6 +40,18 @@ TEST(ConsoleLog, WhereNothingCanBeWrittenIsASentence) {
   EXPECT_NE(log.error().message.find("qconsole.log"), std::string::npos) << log.error().message;
 }
 
+TEST(ConsoleLog, TwoProgramsHaveTwoFiles) {
+  const TestDirectory directory;
+  const auto path = directory.path() / "qconsole.log";
+  const auto first = ConsoleLog::open(path);
+  const auto second = ConsoleLog::open(path);  // a lock is of one opening, so the same process will do
+  ASSERT_TRUE(first.ok() && second.ok());
+  log_info("line");
+  EXPECT_NE(text_of(path).find("line"), std::string::npos);
+  EXPECT_EQ(text_of(directory.path() / "qconsole2.log"),
+            "Log file: " + (directory.path() / "qconsole2.log").string() + "\nline\n");
+}
+
 // A disk that fills up while the game runs.
 TEST(ConsoleLog, AFullDiskIsToldOfOnce) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";

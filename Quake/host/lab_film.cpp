@@ -284,12 +284,12 @@ int run_film(const FilmOptions& o) {
   SoundFile sound_file;
   std::optional<GameSound> sound;
   if (film.spec.sound && film.stage.engine && !film.spec.demo.empty()) {
-    sound_file.path = output.path + ".sound.part";
+    output.sound = output.path + ".sound.part";
     GameOptions recording;
-    recording.wav_capture = sound_file.path;
+    recording.wav_capture = output.sound;
     sound.emplace(*film.stage.engine);
     if (auto status = sound->open(recording); !status) return fail(status.error());
-    output.sound = sound_file.path;
+    sound_file.path = output.sound;  // before it was open, it was perhaps another program's
   }
   auto writer = lab::open_film(output, lab::film_size(film.spec));
   if (!writer) return fail(writer.error());

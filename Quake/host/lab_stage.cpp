@@ -289,7 +289,7 @@ Result<Shard> parse_shard(const std::string& text) {
 }
 
 Status write_text(const std::string& path, const std::string& text) {
-  if (path != "-") return fs::write_text_atomically(path, text);
+  if (path != "-") return fs::write_output(path, text);
   fmt::print("{}", text);
   return ok_status();
 }

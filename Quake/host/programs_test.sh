@@ -73,9 +73,11 @@ if [[ -e $data/id1/pak0.pak ]] && command -v fteqcc >/dev/null; then
   check "a map that is none is an error of a server" no_such_map -dedicated 1 -port $((20000 + RANDOM))
 
   # What could not be written: a sentence and status 1, and what was there before stays.
+  before=()
   server() {  # server ARGUMENT...: a dedicated server that shall end; its status
-    timeout 60 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -basedir "$data" -userdir "$scratch/user" "$@" \
-      >"$scratch/log" 2>&1 </dev/null
+    "${before[@]}" timeout 60 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -basedir "$data" -userdir "$scratch/user" "$@" \
+      2>&1 </dev/null | cat >"$scratch/log"  # what limits the program's files does not limit the log
+    return "${PIPESTATUS[0]}"
   }
   own=$scratch/user/id1
   server +map start +save good +sv_dump good.txt +quit
@@ -88,10 +90,15 @@ if [[ -e $data/id1/pak0.pak ]] && command -v fteqcc >/dev/null; then
     [[ $? -eq 1 && $(grep -c '^error: ' "$scratch/log") -eq 1 ]] && grep -q "^error: .*$cause" "$scratch/log" &&
       grep -q '^went on' "$scratch/log" && cmp "$own/good.sav" "$scratch/good.sav" && cmp "$own/good.txt" "$scratch/good.txt"
   }
-  ln -s /dev/full "$own/good.sav.new" && ln -s /dev/full "$own/good.txt.new"
-  check "save to a full disk" unwritten "good.sav: .*No space left" +save good
-  check "sv_dump to a full disk" unwritten "good.txt: .*No space left" +sv_dump good.txt
-  check "a failure stays one whatever follows" unwritten "file/x.sav: .*Not a directory" +sv_dump file +save file/x +save other +map start
+  before=(bash -c 'trap "" XFSZ; ulimit -f 1; exec "$@"' bash)
+  check "save to a full disk" unwritten "good.sav: .*File too large" +save good
+  check "sv_dump to a full disk" unwritten "good.txt: .*File too large" +sv_dump good.txt
+  before=()
+  mkdir "$scratch/outside" && mv "$own/good.sav" "$own/good.txt" "$scratch/outside" && ln -s "$scratch/outside/good.sav" "$own" && ln -s ../../outside/good.txt "$own"
+  check "no save by a link that leads out" unwritten "good.sav: .*a link leads out of the game's folder" +save good
+  check "nor a dump" unwritten "good.txt: .*a link leads out of the game's folder" +sv_dump good
+  rm "$own/good.sav" "$own/good.txt" && cp "$scratch/good.sav" "$scratch/good.txt" "$own"
+  check "a failure stays one whatever follows" unwritten "file.txt/x.sav: .*Not a directory" +sv_dump file +save file.txt/x +save other +map start
   check "exec of a script that is none" unwritten "couldn't exec none.cfg" +exec none.cfg
 
   # A configuration that executes itself costs only itself.

@@ -28,8 +28,12 @@ class Kept:
     """The two files, with what makes them whole."""
 
     def __init__(self, home):
-        self.save, self.config = home / "id1" / "kept.sav", home / "id1" / "kept.cfg"
-        self.half = [path.with_name(path.name + ".new") for path in (self.save, self.config)]
+        self.folder = home / "id1"
+        self.save, self.config = self.folder / "kept.sav", self.folder / "kept.cfg"
+
+    def half(self):
+        """Files that somebody writes, or that a killed program has left."""
+        return list(self.folder.glob(".fullbright-*.new"))
 
     def check(self, run):
         """The run that wrote the configuration last; fails on a half file."""
@@ -62,7 +66,7 @@ def killed(build, home, kills, seed):
         game.catch_up()
         wrong = [line for line in game.lines if re.search("cannot|no such|no game|malformed|makes no sense", line)]
         assert not wrong, f"run {run}: {wrong[0]}"
-        amid += any(path.exists() for path in kept.half)
+        amid += bool(kept.half())
         assert kept.check(run) in (run, run - 1)
     print(f"killed {kills} times, {amid} amid a write: every file whole")
 
@@ -87,7 +91,7 @@ def refused(build, home, what, before=(), prepare=lambda: None):
     assert not any(re.match("saved as|wrote", line) for line in said), ran.stdout
     for path, data in former.items():
         assert path.read_bytes() == data, f"{what}: {path.name} has changed"
-    assert not any(path.exists() for path in kept.half), f"{what}: a half file is left"
+    assert not kept.half(), f"{what}: a half file is left"
     print(f"{what}: one sentence for each file, the former ones stay")
 
 
@@ -114,7 +118,7 @@ def full_disk(build, home):
     for name in ("kept.sav", "kept.cfg"):
         assert len(re.findall(f"{name}: cannot be written: No space", ran.stdout)) == 1, ran.stdout
     assert "still here" in ran.stdout and "num_edicts" in ran.stdout, ran.stdout
-    assert small.config.read_bytes() == before and not any(path.exists() for path in small.half)
+    assert small.config.read_bytes() == before and not small.half()
     print("full disk: one sentence for each file, the former one stays")
 
 

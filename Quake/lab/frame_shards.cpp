@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "fs/file.h"
+#include "fs/held_file.h"
 #include "lab/json.h"
 #include "lab/json_reader.h"
 
@@ -86,8 +87,10 @@ Result<std::uint64_t> merge_frames(const std::vector<std::string>& folders, cons
   std::error_code failed;
   if (std::filesystem::exists(to, failed)) return Error{fmt::format("{}: it is there already", to)};
   const std::string part = to + ".part";
-  std::filesystem::remove_all(part, failed);
-  std::filesystem::create_directories(part, failed);
+  const auto held = fs::HeldFile::take_folder(part);
+  if (!held) return held.error();
+  for (const auto& left_over : std::filesystem::directory_iterator(part, failed))
+    std::filesystem::remove_all(left_over.path(), failed);
   if (failed) return Error{fmt::format("{}: {}", part, failed.message())};
   std::uint64_t frames = 0;
   for (const auto& [index, folder] : *by_index) {

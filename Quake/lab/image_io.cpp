@@ -12,52 +12,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <exception>
 #include <filesystem>
-#include <memory>
 #include <system_error>
 
 #include "base/check.h"
 #include "formats/image_write.h"
+#include "fs/file.h"
+#include "fs/temporary_file.h"
 
 namespace fb::lab {
 namespace {
 
-// The name under which a file grows. Gone again unless commit() gave it its own.
-class PartialFile {
- public:
-  explicit PartialFile(std::string path) : path_(std::move(path)), partial_(path_ + ".part") {}
-  PartialFile(const PartialFile&) = delete;
-  PartialFile& operator=(const PartialFile&) = delete;
-  ~PartialFile() {
-    std::error_code ignored;
-    if (!committed_) std::filesystem::remove(partial_, ignored);
-  }
-  const std::string& name() const { return partial_; }
-  Status commit() {
-    std::error_code failed;
-    std::filesystem::rename(partial_, path_, failed);
-    if (failed) return Error{fmt::format("{}: cannot be written: {}", path_, failed.message())};
-    committed_ = true;
-    return ok_status();
-  }
-
- private:
-  std::string path_, partial_;
-  bool committed_ = false;
-};
+// Pictures can be made again, so they need not be on the disk at once.
+Result<fs::TemporaryFile> begin_picture(const std::string& path) {
+  const auto target = fs::output_path(path);
+  if (!target) return target.error();
+  std::error_code code;
+  if (std::filesystem::exists(*target, code) && !std::filesystem::is_regular_file(*target, code))
+    return Error{fmt::format("{}: cannot be written: it is no file", path)};
+  const std::filesystem::path folder = target->parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder, code))  // a mistyped one is not made
+    return Error{fmt::format("{}: cannot be written: there is no folder {}", path, folder.generic_string())};
+  return fs::TemporaryFile::create(*target);
+}
 
 Status write_whole(const std::string& path, std::span<const std::uint8_t> data) {
-  PartialFile partial(path);
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(partial.name().c_str(), "wb"), std::fclose);
-  const auto failure = [&] { return Error{fmt::format("{}: cannot be written: {}", path, std::strerror(errno))}; };
-  if (!file) return failure();
-  if (std::fwrite(data.data(), 1, data.size(), file.get()) != data.size()) return failure();
-  if (std::fclose(file.release()) != 0) return failure();
-  return partial.commit();
+  auto file = begin_picture(path);
+  if (!file) return file.error();
+  if (auto status = file->append(data); !status) return status;
+  return file->commit(fs::Flush::kLater);
 }
 
 Imf::Slice float_slice(const std::vector<float>& plane, std::size_t width) {
@@ -102,7 +86,8 @@ Status write_png(const std::string& path, std::uint32_t width, std::uint32_t hei
 Status write_exr(const std::string& path, const ExrImage& image, ExrPixels kind) {
   FB_CHECK(image.pixels() > 0 && !image.channels().empty());
   const Imf::PixelType type = kind == ExrPixels::kHalf ? Imf::HALF : Imf::FLOAT;
-  PartialFile partial(path);
+  auto temporary = begin_picture(path);
+  if (!temporary) return temporary.error();
   try {
     Imf::Header header(static_cast<int>(image.width()), static_cast<int>(image.height()));
     header.compression() = Imf::ZIP_COMPRESSION;
@@ -120,13 +105,13 @@ Status write_exr(const std::string& path, const ExrImage& image, ExrPixels kind)
                                        sizeof(half) * image.width()));
       }
     }
-    Imf::OutputFile file(partial.name().c_str(), header, 0);
+    Imf::OutputFile file(temporary->path().c_str(), header, 0);
     file.setFrameBuffer(buffer);
     file.writePixels(static_cast<int>(image.height()));
   } catch (const std::exception& failure) {
     return Error{fmt::format("{}: cannot be written: {}", path, failure.what())};
   }
-  return partial.commit();
+  return temporary->commit(fs::Flush::kLater);
 }
 
 Result<ExrImage> read_exr(const std::string& path) {

@@ -1,5 +1,5 @@
 // Picture files of the laboratory: 8-bit PNG for eyes, OpenEXR for numbers. A file appears under its name only when it
-// is whole: it is written beside it as NAME.part and renamed.
+// is whole (fs/temporary_file.h).
 #pragma once
 
 #include <cstdint>

@@ -4,6 +4,7 @@
 
 #include "base/log.h"
 #include "base/number.h"
+#include "fs/path.h"
 #include "progs/entity_text.h"
 
 namespace fb::sv {
@@ -90,16 +91,19 @@ void Server::Commands::add_game_commands() {
         if (!server.active()) return console.fail("sv_run: no game runs here");
         console.fail_unless(server.run(*seconds, run_step(console)));
       });
-  add("sv_dump", "sv_dump [file]: write the level's whole state as text", [&server, &console](const con::Args& args) {
-    if (!server.active()) return console.fail("sv_dump: no game runs here");
-    const std::string text = server.dump();
-    if (args.size() < 2) return log_info("{}", text);
-    if (!server.services_.write_file) {
-      return console.fail(fmt::format("sv_dump {}: there is nowhere to write to", args[1]));
-    }
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
-    console.fail_unless(server.services_.write_file(args[1], ByteView(bytes, text.size())));
-  });
+  add("sv_dump", "sv_dump [file]: write the level's whole state as text, as FILE.txt",
+      [&server, &console](const con::Args& args) {
+        if (!server.active()) return console.fail("sv_dump: no game runs here");
+        const std::string text = server.dump();
+        if (args.size() < 2) return log_info("{}", text);
+        if (!server.services_.write_file) {
+          return console.fail(fmt::format("sv_dump {}: there is nowhere to write to", args[1]));
+        }
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+        // QuakeC may say this, too: not over a configuration or a pak.
+        const std::string name = fs::ends_with_ignoring_case(args[1], ".txt") ? args[1] : args[1] + ".txt";
+        console.fail_unless(server.services_.write_file(name, ByteView(bytes, text.size())));
+      });
 }
 
 // QuakeC says `restart` when a dead player wants to go on, once a tick until it is obeyed: a long frame holds several.

@@ -193,6 +193,24 @@ def report(suite: Suite, lab: str | None) -> str:
     return page.html_page(suite.title, f"<nav><ol>{contents}</ol></nav>{state}{skipped}{body}<section><h2>Measured with</h2><dl>{manifest}</dl><p class=command>All of it: <code>{html.escape(suite.data['command'])}</code></p></section>")
 
 
+def write_whole(target: Path, text: str) -> None:
+    """As the engine writes files: under a name of its own, then renamed; a link is followed."""
+    target = target.resolve()
+    umask = os.umask(0)
+    os.umask(umask)
+    handle, fresh = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}-", suffix=".new")
+    try:
+        with os.fdopen(handle, "w") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        os.chmod(fresh, 0o666 & ~umask)
+        os.replace(fresh, target)
+    except BaseException:
+        os.unlink(fresh)
+        raise
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(prog="fullbright-lab report", description="writes a suite's results as one HTML page")
     parser.add_argument("folder", type=Path, help="the folder that `fullbright-lab suite` wrote")
@@ -202,9 +220,7 @@ def main() -> int:
     target = options.out or options.folder / "report.html"
     try:
         text = report(results.read(options.folder), options.lab)
-        fresh = target.with_name(target.name + ".new")
-        fresh.write_text(text)
-        os.replace(fresh, target)
+        write_whole(target, text)
     except (ValueError, OSError) as error:
         print(f"fullbright-lab: {error}", file=sys.stderr)
         return 1

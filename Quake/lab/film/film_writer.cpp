@@ -8,7 +8,9 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #ifndef _WIN32
 #include <fcntl.h>
@@ -20,6 +22,7 @@
 #endif
 
 #include "base/stop.h"
+#include "fs/held_file.h"
 #include "lab/image_io.h"
 #include "lab/judge/program.h"
 #include "lab/picture.h"
@@ -34,15 +37,17 @@ class FolderWriter : public FilmWriter {
   explicit FolderWriter(FilmOutput output) : output_(std::move(output)), part_(output_.path + ".part") {}
   ~FolderWriter() override {
     std::error_code ignored;
-    if (!part_.empty()) stdfs::remove_all(part_, ignored);
+    if (held_) stdfs::remove_all(part_, ignored);
   }
   Status open() {
     std::error_code failed;
     if (stdfs::exists(output_.path, failed) &&
         !(stdfs::is_directory(output_.path, failed) && stdfs::is_empty(output_.path, failed)))
       return Error{fmt::format("{}: there is something of that name; a film wants a new folder", output_.path)};
-    stdfs::remove_all(part_, failed);
-    stdfs::create_directories(part_, failed);
+    auto held = fs::HeldFile::take_folder(part_);
+    if (!held) return held.error();
+    held_ = *std::move(held);
+    for (const auto& left_over : stdfs::directory_iterator(part_, failed)) stdfs::remove_all(left_over.path(), failed);
     return failed ? Status(Error{fmt::format("{}: {}", part_, failed.message())}) : ok_status();
   }
   Status add(const FilmFrame& frame) override {
@@ -61,13 +66,14 @@ class FolderWriter : public FilmWriter {
     stdfs::remove(output_.path, failed);  // an empty folder
     stdfs::rename(part_, output_.path, failed);
     if (failed) return Error{fmt::format("{}: {}", output_.path, failed.message())};
-    part_.clear();
+    held_.reset();
     return fmt::format("{} frames in {}", frames_, output_.path);
   }
 
  private:
   FilmOutput output_;
   std::string part_;
+  std::optional<fs::HeldFile> held_;
   std::uint64_t frames_ = 0;
 };
 
@@ -80,9 +86,12 @@ class FfmpegWriter : public FilmWriter {
     if (child_ > 0) ::kill(child_, SIGKILL);
     wait();
     std::error_code ignored;
-    if (!part_.empty()) stdfs::remove(part_, ignored);
+    if (held_) stdfs::remove(part_, ignored);
   }
   Status open(uvec2 size) {
+    auto held = fs::HeldFile::take(part_);
+    if (!held) return held.error();
+    held_ = *std::move(held);
     said_.reset(std::tmpfile());
     int ends[2];
     if (!said_ || ::pipe2(ends, O_CLOEXEC) != 0)
@@ -149,7 +158,7 @@ class FfmpegWriter : public FilmWriter {
     std::error_code failed;
     stdfs::rename(part_, output_.path, failed);
     if (failed) return Error{fmt::format("{}: {}", output_.path, failed.message())};
-    part_.clear();
+    held_.reset();
     return fmt::format("{} frames in {}{}", frames_, output_.path, output_.sound.empty() ? "" : ", with sound");
   }
 
@@ -203,6 +212,7 @@ class FfmpegWriter : public FilmWriter {
 
   FilmOutput output_;
   std::string part_;
+  std::optional<fs::HeldFile> held_;  // ffmpeg writes into the same file
   std::unique_ptr<std::FILE, Close> said_;
   pid_t child_ = -1;
   int pipe_ = -1;

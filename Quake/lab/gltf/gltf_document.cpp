@@ -73,7 +73,9 @@ std::uint32_t GltfDocument::add_png(const std::string& name, const Bytes& png) {
 }
 
 Status GltfDocument::write(const std::string& path) const {
-  const std::filesystem::path file(path);
+  const auto there = fs::output_path(path);
+  if (!there) return there.error();
+  const std::filesystem::path& file = *there;
   Json root = root_;
   root["buffers"] = {{{"byteLength", bytes_.size()}}};
   if (file.extension() == ".glb") {

@@ -1,0 +1,40 @@
+// A file that is whole before it has its name: it grows beside it under a name of its own, which no other program
+// chooses, and is renamed at the end, so that readers and crashes see the former file or the new one. What killed
+// programs have left is removed when the folder is next written to, at most once a minute.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "base/bytes.h"
+#include "base/result.h"
+#include "fs/file.h"
+#include "fs/held_file.h"
+
+namespace fb::fs {
+
+class TemporaryFile {
+ public:
+  // For a file that will be `target`; makes its folder. A link of this name is replaced, not followed.
+  static Result<TemporaryFile> create(const std::filesystem::path& target);
+  TemporaryFile(TemporaryFile&& other) noexcept = default;
+  TemporaryFile& operator=(TemporaryFile&& other) = delete;
+  ~TemporaryFile();  // removes it unless it was committed
+
+  const std::filesystem::path& path() const { return path_; }  // for libraries that write by name
+  Status append(ByteView data) const { return file_.append(data); }
+  // Gives it its name, and the permissions of the file that it replaces.
+  Status commit(Flush flush);
+
+ private:
+  TemporaryFile(std::filesystem::path path, std::filesystem::path target, HeldFile file)
+      : path_(std::move(path)), target_(std::move(target)), file_(std::move(file)) {}
+
+  std::filesystem::path path_, target_;  // path_ is empty once there is nothing to remove
+  HeldFile file_;
+};
+
+// Whether a file's name is one that TemporaryFile gives.
+bool is_temporary_name(const std::string& name);
+
+}  // namespace fb::fs
