@@ -75,8 +75,9 @@ void ModHud::start() {
   for (const std::string& warning : program->warnings) log_warning("{}", warning);
   progs::Services services;
   services.console = &console_;
-  services.read_file = services_.read_file;
-  services.write_file = services_.write_file;
+  services.read_file = services_.read_for_mod ? services_.read_for_mod : services_.read_file;
+  services.write_file = services_.write_for_mod;
+  services.flush_files = services_.flush_for_mod;
   progs::BuiltinTable table = progs::standard_builtins(services);
   add_hud_builtins(table, context_);
   auto vm = progs::Vm::create(std::make_shared<const progs::Program>(std::move(*program)), std::move(table));

@@ -31,9 +31,12 @@
 namespace fb::csqc {
 
 struct ModHudServices {
-  FileLoader read_file;                                                         // progs and what QuakeC reads
-  std::function<Status(std::string_view name, ByteView data)> write_file = {};  // what QuakeC writes
-  std::function<void(std::string_view name)> play_sound = {};                   // localsound
+  FileLoader read_file;  // progs
+  // What QuakeC reads and writes, as fs::ModFiles. Absent: read_file, and nothing is written.
+  FileLoader read_for_mod = {};
+  std::function<Status(std::string_view name, ByteView data)> write_for_mod = {};
+  std::function<void()> flush_for_mod = {};
+  std::function<void(std::string_view name)> play_sound = {};  // localsound
 };
 
 class ModHud final : public ui::ModBar {

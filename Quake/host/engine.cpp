@@ -114,6 +114,9 @@ void Engine::make_server(const EngineOptions& options) {
   services.obstacle = [this](std::string_view name) { return files_.obstacle(name); };
   services.game_index_of = [this](std::string_view name) { return files_.game_index_of(name); };
   services.write_file = [this](std::string_view name, ByteView data) { return files_.write(name, data); };
+  services.read_for_mod = [this](std::string_view name) { return mod_files_.read(name); };
+  services.write_for_mod = [this](std::string_view name, ByteView data) { return mod_files_.write(name, data); };
+  services.flush_for_mod = [this] { mod_files_.flush(); };
   services.rng = &rng_;
   sv::ServerOptions server;
   server.max_clients = options.max_clients;

@@ -15,6 +15,7 @@
 #include "client/client.h"
 #include "console/console.h"
 #include "fs/filesystem.h"
+#include "fs/mod_files.h"
 #include "host/console_log.h"
 #include "host/frame_timer.h"
 #include "host/options.h"
@@ -57,6 +58,7 @@ class Engine {
 
   con::Console& console() { return console_; }
   fs::FileSystem& files() { return files_; }
+  fs::ModFiles& mod_files() { return mod_files_; }
   scene::ModelLibrary& library() { return library_; }
   // Whose items the game has: a mission pack's by its option or its folder.
   ui::Rules rules() const;
@@ -98,6 +100,7 @@ class Engine {
   void register_listen();
 
   fs::FileSystem files_;
+  fs::ModFiles mod_files_{files_};
   std::unique_ptr<ConsoleLog> log_;
   con::Console console_;
   scene::ModelLibrary library_;

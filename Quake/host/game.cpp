@@ -36,9 +36,12 @@ void register_host_cvars(con::Console& console) {
 constexpr double kRumbleSeconds = 0.2;
 
 csqc::ModHudServices bar_services(Engine& engine) {
-  return {.read_file = engine.files().loader(),
-          .write_file = [&engine](std::string_view name, ByteView data) { return engine.files().write(name, data); },
-          .play_sound = [&engine](std::string_view name) { engine.sound().play_local(name); }};
+  return {
+      .read_file = engine.files().loader(),
+      .read_for_mod = [&engine](std::string_view name) { return engine.mod_files().read(name); },
+      .write_for_mod = [&engine](std::string_view name, ByteView data) { return engine.mod_files().write(name, data); },
+      .flush_for_mod = [&engine] { engine.mod_files().flush(); },
+      .play_sound = [&engine](std::string_view name) { engine.sound().play_local(name); }};
 }
 
 }  // namespace

@@ -127,6 +127,8 @@ class Vm {
   // As a temporary string.
   void return_string(std::string_view text) { return_string_id(strings_.temporary(text)); }
 
+  // From a builtin that does more than a moment's work: it counts as this many statements.
+  void charge(std::int64_t statements) { charge_ += statements; }
   // From a builtin: ends QuakeC with this sentence as the builtin returns. The first one counts.
   void fail(std::string_view cause);
   bool failed() const { return failed_; }
@@ -187,6 +189,7 @@ class Vm {
   std::string cause_, backtrace_;
   std::vector<std::int64_t> profile_;  // statements by function
   std::int64_t statements_executed_ = 0;
+  std::int64_t charge_ = 0;  // not counted yet
 };
 
 }  // namespace fb::progs

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <utility>
 
 #include "progs/vm.h"
 
@@ -336,6 +337,10 @@ bool Vm::interpret_some(Run& run) {
         if (functions[callee].is_builtin() || resolved_[callee]) {
           call_builtin(FunctionId{callee});
           if (failed_) return finish();
+          if (charge_ != 0) {
+            left -= std::exchange(charge_, 0);
+            if (left < 0) goto runaway;
+          }
           if (trace_ != kTrace) {
             count();
             run.at = st + 1;

@@ -190,8 +190,9 @@ std::uint32_t Server::edict_limit() const {
 progs::BuiltinTable Server::builtins() {
   progs::Services services;
   services.console = &console_;
-  services.read_file = services_.read_file;
-  services.write_file = services_.write_file;
+  services.read_file = services_.read_for_mod ? services_.read_for_mod : services_.read_file;
+  services.write_file = services_.write_for_mod ? services_.write_for_mod : services_.write_file;
+  services.flush_files = services_.flush_for_mod;
   services.rng = services_.rng;
   progs::BuiltinTable table = progs::standard_builtins(services);
   add_game_builtins(table, context_);

@@ -44,8 +44,12 @@ struct ServerServices {
   FileReader read_save;
   std::function<int(std::string_view name)> game_index_of;
   ObstacleFinder obstacle;  // of both; may be absent
-  // Saves and what QuakeC writes: FileSystem::write, whole or not at all.
+  // FileSystem::write, whole or not at all.
   std::function<Status(std::string_view name, ByteView data)> write_file;
+  // What QuakeC reads and writes, as fs::ModFiles. Absent: read_file and write_file.
+  FileReader read_for_mod;
+  std::function<Status(std::string_view name, ByteView data)> write_for_mod;
+  std::function<void()> flush_for_mod;
   Rng* rng = nullptr;  // QuakeC's random(), seeded by -seed; the server's own where there is none
 };
 

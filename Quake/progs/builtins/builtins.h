@@ -20,9 +20,11 @@ namespace fb::progs {
 // without files none is found, without `rng` random() begins at the same number each time.
 struct Services {
   con::Console* console = nullptr;
-  // FRIK_FILE: names as fs/path.h has them, all below data/ but for reading. Usually FileSystem::read and ::write.
+  // FRIK_FILE: names as fs/path.h has them, all below data/ but for reading. Usually fs::ModFiles::read and ::write.
   FileLoader read_file;
   std::function<Status(std::string_view name, ByteView data)> write_file;
+  // Called with the table's end if something was written: it need not be on the disk before.
+  std::function<void()> flush_files;
   Rng* rng = nullptr;  // the engine's, seeded by -seed
   // Where text without an end of line goes: to the console (errors, eprint), to developers (dprint), to all players
   // (bprint). Without the first the log has it; without the second, `print` has it while cvar developer is on; without

@@ -1,5 +1,5 @@
 // FRIK_FILE: text files of the mod, in the folder data/ of its game. A file is read whole when it is opened and written
-// whole when it is closed, or with the table at the level's end.
+// whole when it is closed, or with the table at the level's end. Then all that was written is put on the disk.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,12 @@
 namespace fb::progs {
 namespace {
 
-constexpr std::size_t kMaxOpen = 64, kMaxBytes = 16u << 20u;
+constexpr std::size_t kMaxOpen = 64;
+constexpr std::size_t kMaxBytes = 16u << 20u, kMaxBytesOpen = 64u << 20u;  // of a file, of all that are open
+// What a file's opening or writing counts for in QuakeC's limit of statements, so that a loop which does nothing else
+// ends before long.
+constexpr std::int64_t kStatementsAFile = 2000, kBytesAStatement = 16;
+constexpr int kMostWarnings = 3;  // of each kind in a level
 enum Mode { kRead = 0, kAppend = 1, kWrite = 2 };
 
 class Files {
@@ -25,6 +30,7 @@ class Files {
   Files& operator=(const Files&) = delete;
   ~Files() {
     for (const auto& [handle, file] : open_) save(file);
+    if (written_ && services_.flush_files) services_.flush_files();
   }
 
   // fopen(name, mode): a handle, or -1.
@@ -37,6 +43,7 @@ class Files {
       return;
     }
     File file{"data/" + *name, "", 0, mode != kRead};
+    vm.charge(kStatementsAFile);
     if (mode == kRead) {
       auto text = read(file.name);
       if (!text) text = read(*name);  // of the game itself
@@ -48,6 +55,12 @@ class Files {
       log_warning("fopen: {} is no mode", mode);
       return;
     }
+    if (file.text.size() > kMaxBytesOpen - std::min(kMaxBytesOpen, bytes_open_)) {
+      complain_of_size(fmt::format("fopen: {}: files of more than {} bytes would be open", file.name, kMaxBytesOpen));
+      return;
+    }
+    charge_for(vm, file);
+    bytes_open_ += file.text.size();
     const int handle = first_unused();
     open_.emplace(handle, std::move(file));
     vm.return_float(static_cast<float>(handle));
@@ -56,7 +69,12 @@ class Files {
   void close(Vm& vm) {
     const auto found = open_.find(vm.parm_int(0));
     if (found == open_.end()) return complain(vm, "fclose");
+    if (found->second.writing) {
+      vm.charge(kStatementsAFile);
+      charge_for(vm, found->second);
+    }
     save(found->second);
+    bytes_open_ -= found->second.text.size();
     open_.erase(found);
   }
 
@@ -78,10 +96,14 @@ class Files {
     const auto found = open_.find(vm.parm_int(0));
     if (found == open_.end() || !found->second.writing) return complain(vm, "fputs");
     const std::string text = vm.parm_text_from(1);
-    if (text.size() > kMaxBytes - std::min(kMaxBytes, found->second.text.size())) {
-      return vm.fail(fmt::format("{} would have more than {} bytes", found->second.name, kMaxBytes));
-    }
-    found->second.text += text;
+    File& file = found->second;
+    if (text.size() > kMaxBytes - std::min(kMaxBytes, file.text.size()))
+      return complain_of_size(fmt::format("fputs: {} would have more than {} bytes", file.name, kMaxBytes));
+    if (text.size() > kMaxBytesOpen - std::min(kMaxBytesOpen, bytes_open_))
+      return complain_of_size(
+          fmt::format("fputs: {}: files of more than {} bytes would be open", file.name, kMaxBytesOpen));
+    file.text += text;
+    bytes_open_ += text.size();
   }
 
  private:
@@ -101,11 +123,19 @@ class Files {
     }
     return std::string(bytes->text());
   }
-  void save(const File& file) const {
+  void save(const File& file) {
     if (!file.writing || !services_.write_file) return;
     const ByteView bytes(reinterpret_cast<const std::uint8_t*>(file.text.data()), file.text.size());
-    if (const Status status = services_.write_file(file.name, bytes); !status)
-      log_warning("{}", status.error().message);
+    const Status status = services_.write_file(file.name, bytes);
+    written_ |= status.ok();
+    if (!status && refused_++ < kMostWarnings) log_warning("{}", status.error().message);
+  }
+  static void charge_for(Vm& vm, const File& file) {
+    vm.charge(static_cast<std::int64_t>(file.text.size()) / kBytesAStatement);
+  }
+  // What is too much is left out, and the game goes on.
+  void complain_of_size(const std::string& sentence) {
+    if (too_large_++ < kMostWarnings) log_warning("{}", sentence);
   }
   // From 1 on: some mods take 0 for a failure, although the extension says -1.
   int first_unused() const {
@@ -119,6 +149,9 @@ class Files {
 
   Services services_;
   std::map<int, File> open_;
+  std::size_t bytes_open_ = 0;  // of all texts in open_
+  int refused_ = 0, too_large_ = 0;
+  bool written_ = false;
 };
 
 }  // namespace

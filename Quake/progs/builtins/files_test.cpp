@@ -22,6 +22,7 @@ class FileBuiltinsTest : public testing::QcTest {
       if (found == files_.end()) return std::nullopt;
       return Bytes(found->second.begin(), found->second.end());
     };
+    services_.flush_files = [this] { ++flushes_; };
     services_.write_file = [this](std::string_view name, ByteView data) {
       files_[std::string(name)] = std::string(data.begin(), data.end());
       return ok_status();
@@ -29,6 +30,7 @@ class FileBuiltinsTest : public testing::QcTest {
   }
   std::map<std::string, std::string> files_;
   std::vector<std::string> asked_;
+  int flushes_ = 0;
 };
 
 TEST_F(FileBuiltinsTest, ReadsLines) {
@@ -80,11 +82,51 @@ TEST_F(FileBuiltinsTest, HandlesThatAreNone) {
 
 TEST_F(FileBuiltinsTest, Limits) {
   EXPECT_EQ(says("local float i, f; for (i = 0; i < 100; i++) f = fopen(strcat(\"f\", ftos(i)), 2); put(f);"), "-1");
-  EXPECT_THAT(says(R"(local float f; local string s; s = "0123456789abcdef"; f = fopen("big", 2);
-                      while (strlen(s) < 60000) s = strcat(s, s); while (1) fputs(f, s, s, s, s);)"),
-              HasSubstr("data/big would have more than 16777216 bytes"));
   files_["data/long"] = std::string((16u << 20u) + 1, 'x');
   EXPECT_EQ(says("put(fopen(\"long\", 0));"), "-1");
+}
+
+// 16 MB a file, 64 MB in all that are open: what is more is left out, and the game goes on.
+TEST_F(FileBuiltinsTest, TooMuchTextIsLeftOut) {
+  const std::string grow =
+      "local float f, i; local string s; s = \"0123456789abcdef\"; "
+      "while (strlen(s) < 60000) s = strcat(s, s); ";  // to the most that a string has
+  EXPECT_EQ(says(grow + "f = fopen(\"big\", 2); for (i = 0; i < 70; i++) fputs(f, s, s, s, s); fclose(f); put(f);"),
+            "1");
+  constexpr std::size_t kLine = std::size_t{4} * 65535;  // what one fputs adds
+  EXPECT_EQ(files_["data/big"].size(), (16u << 20u) / kLine * kLine);
+  EXPECT_EQ(says(grow + "local float n; for (n = 0; n < 5; n++) { f = fopen(ftos(n), 2); for (i = 0; i < 60; i++) "
+                        "fputs(f, s, s, s, s); } put(f);"),
+            "5");
+  vm_.reset();
+  std::size_t sum = 0;
+  for (const char* name : {"0", "1", "2", "3", "4"}) sum += files_[std::string("data/") + name].size();
+  EXPECT_EQ(sum, (64u << 20u) / kLine * kLine);
+}
+
+TEST_F(FileBuiltinsTest, ManyFilesAreFlushedOnce) {
+  EXPECT_EQ(says("local float i, f; for (i = 0; i < 2000; i++) { f = fopen(ftos(i), 2); fputs(f, \"x\"); fclose(f); }"),
+            "");
+  EXPECT_EQ(flushes_, 0);
+  vm_.reset();
+  EXPECT_EQ(flushes_, 1);
+  EXPECT_EQ(files_.size(), 2000u);
+}
+
+TEST_F(FileBuiltinsTest, ReadingNeedsNoFlush) {
+  EXPECT_EQ(says("put(fopen(\"none\", 0));"), "-1");
+  vm_.reset();
+  EXPECT_EQ(flushes_, 0);
+}
+
+// A loop of nothing but files does as much work as one of statements: it ends as a loop without end.
+TEST_F(FileBuiltinsTest, FilesCountAsStatements) {
+  EXPECT_THAT(says("local float f; while (1) { f = fopen(\"x\", 2); fclose(f); }"), HasSubstr("a loop without end"));
+  EXPECT_LT(asked_.size(), 10000u);
+  files_["data/long"] = std::string(8u << 20u, 'x');
+  asked_.clear();
+  EXPECT_THAT(says("while (1) fclose(fopen(\"long\", 0));"), HasSubstr("a loop without end"));
+  EXPECT_LT(asked_.size(), 40u);
 }
 
 TEST_F(FileBuiltinsTest, WithoutFilesThereAreNone) {
