@@ -13,6 +13,7 @@
 #include "base/out_of_memory.h"
 #include "base/stop.h"
 #include "fs/file.h"
+#include "host/screenshot_name.h"
 #include "gpu/vulkan_error.h"
 #include "formats/image_write.h"
 #include "platform/clock.h"
@@ -138,8 +139,8 @@ void Game::register_commands() {
                       });
   console.add_command(
       "screenshot", "screenshot [name]: save the picture as screenshots/NAME.png", [this](const con::Args& args) {
-        const std::string name = args.size() > 1 ? args[1] : fmt::format("fullbright{:04}", captured_++);
-        engine_->console().fail_unless(write_screenshot(name + ".png"));
+        engine_->console().fail_unless(
+            write_screenshot(args.size() > 1 ? args[1] + ".png" : free_screenshot_name(engine_->files())));
       });
 }
 

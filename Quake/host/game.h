@@ -148,7 +148,7 @@ class Game {
   bool left_level_ = false;      // the client has left the level that the plaque was shown over
   std::string written_config_;   // what config.cfg holds, or could not be given
   bool menu_was_open_ = false;
-  std::uint64_t frame_ = 0, captured_ = 0;
+  std::uint64_t frame_ = 0;
 };
 
 }  // namespace fb::host
