@@ -15,6 +15,7 @@
 #include "fs/links.h"
 #include "fs/obstacle.h"
 #include "fs/path.h"
+#include "fs/zip.h"
 
 namespace fb::fs {
 namespace {
@@ -22,20 +23,32 @@ namespace {
 namespace stdfs = std::filesystem;
 
 constexpr std::string_view kSettings = "config.cfg";
-constexpr int kMaxDepth = 16;  // depth of directories below a gamedir; links may form loops
+constexpr int kMaxDepth = 16;               // depth of directories below a gamedir; links may form loops
+constexpr std::size_t kMostArchives = 256;  // of a gamedir; each stays open
 
-// One place that is searched: a pak, or a directory of loose files.
+// One place that is searched: a pak, an archive, or a directory of loose files.
 struct Place {
   std::string label;  // FileSystem::source_of
   int game_index = 0;
   std::unique_ptr<Pak> pak;
-  stdfs::path directory;  // where there is no pak
+  std::unique_ptr<Zip> zip;
+  stdfs::path directory;  // where there is neither
+
+  bool packed() const { return pak || zip; }
+  const std::vector<PakEntry>& entries() const { return pak ? pak->entries() : zip->entries(); }
+  const PakEntry* find(std::string_view name) const { return pak ? pak->find(name) : zip->find(name); }
+  const PakEntry* find_ignoring_case(std::string_view name) const {
+    return pak ? pak->find_ignoring_case(name) : zip->find_ignoring_case(name);
+  }
+  Result<FileData> read(const PakEntry& entry) const { return pak ? pak->read(entry) : zip->read(entry); }
 };
 
 struct Hit {
   const Place* place = nullptr;
-  const PakEntry* entry = nullptr;  // of place->pak
+  const PakEntry* entry = nullptr;  // of the place, if it is packed
   stdfs::path path;                 // of a loose file
+
+  Result<FileData> read() const { return entry != nullptr ? place->read(*entry) : read_whole_file(path); }
 };
 
 bool is_file(const stdfs::path& path) {
@@ -123,6 +136,7 @@ struct FileSystem::Impl {
   Status add_game(const std::string& name, int game_index);
   Status add_base_game_beneath();
   Status add_directory(const stdfs::path& directory, const std::string& label, int game_index);
+  void add_archives(const stdfs::path& directory, const std::string& label, int game_index, std::vector<Place>& stack);
   Result<std::unique_ptr<Pak>> open_pak(const stdfs::path& directory, std::string file, const std::string& label);
   std::optional<Hit> find_exact(const std::string& name) const;
   std::optional<Hit> find_ignoring_case(const std::string& name) const;
@@ -171,8 +185,40 @@ Status FileSystem::Impl::add_directory(const stdfs::path& directory, const std::
     place.pak = *std::move(pak);
     stack.push_back(std::move(place));
   }
+  add_archives(directory, label, game_index, stack);
   for (Place& place : stack) places.insert(places.begin(), std::move(place));
   return ok_status();
+}
+
+// What QuakeSpasm does not know is no reason not to play.
+void FileSystem::Impl::add_archives(const stdfs::path& directory, const std::string& label, int game_index,
+                                    std::vector<Place>& stack) {
+  std::vector<std::string> names;
+  std::error_code code;
+  for (stdfs::directory_iterator it(directory, code), end; !code && it != end; it.increment(code)) {
+    const std::string name = it->path().filename().string();
+    if (ends_with_ignoring_case(name, ".pk3") && is_file(it->path())) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
+    return std::pair(lower_case(a), a) < std::pair(lower_case(b), b);
+  });
+  if (names.size() > kMostArchives) {
+    log_warning("{}: {} archives, of {} that are read", label, names.size(), kMostArchives);
+    names.resize(kMostArchives);
+  }
+  for (const std::string& name : names) {
+    auto zip = Zip::open(directory / name, label + "/" + name);
+    if (!zip) {
+      log_warning("{}; it is left out", zip.error().message);
+      continue;
+    }
+    if (!(*zip)->left_out().empty()) log_warning("{}", (*zip)->left_out());
+    Place place;
+    place.label = (*zip)->name();
+    place.game_index = game_index;
+    place.zip = *std::move(zip);
+    stack.push_back(std::move(place));
+  }
 }
 
 Status FileSystem::Impl::add_game(const std::string& name, int game_index) {
@@ -212,8 +258,8 @@ Status FileSystem::Impl::add_base_game_beneath() {
 
 std::optional<Hit> FileSystem::Impl::find_exact(const std::string& name) const {
   for (const Place& place : places) {
-    if (place.pak) {
-      if (const PakEntry* entry = place.pak->find(name)) return Hit{&place, entry, {}};
+    if (place.packed()) {
+      if (const PakEntry* entry = place.find(name)) return Hit{&place, entry, {}};
     } else if (stdfs::path path = place.directory / name; is_file(path)) {
       return Hit{&place, nullptr, std::move(path)};
     }
@@ -223,8 +269,8 @@ std::optional<Hit> FileSystem::Impl::find_exact(const std::string& name) const {
 
 std::optional<Hit> FileSystem::Impl::find_ignoring_case(const std::string& name) const {
   for (const Place& place : places) {
-    if (place.pak) {
-      if (const PakEntry* entry = place.pak->find_ignoring_case(name)) return Hit{&place, entry, {}};
+    if (place.packed()) {
+      if (const PakEntry* entry = place.find_ignoring_case(name)) return Hit{&place, entry, {}};
     } else if (const auto real = index.find(place.directory, name)) {
       if (stdfs::path path = place.directory / *real; is_file(path)) return Hit{&place, nullptr, std::move(path)};
     }
@@ -258,7 +304,7 @@ std::optional<Error> FileSystem::Impl::obstacle(std::string_view raw_name) const
   const auto name = normalise(raw_name);
   if (!name) return std::nullopt;
   for (const Place& place : places) {
-    if (place.pak) continue;
+    if (place.packed()) continue;
     if (auto found = find_obstacle(place.directory, *name)) return found;
   }
   return std::nullopt;
@@ -303,12 +349,13 @@ Result<FileData> FileSystem::load(std::string_view name) const {
     return impl_->obstacle(name).value_or(
         Error{fmt::format("{}: no such file in the game's directories and paks", name)});
   }
-  return hit->entry != nullptr ? hit->place->pak->read(*hit->entry) : read_whole_file(hit->path);
+  return hit->read();
 }
 
 Result<FileData> FileSystem::load_part(std::string_view name, std::uint64_t offset, std::uint64_t most) const {
   const auto hit = impl_->locate(name);
   if (!hit) return Error{fmt::format("{}: no such file in the game's directories and paks", name)};
+  if (hit->place->zip) return hit->place->zip->read(*hit->entry, offset, most);
   if (hit->entry != nullptr) {
     PakEntry part = *hit->entry;
     const std::uint64_t skipped = std::min<std::uint64_t>(offset, part.size);
@@ -329,7 +376,7 @@ std::optional<FileData> FileSystem::read(std::string_view name) const {
       log_warning("{}", obstacle->message);
     return std::nullopt;
   }
-  auto data = hit->entry != nullptr ? hit->place->pak->read(*hit->entry) : read_whole_file(hit->path);
+  auto data = hit->read();
   if (data) return *std::move(data);
   log_warning("{}", data.error().message);
   return std::nullopt;
@@ -361,13 +408,28 @@ std::optional<FileData> FileSystem::read_own(std::string_view raw_name) const {
   if (!name) return std::nullopt;
   const int last = impl_->places.front().game_index;
   for (const Place& place : impl_->places) {
-    if (place.pak || place.game_index != last || !is_file(place.directory / *name)) continue;
+    if (place.packed() || place.game_index != last || !is_file(place.directory / *name)) continue;
     auto data = read_whole_file(place.directory / *name);
     if (data) return *std::move(data);
     log_warning("{}", data.error().message);
     return std::nullopt;
   }
   return std::nullopt;
+}
+
+std::vector<FileData> FileSystem::read_all(std::string_view raw_name) const {
+  std::vector<FileData> all;
+  const auto name = normalise(raw_name);
+  if (!name) return all;
+  for (const Place& place : impl_->places) {
+    const Hit hit{&place, place.packed() ? place.find(*name) : nullptr, place.directory / *name};
+    if (place.packed() ? !hit.entry : !is_file(hit.path)) continue;
+    if (auto data = hit.read())
+      all.push_back(*std::move(data));
+    else
+      log_warning("{}", data.error().message);
+  }
+  return all;
 }
 
 std::optional<Error> FileSystem::obstacle(std::string_view name) const { return impl_->obstacle(name); }
@@ -388,8 +450,8 @@ std::vector<FoundFile> FileSystem::find(std::string_view prefix, std::string_vie
   const Pattern pattern{lower_case(prefix), extension};
   ListedFiles files;
   for (const Place& place : impl_->places) {
-    if (place.pak) {
-      for (const PakEntry& entry : place.pak->entries()) {
+    if (place.packed()) {
+      for (const PakEntry& entry : place.entries()) {
         if (pattern.file(entry.name)) files.emplace(entry.name, FoundFile{entry.name, place.label, entry.size});
       }
     } else {
@@ -436,8 +498,8 @@ Status FileSystem::write(std::string_view name, ByteView data, Flush flush) cons
 std::vector<std::string> FileSystem::describe() const {
   std::vector<std::string> lines;
   for (const Place& place : impl_->places) {
-    if (place.pak)
-      lines.push_back(fmt::format("{} ({} files)", place.label, place.pak->entries().size()));
+    if (place.packed())
+      lines.push_back(fmt::format("{} ({} files)", place.label, place.entries().size()));
     else if (is_a_directory(place.directory))
       lines.push_back(place.label);
   }
@@ -446,6 +508,13 @@ std::vector<std::string> FileSystem::describe() const {
 
 const std::string& FileSystem::game() const { return impl_->game; }
 const FsOptions& FileSystem::options() const { return impl_->options; }
+
+std::vector<stdfs::path> FileSystem::folders() const {
+  std::vector<stdfs::path> folders;
+  if (!impl_->user_dir.empty()) folders.push_back(impl_->user_dir);
+  folders.push_back(impl_->options.base_dir);
+  return folders;
+}
 
 FileLoader FileSystem::loader() const {
   return [this](std::string_view name) { return read(name); };

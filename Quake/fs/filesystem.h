@@ -1,13 +1,14 @@
 // The game's files in paks and folders. QuakeSpasm's search order; the first match is used:
 //
 //   the gamedir named last, then those before it, id1 last; and for each gamedir
-//     user directory: pakN.pak ... pak1.pak, pak0.pak, then loose files
-//     base directory: pakN.pak ... pak1.pak, pak0.pak, then loose files
+//     user directory: *.pk3, the last by name first, then pakN.pak ... pak1.pak, pak0.pak, then loose files
+//     base directory: the same
 //   and, if none of these has a progs.dat, the base game's id1 (FsOptions::base_game)
 //
-// Paks are numbered from 0 without a gap: none after the first missing number is opened. (QuakeSpasm's own
-// quakespasm.pak and its shareware rule, which hides loose files in subdirectories, do not exist here.) Names are
-// matched exactly; only if nothing matches, ignoring case, with one line in the log for each file.
+// Paks are numbered from 0 without a gap: none after the first missing number is opened. Archives (fs/zip.h) have any
+// name that ends with .pk3; one that cannot be read is left out, with a warning. (QuakeSpasm's own quakespasm.pak and
+// its shareware rule, which hides loose files in subdirectories, do not exist here.) Names are matched exactly; only if
+// nothing matches, ignoring case, with one line in the log for each file.
 #pragma once
 
 #include <cstdint>
@@ -56,6 +57,9 @@ class FileSystem {
   // Searches only the last gamedir's loose files, the user's before the base directory's: files that the game has
   // written itself (saves). Nullopt as above.
   std::optional<FileData> read_own(std::string_view name) const;
+  // All files of exactly this name, in search order, for data that files of one name add up to. What cannot be read is
+  // warned of.
+  std::vector<FileData> read_all(std::string_view name) const;
   bool exists(std::string_view name) const;
   // The reason why an existing file cannot be read: its own permissions, those of a folder on its path, or a broken
   // link. Nullopt if it can be read, or does not exist.
@@ -84,6 +88,8 @@ class FileSystem {
   // "id1" or the last gamedir.
   const std::string& game() const;
   const FsOptions& options() const;
+  // Where the gamedirs are: the user directory, if there is one, and the base directory.
+  std::vector<std::filesystem::path> folders() const;
   // As a function, for code that only needs to read. The FileSystem must outlive it and must not move.
   FileLoader loader() const;
 

@@ -10,6 +10,7 @@
 #include "fs/test_files.h"
 #include "fs/test_log.h"
 #include "fs/test_permissions.h"
+#include "fs/test_zips.h"
 
 namespace fb::fs {
 namespace {
@@ -64,6 +65,55 @@ class NoHome {
 std::string text(const FileSystem& files, std::string_view name) {
   const auto data = files.read(name);
   return data ? as_text(*data) : "(none)";
+}
+
+TEST(FileSystem, ArchivesComeBeforePaks) {
+  const TestDirectory base;
+  base.put("id1/pak0.pak", make_pak({{"a", "pak"}, {"b", "pak"}, {"c", "pak"}}));
+  base.put("id1/d", "loose");
+  base.put("id1/alpha.pk3", make_zip({{"a", "alpha"}, {"b", "alpha", deflated("alpha"), 8}}));
+  base.put("id1/Beta.PK3", make_zip({{"a", "beta"}, {"maps/x.bsp", "a map"}}));
+  base.put("id1/beta.pk3.txt", "no archive");
+  const FileSystem files = open(options_for(base));
+  EXPECT_EQ(text(files, "a"), "beta");
+  EXPECT_EQ(text(files, "b"), "alpha");
+  EXPECT_EQ(text(files, "B"), "alpha");
+  EXPECT_EQ(text(files, "c"), "pak");
+  EXPECT_EQ(text(files, "d"), "loose");
+  EXPECT_EQ(files.source_of("b"), "id1/alpha.pk3");
+  EXPECT_EQ(files.source_of("maps/x.bsp"), "id1/Beta.PK3");
+  EXPECT_EQ(as_text(*files.load_part("maps/x.bsp", 2, 3)), "map");
+  EXPECT_THAT(files.find("maps/", ".bsp"), SizeIs(1));
+  EXPECT_THAT(files.describe(),
+              ElementsAre("id1/Beta.PK3 (2 files)", "id1/alpha.pk3 (2 files)", "id1/pak0.pak (3 files)", "id1"));
+}
+
+TEST(FileSystem, ArchivesThatCannotBeReadAreToldOfAndLeftOut) {
+  const TestDirectory base;
+  base.put("id1/a.pk3", make_zip({{"a", "alpha"}, {"../x", "x"}, {"changed", "abc", "abd"}}));
+  base.put("id1/b.pk3", "no archive");
+  const LogLines log;
+  const FileSystem files = open(options_for(base));
+  EXPECT_THAT(log.lines, ElementsAre(HasSubstr("id1/a.pk3: 1 of 3 files are left out; the first is \"../x\""),
+                                     testing::AllOf(HasSubstr("id1/b.pk3: not a zip archive that can be read"),
+                                                    HasSubstr("; it is left out"))));
+  EXPECT_EQ(text(files, "a"), "alpha");
+  EXPECT_EQ(text(files, "changed"), "(none)");
+  EXPECT_THAT(log.lines.back(), HasSubstr("id1/a.pk3:changed: "));
+}
+
+TEST(FileSystem, AllFilesOfOneName) {
+  const TestDirectory base;
+  base.put("id1/x/a", "loose in id1");
+  base.put("id1/pak0.pak", make_pak({{"x/a", "pak"}, {"x/b", "other"}}));
+  base.put("mod/m.pk3", make_zip({{"x/a", "archive"}}));
+  const FileSystem files = open(options_for(base, {"mod"}));
+  std::vector<std::string> texts;
+  for (const FileData& data : files.read_all("x/a")) texts.push_back(as_text(data));
+  EXPECT_THAT(texts, ElementsAre("archive", "pak", "loose in id1"));
+  EXPECT_THAT(files.read_all("x/c"), SizeIs(0));
+  EXPECT_THAT(files.read_all("../x/a"), SizeIs(0));
+  EXPECT_THAT(files.folders(), ElementsAre(base.path()));
 }
 
 // A game in the box beside some other data.

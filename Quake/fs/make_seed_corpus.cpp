@@ -1,4 +1,5 @@
-// fs_make_seed_corpus DIRECTORY: writes the seeds of fuzz_pak, all made in code, into DIRECTORY/fuzz_pak/.
+// fs_make_seed_corpus DIRECTORY: writes the seeds of fuzz_pak and fuzz_zip, all made in code, into DIRECTORY/fuzz_pak/
+// and DIRECTORY/fuzz_zip/.
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -7,14 +8,18 @@
 
 #include "fs/file.h"
 #include "fs/test_paks.h"
+#include "fs/test_zips.h"
 
 int main(int argc, char** argv) {
   if (argc != 2) {
     std::fprintf(stderr, "usage: fs_make_seed_corpus DIRECTORY\n");
     return 2;
   }
+  using fb::fs::deflated;
   using fb::fs::make_pak;
-  const std::vector<std::pair<const char*, fb::Bytes>> seeds = {
+  using fb::fs::make_zip;
+  using Seeds = std::vector<std::pair<const char*, fb::Bytes>>;
+  const Seeds paks = {
       {"empty", make_pak({})},
       {"one", make_pak({{"a", "alpha"}})},
       {"several", make_pak({{"maps/start.bsp", "x"}, {"gfx\\palette.lmp", std::string(768, 'p')}, {"empty", ""}})},
@@ -22,11 +27,22 @@ int main(int argc, char** argv) {
       {"long_name", make_pak({{std::string(56, 'n'), "x"}})},
       {"outside", make_pak({{"../x", "x"}, {"/x", "x"}, {"c:x", "x"}, {"a/./b//c", "x"}})},
   };
-  for (const auto& [name, pak] : seeds) {
-    const auto path = std::filesystem::path(argv[1]) / "fuzz_pak" / name;
-    if (const auto status = fb::fs::write_file_atomically(path, pak); !status) {
-      std::fprintf(stderr, "%s\n", status.error().message.c_str());
-      return 1;
+  const Seeds zips = {
+      {"empty", make_zip({})},
+      {"stored", make_zip({{"a", "alpha"}, {"maps/", ""}, {"maps/start.bsp", std::string(300, 'm')}})},
+      {"deflated", make_zip({{"a", "alpha", deflated("alpha"), 8}, {"b", "beta", deflated("beta"), 8}})},
+      {"doubled", make_zip({{"a", "first"}, {"a", "second"}})},
+      {"outside", make_zip({{"../x", "x"}, {"/x", "x"}, {"c:x", "x"}, {"a/./b//c", "x"}})},
+      {"lying", make_zip({{"longer", "abcd", deflated("abc"), 8}, {"huge", "x", deflated("x"), 8, 0, 0xfffffff0u}})},
+      {"strange", make_zip({{"bzip", "x", "x", 12}, {"secret", "x", "x", 0, 1}})},
+  };
+  for (const auto& [folder, seeds] : {std::pair("fuzz_pak", &paks), std::pair("fuzz_zip", &zips)}) {
+    for (const auto& [name, bytes] : *seeds) {
+      const auto path = std::filesystem::path(argv[1]) / folder / name;
+      if (const auto status = fb::fs::write_file_atomically(path, bytes); !status) {
+        std::fprintf(stderr, "%s\n", status.error().message.c_str());
+        return 1;
+      }
     }
   }
   return 0;

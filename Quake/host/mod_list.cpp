@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "fs/file.h"
+#include "fs/path.h"
 #include "host/server_list.h"
 
 namespace fb::host {
@@ -36,6 +37,8 @@ bool is_game_folder(const stdfs::path& folder) {
   std::error_code code;
   for (const char* name : {"pak0.pak", "progs.dat", "maps"})
     if (stdfs::exists(folder / name, code)) return true;
+  for (stdfs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code))
+    if (fs::ends_with_ignoring_case(it->path().filename().string(), ".pk3")) return true;
   return false;
 }
 

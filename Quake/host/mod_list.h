@@ -9,7 +9,7 @@
 
 namespace fb::host {
 
-// Whether a folder holds a pak0.pak, a progs.dat or maps.
+// Whether a folder holds a pak0.pak, a pk3, a progs.dat or maps.
 bool is_game_folder(const std::filesystem::path& folder);
 // By name, id1 first. The description is the first line of the folder's modinfo.txt or description.txt, if it has one.
 std::vector<ui::menu::ModEntry> list_mods(const fs::FileSystem& files);

@@ -1,0 +1,147 @@
+#include "fs/zip.h"
+
+#include <fmt/format.h>
+#include <zip.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "fs/path.h"
+
+namespace fb::fs {
+namespace {
+
+constexpr std::uint64_t kBestDeflate = 1032;  // a deflated byte unpacks to at most this many
+
+std::string text_of(int code) {
+  zip_error_t error;
+  zip_error_init_with_code(&error, code);
+  std::string text = zip_error_strerror(&error);
+  zip_error_fini(&error);
+  return text;
+}
+
+// Why a file is left out; empty if it is not.
+std::string fault_of(const zip_stat_t& stat, std::uint64_t archive_size) {
+  constexpr zip_uint64_t kNeeded = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD;
+  if ((stat.valid & kNeeded) != kNeeded) return "the archive does not say how it is packed";
+  if ((stat.valid & ZIP_STAT_ENCRYPTION_METHOD) && stat.encryption_method != ZIP_EM_NONE) return "it is encrypted";
+  if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE)
+    return fmt::format("it is packed by method {}; stored and deflated files are read", stat.comp_method);
+  if (stat.comp_size > archive_size)
+    return fmt::format("it claims {} packed bytes, and the archive has {}", stat.comp_size, archive_size);
+  if (stat.size > kMostZipFile) return fmt::format("it claims {} bytes, of {} that are read", stat.size, kMostZipFile);
+  const std::uint64_t most = stat.comp_method == ZIP_CM_STORE ? stat.comp_size : kBestDeflate * stat.comp_size;
+  if (stat.size > most)
+    return fmt::format("it claims {} bytes, and {} packed ones cannot hold them", stat.size, stat.comp_size);
+  return {};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Zip>> Zip::open(const std::filesystem::path& path, std::string name) {
+  std::error_code code;
+  const std::uint64_t size = std::filesystem::file_size(path, code);
+  if (code) return Error{fmt::format("{}: cannot be read: {}", name, code.message())};
+  int failure = 0;
+  ::zip* archive = zip_open(path.string().c_str(), ZIP_RDONLY, &failure);
+  if (!archive) return Error{fmt::format("{}: not a zip archive that can be read: {}", name, text_of(failure))};
+  return finish(std::unique_ptr<Zip>(new Zip(archive, {}, std::move(name))), size);
+}
+
+Result<std::unique_ptr<Zip>> Zip::open(FileData data, std::string name) {
+  zip_error_t failure;
+  zip_error_init(&failure);
+  zip_source_t* source = zip_source_buffer_create(data.data(), data.size(), 0, &failure);
+  ::zip* archive = source ? zip_open_from_source(source, ZIP_RDONLY, &failure) : nullptr;
+  if (!archive) {
+    const std::string cause = zip_error_strerror(&failure);
+    if (source) zip_source_free(source);
+    zip_error_fini(&failure);
+    return Error{fmt::format("{}: not a zip archive that can be read: {}", name, cause)};
+  }
+  zip_error_fini(&failure);
+  const std::uint64_t size = data.size();
+  return finish(std::unique_ptr<Zip>(new Zip(archive, std::move(data), std::move(name))), size);
+}
+
+Result<std::unique_ptr<Zip>> Zip::finish(std::unique_ptr<Zip> zip, std::uint64_t archive_size) {
+  if (Status status = zip->list(archive_size); !status) return status.error();
+  return zip;
+}
+
+Zip::~Zip() { zip_discard(archive_); }
+
+Status Zip::list(std::uint64_t archive_size) {
+  const auto count = static_cast<std::uint64_t>(std::max<zip_int64_t>(zip_get_num_entries(archive_, 0), 0));
+  if (count > kMostZipEntries)
+    return Error{fmt::format("{}: {} files, of {} that an archive may have", name_, count, kMostZipEntries)};
+  std::size_t bad = 0;
+  std::string first;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    zip_stat_t stat;
+    zip_stat_init(&stat);
+    const bool known = zip_stat_index(archive_, i, ZIP_FL_ENC_RAW, &stat) == 0 && (stat.valid & ZIP_STAT_NAME);
+    const std::string_view raw = known ? std::string_view(stat.name) : std::string_view();
+    if (raw.ends_with('/')) continue;  // a folder
+    const auto name = normalise(raw);
+    std::string fault = !known                      ? "it has no name"
+                        : !name                     ? "its name leads outside of the game"
+                        : by_name_.contains(*name) ? "there is another of its name"
+                                                    : fault_of(stat, archive_size);
+    if (!fault.empty()) {
+      if (bad++ == 0) first = fmt::format("\"{}\": {}", raw.substr(0, 200), fault);
+      continue;
+    }
+    by_name_.emplace(*name, entries_.size());
+    by_lower_name_.emplace(lower_case(*name), entries_.size());
+    entries_.push_back({*name, i, static_cast<std::uint32_t>(stat.size)});
+  }
+  if (bad > 0) left_out_ = fmt::format("{}: {} of {} files are left out; the first is {}", name_, bad, count, first);
+  return ok_status();
+}
+
+const PakEntry* Zip::find(std::string_view name) const {
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? nullptr : &entries_[found->second];
+}
+
+const PakEntry* Zip::find_ignoring_case(std::string_view name) const {
+  const auto found = by_lower_name_.find(lower_case(name));
+  return found == by_lower_name_.end() ? nullptr : &entries_[found->second];
+}
+
+Error Zip::error(const PakEntry& entry, std::string_view cause) const {
+  return Error{fmt::format("{}:{}: {}", name_, entry.name, cause)};
+}
+
+Result<FileData> Zip::read(const PakEntry& entry, std::uint64_t offset, std::uint64_t most) const {
+  offset = std::min<std::uint64_t>(offset, entry.size);
+  const std::uint64_t end = offset + std::min(most, entry.size - offset);
+  const bool whole = end == entry.size;
+  Bytes bytes(end);
+  std::lock_guard lock(mutex_);
+  zip_file_t* file = zip_fopen_index(archive_, entry.offset, 0);
+  if (!file) return error(entry, zip_strerror(archive_));
+  const auto fail = [&](const std::string& cause) {
+    zip_fclose(file);
+    return error(entry, cause);
+  };
+  for (std::uint64_t at = 0; at < end;) {
+    const zip_int64_t got = zip_fread(file, bytes.data() + at, end - at);
+    if (got < 0) return fail(zip_error_strerror(zip_file_get_error(file)));
+    if (got == 0) return fail(fmt::format("it ends after {} of {} bytes", at, entry.size));
+    at += static_cast<std::uint64_t>(got);
+  }
+  // Behind the last byte libzip compares the checksum.
+  std::uint8_t behind = 0;
+  const zip_int64_t more = whole ? zip_fread(file, &behind, 1) : 0;
+  if (more < 0) return fail(zip_error_strerror(zip_file_get_error(file)));
+  if (more > 0) return fail(fmt::format("it has more than its {} bytes", entry.size));
+  zip_fclose(file);
+  if (offset > 0) bytes.erase(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(offset));
+  return FileData(std::move(bytes));
+}
+
+}  // namespace fb::fs
