@@ -118,14 +118,16 @@ TEST_F(ModBarTest, IsShownInEachLevelAndNoneOfItsErrorsEndsTheGame) {
 
 TEST_F(ModBarTest, ModcheckNamesWhatIsMissing) {
   engine->console().execute("modcheck");
-  EXPECT_THAT(log,
-              Contains("progs.dat calls builtin #900 (nothing_known), which is not known here: a call ends the game."));
+  EXPECT_THAT(
+      log,
+      Contains(
+          "progs.dat calls builtin #900 (nothing_known), which is not known here: a call does nothing and returns 0."));
   EXPECT_THAT(log, Contains("progs.dat asks for the extension DP_NONE_SUCH, and is told that it is not there."));
   EXPECT_THAT(log, Contains("progs.dat reads the cvar r_of_others, which is not here: it reads 0."));
   EXPECT_THAT(log, Contains(HasSubstr("progs.dat: 3 things are missing here; it uses 4 builtins")));
   EXPECT_THAT(
       log,
-      Contains("csprogs.dat calls builtin #901 (shader), which is not known here: a call ends the mod's status bar."));
+      Contains("csprogs.dat calls builtin #901 (shader), which is not known here: a call does nothing and returns 0."));
   EXPECT_THAT(log, Contains("csprogs.dat has the function CSQC_WorldLoaded, which is never called here."));
   EXPECT_THAT(log, Not(Contains(HasSubstr("drawfill"))));
   log.clear();

@@ -37,7 +37,7 @@ void check(const FileData& bytes, const char* name, const progs::ModHost& host) 
 
 void check_mod(con::Console& console, const fs::FileSystem& files, sv::Server& server) {
   progs::ModHost host{server.builtins(),
-                      [&console](std::string_view name) { return console.find_cvar(name) != nullptr; }, "ends the game",
+                      [&console](std::string_view name) { return console.find_cvar(name) != nullptr; },
                       progs::server_functions(), progs::server_functions_of_other_engines()};
   if (const auto bytes = files.read(kServerProgram))
     check(*bytes, kServerProgram, host);
@@ -50,12 +50,7 @@ void check_mod(con::Console& console, const fs::FileSystem& files, sv::Server& s
   csqc::HudContext context(console, no_pictures);
   progs::BuiltinTable table = progs::standard_builtins({});
   csqc::add_hud_builtins(table, context);
-  check(*bytes, kBarProgram,
-        {table,
-         host.has_cvar,
-         "ends the mod's status bar",
-         {"CSQC_DrawHud"},
-         progs::client_functions_of_other_engines()});
+  check(*bytes, kBarProgram, {table, host.has_cvar, {"CSQC_DrawHud"}, progs::client_functions_of_other_engines()});
 }
 
 }  // namespace

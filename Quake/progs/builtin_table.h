@@ -9,10 +9,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace fb::progs {
@@ -29,14 +31,20 @@ class BuiltinTable {
 
   // Replaces what has that number. The name is what #0:name and error messages call it.
   void set(std::uint32_t number, std::string_view name, Builtin builtin);
-  // One that QuakeC knows by its name only (`= #0:name`). It gets a number that no mod uses.
-  void set_named(std::string_view name, Builtin builtin);
+  // One that QuakeC knows by its name only (`= #0:name`). It gets a number that no mod uses, which is returned.
+  std::uint32_t set_named(std::string_view name, Builtin builtin);
   // One that mods may call, but that does nothing and returns 0 here.
   void set_idle(std::uint32_t number, std::string_view name);
+  std::uint32_t set_named_idle(std::string_view name);
+  // What a program means by a builtin of this number and name is the one numbered `meant`: the 2021 re-release has
+  // numbers that mean something else to others, who name them differently. Number 0: `= #0:name`.
+  void set_alias(std::uint32_t number, std::string_view name, std::uint32_t meant);
   bool is_idle(std::uint32_t number) const { return number < entries_.size() && entries_[number].idle; }
-  // nullptr where there is none: calling it is an error of QuakeC.
+  // nullptr where there is none.
   const Builtin* find(std::uint32_t number) const;
-  // 0 where there is none.
+  // The number of what a program declares with this number (0: `= #0:name`) and name; 0 where it is not known.
+  std::uint32_t resolve(std::int64_t number, std::string_view name) const;
+  // 0 where there is none, or none but one that does nothing.
   std::uint32_t number_of(std::string_view name) const;
   std::string_view name_of(std::uint32_t number) const;
 
@@ -57,8 +65,12 @@ class BuiltinTable {
   };
   std::vector<Entry> entries_;
   std::unordered_map<std::string, std::uint32_t> numbers_;
+  std::map<std::pair<std::uint32_t, std::string>, std::uint32_t> aliases_;
   std::set<std::string, std::less<>> extensions_;
   std::uint32_t next_named_ = kFirstNamed;
 };
+
+// For sentences: "builtin #90 (tracebox)", "builtin #90", "the builtin ex_bprint" (number 0).
+std::string builtin_label(std::int64_t number, std::string_view name);
 
 }  // namespace fb::progs

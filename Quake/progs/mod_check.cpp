@@ -69,11 +69,11 @@ class Reader {
     const Word id = program_.globals[global];
     if (id == 0 || id >= program_.functions.size()) return nullptr;
     const Function& function = program_.functions[id];
-    return function.is_builtin() || (function.first_statement == 0 && !function.name.empty()) ? &function : nullptr;
+    return function.is_builtin() ? &function : nullptr;
   }
 
   void note_call(const Function& function, std::size_t statement, Op op) {
-    const auto number = function.is_builtin() ? static_cast<std::uint32_t>(-function.first_statement) : 0u;
+    const std::int64_t number = function.builtin_number();
     needs_.builtins.insert({number, std::string(function.name)});
     if (!is_call(op)) return;
     std::set<std::string>* names = number == kCheckExtension                  ? &needs_.extensions
@@ -122,14 +122,12 @@ std::vector<std::string> missing_here(const Program& program, const ModHost& hos
   for (const std::string_view name : host.must_have)
     if (!has_body(program, name)) say(fmt::format("lacks the function {}, which is called here", name));
   for (const ModNeeds::Call& call : needs.builtins) {
-    const std::uint32_t number = call.number == 0 ? host.builtins.number_of(call.name) : call.number;
+    const std::uint32_t number = host.builtins.resolve(call.number, call.name);
     // Compilers may leave out the names of functions.
-    const std::string name = call.name.empty() ? std::string(host.builtins.name_of(number)) : call.name;
-    const std::string what = call.number == 0 ? fmt::format("the builtin {}", name)
-                             : name.empty()   ? fmt::format("builtin #{}", number)
-                                              : fmt::format("builtin #{} ({})", number, name);
-    if (!host.builtins.find(number))
-      say(fmt::format("calls {}, which is not known here: a call {}", what, host.consequence));
+    const std::string what =
+        builtin_label(call.number, call.name.empty() ? host.builtins.name_of(number) : std::string_view(call.name));
+    if (number == 0)
+      say(fmt::format("calls {}, which is not known here: a call does nothing and returns 0", what));
     else if (host.builtins.is_idle(number))
       say(fmt::format("calls {}, which does nothing here", what));
   }

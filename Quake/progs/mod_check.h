@@ -3,6 +3,7 @@
 // sentences about what of these is missing here (the console's modcheck).
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <functional>
 #include <set>
@@ -17,11 +18,9 @@ namespace fb::progs {
 
 struct ModNeeds {
   struct Call {
-    std::uint32_t number = 0;  // 0: known by its name
-    std::string name;          // as the mod calls it; may be empty
-    bool operator<(const Call& other) const {
-      return number != other.number ? number < other.number : number == 0 && name < other.name;
-    }
+    std::int64_t number = 0;  // 0: known by its name
+    std::string name;         // as the mod calls it; may be empty
+    auto operator<=>(const Call&) const = default;
   };
   std::set<Call> builtins;
   std::set<std::string> extensions;             // of checkextension
@@ -33,7 +32,6 @@ ModNeeds needs_of(const Program& program);
 struct ModHost {
   const BuiltinTable& builtins;
   std::function<bool(std::string_view name)> has_cvar;
-  const char* consequence = "";                // of a call of an unknown builtin: "ends the game"
   std::vector<std::string_view> must_have;     // functions that are called here, and must be there
   std::vector<std::string_view> never_called;  // functions of other engines
 };

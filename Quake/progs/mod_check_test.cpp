@@ -26,11 +26,8 @@ class ModCheckTest : public testing::QcTest {
   std::vector<std::string> missing(const Program& program) {
     BuiltinTable table = standard_builtins({});
     table.set_idle(337, "pointparticles");
-    return missing_here(program, {table,
-                                  [](std::string_view name) { return name == "skill" || name == "temp1"; },
-                                  "ends the game",
-                                  {},
-                                  {"EndFrame"}});
+    return missing_here(
+        program, {table, [](std::string_view name) { return name == "skill" || name == "temp1"; }, {}, {"EndFrame"}});
   }
 };
 
@@ -59,7 +56,7 @@ void() main = {
 TEST_F(ModCheckTest, SaysWhatIsMissing) {
   for (const char* options : {"-O0", "-O1", "-O2", "-O3"}) {
     const bool named = std::string_view(options) == "-O0";  // the others leave out names of builtins
-    const std::string unknown = ", which is not known here: a call ends the game";
+    const std::string unknown = ", which is not known here: a call does nothing and returns 0";
     EXPECT_THAT(
         missing(program(kAsks, options)),
         UnorderedElementsAre(
@@ -89,9 +86,27 @@ TEST_F(ModCheckTest, NothingIsMissingWhereNothingIs) {
   EXPECT_THAT(missing(program("void() main = { cvar_set(\"skill\", ftos(vlen('1 2 3'))); };")), IsEmpty());
 }
 
+// Numbers mean what the names beside them say.
+TEST_F(ModCheckTest, TheReReleasesNames) {
+  const Program asks = program(
+      "void(entity e, string s, ...) centerprint = #90; void(string s, ...) ex_bprint = "
+      "#0;"
+      "float() ex_finaleFinished = #0; void(vector v, float c, float l, float d) draw_point = #81;"
+      "void(entity e) ex_none = #0; void() ex_unused = #0;"
+      "void() main = { centerprint(self, \"x\"); ex_bprint(\"x\"); ex_finaleFinished(); draw_point('0 0 0', 1, 1, 1);"
+      "ex_none(self); stof(\"1\"); };");
+  const std::string unknown = ", which is not known here: a call does nothing and returns 0";
+  EXPECT_THAT(missing(asks),
+              UnorderedElementsAre("progs.dat calls builtin #81 (draw_point), which does nothing here",
+                                   "progs.dat calls the builtin ex_finaleFinished, which does nothing here",
+                                   "progs.dat calls the builtin ex_none" + unknown,
+                                   // a bar has no players to print to
+                                   "progs.dat calls builtin #90 (centerprint)" + unknown));
+}
+
 TEST_F(ModCheckTest, FunctionsThatTheEngineCalls) {
   const Program lacking = program("void() main = {}; void() PutClientInServer = {};");
-  const auto sentences = missing_here(lacking, {standard_builtins({}), [](std::string_view) { return true; }, "",
+  const auto sentences = missing_here(lacking, {standard_builtins({}), [](std::string_view) { return true; },
                                                 server_functions(), server_functions_of_other_engines()});
   EXPECT_EQ(sentences.size(), server_functions().size() - 1);
   EXPECT_THAT(sentences, ::testing::Contains("progs.dat lacks the function StartFrame, which is called here"));

@@ -192,7 +192,14 @@ class Loader {
   MaybeError check() {
     if (auto error = detail::check_functions(program_, header_.functions, reader_)) return error;
     if (auto error = detail::check_statements(program_, header_.statements, reader_)) return error;
+    note_named_builtins();
     return detail::check_layout(program_, reader_);
+  }
+
+  // Compilers begin with a statement that belongs to no function: what begins there has no body.
+  void note_named_builtins() {
+    if (program_.statements.front().op != Op::kDone) return;
+    for (Function& function : program_.functions) function.by_name = function.first_statement == 0;
   }
 
   void make_index() {

@@ -42,7 +42,10 @@ struct Function {
   std::uint32_t parm_count = 0;                 // 0..8
   std::array<std::uint8_t, 8> parm_sizes = {};  // words, 0..3
   std::string_view name, file;
-  bool is_builtin() const { return first_statement < 0; }
+  bool by_name = false;  // "= #0:name": it has neither a body nor a number
+  bool is_builtin() const { return first_statement < 0 || by_name; }
+  // 0: known by its name.
+  std::int64_t builtin_number() const { return -std::int64_t{first_statement}; }
 };
 
 // Move only: names are views of its strings.

@@ -23,11 +23,12 @@ namespace fb::progs::testing {
 
 class ProgramBuilder {
  public:
-  ProgramBuilder() {
+  ProgramBuilder() : ProgramBuilder(true) {}
+  explicit ProgramBuilder(bool as_compilers_do) {
     strings_.push_back(0);
     globals_.resize(kSystemGlobals);
     field_words_ = kSystemFields;
-    statements_.push_back({Op::kDone});  // belongs to no function, as compilers have it
+    if (as_compilers_do) statements_.push_back({Op::kDone});  // belongs to no function
     functions_.push_back({});
     global_definitions_.push_back({});
     field_definitions_.push_back({});

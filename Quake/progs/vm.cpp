@@ -7,6 +7,11 @@
 #include "base/log.h"
 
 namespace fb::progs {
+namespace {
+
+constexpr std::size_t kMostUnknown = 64;  // builtins that a level's log names
+
+}  // namespace
 
 Result<std::unique_ptr<Vm>> Vm::create(std::shared_ptr<const Program> program, BuiltinTable builtins,
                                        const VmOptions& options) {
@@ -34,13 +39,8 @@ void Vm::resolve_builtins() {
   resolved_.resize(program_->functions.size());
   for (std::size_t i = 1; i < resolved_.size(); ++i) {
     const Function& function = program_->functions[i];
-    if (function.is_builtin()) {
-      const std::int64_t number = -static_cast<std::int64_t>(function.first_statement);
-      if (number <= BuiltinTable::kMaxNumber) resolved_[i] = builtins_.find(static_cast<std::uint32_t>(number));
-    } else if (function.first_statement == 0 && !function.name.empty()) {
-      // FTE's "= #0:name": no body (statement 0 belongs to no function), a builtin that is known by its name only.
-      if (const auto number = builtins_.number_of(function.name)) resolved_[i] = builtins_.find(number);
-    }
+    if (function.is_builtin())
+      resolved_[i] = builtins_.find(builtins_.resolve(function.builtin_number(), function.name));
   }
 }
 
@@ -50,7 +50,9 @@ std::string_view Vm::function_name(FunctionId id) const {
 
 bool Vm::can_call(FunctionId id) const {
   if (id == FunctionId::kNull || index(id) >= program_->functions.size()) return false;
-  return resolved_[index(id)] != nullptr || program_->functions[index(id)].first_statement > 0;
+  const Function& function = program_->functions[index(id)];
+  if (!function.is_builtin()) return true;
+  return resolved_[index(id)] && !builtins_.is_idle(builtins_.resolve(function.builtin_number(), function.name));
 }
 
 Status Vm::execute(FunctionId function) {
@@ -75,28 +77,36 @@ Status Vm::execute(FunctionId function) {
 }
 
 void Vm::call_builtin(FunctionId id) {
-  const Builtin* builtin = resolved_[index(id)];
-  const Function& function = program_->functions[index(id)];
-  if (!builtin) {
-    fail(fmt::format("builtin #{} ({}) is not known here", -static_cast<std::int64_t>(function.first_statement),
-                     function.name));
-    return;
-  }
-  (*builtin)(*this);
+  if (const Builtin* builtin = resolved_[index(id)])
+    (*builtin)(*this);
+  else
+    call_unknown(program_->functions[index(id)]);
+}
+
+// QuakeSpasm ends the game here; later engines go on.
+void Vm::call_unknown(const Function& function) {
+  return_vector(vec3(0.0f));
+  if (unknown_told_.size() > kMostUnknown) return;
+  const std::string what = builtin_label(function.builtin_number(), function.name);
+  if (!unknown_told_.insert(what).second) return;
+  if (unknown_told_.size() > kMostUnknown)
+    log_warning("{}: more builtins are called that are not known here; no more of them are named", program_->file);
+  else
+    log_warning("{}: {} is not known here: calls of it do nothing and return 0", place(), what);
+}
+
+std::string Vm::place() const {
+  if (function_ == FunctionId::kNull) return program_->file;
+  const Function& function = program_->functions[index(function_)];
+  return fmt::format("{}: {} ({}), statement {}", program_->file, function.name, function.file, statement_);
 }
 
 void Vm::fail(std::string_view cause) {
   if (failed_) return;
   failed_ = true;
   backtrace_ = current_backtrace();
-  if (function_ == FunctionId::kNull) {
-    cause_ = fmt::format("{}: {}", program_->file, cause);
-  } else {
-    const Function& function = program_->functions[index(function_)];
-    cause_ =
-        fmt::format("{}: {} ({}), statement {}: {}", program_->file, function.name, function.file, statement_, cause);
-    log_line(LogLevel::kInfo, backtrace_);
-  }
+  cause_ = fmt::format("{}: {}", place(), cause);
+  if (function_ != FunctionId::kNull) log_line(LogLevel::kInfo, backtrace_);
 }
 
 std::string Vm::current_backtrace() const {

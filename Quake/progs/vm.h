@@ -9,11 +9,14 @@
 // as a Status of one sentence; where it happened and who called whom goes to the log and stays in backtrace(). Builtins
 // may call execute() in turn: what fails there fails the QuakeC that called the builtin as well.
 //
+// A builtin that is not known is no error: it returns 0, "" or the world, and the first call of each is warned of.
+//
 // One thread uses a Vm.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -89,7 +92,7 @@ class Vm {
   bool running() const { return nesting_ > 0; }
   FunctionId current_function() const { return function_; }
   std::string_view function_name(FunctionId id) const;
-  // Whether calling this is no error: it has a body, or is a builtin that is known here.
+  // Whether calling this does something: it has a body, or is a builtin that is known here and not idle.
   bool can_call(FunctionId id) const;
 
   void set_parm(int i, float value) { store_parm(i, value); }
@@ -167,6 +170,8 @@ class Vm {
   bool enter(FunctionId function);
   std::uint32_t leave();
   void call_builtin(FunctionId function);
+  void call_unknown(const Function& function);
+  std::string place() const;
   void print_statement(std::uint32_t statement) const;
 
   std::shared_ptr<const Program> program_;
@@ -176,6 +181,7 @@ class Vm {
   EdictStore edicts_;
   std::vector<Word> globals_;
   std::vector<const Builtin*> resolved_;  // by function; nullptr for those with a body and for unknown ones
+  std::set<std::string> unknown_told_;    // builtins that the log has named
 
   std::vector<Frame> frames_;
   std::uint32_t depth_ = 0;

@@ -66,7 +66,7 @@ void Vm::interpret(FunctionId id) {
   const std::uint32_t statement = statement_;
   const int parm_count = parm_count_;
   const std::uint32_t exit_depth = depth_;
-  if (resolved_[index(id)] || program_->functions[index(id)].is_builtin()) {
+  if (program_->functions[index(id)].is_builtin()) {
     call_builtin(id);  // `self.think = SUB_Null` is one thing, `self.think = remove` another
   } else if (enter(id)) {
     const auto first = static_cast<std::uint32_t>(program_->functions[index(id)].first_statement);
@@ -334,7 +334,7 @@ bool Vm::interpret_some(Run& run) {
           stop(callee == 0 ? "call of a NULL function" : fmt::format("call of function {}, which is none", callee));
           return finish();
         }
-        if (functions[callee].is_builtin() || resolved_[callee]) {
+        if (functions[callee].is_builtin()) {
           call_builtin(FunctionId{callee});
           if (failed_) return finish();
           if (charge_ != 0) {

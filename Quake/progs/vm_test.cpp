@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "fs/test_log.h"
+#include "progs/test_program.h"
 #include "progs/test_qc.h"
 
 namespace fb::progs {
@@ -96,13 +98,74 @@ TEST_F(VmTest, AnErrorGivesLocalsBack) {
   }
 }
 
-TEST_F(VmTest, UnknownBuiltinsFailOnlyWhenCalled) {
-  const std::string before =
-      "void() later = #4000; void() far = #999999; void() main2 = { later(); };"
-      "void() main3 = { far(); };";
-  EXPECT_EQ(says("if (0) later(); puts(\"fine\");", before), "[fine]");
-  EXPECT_THAT(error_of("main2"), HasSubstr("builtin #4000 (later) is not known here"));
-  EXPECT_THAT(error_of("main3"), HasSubstr("builtin #999999 (far) is not known here"));
+// What functions of these declarations return, and what the log says of them, at the second call nothing more.
+constexpr const char* kUnknown = R"(
+float(float x) later = #4000; vector(vector v) far = #999999; string(string s) named_none = #0;
+entity() also_later = #4001;
+void() two = { put(later(7) + later(8)); };
+void() unknowns = {
+  two();
+  putv(far('1 2 3'));
+  puts(named_none("given"));
+  pute(also_later());
+  put(later(9));
+};
+)";
+
+TEST_F(VmTest, UnknownBuiltinsReturnNothingAndAreToldOfOnce) {
+  ASSERT_TRUE(start(kUnknown));
+  set_log_level(LogLevel::kWarning);
+  fs::LogLines log;
+  EXPECT_EQ(error_of("unknowns"), "");
+  EXPECT_EQ(output(), "0 (0 0 0) [] e0 0");
+  EXPECT_EQ(error_of("unknowns"), "");
+  const std::string rest = " is not known here: calls of it do nothing and return 0";
+  EXPECT_THAT(
+      log.lines,
+      ::testing::ElementsAre(
+          ::testing::MatchesRegex("progs.dat: two \\(test.qc\\), statement [0-9]+: builtin #4000 \\(later\\)" + rest),
+          ::testing::MatchesRegex("progs.dat: unknowns .*: builtin #999999 \\(far\\)" + rest),
+          ::testing::MatchesRegex("progs.dat: unknowns .*: the builtin named_none" + rest),
+          ::testing::MatchesRegex("progs.dat: unknowns .*: builtin #4001 \\(also_later\\)" + rest)));
+}
+
+TEST_F(VmTest, TheEngineMayCallUnknownBuiltins) {
+  ASSERT_TRUE(start(kUnknown));
+  set_log_level(LogLevel::kWarning);
+  fs::LogLines log;
+  vm_->set_parm(0, 7.0f);
+  EXPECT_EQ(error_of("later"), "");
+  EXPECT_EQ(vm_->returned_float(), 0.0f);
+  EXPECT_EQ(error_of("named_none"), "");
+  EXPECT_THAT(log.lines, ::testing::ElementsAre(HasSubstr("progs.dat: builtin #4000"), HasSubstr("named_none")));
+}
+
+TEST_F(VmTest, TheLogNamesOnlySoManyUnknownBuiltins) {
+  std::string declared, called;
+  for (int i = 0; i < 100; ++i) {
+    declared += fmt::format("void() other{} = #{};\n", i, 2000 + i);
+    called += fmt::format("other{}();\n", i);
+  }
+  ASSERT_TRUE(start(declared + "void() main = {" + called + "put(1);};"));
+  set_log_level(LogLevel::kWarning);
+  fs::LogLines log;
+  EXPECT_EQ(error_of(), "");
+  EXPECT_EQ(output(), "1");
+  EXPECT_EQ(log.lines.size(), 65u);
+  EXPECT_THAT(log.lines.back(), HasSubstr("no more of them are named"));
+}
+
+// Made by hand, without the statement that compilers begin with.
+TEST(Vm, AFunctionMayBeginAtTheFirstStatement) {
+  testing::ProgramBuilder builder(false);
+  const auto word = builder.global(5.0f);
+  builder.function("strlen", {{Op::kReturn, word}});
+  auto program = load_program(builder.build(), "made.dat");
+  ASSERT_TRUE(program.ok());
+  auto vm = Vm::create(std::make_shared<const Program>(std::move(*program)), standard_builtins({}));
+  ASSERT_TRUE(vm.ok());
+  EXPECT_TRUE((*vm)->execute((*vm)->program().find_function("strlen")).ok());
+  EXPECT_EQ((*vm)->returned_float(), 5.0f);
 }
 
 TEST_F(VmTest, BuiltinsWithoutNumberAreFoundByName) {

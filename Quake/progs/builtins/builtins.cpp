@@ -18,6 +18,7 @@ BuiltinTable standard_builtins(const Services& services) {
   add_console_builtins(table, services);
   add_debug_builtins(table, services);
   add_file_builtins(table, services);
+  add_rerelease_builtins(table);
   table.add_extension("DP_QC_AUTOCVARS");  // progs/autocvars.h, of those who run a program
   return table;
 }

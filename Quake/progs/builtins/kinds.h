@@ -16,5 +16,6 @@ void add_entity_data_builtins(BuiltinTable& table);  // fields by number
 void add_console_builtins(BuiltinTable& table, const Services& services);
 void add_debug_builtins(BuiltinTable& table, const Services& services);
 void add_file_builtins(BuiltinTable& table, const Services& services);
+void add_rerelease_builtins(BuiltinTable& table);
 
 }  // namespace fb::progs
