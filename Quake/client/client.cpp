@@ -20,6 +20,7 @@ Client::Impl::Impl(con::Console& console_, scene::ModelLibrary& library_, FileLo
     : console(console_), library(library_), files(std::move(files_)) {
   clock = [] { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); };
   session.load_world = [this](ClientState& state) { return load_world(state); };
+  session.localization = &console.localization();
   session.print = [this](const std::string& text) { print(text); };
   register_console();
   register_demo_commands();

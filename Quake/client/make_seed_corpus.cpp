@@ -50,8 +50,8 @@ std::vector<std::vector<net::ServerMessage>> datagrams() {
   }
   all.push_back(effects);
   all.push_back({svc::Particle{{0, 0, 0}, {1, 2, 3}, 255, 70}, svc::Damage{5, 10, {1, 1, 1}}, svc::BonusFlash{},
-                 svc::StuffText{"v_cshift 1 2 3 4\nfog 0.1\n"}, svc::Sound{}, svc::StopSound{1, 1},
-                 svc::Print{"hi\n"}});
+                 svc::Achievement{"ACH"}, svc::LocalSound{16, 1}, svc::StuffText{"v_cshift 1 2 3 4\nfog 0.1\n"},
+                 svc::Sound{}, svc::StopSound{1, 1}, svc::Print{"hi\n"}});
   all.push_back({svc::SetAngle{{1, 2, 3}}, svc::SetPause{true}, svc::CenterPrint{"text"}, svc::KilledMonster{},
                  svc::FoundSecret{}, svc::UpdateStat{11, 5}, svc::UpdateFrags{1, 2}, svc::Finale{"end"},
                  svc::Intermission{}, svc::Cutscene{"x"}, svc::SellScreen{}, svc::Version{15}, svc::Disconnect{}});

@@ -25,6 +25,7 @@
 #include "console/args.h"
 #include "console/command_buffer.h"
 #include "console/cvar.h"
+#include "console/localization.h"
 #include "console/scrollback.h"
 
 namespace fb::con {
@@ -113,6 +114,10 @@ class Console {
   // Completes the last word of the typed line: from names (first word) or by the command's own completer.
   Completion complete(std::string_view line) const;
 
+  // What messages say in the player's language; empty until somebody reads files into it (host/language.h).
+  Localization& localization() { return localization_; }
+  const Localization& localization() const { return localization_; }
+
   Scrollback& scrollback() { return *scrollback_; }
   const Scrollback& scrollback() const { return *scrollback_; }
   void set_time(double seconds) { scrollback_->set_time(seconds); }
@@ -155,6 +160,7 @@ class Console {
   FileLoader files_;
   std::vector<std::string> command_line_;
   std::vector<std::function<std::string()>> config_sections_;
+  Localization localization_;
   std::shared_ptr<Scrollback> scrollback_;
   int log_listener_ = 0;
 };

@@ -23,8 +23,7 @@ constexpr Foreign kIronwail[] = {{"vid_fsaamode", "0", "kind of multisample anti
                                  {"con_maxcols", "0", "most columns of the console"},
                                  {"con_notifyfade", "0", "1: notify lines fade"},
                                  {"con_notifycenter", "0", "1: notify lines in the middle"},
-                                 {"snd_waterfx", "1", "sound under water"},
-                                 {"language", "auto", "language of the game's texts"}};
+                                 {"snd_waterfx", "1", "sound under water"}};
 constexpr Foreign kQuakeWorld[] = {{"topcolor", "0", "colour of the shirt (here: color)"},
                                    {"bottomcolor", "0", "colour of the trousers (here: color)"},
                                    {"cl_fakeshaft", "0", "prediction of the lightning gun's beam"},

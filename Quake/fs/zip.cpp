@@ -86,10 +86,10 @@ Status Zip::list(std::uint64_t archive_size) {
     const std::string_view raw = known ? std::string_view(stat.name) : std::string_view();
     if (raw.ends_with('/')) continue;  // a folder
     const auto name = normalise(raw);
-    std::string fault = !known                      ? "it has no name"
-                        : !name                     ? "its name leads outside of the game"
+    std::string fault = !known                     ? "it has no name"
+                        : !name                    ? "its name leads outside of the game"
                         : by_name_.contains(*name) ? "there is another of its name"
-                                                    : fault_of(stat, archive_size);
+                                                   : fault_of(stat, archive_size);
     if (!fault.empty()) {
       if (bad++ == 0) first = fmt::format("\"{}\": {}", raw.substr(0, 200), fault);
       continue;

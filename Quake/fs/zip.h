@@ -1,5 +1,5 @@
-// ZIP archives: pk3, and the 2021 re-release's kpf. Read by libzip; what is trusted is decided here. The list of files is
-// read once and files when they are needed. Files may be stored or deflated, as other engines have them.
+// ZIP archives: pk3, and the 2021 re-release's kpf. Read by libzip; what is trusted is decided here. The list of files
+// is read once and files when they are needed. Files may be stored or deflated, as other engines have them.
 //
 // An archive is refused as a whole only if there is no list to read. A file in it is left out if its name is none that
 // a game may have (fs/path.h) or is there already, if it is encrypted or packed by another method, or if it claims a
@@ -51,7 +51,8 @@ class Zip {
   const std::string& left_out() const { return left_out_; }
 
  private:
-  Zip(::zip* archive, FileData data, std::string name) : archive_(archive), data_(std::move(data)), name_(std::move(name)) {}
+  Zip(::zip* archive, FileData data, std::string name)
+      : archive_(archive), data_(std::move(data)), name_(std::move(name)) {}
   Status list(std::uint64_t archive_size);
   static Result<std::unique_ptr<Zip>> finish(std::unique_ptr<Zip> zip, std::uint64_t archive_size);
   Error error(const PakEntry& entry, std::string_view cause) const;

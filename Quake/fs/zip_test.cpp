@@ -81,7 +81,8 @@ TEST(Zip, LeavesOutWhatIsNotSound) {
             "\"huge\": it claims 4294967280 bytes, of 536870912 that are read");
   EXPECT_EQ(first_fault({"bomb", "x", deflated("x"), 8, 0, 7000}),
             "\"bomb\": it claims 7000 bytes, and 6 packed ones cannot hold them");
-  EXPECT_EQ(first_fault({"short", "x", "x", 0, 0, 2}), "\"short\": it claims 2 bytes, and 1 packed ones cannot hold them");
+  EXPECT_EQ(first_fault({"short", "x", "x", 0, 0, 2}),
+            "\"short\": it claims 2 bytes, and 1 packed ones cannot hold them");
 }
 
 TEST(Zip, FilesThatAreNotWhatTheyClaim) {
@@ -106,7 +107,8 @@ TEST(Zip, EveryTruncationIsRefusedOrReadsNothingWrong) {
 
 TEST(Zip, ThreadsMayRead) {
   std::vector<ZippedFile> files;
-  for (int i = 0; i < 20; ++i) files.push_back({"file" + std::to_string(i), std::string(5000, static_cast<char>('a' + i))});
+  for (int i = 0; i < 20; ++i)
+    files.push_back({"file" + std::to_string(i), std::string(5000, static_cast<char>('a' + i))});
   const auto zip = opened(files);
   std::vector<std::thread> threads;
   std::array<int, 4> right{};

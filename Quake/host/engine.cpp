@@ -10,6 +10,7 @@
 #include "console/other_engines.h"
 #include "console/quakespasm_cvars.h"
 #include "fs/path.h"
+#include "host/language.h"
 #include "host/mod_check.h"
 #include "render/settings.h"
 
@@ -55,6 +56,7 @@ Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::ve
   if (options.console_log) open_log();
   if (options.console_kilobytes) console_.scrollback().set_max_bytes(std::size_t{*options.console_kilobytes} * 1024);
   console_.set_file_loader(files_.loader());
+  register_language(console_, files_);
   console_.add_cvar({"net_messagetimeout", "300", "seconds without a packet after which a new connection times out",
                      con::kCvarPlain, 1.0f, 86400.0f});
   console_.add_cvar({"sv_maxperhost", "8",

@@ -316,6 +316,26 @@ struct Fog {
   }
   bool operator==(const Fog&) const = default;
 };
+// The 2021 re-release's QuakeC sends this; here it means nothing.
+struct Achievement {
+  static constexpr Command kCommand{52, "svc_achievement"};
+  std::string id;
+  static void fields(auto& m, auto& wire) { wire.text(m.id); }
+  bool operator==(const Achievement&) const = default;
+};
+// The re-release's, too: a sound for this player alone. `bits` says whether its number is wide (kSoundLargeSound).
+struct LocalSound {
+  static constexpr Command kCommand{56, "svc_localsound"};
+  int bits = 0, sound = 0;
+  static void fields(auto& m, auto& wire) {
+    wire.u8(m.bits);
+    if (static_cast<unsigned>(m.bits) & kSoundLargeSound)
+      wire.u16(m.sound);
+    else
+      wire.u8(m.sound);
+  }
+  bool operator==(const LocalSound&) const = default;
+};
 // The fields that differ from the baseline; `bits` says which are valid (kUpdateOrigin1 ... kUpdateScale). The writer
 // sets the bits that only affect the encoding (more bits, long entity, extend, frame2, model2); the reader reports
 // them.
@@ -337,8 +357,8 @@ using ServerMessage =
                  svc::UpdateFrags, svc::UpdateColors, svc::ClientData, svc::StopSound, svc::Particle, svc::Damage,
                  svc::SpawnStatic, svc::SpawnBaseline, svc::TempEntity, svc::SetPause, svc::SignonNum, svc::CenterPrint,
                  svc::KilledMonster, svc::FoundSecret, svc::SpawnStaticSound, svc::Intermission, svc::Finale,
-                 svc::CdTrack, svc::SellScreen, svc::Cutscene, svc::Skybox, svc::BonusFlash, svc::Fog,
-                 svc::EntityUpdate>;
+                 svc::CdTrack, svc::SellScreen, svc::Cutscene, svc::Skybox, svc::BonusFlash, svc::Fog, svc::Achievement,
+                 svc::LocalSound, svc::EntityUpdate>;
 
 // "svc_time"; "fast update" from 128 on; "svc_?" for numbers that no protocol uses.
 std::string_view svc_name(unsigned command);

@@ -86,10 +86,10 @@ std::string save_comment(std::string_view level_name, int kills, int monsters) {
 
 std::string write_save(Level& level, const std::array<float, 16>& spawn_parms, int skill) {
   const progs::Vm& vm = *level.vm;
-  const std::string_view message = vm.text(level.world_edict().get(fields::message));
+  const std::string_view title = level.title();
   std::string text = fmt::format(
       "{}\n{}\n", kSaveVersion,
-      save_comment(message.empty() ? std::string_view(level.map_name) : message,
+      save_comment(title.empty() ? std::string_view(level.map_name) : title,
                    progs::to_int(vm.get(globals::killed_monsters)), progs::to_int(vm.get(globals::total_monsters))));
   for (const float parm : spawn_parms) text += fmt::format("{:f}\n", parm);
   text += fmt::format("{}\n{}\n{:f}\n", skill, level.map_name, level.time);

@@ -45,6 +45,7 @@ Server::Server(con::Console& console, ServerServices services, const ServerOptio
       context_(*clients_),
       commands_(std::make_unique<Commands>(*this, options)) {
   if (!services_.rng) services_.rng = &own_rng_;
+  context_.localization = &console_.localization();
   context_.load_model = [this](std::string_view name) { return model(name); };
   context_.change_level = [this](std::string name) { request_changelevel(std::move(name)); };
   // For configs that come before the first level.

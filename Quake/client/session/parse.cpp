@@ -124,7 +124,7 @@ struct Apply {
   }
   std::string operator()(const net::svc::Print& m) const {
     if (m.text.starts_with(kTalk)) local_sound(session, "misc/talk.wav");
-    if (session.print && !session.quiet) session.print(m.text);
+    if (session.print && !session.quiet) session.print(localised(m.text));
     return {};
   }
   std::string operator()(const net::svc::StuffText& m) const {
@@ -223,6 +223,12 @@ struct Apply {
     bonus_flash(state);
     return {};
   }
+  std::string operator()(const net::svc::Achievement&) const { return {}; }
+  std::string operator()(const net::svc::LocalSound& m) const {
+    const auto sound = static_cast<std::size_t>(m.sound);
+    if (sound < state.sound_names.size()) local_sound(session, state.sound_names[sound]);
+    return {};
+  }
   std::string operator()(const net::svc::Fog& m) const {
     Fog fog;
     fog.density = static_cast<float>(m.density) / 255.0f;
@@ -231,8 +237,12 @@ struct Apply {
     return {};
   }
 
+  // A server of this program sends no keys, but others do, and their demos hold them.
+  std::string localised(const std::string& text) const {
+    return session.localization ? std::string(session.localization->text(text)) : text;
+  }
   void center_print(const std::string& text) const {
-    state.hud.center_print = text;
+    state.hud.center_print = localised(text);
     state.hud.center_print_time = state.time;
   }
   void intermission(Intermission kind) const {
@@ -251,7 +261,7 @@ std::string Apply::operator()(const net::svc::ServerInfo& m) const {
   state.hud.max_clients = m.max_clients;
   state.hud.scores.resize(static_cast<std::size_t>(m.max_clients));
   state.hud.game_type = m.game_type;
-  state.hud.level_name = m.level_name;
+  state.hud.level_name = localised(m.level_name);
   state.model_names.assign(1, "");
   state.model_names.insert(state.model_names.end(), m.models.begin(), m.models.end());
   state.sound_names.assign(1, "");

@@ -36,6 +36,35 @@ TEST(Parse, ServerInfoStartsAnew) {
   EXPECT_TRUE(s.effects.particles.particles().empty());
 }
 
+TEST(Parse, TextsInThePlayersLanguage) {
+  con::Localization texts;
+  const std::string file = "m_title = \"Ein Titel\"\nqc_got = \"Gefunden\"\n";
+  ASSERT_TRUE(texts.add({reinterpret_cast<const std::uint8_t*>(file.data()), file.size()}, "loc.txt").ok());
+  ToldSession s;
+  std::string printed;
+  s.localization = &texts;
+  s.print = [&](const std::string& text) { printed += text + "|"; };
+  svc::ServerInfo info = test::server_info();
+  info.level_name = "$m_title";
+  s.tell({info, svc::Print{"$qc_got"}, svc::Print{"$none"}, svc::Print{"the $qc_got"}, svc::CenterPrint{"$qc_got"}});
+  EXPECT_EQ(s.state.hud.level_name, "Ein Titel");
+  EXPECT_EQ(printed, "Gefunden|$none|the $qc_got|");
+  EXPECT_EQ(s.state.hud.center_print, "Gefunden");
+  s.tell({svc::Finale{"$m_title"}});
+  EXPECT_EQ(s.state.hud.center_print, "Ein Titel");
+}
+
+TEST(Parse, TheReReleasesMessages) {
+  ToldSession s;
+  std::vector<std::string> heard;
+  s.sound_listener = [&](const scene::SoundEvent& event) {
+    if (const auto* start = std::get_if<scene::SoundStart>(&event)) heard.push_back(start->name);
+  };
+  const std::string sound = s.state.sound_names.at(1);
+  s.tell({svc::Achievement{"ACH_NONE"}, svc::LocalSound{0, 1}, svc::LocalSound{16, 1}, svc::LocalSound{16, 8000}});
+  EXPECT_EQ(heard, std::vector<std::string>({sound, sound}));
+}
+
 TEST(Parse, UpdatesAreRelativeToTheBaseline) {
   ToldSession s({666, 0});
   svc::SpawnBaseline base;

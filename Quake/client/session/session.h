@@ -10,6 +10,7 @@
 #include "client/session/settings.h"
 #include "client/session/sound_memory.h"
 #include "client/session/state.h"
+#include "console/localization.h"
 #include "scene/sounds.h"
 
 namespace fb::cl {
@@ -42,6 +43,8 @@ struct Session : SessionMoment {
   std::function<void(std::string_view line)> command;
   // What the server prints.
   std::function<void(const std::string&)> print;
+  // What the server says by keys, in the player's language; null: as it is.
+  const con::Localization* localization = nullptr;
   // What there is to hear, as it happens. Empty: nobody listens.
   scene::SoundListener sound_listener;
 

@@ -100,7 +100,8 @@ void add_console_builtins(BuiltinTable& table, const Services& services) {
   });
   const auto print = output_of(services);
   const auto broadcast = services.broadcast ? services.broadcast : print;
-  table.set(23, "bprint", [broadcast](Vm& vm) { broadcast(vm.parm_text_from(0)); });
+  const con::Localization* const texts = localization_of(services);
+  table.set(23, "bprint", [broadcast, texts](Vm& vm) { broadcast(message_text(vm, 0, texts)); });
   auto developer = services.developer_print;
   if (!developer) {
     developer = [print, console](std::string_view text) {
@@ -108,7 +109,7 @@ void add_console_builtins(BuiltinTable& table, const Services& services) {
       if (cvar && cvar->on()) print(text);
     };
   }
-  table.set(25, "dprint", [developer](Vm& vm) { developer(vm.parm_text_from(0)); });
+  table.set(25, "dprint", [developer, texts](Vm& vm) { developer(message_text(vm, 0, texts)); });
   table.set(99, "checkextension",
             [](Vm& vm) { vm.return_float(vm.builtins().has_extension(vm.parm_string(0)) ? 1.0f : 0.0f); });
   table.set(100, "builtin_find", [](Vm& vm) {

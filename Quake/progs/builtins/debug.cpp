@@ -14,14 +14,15 @@ void add_debug_builtins(BuiltinTable& table, const Services& services) {
     print(fmt::format("======{} ERROR in {}:\n{}\n{}", what, vm.function_name(vm.current_function()), text,
                       print_edict(vm, vm.self().id())));
   };
-  table.set(10, "error", [print_error](Vm& vm) {
-    const std::string text = vm.parm_text_from(0);
+  const con::Localization* const texts = localization_of(services);
+  table.set(10, "error", [print_error, texts](Vm& vm) {
+    const std::string text = message_text(vm, 0, texts);
     print_error(vm, "SERVER", text);
     vm.fail(fmt::format("the mod gives up: {}", text));
   });
   // Not the end of the game, only of the entity, as in QuakeSpasm.
-  table.set(11, "objerror", [print_error](Vm& vm) {
-    print_error(vm, "OBJECT", vm.parm_text_from(0));
+  table.set(11, "objerror", [print_error, texts](Vm& vm) {
+    print_error(vm, "OBJECT", message_text(vm, 0, texts));
     vm.edicts().free(vm.self().id(), vm.level_time);
   });
   table.set(6, "break", [](Vm& vm) { vm.fail("break statement"); });

@@ -23,7 +23,8 @@ struct GameContext {
   Level* level = nullptr;                                       // that QuakeC runs in
   std::function<LevelModel(std::string_view name)> load_model;  // its box; files are read once
   std::function<void(std::string name)> change_level;
-  world::LeafSet check_pvs{0};  // what the player that checkclient found last may see
+  const con::Localization* localization = nullptr;  // of what players read; none: texts stay as they are
+  world::LeafSet check_pvs{0};                      // what the player that checkclient found last may see
 };
 
 void add_game_builtins(progs::BuiltinTable& table, GameContext& context);

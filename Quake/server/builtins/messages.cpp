@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 
 #include "base/log.h"
+#include "console/localization.h"
+#include "progs/builtins/output.h"
 #include "server/builtins/game_builtins.h"
 
 namespace fb::sv {
 namespace {
 
 using progs::BuiltinTable;
+using progs::message_text;
 using progs::Vm;
 namespace globals = progs::globals;
 
@@ -39,6 +42,13 @@ void sound(Vm& vm, GameContext& context) {
 void ambientsound(Vm& vm, GameContext& context) {
   const std::string_view sample = vm.parm_string(1);
   if (!vm.failed()) context.clients.ambient_sound(vm.parm_vector(0), sample, vm.parm_float(2), vm.parm_float(3));
+}
+
+// localsound(client, sample): the 2021 re-release's
+void localsound(Vm& vm, GameContext& context) {
+  ServerClient* client = client_parm(vm, context, "localsound");
+  const std::string_view sample = vm.parm_string(1);
+  if (!vm.failed() && client && client->active()) context.clients.local_sound(*client, sample);
 }
 
 // stuffcmd(client, text)
@@ -101,7 +111,10 @@ void add_writes(BuiltinTable& table, GameContext& context) {
   add_write(table, context, 55, "WriteLong", [](MessageWriter& to, Vm& vm) { to.i32(vm.parm_int(1)); });
   add_write(table, context, 56, "WriteCoord", [](MessageWriter& to, Vm& vm) { to.coord(vm.parm_float(1)); });
   add_write(table, context, 57, "WriteAngle", [](MessageWriter& to, Vm& vm) { to.angle(vm.parm_float(1)); });
-  add_write(table, context, 58, "WriteString", [](MessageWriter& to, Vm& vm) { to.string(vm.parm_string(1)); });
+  add_write(table, context, 58, "WriteString", [&context](MessageWriter& to, Vm& vm) {
+    const std::string_view text = vm.parm_string(1);
+    to.string(context.localization ? context.localization->text(text) : text);
+  });
   add_write(table, context, 59, "WriteEntity", [](MessageWriter& to, Vm& vm) {
     const EdictId id = vm.parm_entity(1);
     if (!vm.failed()) to.u16(static_cast<int>(index(id)));
@@ -116,19 +129,20 @@ void add_message_builtins(BuiltinTable& table, GameContext& context) {
   };
   set(8, "sound", sound);
   set(21, "stuffcmd", stuffcmd);
-  set(23, "bprint", [](Vm& vm, GameContext& in) { in.clients.broadcast_print(vm.parm_text_from(0)); });
+  set(23, "bprint", [](Vm& vm, GameContext& in) { in.clients.broadcast_print(message_text(vm, 0, in.localization)); });
   set(24, "sprint", [](Vm& vm, GameContext& in) {
     ServerClient* client = client_parm(vm, in, "sprint");
-    if (client && client->active()) in.clients.print(*client, vm.parm_text_from(1));
+    if (client && client->active()) in.clients.print(*client, message_text(vm, 1, in.localization));
   });
   set(73, "centerprint", [](Vm& vm, GameContext& in) {
     ServerClient* client = client_parm(vm, in, "centerprint");
-    if (client && client->active()) in.clients.center_print(*client, vm.parm_text_from(1));
+    if (client && client->active()) in.clients.center_print(*client, message_text(vm, 1, in.localization));
   });
   set(35, "lightstyle", lightstyle);
   set(48, "particle", particle);
   set(69, "makestatic", makestatic);
   set(74, "ambientsound", ambientsound);
+  set(80, "localsound", localsound);
   set(78, "setspawnparms", setspawnparms);
   add_writes(table, context);
 }

@@ -185,6 +185,17 @@ void Clients::start_sound(EdictId source, int channel, std::string_view sample, 
                                             std::clamp(to_int(attenuation * 64.0f), 0, 255), origin});
 }
 
+// By svc_sound, which every client understands; later engines have svc_localsound for it.
+void Clients::local_sound(ServerClient& client, std::string_view sample) {
+  if (!level_) return;
+  const int sound = sound_index(*level_, sample);
+  if (sound == 0) return log_warning("the sound \"{}\" was not precached", sample);
+  if (!protocol_.extended() && static_cast<std::size_t>(sound) >= kFirstWide) return;
+  const auto edict = static_cast<int>(index(client.edict_id()));
+  write_reliable(client,
+                 net::svc::Sound{edict, 0, sound, 255, 0, level_->edict(client.edict_id()).get(fields::origin)});
+}
+
 void Clients::start_particle(const vec3& origin, const vec3& direction, int color, int count) {
   if (datagram_.size() > kMostBytes) return;
   net::svc::Particle particle{origin, {}, count, color};

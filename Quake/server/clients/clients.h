@@ -145,6 +145,8 @@ class Clients final : public LevelEvents {
   // it is none of these or where MSG_ONE goes to no player. Ask for each write: what a full buffer is given is lost.
   Result<net::MessageWriter*> destination(int where, EdictId msg_entity);
   void start_sound(EdictId source, int channel, std::string_view sample, float volume, float attenuation) override;
+  // The same, for one player alone, as loud everywhere (the 2021 re-release's localsound).
+  void local_sound(ServerClient& client, std::string_view sample);
   void start_particle(const vec3& origin, const vec3& direction, int color, int count);
   // ambientsound. A sample that is not precached: a warning.
   void ambient_sound(const vec3& origin, std::string_view sample, float volume, float attenuation);

@@ -70,7 +70,7 @@ net::svc::ServerInfo server_info(const Level& level, const net::Protocol& protoc
   info.protocol = protocol;
   info.max_clients = max_clients;
   info.game_type = !level.cvars.coop.on() && level.cvars.deathmatch.on() ? 1 : 0;
-  info.level_name = level.vm->text(level.vm->edict(EdictId::kWorld).get(fields::message));
+  info.level_name = level.title();
   list_precaches(level.models, info.models, protocol, "models", [](const LevelModel& model) { return model.name; });
   list_precaches(level.sounds, info.sounds, protocol, "sounds", [](const std::string& name) { return name; });
   return info;

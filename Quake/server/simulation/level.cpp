@@ -64,11 +64,16 @@ Level::Level(std::string map_name, std::shared_ptr<const formats::Bsp> map, std:
       autocvars(*vm, console),
       cvars(console),
       optional(vm->program()),
+      localization(console.localization()),
       events(events),
       rng(rng) {
   vm->edicts().set_listener(this);
 }
 Level::~Level() { vm->edicts().set_listener(nullptr); }
+
+std::string_view Level::title() const {
+  return localization.text(vm->text(vm->edict(EdictId::kWorld).get(progs::fields::message)));
+}
 
 int Level::model_index(std::string_view name) const {
   if (name.empty()) return 0;

@@ -106,6 +106,7 @@ class Level final : public progs::EdictListener {
   Cvars cvars;
   OptionalFields optional;
   AskedExtensions asked;
+  const con::Localization& localization;
   LevelEvents& events;
   Rng& rng;  // the engine's, which QuakeC's random() draws from as well
 
@@ -129,6 +130,8 @@ class Level final : public progs::EdictListener {
   progs::EdictStore& edicts() { return vm->edicts(); }
   Edict edict(EdictId id) { return vm->edict(id); }
   Edict world_edict() { return vm->edict(EdictId::kWorld); }
+  // The level's name for players: the world's message, in their language.
+  std::string_view title() const;
   EdictExtra& extra(EdictId id);  // grows with the edicts
   bool is_client(EdictId id) const { return index(id) >= 1 && index(id) <= static_cast<std::uint32_t>(max_clients); }
 
