@@ -12,6 +12,13 @@ std::size_t common_length(const std::string& a, const std::string& b) {
   return length;
 }
 
+// The start of a command's last word, at its quote if it has one that is not closed.
+std::size_t last_word(std::string_view command) {
+  if (std::ranges::count(command, '"') % 2 == 1) return command.rfind('"');
+  const std::size_t space = command.find_last_of(" \t");
+  return space == command.npos ? 0 : space + 1;
+}
+
 }  // namespace
 
 Completion Console::complete(std::string_view line) const {
@@ -24,12 +31,12 @@ Completion Console::complete(std::string_view line) const {
   }
   while (command_start < line.size() && line[command_start] == ' ') ++command_start;
   const std::string_view command = line.substr(command_start);
-  const std::size_t space = command.find_last_of(" \t");
-  const std::size_t word_start = command_start + (space == command.npos ? 0 : space + 1);
-  const std::string_view typed = line.substr(word_start);
+  const std::size_t word_start = command_start + last_word(command);
+  std::string_view typed = line.substr(word_start);
 
   Completion result;
   result.line = std::string(line);
+  result.word = word_start;
   if (word_start == command_start) {
     if (typed.empty()) return result;
     const auto add = [&](const auto& names, NameKind kind) {
@@ -43,8 +50,12 @@ Completion Console::complete(std::string_view line) const {
     const Args args(command);
     const auto found = commands_.find(args[0]);
     if (found == commands_.end() || !found->second.completer) return result;
+    const bool quoted = typed.starts_with('"');
+    if (quoted) typed.remove_prefix(1);
     for (std::string& text : found->second.completer(typed)) {
-      if (name_starts_with(text, typed)) result.candidates.push_back({std::move(text), NameKind::kArgument});
+      if (!name_starts_with(text, typed)) continue;
+      const bool one_word = !quoted && text.find_first_of(" ;") == text.npos;
+      result.candidates.push_back({one_word ? std::move(text) : in_quotes(text), NameKind::kArgument});
     }
   }
   if (result.candidates.empty()) return result;
@@ -54,7 +65,7 @@ Completion Console::complete(std::string_view line) const {
   const std::string& first = result.candidates.front().text;
   std::size_t length = first.size();
   for (const auto& candidate : result.candidates) length = std::min(length, common_length(first, candidate.text));
-  result.line = std::string(line.substr(0, word_start)) + first.substr(0, length);
+  if (length >= typed.size()) result.line = std::string(line.substr(0, word_start)) + first.substr(0, length);
   if (result.candidates.size() == 1) result.line += ' ';
   return result;
 }

@@ -45,6 +45,7 @@ struct Completion {
   };
   std::vector<Candidate> candidates;  // by name
   std::string line;                   // the typed line, completed as far as all candidates agree
+  std::size_t word = 0;               // where the completed word begins in it
 };
 
 class Console {
