@@ -7,6 +7,9 @@
 // the listener; the listener's own sounds have neither. Loops that do not end play each sample once, with the sum of
 // their loudness. Ambient sounds of a leaf fade towards its levels.
 //
+// What is cut (by a command, or to make room) or begins in its middle would be a step in the sum, which is heard as a
+// click: what it was worth there falls to nothing within 5 ms instead. Sounds begin and end as their files do.
+//
 // As in QuakeSpasm the sum of all sounds is clipped at full scale and halved, and the music, halved, is added. Sounds
 // of 8 bits are not made louder by their direction, those of 16 bits are (Quake's mixer did so).
 #pragma once
@@ -29,12 +32,26 @@ constexpr std::size_t kDynamicChannels = 128;  // QuakeSpasm's
 constexpr std::size_t kMostLoops = 4096;       // sources of loops in a level
 constexpr float kHeadroom = 0.5f;              // of sounds and of music
 constexpr float kIdenticalSoundSpread = 0.1f;  // seconds: see Mixer::start
+constexpr float kStepFade = 0.005f;            // seconds in which a step is smoothed
 constexpr float kUnderwaterFade = 4.0f;        // of the filter's strength, a second
 constexpr float kUnderwaterBase = 12.0f;       // strength 1: each frame at 44.1 kHz goes 1/12 of the way
 
 struct Gains {
   float left = 0.0f, right = 0.0f;
   bool silent() const { return left == 0.0f && right == 0.0f; }
+};
+// A value that falls to 0 in a line, in the place of a step.
+class SmoothedStep {
+ public:
+  explicit SmoothedStep(std::uint32_t rate);
+  // What was heard stops; or, where it is negative, begins.
+  void add(const Gains& step);
+  // Adds it to the frames.
+  void mix(std::span<float> stereo);
+
+ private:
+  std::size_t length_, left_ = 0;  // frames
+  Gains value_, fall_;             // now; a frame
 };
 // Of a sound at `origin`, heard at `listener` with `right` (length 1, or 0: no direction) to its right.
 Gains spatialize(const vec3& listener, const vec3& right, const vec3& origin, float volume, float attenuation);
@@ -59,6 +76,7 @@ class Mixer {
     SamplePtr sample;
     std::size_t position = 0;
     Gains gains, mixed;  // wanted; at the end of what was mixed
+    Gains last;          // the last frame that it added to the sum
     bool fresh = true;   // nothing was mixed: it begins as loud as wanted
     bool playing() const { return sample != nullptr; }
     std::size_t frames_left() const { return sample->frames.size() - position; }
@@ -88,6 +106,7 @@ class Mixer {
   void on(command::Ambients& ambients);
   void on(command::Music& music);
   void on(const command::Scene& scene);
+  void cut(Voice& voice);
   Channel* pick(int entity, int channel);
   void spread_identical(Voice& voice);
   std::optional<std::size_t> position_of(const Sample& sample, double seconds) const;
@@ -107,8 +126,14 @@ class Mixer {
   std::array<Ambient, kAmbients> ambients_;
   std::vector<Voice> loops_;     // room for kMostLoops from the start
   std::vector<Source> sources_;  // the same
+  SmoothedStep cuts_;            // of sounds, before their volume
   std::shared_ptr<MusicStream> music_;
   std::array<float, 2 * kBlock> music_block_{};
+  Gains music_last_;          // the last frame that it added
+  bool music_heard_ = false;  // there was such a frame just now
+  SmoothedStep music_cuts_;
+  bool mixed_ = false;                         // something was, so that from now on nothing may jump
+  float volume_ = 1.0f, music_volume_ = 1.0f;  // at the end of what was mixed
   float underwater_ = 0.0f, audible_ = 1.0f;
   std::array<float, 2> muffled_{};
   Rng rng_{0x736f756e64ull};

@@ -25,6 +25,12 @@ Gains Mixer::gains_of(const Channel& channel) const {
   return spatialize(scene_.origin, scene_.right, channel.origin, channel.volume, channel.attenuation);
 }
 
+// Ends it where it is.
+void Mixer::cut(Voice& voice) {
+  if (voice.playing()) cuts_.add(voice.last);
+  voice = {};
+}
+
 // The channel for a new sound of this entity; null if there is none that may make room.
 Mixer::Channel* Mixer::pick(int entity, int channel) {
   Channel* best = nullptr;
@@ -66,6 +72,7 @@ void Mixer::on(command::Start& start) {
   if (!position) return;
   Channel* const channel = pick(start.entity, start.channel);
   if (!channel) return;
+  cut(channel->voice);
   *channel = {};
   channel->entity = start.entity;
   channel->channel = start.channel;
@@ -83,19 +90,22 @@ void Mixer::on(command::Start& start) {
 void Mixer::on(const command::Stop& stop) {
   for (Channel& channel : channels_) {
     if (channel.entity != stop.entity || channel.channel != stop.channel) continue;
-    channel.voice = {};
-    return;
+    return cut(channel.voice);
   }
 }
 
 void Mixer::on(const command::StopAll&) {
+  for (Channel& channel : channels_) cut(channel.voice);
   channels_.fill({});
+  for (Voice& voice : loops_) cut(voice);
   loops_.clear();
   sources_.clear();
   for (Ambient& ambient : ambients_) {
+    SamplePtr sample = ambient.voice.sample;
+    cut(ambient.voice);
     ambient.volume = 0.0f;
-    ambient.voice.gains = ambient.voice.mixed = {};
-    ambient.voice.position = 0;
+    ambient.voice.sample = std::move(sample);
+    ambient.voice.fresh = false;  // it fades in from silence
   }
 }
 
@@ -110,12 +120,16 @@ void Mixer::on(command::Loop& loop) {
 void Mixer::on(command::Ambients& ambients) {
   for (std::size_t i = 0; i < kAmbients; ++i) {
     if (ambients_[i].voice.sample == ambients.samples[i]) continue;
+    cut(ambients_[i].voice);
     ambients_[i] = {};
     ambients_[i].voice.sample = std::move(ambients.samples[i]);
   }
 }
 
-void Mixer::on(command::Music& music) { music_ = std::move(music.stream); }
+void Mixer::on(command::Music& music) {
+  if (std::exchange(music_heard_, false)) music_cuts_.add(music_last_);
+  music_ = std::move(music.stream);
+}
 
 void Mixer::on(const command::Scene& scene) {
   scene_ = scene;

@@ -4,8 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "audio/test_sounds.h"
@@ -92,21 +97,22 @@ TEST_F(MixerTest, SoundsThatBeganAWhileAgoGoOnFromThere) {
     mixer_.apply(StopAll{});
     mixer_.apply(Start{sample, 2, 0, origin, 1.0f, 1.0f, age});
   };
-  std::vector<std::int16_t> ramp(1000);
-  for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = static_cast<std::int16_t>(16 * i);
-  const SamplePtr once = sample_of(ramp), looped = sample_of(ramp, 400);
-  const auto first_frame = [this] { return mix(1)[0] * 2.0f * 32768.0f / 16.0f; };  // of the sample
-  start_aged(once, 250.0 / kRate);
-  EXPECT_NEAR(first_frame(), 250.0f, 0.01f);
-  start_aged(once, 1000.0 / kRate);
+  std::vector<std::int16_t> ramp(10000);
+  for (std::size_t i = 0; i < ramp.size(); ++i) ramp[i] = static_cast<std::int16_t>(3 * i);
+  const SamplePtr once = sample_of(ramp), looped = sample_of(ramp, 4000);
+  // Of the sample, read 1000 frames later, when the step of its beginning has fallen to nothing.
+  const auto first_frame = [this] { return mix(1001)[2000] * 2.0f * 32768.0f / 3.0f - 1000.0f; };
+  start_aged(once, 2500.0 / kRate);
+  EXPECT_NEAR(first_frame(), 2500.0f, 0.05f);
+  start_aged(once, 10000.0 / kRate);
   EXPECT_EQ(mixer_.counts().sounds, 0u) << "it has ended";
-  start_aged(looped, 1000.0 / kRate);
-  EXPECT_NEAR(first_frame(), 400.0f, 0.01f) << "the loop's beginning";
-  start_aged(looped, (1000.0 + 5 * 600.0 + 37.0) / kRate);
-  EXPECT_NEAR(first_frame(), 437.0f, 0.01f);
-  start_aged(once, 250.0 / kRate, vec3(5000, 0, 0));
+  start_aged(looped, 10000.0 / kRate);
+  EXPECT_NEAR(first_frame(), 4000.0f, 0.05f) << "the loop's beginning";
+  start_aged(looped, (10000.0 + 5 * 6000.0 + 37.0) / kRate);
+  EXPECT_NEAR(first_frame(), 4037.0f, 0.05f);
+  start_aged(once, 2500.0 / kRate, vec3(5000, 0, 0));
   look_from(vec3(5000, 0, 0), vec3(0.0f));
-  EXPECT_NEAR(first_frame(), 250.0f, 0.01f) << "the listener has come with the seek";
+  EXPECT_NEAR(first_frame(), 2500.0f, 0.05f) << "the listener has come with the seek";
 }
 
 TEST_F(MixerTest, OwnSoundsComeFromNowhere) {
@@ -287,6 +293,107 @@ TEST_F(MixerTest, MutedIsSilentAndTimeGoesOn) {
   mixer_.apply(scene_);
   expect_gains(heard(600), 1.0f, 1.0f);
   EXPECT_TRUE(heard(600).silent()) << "it went on while it was not heard";
+}
+
+// Tones of a period of 441 frames, all of which something cuts or begins in its middle. Each moves by at most
+// amplitude * 2 pi / 441 a frame, and what is cut falls by its value over the frames of kStepFade; a step would be as
+// large as the value.
+class ClickTest : public MixerTest {
+ protected:
+  static constexpr std::int16_t kAmplitude = 8192;
+  static SamplePtr tone(std::size_t frames, double phase, bool loops = false) {
+    std::vector<std::int16_t> values(frames);
+    for (std::size_t i = 0; i < frames; ++i)
+      values[i] = static_cast<std::int16_t>(
+          std::lround(kAmplitude * std::sin(phase + 2.0 * std::numbers::pi * static_cast<double>(i) / 441.0)));
+    return sample_of(std::move(values), loops ? std::optional<std::size_t>(0) : std::nullopt);
+  }
+  // Mixes, and holds every frame to the one before it. `tones`: how many sound or are cut, each as loud as it may be.
+  void expect_no_step(double tones, const char* what) {
+    const double amplitude = 0.5 * kAmplitude / 32768.0;
+    const double most = tones * amplitude * (2.0 * std::numbers::pi / 441.0 + 1.0 / (kStepFade * kRate)) + 1e-4;
+    ASSERT_LT(most, 0.3 * amplitude) << "or no step would be seen";
+    double largest = 0.0;
+    const std::vector<float> stereo = mix(300);
+    for (std::size_t i = 0; i < stereo.size(); ++i) {
+      largest = std::max(largest, std::abs(static_cast<double>(stereo[i] - before_[i % 2])));
+      before_[i % 2] = stereo[i];
+    }
+    EXPECT_LT(largest, most) << what;
+  }
+  std::array<float, 2> before_{};
+};
+
+TEST_F(ClickTest, WhatIsCutFallsToNothing) {
+  const auto begin = [&](int entity) {  // at a peak for the next frame, after 300 from a zero
+    start(entity, 1, tone(44100, 2.0 * std::numbers::pi * (-300.0 / 441.0 + 0.25)), vec3(0));
+  };
+  const double first = 0.5 * kAmplitude / 32768.0;
+  const auto settle = [&] {  // its own beginning is the file's step, and not looked at
+    begin(2);
+    const std::vector<float> stereo = mix(300);
+    before_ = {stereo[598], stereo[599]};
+    ASSERT_GT(std::abs(before_[0]), 0.9 * first);
+  };
+  settle();
+  mixer_.apply(Stop{2, 1});
+  expect_no_step(1.0, "a stop");
+  settle();
+  start(2, 1, tone(44100, 0.0));
+  expect_no_step(2.0, "another sound on the same channel");
+  settle();
+  start(2, 1, tone(44100, 0.0), vec3(5000, 0, 0));
+  expect_no_step(1.0, "another sound that is not heard");
+  settle();
+  mixer_.apply(StopAll{});
+  expect_no_step(1.0, "the level's end");
+  settle();
+  for (std::size_t i = 0; i < kDynamicChannels; ++i) start(100 + static_cast<int>(i), 1, constant(44100, false, 16, 0));
+  EXPECT_EQ(mixer_.counts().sounds, kDynamicChannels);
+  start(999, 1, constant(44100, false, 16, 0));
+  expect_no_step(1.0, "making room");
+}
+
+TEST_F(ClickTest, WhatBeginsInItsMiddleRises) {
+  const double quarter = 0.5 * std::numbers::pi;
+  mixer_.apply(Start{tone(44100, quarter), 2, 1, vec3(0), 1.0f, 1.0f, 441.0 / kRate});
+  expect_no_step(1.0, "a sound that began a while ago");
+  mixer_.apply(StopAll{});
+  mix(300);
+  before_ = {};
+  mixer_.apply(Loop{tone(441, quarter, true), vec3(0), 1.0f, 1.0f});
+  mixer_.apply(scene_);
+  expect_no_step(1.0, "a level's loop");
+  mixer_.apply(StopAll{});
+  mix(300);
+  before_ = {};
+  mixer_.apply(Ambients{{tone(441, quarter, true), nullptr, nullptr, nullptr}});
+  scene_.ambient_volumes = {1.0f, 0.0f, 0.0f, 0.0f};
+  scene_.ambient_fade = 1e6f;
+  mixer_.apply(scene_);
+  expect_no_step(1.0, "an ambient sound at once as loud as wanted");
+  mixer_.apply(Ambients{{tone(441, -quarter, true), nullptr, nullptr, nullptr}});
+  expect_no_step(2.0, "another ambient sound");
+}
+
+TEST_F(ClickTest, TheSameSoundTwiceAtOnce) {
+  std::vector<std::int16_t> rising(44100, kAmplitude);
+  for (std::size_t i = 0; i < 441; ++i)
+    rising[i] = static_cast<std::int16_t>(
+        std::lround(kAmplitude * std::sin(0.5 * std::numbers::pi * static_cast<double>(i) / 441.0)));
+  const SamplePtr sample = sample_of(std::move(rising));
+  start(2, 1, sample);
+  start(3, 1, sample);  // begins up to a tenth of a second further on
+  expect_no_step(2.0, "the second one");
+}
+
+TEST_F(ClickTest, TheVolumeGoesInALine) {
+  start(2, 1, constant(44100, false, 16, kAmplitude));
+  const std::vector<float> stereo = mix(300);
+  before_ = {stereo[598], stereo[599]};
+  scene_.volume = 0.0f;
+  mixer_.apply(scene_);
+  expect_no_step(1.0, "volume 0");
 }
 
 // At strength 1 the filter is that of an exponential average which goes 1/12 of the way a frame at 44.1 kHz.

@@ -4,13 +4,16 @@
 #include <gtest/gtest.h>
 #include <sndfile.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <ostream>
 #include <thread>
 
+#include "audio/mixer.h"
 #include "audio/music_decoder.h"
 #include "audio/music_player.h"
 #include "audio/music_stream.h"
@@ -200,6 +203,41 @@ TEST(MusicStream, IsDecodedAheadOnItsThread) {
   }
   ASSERT_GE(stereo.size(), 2u * 44100);
   expect_tone_without_seam(stereo, 44100);
+}
+
+// The mixer's: a tone moves by at most amplitude * 2 pi * 440 / rate a frame, what is cut by its value over the frames
+// of kStepFade. It is paused and ends where it is largest, 25 of its 100.2 frames after a zero.
+TEST(MusicStream, PausesAndEndsWithoutAStep) {
+  constexpr std::uint32_t kRate = 44100;
+  constexpr double kAmplitude = 0.5 * 0.5;
+  const double most = kAmplitude * (2.0 * std::numbers::pi * kTone / kRate + 1.0 / (kStepFade * kRate)) + 1e-3;
+  ASSERT_LT(most, 0.3 * kAmplitude) << "or no step would be seen";
+  Mixer mixer(kRate);
+  const std::shared_ptr<MusicStream> stream = stream_of(kRate, kRate, false);
+  mixer.apply(command::Music{stream});
+  float before = 0.0f, largest = 0.0f;
+  const auto mix = [&](std::size_t frames) {
+    std::vector<float> stereo(2 * frames);
+    mixer.mix(stereo);
+    for (std::size_t i = 0; i < frames; ++i) {
+      largest = std::max(largest, std::abs(stereo[2 * i] - before));
+      before = stereo[2 * i];
+    }
+    return std::abs(before);
+  };
+  EXPECT_GT(mix(26), 0.9 * kAmplitude);
+  stream->set_paused(true);
+  EXPECT_EQ(mix(300), 0.0f);
+  stream->set_paused(false);
+  mix(300);
+  EXPECT_LT(largest, most) << "paused, and going on";
+  mix(75);  // 401 frames after the beginning: a zero and a frame
+  EXPECT_GT(mix(25), 0.9 * kAmplitude);
+  mixer.apply(command::Music{stream_of(kRate, kRate, false)});
+  EXPECT_GT(mix(326), 0.9 * kAmplitude);
+  mixer.apply(command::Music{nullptr});
+  EXPECT_EQ(mix(300), 0.0f);
+  EXPECT_LT(largest, most) << "another piece, and the end";
 }
 
 class PlayerTest : public ::testing::Test {
