@@ -21,6 +21,7 @@ sys.path.insert(0, str(BASEGAME))
 from formats import wav  # noqa: E402
 from sounds import catalogue  # noqa: E402
 from sounds.conventions import CATEGORIES, CONVENTIONS  # noqa: E402
+from sounds.kit import modal  # noqa: E402
 from sounds.kit.filters import fast_length, moving, respond  # noqa: E402
 from sounds.kit.master import loudness  # noqa: E402
 from sounds.kit.space import fold_long  # noqa: E402
@@ -178,6 +179,14 @@ class Kit(unittest.TestCase):
         for loop in (False, True):
             self.assertLess(np.max(np.abs(moving(x, lambda f, p: np.ones((len(p), len(f))), loop=loop) - x)), 1e-9)
             self.assertLess(np.max(np.abs(respond(x, np.ones_like, loop) - x)), 1e-9)
+
+    def test_strokes_begin_without_a_step(self) -> None:
+        """The second difference at the first two samples, behind silence, is that of the tones at the end of a rise: a
+        step would be as large as the largest that follows."""
+        for name in ("IRON", "STEEL", "CHAIN", "COPPER", "BRONZE", "OAK", "SLATE", "CRYSTAL"):
+            x = modal.ring(generator(name), getattr(modal, name), 440.0, 1.0)
+            bends = np.abs(np.diff(np.concatenate([[0.0, 0.0], x]), 2))
+            self.assertLess(np.max(bends[:2]), 0.1 * np.max(bends), name)
 
     def test_lengths_of_transforms_hold_the_signal(self) -> None:
         for n in (1, 2, 1000, 4097, 44100):

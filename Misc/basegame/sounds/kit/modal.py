@@ -44,7 +44,8 @@ CRYSTAL = Body(GLASS, t60=0.9, loss=0.5, spread=0.01)
 def ring(
     g: np.random.Generator, body: Body, base: float, seconds: float, hardness: float = 4000.0, stretch: float = 1.0
 ) -> np.ndarray:
-    """One stroke on a body whose lowest tone is base Hz, by something that rouses tones up to about hardness Hz."""
+    """One stroke on a body whose lowest tone is base Hz, by something that rouses tones up to about hardness Hz, and so
+    touches it for 2 / hardness seconds, in which they rise. Tones that begin at their full strength are a step: a click."""
     n = samples(seconds)
     ratios = np.array(body.ratios) if body.ratios else 1.0 + np.cumsum(g.uniform(0.3, 1.7, body.count)) * body.density
     frequencies = base * ratios * (1.0 + body.spread * g.uniform(-1.0, 1.0, len(ratios)))
@@ -59,6 +60,8 @@ def ring(
         t = np.arange(m) / RATE
         fade = np.minimum(1.0, (m - np.arange(m)) / (0.2 * m))
         out[:m] += weight * fade * np.exp(-6.91 * t / t60) * np.sin(2.0 * np.pi * (frequency * t + turn))
+    rise = samples(2.0 / hardness)
+    out[:rise] *= (0.5 - 0.5 * np.cos(np.pi * np.arange(rise) / rise))[: len(out)]
     return out / np.sqrt(len(frequencies))
 
 
