@@ -134,7 +134,9 @@ struct ClientCommands {
     for (std::uint32_t i = 0; i < globals::kSpawnParms; ++i)
       level.vm->set(globals::spawn_parm(i), client.spawn_parms[i]);
     if (!level.run(level.vm->get(globals::ClientConnect), client.edict_id())) return false;
-    if (now - client.connection->connect_time() <= level.time) log_info("{} entered the game", client.name);
+    const bool fresh = now - client.connection->connect_time() <= level.time;
+    if (fresh && (is_local() || !all.heard_here()))
+      log_info("{} entered the game", client.name);  // else QuakeC says so
     return level.run(level.vm->get(globals::PutClientInServer), client.edict_id());
   }
   // What QuakeC has said to a player in ClientConnect and PutClientInServer is lost, as in Quake (SZ_Clear in
@@ -196,7 +198,7 @@ struct ClientCommands {
       if (team_only && level.cvars.teamplay.on() && level.edict(other.edict_id()).get(fields::team) != team) continue;
       all.print(other, text);
     }
-    log_info("{}", std::string_view(text).substr(1, text.size() - 2));
+    if (!all.heard_here()) log_info("{}", std::string_view(text).substr(1, text.size() - 2));
   }
   void say() { say_to(false); }
   void say_team() { say_to(true); }

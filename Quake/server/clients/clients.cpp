@@ -129,6 +129,12 @@ void Clients::broadcast_print(std::string_view text) {
     if (client->active() && client->spawned()) print(*client, text);
 }
 
+bool Clients::heard_here() const {
+  return std::any_of(slots_.begin(), slots_.end(), [](const auto& client) {
+    return client->active() && client->spawned() && client->connection->is_local();
+  });
+}
+
 void Clients::print(ServerClient& client, std::string_view text) {
   write_reliable(client, net::svc::Print{std::string(text)});
 }

@@ -139,6 +139,9 @@ class Clients final : public LevelEvents {
   // To everybody in the game (bprint), to one (sprint, centerprint, stuffcmd).
   void broadcast_print(std::string_view text);
   void print(ServerClient& client, std::string_view text);
+  // Whether somebody plays in this program, whose console shows what players are told: it needs no line of the
+  // server's.
+  bool heard_here() const;
   void center_print(ServerClient& client, std::string_view text);
   void stuff(ServerClient& client, std::string_view text);
   // MSG_BROADCAST 0, MSG_ONE 1 (to `msg_entity`), MSG_ALL 2, MSG_INIT 3, for QuakeC's Write functions. An Error where

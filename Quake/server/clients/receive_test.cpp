@@ -133,6 +133,34 @@ TEST_F(ReceiveTest, SayingAndTelling) {
   EXPECT_THAT(third.prints(), Not(HasSubstr("secret")));
 }
 
+TEST_F(ReceiveTest, WhoPlaysHereReadsEverythingOnce) {
+  start_game("void() main = {};", 3);
+  FakeClient& remote = join(true);
+  LogWatch log;
+  remote.command("say is anybody there");
+  frame(3);
+  EXPECT_EQ(log.text(), "player: is anybody there\n") << "a server's own console says it where nobody plays";
+  FakeClient& host = join();
+  EXPECT_THAT(log.text(), HasSubstr("player entered the game"));
+  const std::size_t before = log.text().size();
+  FakeClient& third = join(true);
+  third.command("name carol");
+  frame(3);
+  host.forget();
+  remote.command("say hello");
+  host.command("say welcome");
+  frame(3);
+  EXPECT_THAT(host.prints(), HasSubstr("\x01player: hello\n"));
+  EXPECT_THAT(host.prints(), HasSubstr("\x01player: welcome\n"));
+  console_.set("teamplay", "1");
+  edict(2).set(fields::team, 9.0f);
+  remote.command("say_team secret");
+  frame(3);
+  EXPECT_THAT(third.prints(), HasSubstr("secret"));
+  EXPECT_THAT(host.prints(), Not(HasSubstr("secret")));
+  EXPECT_EQ(log.text().substr(before), "player renamed to carol\n") << "nothing twice, and nothing of the other team's";
+}
+
 TEST_F(ReceiveTest, KillAsksQuakeC) {
   start_game();
   FakeClient& player = join();
