@@ -31,7 +31,7 @@ packages_of() {
       echo g++ make cmake ninja-build pkg-config ccache glslang-tools libvulkan-dev mesa-vulkan-drivers libsdl2-dev \
         libglm-dev libfmt-dev libpng-dev libsndfile1-dev libopenmpt-dev libopenexr-dev libfftw3-dev libxxhash-dev libzip-dev libcli11-dev libimgui-dev nlohmann-json3-dev libgtest-dev libgmock-dev python3 python3-numpy fteqcc \
         vorbis-tools ;;
-    test) packages_of build; echo vulkan-validationlayers xvfb xauth xdotool imagemagick ffmpeg python3 fteqcc quakespasm ;;
+    test) packages_of build; echo vulkan-validationlayers xvfb xauth xdotool xclip imagemagick ffmpeg python3 fteqcc quakespasm ;;
     bench) packages_of build; echo libbenchmark-dev libembree-dev python3 fteqcc ;;
     fuzz) packages_of build; echo clang libclang-rt-dev lld llvm ;;
     coverage) packages_of test; echo gcovr ;;

@@ -47,7 +47,8 @@ Status add_to_history(const std::filesystem::path& path, std::span<const std::st
   auto lines = read_history(path);
   if (!lines) return lines.error();
   const std::size_t before = lines->size();
-  std::ranges::copy_if(entered, std::back_inserter(*lines), [](const std::string& line) { return !may_hold_password(line); });
+  std::ranges::copy_if(entered, std::back_inserter(*lines),
+                       [](const std::string& line) { return !may_hold_password(line); });
   if (lines->size() == before) return ok_status();
   keep_newest(*lines);
   std::string text;

@@ -16,10 +16,10 @@ constexpr std::uint32_t kFirstLatin = 0xc0;
 static_assert(kLatin.size() == 0x180 - kFirstLatin);
 
 constexpr std::pair<std::uint32_t, std::string_view> kOthers[] = {
-    {0xa0, " "},    {0xab, "\""},   {0xad, ""},      {0xb4, "'"},    {0xbb, "\""},   {0xc6, "AE"},  {0xdf, "ss"},
-    {0xe6, "ae"},   {0x152, "OE"},  {0x153, "oe"},   {0x2018, "'"},  {0x2019, "'"},  {0x201a, "'"}, {0x201b, "'"},
-    {0x201c, "\""}, {0x201d, "\""}, {0x201e, "\""},  {0x201f, "\""}, {0x2026, "..."}, {0x202f, " "}, {0x2039, "'"},
-    {0x203a, "'"},  {0x2212, "-"},  {0x3000, " "},   {0xfeff, ""}};
+    {0xa0, " "},    {0xab, "\""},   {0xad, ""},     {0xb4, "'"},    {0xbb, "\""},    {0xc6, "AE"},  {0xdf, "ss"},
+    {0xe6, "ae"},   {0x152, "OE"},  {0x153, "oe"},  {0x2018, "'"},  {0x2019, "'"},   {0x201a, "'"}, {0x201b, "'"},
+    {0x201c, "\""}, {0x201d, "\""}, {0x201e, "\""}, {0x201f, "\""}, {0x2026, "..."}, {0x202f, " "}, {0x2039, "'"},
+    {0x203a, "'"},  {0x2212, "-"},  {0x3000, " "},  {0xfeff, ""}};
 
 struct CodePoint {
   std::uint32_t code = 0;

@@ -23,7 +23,8 @@ TEST(TypedText, PunctuationOfBooksIsThatOfConsoles) {
 
 TEST(TypedText, WhatTheFontLacksIsOneQuestionMark) {
   EXPECT_EQ(typed_text("\u0416\u4e2d\U0001f600"), "???");
-  EXPECT_EQ(typed_text("a\xff\xc3(\xe2\x82"), std::string("a?") + "?(?" + "?") << "malformed bytes, and an end that is missing";
+  EXPECT_EQ(typed_text("a\xff\xc3(\xe2\x82"), std::string("a?") + "?(?" + "?")
+      << "malformed bytes, and an end that is missing";
   EXPECT_EQ(typed_text(std::string_view("a\0b", 3)), "ab");
 }
 

@@ -10,6 +10,7 @@
 #include "console/other_engines.h"
 #include "console/quakespasm_cvars.h"
 #include "fs/path.h"
+#include "host/file_commands.h"
 #include "host/language.h"
 #include "host/mod_check.h"
 #include "render/settings.h"
@@ -79,6 +80,7 @@ Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::ve
                          if (!status) return console_.fail_unless(status);
                          log_info("wrote {}", name);
                        });
+  register_file_commands(console_, files_);
   console_.add_cvar("cmdline", fmt::format("{}", fmt::join(arguments, " ")), "the program's command line",
                     con::kCvarRom);
   con::add_quakespasm_cvars(console_);
@@ -192,6 +194,12 @@ void Engine::queue_configuration(const std::vector<std::string>& arguments) {
 Status Engine::write_config(std::string_view name) const {
   const auto path = files_.write_path(name);
   return path ? console_.write_config(*path) : Status(path.error());
+}
+
+std::filesystem::path Engine::history_file() const {
+  const fs::FsOptions& options = files_.options();
+  const auto user = options.user_dir ? *options.user_dir : fs::default_user_dir();
+  return (user.empty() ? options.base_dir : user) / "history.txt";
 }
 
 void Engine::execute_commands(double now) {

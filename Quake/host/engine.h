@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -76,6 +77,8 @@ class Engine {
   void queue_configuration(const std::vector<std::string>& arguments);
   // Bindings and kept cvars as a file of the game's folder, whole or not at all.
   Status write_config(std::string_view name) const;
+  // Where the console's lines are kept between runs, for all games.
+  std::filesystem::path history_file() const;
   // Executes queued commands. A `wait` lasts until the server has ticked.
   void execute_commands(double now);
   // One frame of the game: the player's view turns, the server ticks, the client reads its messages. mouse: counts to

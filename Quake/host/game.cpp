@@ -12,10 +12,12 @@
 #include "base/log_budget.h"
 #include "base/out_of_memory.h"
 #include "base/stop.h"
+#include "console/history_file.h"
 #include "fs/file.h"
 #include "host/screenshot_name.h"
 #include "gpu/vulkan_error.h"
 #include "formats/image_write.h"
+#include "host/file_commands.h"
 #include "platform/clock.h"
 
 namespace fb::host {
@@ -58,6 +60,7 @@ Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
       panel_(engine_->console()),
       screen_(engine_->console(), bar_services(*engine_), keys_, engine_->rules()),
       timedemo_report_(*engine_) {
+  facts_.set_reads_at_once(options.headless);
   facts_.set_display_size([this] { return window_ ? window_->display_size() : uvec2(0); });
   keys_.set_demo_keys([this](const platform::InputEvent& event) { return demo_controls_.handle(event); });
   keys_.set_panel([this](const platform::InputEvent& event) { return panel_.handle(event); });
@@ -107,6 +110,7 @@ Result<std::unique_ptr<Game>> Game::create(const GameOptions& options) {
 
   if (!options.headless)
     if (auto status = game->open_window(); !status) return status.error();
+  if (!options.headless) game->read_history();
   if (auto status = game->open_device(); !status) return status.error();
   if (auto status = game->sound_.open(options); !status) return status.error();
   return game;
@@ -118,6 +122,7 @@ void Game::register_commands() {
   register_video();
   register_governor(console, governor_);
   register_presets(console, [this] { measure_device(); });
+  keys_.set_clipboard([this] { return window_ ? window_->clipboard() : std::string(); });
   console.add_command("quit", "quit: end the program", [this](const con::Args&) {
     quit_ = true;
     engine_->console().forget_commands();
@@ -137,6 +142,7 @@ void Game::register_commands() {
                         }
                         engine_->console().fail_unless(engine_->client().map_view(args[1]));
                       });
+  complete_file_names(console, engine_->files());
   console.add_command(
       "screenshot", "screenshot [name]: save the picture as screenshots/NAME.png", [this](const con::Args& args) {
         engine_->console().fail_unless(
@@ -198,7 +204,7 @@ void Game::handle_events() {
     if (event.kind == Kind::kMouseMotion && window_->mouse_grabbed() && !keys_.menu_open())
       mouse_ += vec2(static_cast<float>(event.dx), static_cast<float>(event.dy));
     keys_.handle(event);
-    if (event.kind == Kind::kResize) fit_to_window();
+    if (event.kind == Kind::kResize) event.by_user ? keep_window_size() : fit_to_window();
   }
   follow_focus();
   follow_gamepads();
@@ -213,7 +219,6 @@ void Game::follow_focus() {
   keys_.set_behind(in_game           ? KeyRouter::Behind::kGame
                    : client.active() ? KeyRouter::Behind::kDemo
                                      : KeyRouter::Behind::kNothing);
-  if (keys_.menu_open()) facts_.update();
   if (std::exchange(menu_was_open_, keys_.menu_open()) && !keys_.menu_open()) save_config();
   const bool elsewhere = keys_.console_open() || keys_.menu_open() || panel_.open();
   const bool grab = options_.mouse && in_game && !elsewhere && window_->focused();
@@ -288,6 +293,18 @@ void Game::save_config() {
   engine_->console().fail_unless(engine_->write_config("config.cfg"));
 }
 
+void Game::read_history() {
+  auto lines = con::read_history(engine_->history_file());
+  if (!lines) return log_warning("The console's former lines are not known: {}", lines.error().message);
+  keys_.console_line().set_history(*std::move(lines));
+}
+
+// What cannot be kept is no reason for an exit status.
+void Game::save_history() const {
+  const Status status = con::add_to_history(engine_->history_file(), keys_.console_line().entered());
+  if (!status) log_error("The console's lines are not kept: {}", status.error().message);
+}
+
 // Returns false if there is nothing more to do.
 bool Game::frame() {
   mouse_ = vec2(0.0f);
@@ -299,6 +316,7 @@ bool Game::frame() {
   if (quit_ || stop_wanted()) return false;
   apply_video();
   open_first_menu();
+  if (keys_.menu_open()) facts_.update();
   const double passed = seconds_passed();
   engine_->frame(timer_.plan(passed, time_settings()), mouse_, platform::now_seconds());
   if (demo_capture_.active()) {
@@ -341,7 +359,10 @@ int Game::run() {
   engine_->client().disconnect();  // ends a recording, which may fail, too
   end_unless(sound_.finish());
   if (options_.headless && engine_->went_wrong()) exit_status_ = 1;
-  if (window_) save_config();
+  if (window_) {
+    save_config();
+    save_history();
+  }
   return exit_status_;
 }
 

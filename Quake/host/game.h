@@ -55,6 +55,7 @@ class Game {
   Status open_swapchain();
   void join_swapchain();
   void fit_to_window();
+  void keep_window_size();
   void register_commands();
   void change_game(const con::Args& args);
   void apply_video();
@@ -87,6 +88,8 @@ class Game {
   Status write_screenshot(const std::string& name);
   void report_timing();
   void save_config();
+  void read_history();
+  void save_history() const;
   bool takes_save_picture() const;
   void take_save_picture();
 

@@ -130,6 +130,14 @@ void Game::fit_to_window() {
   drawer_->resize({swapchain_->width(), swapchain_->height()});
 }
 
+// The next start has the size that the user has given the window. Full screen and maximised windows have the display's.
+void Game::keep_window_size() {
+  const platform::WindowMode mode = window_->mode();
+  if (!configured_ || mode.screen != platform::WindowMode::Screen::kWindow || window_->maximised()) return;
+  (void)engine_->console().cvar("vid_width").set(static_cast<float>(mode.width));  // within the cvar's limits
+  (void)engine_->console().cvar("vid_height").set(static_cast<float>(mode.height));
+}
+
 // Once the configuration has been executed. A size on the command line stands until vid_restart asks for another.
 void Game::apply_video() {
   if (!configured_) {

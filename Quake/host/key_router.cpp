@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/log.h"
+#include "console/typed_text.h"
 #include "platform/keys.h"
 
 namespace fb::host {
@@ -9,37 +11,12 @@ namespace {
 
 constexpr int kKeyGrave = '`';
 constexpr int kKeyPanel = platform::kKeyF1 + 7;  // F8, where nothing is bound to it
-constexpr std::size_t kPageLines = 8;
+constexpr int kAllLines = 1 << 30;
+constexpr int kScrolledLines = 2, kLinesOfAPageKept = 4;  // QuakeSpasm's
 // The pointer jumps to where it was when the game lets it go: that selects nothing.
 constexpr int kPointerFrames = 3;
 constexpr float kSteer = 0.6f;                            // of a stick's way
 constexpr double kSteerDelay = 0.4, kSteerRepeat = 0.12;  // seconds
-
-// Edits a typed line; false if the key is none that edits.
-bool edit_line(con::InputLine& line, int key) {
-  switch (key) {
-    case platform::kKeyBackspace:
-      line.erase_before();
-      return true;
-    case platform::kKeyDelete:
-      line.erase_at();
-      return true;
-    case platform::kKeyLeftArrow:
-      line.move(-1);
-      return true;
-    case platform::kKeyRightArrow:
-      line.move(1);
-      return true;
-    case platform::kKeyHome:
-      line.home();
-      return true;
-    case platform::kKeyEnd:
-      line.end();
-      return true;
-    default:
-      return false;
-  }
-}
 
 bool is_function_key(int key) { return key >= platform::kKeyF1 && key <= platform::kKeyF12; }
 // Keys that open the menu over a demo.
@@ -61,6 +38,12 @@ constexpr std::pair<int, const char*> kPadBindings[] = {
     {platform::kKeyLeftThumb, "+speed"},
     {platform::kKeyRightThumb, "centerview"},
 };
+
+// The letter of a key together with Ctrl: as the layout has it, or, where that has no Latin one, by its place.
+char shortcut(const platform::InputEvent& event) {
+  const int letter = event.letter != 0 ? event.letter : event.key;
+  return letter > ' ' && letter < 127 ? static_cast<char>(letter) : '\0';
+}
 
 }  // namespace
 
@@ -96,6 +79,7 @@ void KeyRouter::register_commands() {
                        [begin_message](const con::Args&) { begin_message(true); });
   menu_.set_opened([this] {
     open_ = false;
+    scrolled_up_ = 0;
     message_.close();
     bindings_.release_all();
   });
@@ -103,6 +87,7 @@ void KeyRouter::register_commands() {
 
 void KeyRouter::close_all() {
   open_ = false;
+  scrolled_up_ = 0;
   message_.close();
   menu_.close();
 }
@@ -118,6 +103,10 @@ void KeyRouter::toggle_console() {
   message_.close();
   menu_.close();
   open_ = !open_;
+  if (!open_) {
+    input_.clear();
+    scrolled_up_ = 0;
+  }
   if (!open_ && behind_ == Behind::kNothing) menu_.show("main");
 }
 
@@ -132,42 +121,84 @@ void KeyRouter::escape() {
     menu_.show("main");
 }
 
-void KeyRouter::type(int key) {
-  if (edit_line(input_, key)) return;
-  switch (key) {
+// Edits a typed line; false if the key is none that edits.
+bool KeyRouter::edit(con::InputLine& line, const platform::InputEvent& event) {
+  switch (event.key) {
+    case platform::kKeyBackspace:
+      ctrl_ ? line.erase_word_before() : line.erase_before();
+      return true;
+    case platform::kKeyDelete:
+      ctrl_ ? line.erase_word_at() : line.erase_at();
+      return true;
+    case platform::kKeyLeftArrow:
+      ctrl_ ? line.move_word(-1) : line.move(-1);
+      return true;
+    case platform::kKeyRightArrow:
+      ctrl_ ? line.move_word(1) : line.move(1);
+      return true;
+    case platform::kKeyHome:
+      line.home();
+      return true;
+    case platform::kKeyEnd:
+      line.end();
+      return true;
+    case platform::kKeyInsert:
+      shift_ ? paste(line) : line.set_overwriting(!line.overwriting());
+      return true;
+    default:
+      if (!ctrl_ || alt_ || shortcut(event) != 'v') return false;
+      paste(line);
+      return true;
+  }
+}
+
+// As in QuakeSpasm a line at a time: the next one might be a command that nobody has read.
+void KeyRouter::paste(con::InputLine& line) {
+  const std::size_t further = line.paste(con::typed_text(clipboard_()));
+  if (further > 0) log_info("Pasted the first line; {} further {} left out.", further, further == 1 ? "was" : "were");
+}
+
+void KeyRouter::scroll(int lines) {
+  const std::size_t all = console_.scrollback().size();
+  const auto most = static_cast<std::ptrdiff_t>(all - std::min(all, rows_));
+  const auto wanted = static_cast<std::ptrdiff_t>(scrolled_up_) + lines;
+  scrolled_up_ = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(wanted, 0, most));
+}
+
+void KeyRouter::type(const platform::InputEvent& event) {
+  const int page = ctrl_ ? std::max(static_cast<int>(rows_) - kLinesOfAPageKept, kScrolledLines) : kScrolledLines;
+  switch (event.key) {
     case platform::kKeyEnter:
     case platform::kKeypadEnter:
       input_.enter(console_);
       scrolled_up_ = 0;
-      break;
+      return;
     case platform::kKeyTab:
-      input_.complete(console_);
-      break;
+      return input_.complete(console_, shift_ ? -1 : 1);
     case platform::kKeyUpArrow:
-      input_.recall(1);
-      break;
+      return input_.recall(1);
     case platform::kKeyDownArrow:
-      input_.recall(-1);
-      break;
+      return input_.recall(-1);
     case platform::kKeyPageUp:
     case platform::kKeyWheelUp:
-      scrolled_up_ += kPageLines;
-      break;
+      return scroll(page);
     case platform::kKeyPageDown:
     case platform::kKeyWheelDown:
-      scrolled_up_ -= std::min(scrolled_up_, kPageLines);
+      return scroll(-page);
+    case platform::kKeyHome:
+      if (ctrl_) return scroll(kAllLines);
+      break;
+    case platform::kKeyEnd:
+      if (ctrl_) return scroll(-kAllLines);
+      break;
+    case platform::kKeyRightArrow:
+      if (!ctrl_) return input_.move_or_repeat();
       break;
     default:
+      if (ctrl_ && !alt_ && shortcut(event) == 'c') return input_.abort();
       break;
   }
-  scrolled_up_ = std::min(scrolled_up_, console_.scrollback().size());
-}
-
-void KeyRouter::type_message(int key) {
-  if (key == platform::kKeyEnter || key == platform::kKeypadEnter)
-    console_.append(message_.send());
-  else
-    edit_line(message_.input(), key);
+  edit(input_, event);
 }
 
 void KeyRouter::handle_menu_key(int key) {
@@ -238,9 +269,7 @@ void KeyRouter::steer(const vec2& stick, double now) {
 
 void KeyRouter::handle_menu(const platform::InputEvent& event) {
   using Kind = platform::InputEvent::Kind;
-  if (event.kind == Kind::kText) {
-    if (!text_was_bound_ && event.text != "`" && event.text != "~") menu_.type(event.text);
-  } else if (event.kind == Kind::kMouseMotion) {
+  if (event.kind == Kind::kMouseMotion) {
     pointer_ = {event.x, event.y};
     if (menu_frames_ >= kPointerFrames) menu_.point(pointer_.x, pointer_.y);
   } else if (event.kind == Kind::kKey && event.down) {
@@ -249,8 +278,22 @@ void KeyRouter::handle_menu(const platform::InputEvent& event) {
       menu_.bind(event.key == kKeyGrave || event.repeat ? platform::kKeyNone : event.key);
     else if (is_function_key(event.key))
       run_binding(event);
-    else
+    else if (con::InputLine* const line = menu_.edited_line(); line == nullptr || !edit(*line, event))
       handle_menu_key(event.key);
+  }
+}
+
+// What is typed goes to one of four places, in this order.
+void KeyRouter::handle_text(const std::string& utf8) {
+  if (ctrl_ && !alt_) return;  // AltGr is both
+  const std::string text = con::typed_text(utf8);
+  const bool toggles = text == "`" || text == "~";
+  if (menu_.open()) {
+    if (!text_was_bound_ && !toggles) menu_.type(text);
+  } else if (message_.open()) {
+    message_.input().type(text);
+  } else if ((open_ || behind_ == Behind::kNothing) && !toggles) {
+    input_.type(text);
   }
 }
 
@@ -267,10 +310,12 @@ void KeyRouter::handle(const platform::InputEvent& event) {
   using Kind = platform::InputEvent::Kind;
   if (event.kind == Kind::kFocus && !event.focused) {
     bindings_.release_all();
-    alt_ = false;
+    alt_ = ctrl_ = shift_ = false;
   }
   const bool is_key = event.kind == Kind::kKey;
   if (is_key && event.key == platform::kKeyAlt) alt_ = event.down;
+  if (is_key && event.key == platform::kKeyCtrl) ctrl_ = event.down;
+  if (is_key && event.key == platform::kKeyShift) shift_ = event.down;
   if (alt_ && is_key && event.key == platform::kKeyEnter) {
     if (event.down && !event.repeat) console_.append("vid_toggle\n");
     return;
@@ -290,19 +335,29 @@ void KeyRouter::handle(const platform::InputEvent& event) {
     demo_keys_(event);
     return bindings_.key_event(event.key, false);
   }
+  if (event.kind == Kind::kText) handle_text(event.text);
   if (menu_.open()) return handle_menu(event);
   if (message_.open()) {
-    if (event.kind == Kind::kText) message_.input().insert(event.text);
-    if (is_key) type_message(event.key);
+    if (is_key && (event.key == platform::kKeyEnter || event.key == platform::kKeypadEnter))
+      console_.append(message_.send());
+    else if (is_key)
+      edit(message_.input(), event);
     return;
   }
   const bool typing = open_ || behind_ == Behind::kNothing;
-  if (event.kind == Kind::kText && typing && event.text != "`" && event.text != "~") input_.insert(event.text);
   if (!typing && behind_ == Behind::kDemo && demo_keys_(event)) return;
   if (!is_key) return;
-  if (typing && !is_function_key(event.key)) return type(event.key);
+  if (typing && !is_function_key(event.key)) return type(event);
   if (behind_ == Behind::kDemo && starts_typing(event.key) && !event.repeat) return menu_.show("main");
   run_binding(event);
+}
+
+// Lines that come leave those that are read where they are.
+void KeyRouter::begin_console(std::size_t rows) {
+  rows_ = rows;
+  const std::uint64_t lines = console_.scrollback().total();
+  scroll(scrolled_up_ > 0 ? static_cast<int>(std::min<std::uint64_t>(lines - lines_drawn_, kAllLines)) : 0);
+  lines_drawn_ = lines;
 }
 
 void KeyRouter::begin_frame() {

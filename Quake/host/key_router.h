@@ -1,6 +1,8 @@
 // Who has the keys: the menu, the message or the console that is typed, or the bindings. QuakeSpasm's rules say so.
+// Wherever text is typed the same keys edit it.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -38,6 +40,8 @@ class KeyRouter {
   // The panel, which has what it takes before the game does, and after menu, console and message. It is told of every
   // key that is let go, too.
   void set_panel(std::function<bool(const platform::InputEvent&)> panel) { panel_ = std::move(panel); }
+  // Reads the text that was copied last; without one nothing is pasted.
+  void set_clipboard(std::function<std::string()> clipboard) { clipboard_ = std::move(clipboard); }
   // A game has begun: the console and the menu give way.
   void close_all();
   void set_behind(Behind behind);
@@ -48,9 +52,12 @@ class KeyRouter {
 
   // Once a frame, before the menu is drawn.
   void begin_frame();
+  // Before the console is drawn, which shows so many lines.
+  void begin_console(std::size_t rows);
 
   // What is drawn of it.
   const con::InputLine& console_line() const { return input_; }
+  con::InputLine& console_line() { return input_; }
   std::size_t scrolled_up() const { return scrolled_up_; }  // lines of the console
   const ui::MessageLine& message() const { return message_; }
 
@@ -61,8 +68,11 @@ class KeyRouter {
   void handle_menu(const platform::InputEvent& event);
   void handle_menu_key(int key);
   void run_binding(const platform::InputEvent& event);
-  void type(int key);
-  void type_message(int key);
+  void handle_text(const std::string& text);
+  bool edit(con::InputLine& line, const platform::InputEvent& event);
+  void paste(con::InputLine& line);
+  void type(const platform::InputEvent& event);
+  void scroll(int lines);
 
   con::Console& console_;
   con::Bindings bindings_;
@@ -72,9 +82,12 @@ class KeyRouter {
   std::function<bool(const platform::InputEvent&)> panel_ = [](const platform::InputEvent&) { return false; };
   std::function<bool(const platform::InputEvent&)> demo_keys_ = [](const platform::InputEvent&) { return false; };
   bool open_ = false;
-  bool alt_ = false;  // held: with Enter it is between full screen and a window
+  bool alt_ = false, ctrl_ = false, shift_ = false;  // held
   Behind behind_ = Behind::kNothing;
   std::size_t scrolled_up_ = 0;
+  std::size_t rows_ = 8;           // lines that the console shows
+  std::uint64_t lines_drawn_ = 0;  // of the console in all, when it was drawn last
+  std::function<std::string()> clipboard_ = [] { return std::string(); };
   ivec2 steered_{0};             // the direction of the stick in the last frame
   double steer_again_ = 0;       // when it moves again
   vec2 pointer_{0.0f};           // output pixels

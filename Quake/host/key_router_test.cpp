@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "base/log.h"
 #include "platform/keys.h"
 #include "ui/menu/test_menu.h"
 
@@ -36,6 +37,12 @@ class KeyRouterTest : public testing::Test {
     if (number >= ' ' && number < 127) text(std::string(1, static_cast<char>(number)));
     key(number, false);
     console.execute();
+  }
+  void hold(int number, int other) {
+    key(number);
+    key(other);
+    key(other, false);
+    key(number, false);
   }
   void text(const std::string& typed) {
     platform::InputEvent event;
@@ -192,6 +199,155 @@ TEST_F(KeyRouterTest, MessagesAreTypedAndSent) {
   text("go");
   press(platform::kKeyEnter);
   EXPECT_THAT(ran, ElementsAre("say_team go"));
+}
+
+TEST_F(KeyRouterTest, OneLineOfTheClipboardIsPasted) {
+  std::string copied = "say \u201chello\u201d";
+  keys.set_clipboard([&] { return copied; });
+  press('`');
+  text("echo;");
+  key(platform::kKeyCtrl);
+  key('v');
+  text("v");  // not typed while Ctrl is held
+  key('v', false);
+  key(platform::kKeyCtrl, false);
+  EXPECT_EQ(keys.console_line().text(), "echo;say \"hello\"");
+  hold(platform::kKeyCtrl, 'c');
+  EXPECT_EQ(keys.console_line().text(), "");
+  copied = "say one\r\nquit\n\nquit";
+  hold(platform::kKeyShift, platform::kKeyInsert);
+  EXPECT_EQ(keys.console_line().text(), "say one");
+  EXPECT_EQ(console.scrollback().latest(1)[0].text, "Pasted the first line; 2 further were left out.");
+  console.execute();
+  EXPECT_THAT(ran, IsEmpty()) << "nothing that is pasted runs by itself";
+  press(platform::kKeyEnter);
+  EXPECT_THAT(ran, ElementsAre("say one"));
+}
+
+TEST_F(KeyRouterTest, ShortcutsFollowTheLayout) {
+  keys.set_clipboard([] { return "x"; });
+  press('`');
+  key(platform::kKeyCtrl);
+  platform::InputEvent event;
+  event.kind = platform::InputEvent::Kind::kKey;
+  event.down = true;
+  event.key = '.';
+  event.letter = 'v';  // Dvorak
+  keys.handle(event);
+  EXPECT_EQ(keys.console_line().text(), "x");
+  event.key = 'v';
+  event.letter = 'k';
+  keys.handle(event);
+  EXPECT_EQ(keys.console_line().text(), "x");
+  event.letter = 0;  // a layout without Latin letters
+  keys.handle(event);
+  EXPECT_EQ(keys.console_line().text(), "xx");
+}
+
+TEST_F(KeyRouterTest, WhatIsTypedIsOfTheFontsLetters) {
+  press('`');
+  text("\u00e9t\u00e9");
+  EXPECT_EQ(keys.console_line().text(), "ete");
+  key(platform::kKeyAlt);  // AltGr of some systems
+  key(platform::kKeyCtrl);
+  text("@");
+  EXPECT_EQ(keys.console_line().text(), "ete@");
+}
+
+TEST_F(KeyRouterTest, TheSameKeysEditWhereverTextIsTyped) {
+  console.add_cvar("_cl_name", "two words", "", con::kCvarArchive);
+  console.add_cvar("_cl_color", "0", "");
+  console.add_cvar("hostname", "two words", "", con::kCvarArchive);
+  keys.set_clipboard([] { return "new "; });
+  const auto edit = [&] {
+    key(platform::kKeyEnd);
+    hold(platform::kKeyCtrl, platform::kKeyLeftArrow);
+    hold(platform::kKeyCtrl, 'v');
+    hold(platform::kKeyCtrl, platform::kKeyLeftArrow);
+    hold(platform::kKeyCtrl, platform::kKeyBackspace);
+    key(platform::kKeyEnd);
+    text("!");
+  };
+  press('`');
+  text("two words");
+  edit();
+  EXPECT_EQ(keys.console_line().text(), "new words!");
+  press('`');
+  press('t');
+  keys.handle([] {
+    platform::InputEvent event;
+    event.kind = platform::InputEvent::Kind::kText;
+    event.text = "two words";
+    return event;
+  }());
+  edit();
+  press(platform::kKeyEnter);
+  EXPECT_THAT(ran, ElementsAre("say new words!"));
+  console.execute("menu_settings");
+  keys.menu().show("settings/all");
+  while (keys.menu().selected() && keys.menu().selected()->label != "hostname") press(platform::kKeyDownArrow);
+  press(platform::kKeyEnter);
+  ASSERT_TRUE(keys.menu().editing());
+  edit();
+  press(platform::kKeyEnter);
+  EXPECT_EQ(console.cvar("hostname").string(), "new words!");
+}
+
+TEST_F(KeyRouterTest, TabGoesThroughNamesAndBack) {
+  for (const char* name : {"zz_a", "zz_b", "zz_c"}) console.add_cvar(name, "0", "");
+  press('`');
+  text("zz");
+  const auto tab = [&] {
+    key(platform::kKeyTab);
+    key(platform::kKeyTab, false);
+    return keys.console_line().text();
+  };
+  EXPECT_EQ(tab(), "zz_");
+  EXPECT_EQ(tab(), "zz_a");
+  EXPECT_EQ(tab(), "zz_b");
+  key(platform::kKeyShift);
+  EXPECT_EQ(tab(), "zz_a") << "the held key ends nothing";
+  EXPECT_EQ(tab(), "zz_c");
+}
+
+TEST_F(KeyRouterTest, TheConsoleScrollsAndStays) {
+  constexpr std::size_t kRows = 20;
+  press('`');
+  for (int i = 0; i < 100; ++i) log_info("line {}", i);
+  const std::size_t most = console.scrollback().size() - kRows;
+  keys.begin_console(kRows);
+  key(platform::kKeyPageUp);
+  EXPECT_EQ(keys.scrolled_up(), 2u);
+  hold(platform::kKeyCtrl, platform::kKeyPageUp);
+  EXPECT_EQ(keys.scrolled_up(), 18u) << "a page, of which four lines stay";
+  log_info("one more");
+  keys.begin_console(kRows);
+  EXPECT_EQ(keys.scrolled_up(), 19u) << "what is read stays where it is";
+  hold(platform::kKeyCtrl, platform::kKeyHome);
+  EXPECT_EQ(keys.scrolled_up(), most + 1);
+  hold(platform::kKeyCtrl, platform::kKeyEnd);
+  EXPECT_EQ(keys.scrolled_up(), 0u);
+  log_info("one more");
+  keys.begin_console(kRows);
+  EXPECT_EQ(keys.scrolled_up(), 0u);
+  text("half a command");
+  key(platform::kKeyPageUp);
+  press('`');
+  press('`');
+  EXPECT_EQ(keys.scrolled_up(), 0u);
+  EXPECT_EQ(keys.console_line().text(), "") << "as in QuakeSpasm it opens empty";
+  console.execute("clear");
+  hold(platform::kKeyCtrl, platform::kKeyHome);
+  EXPECT_EQ(keys.scrolled_up(), 0u);
+}
+
+TEST_F(KeyRouterTest, TheQuitPageObeysTheKeyY) {
+  press(platform::kKeyF1 + 9);
+  press('n');
+  EXPECT_EQ(keys.menu().page_name(), "main");
+  press(platform::kKeyF1 + 9);
+  press('y');
+  EXPECT_THAT(ran, ElementsAre("quit"));
 }
 
 TEST_F(KeyRouterTest, AKeyThatQuitsAsks) {

@@ -18,6 +18,7 @@ constexpr uvec2 kSizes[] = {{640, 360},   {640, 480},   {800, 600},   {960, 540}
 
 void MenuFacts::update() {
   bool changed = maps_.read_more();
+  while (reads_at_once_ && maps_.read_more()) {}
   const ServerList& list = engine_.server_list();
   if (list.searching() != searching_ || list.found().size() != servers_) {
     searching_ = list.searching();

@@ -18,6 +18,8 @@ class MenuFacts final : public ui::menu::Facts {
   // The engine must outlive it.
   explicit MenuFacts(Engine& engine) : engine_(engine), maps_(engine.files()) {}
   void set_display_size(std::function<uvec2()> size) { display_size_ = std::move(size); }
+  // Reads all titles in one frame: nobody waits for it, and every frame is to show the same at every run.
+  void set_reads_at_once(bool at_once) { reads_at_once_ = at_once; }
   // Once a frame while the menu is open: reads a few more titles, notes what servers have answered.
   void update();
 
@@ -46,7 +48,7 @@ class MenuFacts final : public ui::menu::Facts {
   std::function<uvec2()> display_size_;
   std::uint64_t revision_ = 1;
   std::size_t servers_ = 0;
-  bool searching_ = false;
+  bool searching_ = false, reads_at_once_ = false;
 };
 
 }  // namespace fb::host

@@ -24,13 +24,13 @@ PAGE = ((WIDTH - 320) // 2, (HEIGHT - 200) // 2)  # of a page with a plaque, at 
 class Player:
     """The program in a window, with somebody before it."""
 
-    def __init__(self, build, folder, pictures, *commands, pad=None):
+    def __init__(self, build, folder, pictures, *commands, pad=None, sized=True):
         game = build / "game"
         self.pictures = pictures
         if pad:
             os.environ.update(LD_PRELOAD=str(build / "libvirtual_pad.so"), FULLBRIGHT_TEST_PAD=str(pad))
         self.running = Program("the game", [build / "fullbright", "-basedir", game, "-userdir", folder, "-seed", "1", "-nolan",
-                                            "-size", f"{WIDTH}x{HEIGHT}", "+r_cpu_pixels", "4096", "+r_target_ms", "0", "+r_estimator", "pt", "+r_denoise", "0", "+host_speeds", "1", *commands])
+                                            *(["-size", f"{WIDTH}x{HEIGHT}"] if sized else []), "+r_cpu_pixels", "4096", "+r_target_ms", "0", "+r_estimator", "pt", "+r_denoise", "0", "+host_speeds", "1", *commands])
         if pad:
             del os.environ["LD_PRELOAD"]
         self.said = 0  # lines that says() has gone past
@@ -411,14 +411,14 @@ def start_map(build):
     return (build / "game" / "id1" / "maps" / "start.bsp").read_bytes().decode("latin-1")
 
 
-def main():
+def main(plays=(by_keyboard, by_mouse, by_pad), programs=("Xvfb", "xdotool")):
     parser = argparse.ArgumentParser()
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--pictures", type=pathlib.Path)
     arguments = parser.parse_args()
     build = arguments.build.resolve()
-    wanting = [what for what, there in (
-        ("Xvfb", shutil.which("Xvfb")), ("xdotool", shutil.which("xdotool")),
+    wanting = [program for program in programs if not shutil.which(program)]
+    wanting += [what for what, there in (
         ("the base game", (build / "game" / "id1" / "progs.dat").exists()),
         ("a Vulkan device", subprocess.run([build / "fullbright", "-listdevices"], capture_output=True).returncode == 0)) if not there]
     if wanting:
@@ -427,7 +427,7 @@ def main():
     if arguments.pictures:
         arguments.pictures.mkdir(parents=True, exist_ok=True)
     with Display():
-        for play in (by_keyboard, by_mouse, by_pad):
+        for play in plays:
             start = time.monotonic()
             with tempfile.TemporaryDirectory() as name:
                 play(build, pathlib.Path(name), arguments.pictures)

@@ -77,8 +77,9 @@ void Screen::draw_console(const ui::HudView& view, bool game, bool lines_too) {
     ui::ConsoleView console;
     console.fraction = game ? 0.5f : 1.0f;
     console.opacity = s.console_alpha;
-    console.scrolled_up = keys_.scrolled_up();
     console.time = view.now;
+    keys_.begin_console(ui::console_rows(painter.height(), console.fraction));
+    console.scrolled_up = keys_.scrolled_up();
     ui::draw_console(painter, console_.scrollback(), keys_.console_line(), console);
     return;
   }

@@ -86,15 +86,18 @@ int key_from_button(Uint8 button) {
   }
 }
 
-void add_key(std::vector<InputEvent>& to, int key, bool down, bool repeat = false) {
+void add_key(std::vector<InputEvent>& to, int key, bool down, bool repeat = false, char letter = 0) {
   if (key == kKeyNone) return;
   InputEvent event;
   event.kind = InputEvent::Kind::kKey;
   event.key = key;
   event.down = down;
   event.repeat = repeat;
+  event.letter = letter;
   to.push_back(event);
 }
+
+char letter_of(SDL_Keycode code) { return code > ' ' && code < 0x7f ? static_cast<char>(code) : '\0'; }
 
 void add_window_event(std::vector<InputEvent>& to, const SDL_WindowEvent& from) {
   InputEvent event;
@@ -104,6 +107,9 @@ void add_window_event(std::vector<InputEvent>& to, const SDL_WindowEvent& from) 
       event.kind = InputEvent::Kind::kFocus;
       event.focused = from.event == SDL_WINDOWEVENT_FOCUS_GAINED;
       break;
+    case SDL_WINDOWEVENT_RESIZED:  // SIZE_CHANGED comes as well; this one not for a size that the program has asked for
+      event.by_user = true;
+      [[fallthrough]];
     case SDL_WINDOWEVENT_SIZE_CHANGED:
     case SDL_WINDOWEVENT_MINIMIZED:
     case SDL_WINDOWEVENT_RESTORED:
@@ -131,7 +137,8 @@ void translate_event(const SDL_Event& event, std::vector<InputEvent>& to) {
   switch (event.type) {
     case SDL_KEYDOWN:
     case SDL_KEYUP:
-      add_key(to, key_from_scancode(event.key.keysym.scancode), event.type == SDL_KEYDOWN, event.key.repeat != 0);
+      add_key(to, key_from_scancode(event.key.keysym.scancode), event.type == SDL_KEYDOWN, event.key.repeat != 0,
+              letter_of(event.key.keysym.sym));
       break;
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP:

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <set>
+#include <utility>
 
 namespace fb::platform {
 namespace {
@@ -47,6 +48,11 @@ TEST(Events, KeysAndButtons) {
   EXPECT_EQ(events[0].key, 'w');
   EXPECT_TRUE(events[0].down);
   EXPECT_TRUE(events[0].repeat);
+  EXPECT_EQ(events[0].letter, 0);
+  event.key.keysym.sym = SDLK_COMMA;  // on a Dvorak keyboard
+  EXPECT_EQ(translated(event)[0].letter, ',');
+  event.key.keysym.sym = SDLK_KP_7;
+  EXPECT_EQ(translated(event)[0].letter, 0);
   event.key.keysym.scancode = SDL_SCANCODE_VOLUMEUP;
   EXPECT_TRUE(translated(event).empty());
 
@@ -97,6 +103,14 @@ TEST(Events, MotionTextFocusAndQuit) {
   EXPECT_TRUE(events[0].focused);
   event.window.event = SDL_WINDOWEVENT_EXPOSED;
   EXPECT_TRUE(translated(event).empty());
+  for (const auto& [which, by_user] :
+       {std::pair(SDL_WINDOWEVENT_SIZE_CHANGED, false), {SDL_WINDOWEVENT_RESIZED, true}}) {
+    event.window.event = static_cast<Uint8>(which);
+    events = translated(event);
+    ASSERT_EQ(events.size(), 1u);
+    EXPECT_EQ(events[0].kind, Kind::kResize);
+    EXPECT_EQ(events[0].by_user, by_user);
+  }
 
   events = translated(of_type(SDL_QUIT));
   ASSERT_EQ(events.size(), 1u);

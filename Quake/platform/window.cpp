@@ -153,6 +153,15 @@ void Window::grab_mouse(bool grab) {
 
 bool Window::mouse_grabbed() const { return impl_->grabbed; }
 
+bool Window::maximised() const { return (SDL_GetWindowFlags(impl_->window) & SDL_WINDOW_MAXIMIZED) != 0; }
+
+std::string Window::clipboard() const {
+  char* const text = SDL_GetClipboardText();
+  std::string copy = text ? text : "";
+  SDL_free(text);
+  return copy;
+}
+
 void Window::set_text_input(bool on) { on ? SDL_StartTextInput() : SDL_StopTextInput(); }
 
 void Window::use_gamepads(bool on, float trigger_threshold) {

@@ -63,6 +63,10 @@ class Window {
   // Hides the pointer and keeps it inside the window; motion then comes in mouse counts, without limit.
   void grab_mouse(bool grab);
   bool mouse_grabbed() const;
+  // Whether its size is the display's because the user has maximised it, not a size to come back to.
+  bool maximised() const;
+  // The text that was copied last, by whichever program: UTF-8, empty if there is none.
+  std::string clipboard() const;
   // Whether keys also produce text (InputEvent::Kind::kText); off at first.
   void set_text_input(bool on);
 

@@ -10,7 +10,7 @@ namespace fb::ui {
 namespace {
 
 constexpr float kLine = 8.0f;  // a line's height and a character's width
-constexpr unsigned char kCursor = 11;
+constexpr unsigned char kCursor = 11, kOverwritingCursor = '_';
 
 void draw_background(Painter& painter, float bottom, float alpha) {
   const float width = static_cast<float>(painter.width() + 1), height = static_cast<float>(painter.height());
@@ -26,7 +26,8 @@ void draw_input(Painter& painter, const con::InputLine& input, float y, std::siz
   const std::size_t cursor = input.cursor() + 1;
   const std::size_t first = cursor + 1 > columns ? cursor + 1 - columns : 0;
   painter.text(kLine, y, std::string_view(text).substr(first, columns));
-  if (std::fmod(time, 0.5) < 0.25) painter.character(kLine * static_cast<float>(1 + cursor - first), y, kCursor);
+  const unsigned char shape = input.overwriting() ? kOverwritingCursor : kCursor;
+  if (std::fmod(time, 0.5) < 0.25) painter.character(kLine * static_cast<float>(1 + cursor - first), y, shape);
 }
 
 vec4 color_of(LogLevel level) {
@@ -35,11 +36,21 @@ vec4 color_of(LogLevel level) {
   return vec4(1.0f);
 }
 
+float bottom_of(int height, float fraction) {
+  return std::round(std::clamp(fraction, 0.0f, 1.0f) * static_cast<float>(height));
+}
+
 }  // namespace
+
+// Above the line that is typed, an empty one and the row of ^.
+std::size_t console_rows(int height, float fraction) {
+  constexpr float kOthers = 3.0f;
+  return static_cast<std::size_t>(std::max(0.0f, std::floor(bottom_of(height, fraction) / kLine) - kOthers));
+}
 
 void draw_console(Painter& painter, const con::Scrollback& lines, const con::InputLine& input,
                   const ConsoleView& view) {
-  const float bottom = std::round(std::clamp(view.fraction, 0.0f, 1.0f) * static_cast<float>(painter.height()));
+  const float bottom = bottom_of(painter.height(), view.fraction);
   if (bottom <= 0.0f) return;
   draw_background(painter, bottom, view.fraction < 1.0f ? view.opacity : 1.0f);
   const auto columns = static_cast<std::size_t>(std::max(painter.width() / 8 - 2, 1));

@@ -16,6 +16,9 @@ struct ConsoleView {
   double time = 0.0;            // seconds, for the blinking cursor
 };
 
+// How many lines it shows below the row of ^, of those that need one row each, in a picture of this height.
+std::size_t console_rows(int height, float fraction);
+
 void draw_console(Painter& painter, const con::Scrollback& lines, const con::InputLine& input, const ConsoleView& view);
 
 }  // namespace fb::ui

@@ -86,6 +86,18 @@ TEST_F(ConsoleViewTest, ScrolledUp) {
   EXPECT_EQ(rows(view)[8], "");
 }
 
+TEST_F(ConsoleViewTest, ScrolledToTheFirstLine) {
+  for (int i = 0; i < 30; ++i) lines.add(LogLevel::kInfo, "line " + std::to_string(i));
+  ConsoleView view;
+  view.time = 0.3;
+  for (const float fraction : {0.5f, 1.0f}) {
+    view.fraction = fraction;
+    view.scrolled_up = lines.size() - console_rows(kHeight, fraction);
+    const auto read = rows(view);
+    EXPECT_EQ(read[0], "line 0") << "the top row is filled, and by the first line";
+  }
+}
+
 TEST_F(ConsoleViewTest, InputScrollsWithTheCursor) {
   input.insert("0123456789abcdefghijklmnopqrstuvwxyz");
   ConsoleView view;

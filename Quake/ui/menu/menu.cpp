@@ -280,7 +280,13 @@ void Menu::type(std::string_view text) {
     if (text == "n" || text == "N") answer(false);
     return;
   }
-  if (editing_) return edit_.insert(text);
+  if (editing_) return edit_.type(text);
+  for (std::size_t i = 0; i < view().shown.size(); ++i) {
+    const char letter = view().page.rows[view().shown[i]].letter;
+    if (letter == 0 || !con::same_name(text, std::string_view(&letter, 1))) continue;
+    view().cursor = i;
+    return enter();
+  }
   if (!view().page.search_page.empty()) push(std::string(view().page.search_page));
   if (!view().page.searchable || (view().filter.empty() && text == " ")) return;
   view().filter += text;

@@ -54,6 +54,8 @@ class Menu {
   void press(Key key);
   // Text that was typed: for a search, a value that is edited, y and n.
   void type(std::string_view text);
+  // The line of a setting that is typed; null: none is.
+  con::InputLine* edited_line() { return open() && editing_ ? &edit_ : nullptr; }
   // Whether the next key of any device is to be given to bind().
   bool capturing() const { return open() && capturing_; }
   // The key for the command of the selected row; 0: none, as before.

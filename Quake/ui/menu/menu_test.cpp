@@ -279,6 +279,21 @@ TEST_F(MenuTest, QuitAsks) {
   EXPECT_THAT(run(), ElementsAre("quit"));
 }
 
+TEST_F(MenuTest, TheQuitPageObeysYAndN) {
+  console.execute("menu_quit");
+  menu.type("x");
+  EXPECT_EQ(menu.page_name(), "quit");
+  menu.type("N");
+  EXPECT_EQ(menu.page_name(), "main");
+  EXPECT_THAT(run(), IsEmpty());
+  for (const char* yes : {"y", "Y"}) {
+    console.execute("menu_quit");
+    menu.press(Key::kDown);  // at No
+    menu.type(yes);
+    EXPECT_THAT(run(), ElementsAre("quit"));
+  }
+}
+
 TEST_F(MenuTest, HelpTurnsItsPictures) {
   menu.show("help");
   menu.press(Key::kLeft);

@@ -21,6 +21,7 @@ struct Row {
   std::string help;   // shown at the foot while the row is selected
   std::string save;   // whose picture is shown at the foot while the row is selected
   bool enabled = true;
+  char letter = 0;  // chooses the row wherever the cursor is, on a page that is not searched; lower case
 
   // kAction, in this order: where there is a question, all this happens once it is answered with yes.
   std::string question;

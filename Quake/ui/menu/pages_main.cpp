@@ -154,8 +154,10 @@ Page quit_page(const Sources&) {
   page.plaque = true;
   page.rows = {heading("Leave the game?"), heading("What is not saved is lost."), heading("")};
   page.rows.push_back(action("Yes, quit", "quit"));
+  page.rows.back().letter = 'y';
   Row stay;
   stay.label = "No, stay";
+  stay.letter = 'n';
   stay.goes_back = true;
   page.rows.push_back(std::move(stay));
   return page;
