@@ -8,9 +8,6 @@ namespace {
 using formats::kContentsEmpty;
 using formats::kContentsSolid;
 
-// 1/32 of a unit; a double, so that the division below is in double.
-constexpr double kDistEpsilon = 0.03125;
-
 // Far beyond any map; differences of such numbers are finite.
 bool is_reachable(const vec3& v) {
   constexpr float kFarthest = 1e9f;

@@ -12,6 +12,9 @@
 
 namespace fb::world {
 
+// How far before a plane a move ends, in units; a double, so that what is computed with it is.
+constexpr double kDistEpsilon = 0.03125;
+
 struct TracePlane {
   vec3 normal{0.0f};  // towards the line's start
   float distance = 0.0f;

@@ -45,7 +45,12 @@ Cvars::Cvars(con::Console& console)
       clear_liquids(
           cvar(console, "sv_clearliquids", "-1",
                "what is sent in maps whose visibility takes liquids for opaque: 0 what it lets through, 1 what is "
-               "behind surfaces of water and slime, too, -1: 1 in a game played alone")) {}
+               "behind surfaces of water and slime, too, -1: 1 in a game played alone")),
+      elevators(
+          cvar(console, "sv_gameplayfix_elevators", "2",
+               "whom lifts and doors do not stop at, nor crush, for a rounding error where nothing is in the way: "
+               "0 nobody, as in QuakeSpasm, 1 players, 2 everything",
+               con::kCvarArchive)) {}
 
 OptionalFields::OptionalFields(const progs::Program& program)
     : gravity(program.field<float>("gravity")),

@@ -40,7 +40,7 @@ struct Cvars {
   explicit Cvars(con::Console& console);
   const con::Cvar &gravity, &max_velocity, &friction, &edge_friction, &stop_speed, &max_speed, &accelerate, &no_step,
       &aim, &ideal_pitch_scale, &skill, &deathmatch, &coop, &teamplay, &nomonsters, &pausable, &max_edicts, &alt_noclip,
-      &freeze_nonclients, &roll_angle, &roll_speed, &clear_liquids;
+      &freeze_nonclients, &roll_angle, &roll_speed, &clear_liquids, &elevators;
 };
 
 // A model made of brushes: the world, "*1" and on of the level's map, or the first model of a .bsp of its own.

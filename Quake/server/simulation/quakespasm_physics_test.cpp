@@ -1,7 +1,9 @@
 // What falls, flies, bounces, walks and is pushed, frame by frame to the last bit as in QuakeSpasm: both run the same
-// QuakeC on the same map with frames of a twentieth of a second, and print every place and speed in whole pieces.
+// QuakeC on the same map, with frames of a twentieth and of a 72nd of a second, and print every place and speed in
+// whole pieces.
 #include <algorithm>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include "fs/filesystem.h"
@@ -130,7 +132,7 @@ void() one_frame = {
   }
 };
 void() StartFrame = {
-  if (frametime != 0.05) return;
+  if (frametime != FRAME) return;
   frames = frames + 1;
   if (frames == 1) begin();
   if (frames <= 120) one_frame();
@@ -141,7 +143,7 @@ void() worldspawn = {
   precache_model("maps/b_explob.bsp");
   precache_model("maps/b_nail1.bsp");
   precache_model("maps/b_bh100.bsp");
-  localcmd("host_framerate 0.05\n");
+  localcmd("host_framerate FRAME\n");
 };
 )";
 constexpr const char* kModelsOfTheirOwn[] = {"maps/b_explob.bsp", "maps/b_nail1.bsp", "maps/b_bh100.bsp"};
@@ -154,9 +156,18 @@ std::vector<std::string> lines_of_things(const std::string& text) {
   return lines;
 }
 
-class QuakeSpasmPhysics : public testing::LevelTest {};
+std::string with_frame(std::string source, const std::string& seconds) {
+  const std::string name = "FRAME";
+  for (auto at = source.find(name); at != source.npos; at = source.find(name)) source.replace(at, name.size(), seconds);
+  return source;
+}
 
-TEST_F(QuakeSpasmPhysics, MovesTheSameToTheBit) {
+class QuakeSpasmPhysics : public testing::LevelTest {
+ protected:
+  void compare(const std::string& frame_seconds);
+};
+
+void QuakeSpasmPhysics::compare(const std::string& frame_seconds) {
   if (const std::string lacks = testing::quakespasm_lacks(); !lacks.empty()) GTEST_SKIP() << lacks;
   const auto files = fs::FileSystem::open(testing::game_data_options());
   ASSERT_TRUE(files.ok());
@@ -169,8 +180,10 @@ TEST_F(QuakeSpasmPhysics, MovesTheSameToTheBit) {
   std::string printed;
   services_.print = services_.developer_print = [&printed](std::string_view text) { printed += text; };
   const std::string declarations = "string(string s) precache_model = #20;\n";
-  const std::string scene = declarations + testing::kIdleMod + testing::kExactNumbers + kScene;
+  const std::string scene =
+      declarations + testing::kIdleMod + testing::kExactNumbers + with_frame(kScene, frame_seconds);
   start_level(scene, std::make_shared<formats::Bsp>(std::move(*bsp)));
+  console_.execute("sv_gameplayfix_elevators 0");
   for (const char* name : kModelsOfTheirOwn) {
     level().models.push_back(load_model([&](std::string_view path) { return files->loader()(path); }, name));
     ASSERT_TRUE(level().models.back().brush) << name;
@@ -179,8 +192,8 @@ TEST_F(QuakeSpasmPhysics, MovesTheSameToTheBit) {
   const std::string output = testing::run_quakespasm(progs::testing::compile(source).progs, "lq_e1m7");
   const std::vector<std::string> theirs = lines_of_things(output);
   ASSERT_GT(theirs.size(), 10000u) << output.substr(output.size() - std::min<std::size_t>(output.size(), 2000));
-  // A cvar's value is a float, so the frame is not quite a twentieth.
-  tick(static_cast<double>(0.05f), 121);
+  // A cvar's value is a float, so the frame is not quite that long.
+  tick(static_cast<double>(std::stof(frame_seconds)), 121);
   const std::vector<std::string> ours = lines_of_things(printed);
   for (std::size_t i = 0; i < std::min(ours.size(), theirs.size()); ++i) {
     ASSERT_EQ(ours[i], theirs[i]) << "line " << i << " of " << theirs.size() << ", after "
@@ -191,6 +204,9 @@ TEST_F(QuakeSpasmPhysics, MovesTheSameToTheBit) {
     EXPECT_TRUE(std::ranges::any_of(ours, [&](const std::string& line) { return line.starts_with(kind); })) << kind;
   }
 }
+
+TEST_F(QuakeSpasmPhysics, MovesTheSameToTheBit) { compare("0.05"); }
+TEST_F(QuakeSpasmPhysics, MovesTheSameToTheBitInShortFrames) { compare("0.0138888889"); }
 
 }  // namespace
 }  // namespace fb::sv
