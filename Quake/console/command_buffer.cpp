@@ -103,6 +103,12 @@ void CommandBuffer::clear() {
   in_.reset();
 }
 
+std::string CommandBuffer::rest() const {
+  std::string text;
+  for (const Chunk& chunk : chunks_) text += chunk.text.substr(chunk.position);
+  return text;
+}
+
 std::string commands_of_arguments(const std::vector<std::string>& arguments) {
   std::string commands;
   bool inside = false;

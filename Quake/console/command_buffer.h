@@ -53,6 +53,8 @@ class CommandBuffer {
   // After `wait`, nesting starts again from zero: an alias that waits may call itself for ever.
   void forget_nesting();
   void clear();
+  // What next() would return from now on, as a text that means the same.
+  std::string rest() const;
   bool empty() const { return bytes_ == 0; }
 
  private:

@@ -42,6 +42,20 @@ TEST(CommandBuffer, InsertedTextComesNextAsItsOwnLine) {
   EXPECT_THAT(drain(buffer), ElementsAre("z", "y", "b", "c"));
 }
 
+TEST(CommandBuffer, ItsRestIsATextThatMeansTheSame) {
+  CommandBuffer buffer;
+  buffer.append("a;b");
+  EXPECT_EQ(buffer.next(), "a");
+  buffer.insert("x;y \"1;2\";z", alias("first"));
+  EXPECT_EQ(buffer.next(), "x");
+  buffer.append(";c");
+  CommandBuffer other;
+  other.append(buffer.rest());
+  EXPECT_THAT(drain(other), ElementsAre("y \"1;2\"", "z", "b", "c"));
+  EXPECT_THAT(drain(buffer), ElementsAre("y \"1;2\"", "z", "b", "c")) << "nothing was taken out";
+  EXPECT_EQ(buffer.rest(), "");
+}
+
 TEST(CommandBuffer, NestingEndsUnlessItIsForgotten) {
   CommandBuffer buffer;
   buffer.append("a\nkept\n");

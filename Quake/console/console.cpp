@@ -258,6 +258,19 @@ std::string Console::config_text() const {
   return text;
 }
 
+// `set` also makes what the other console does not know.
+std::string Console::session_text() const {
+  std::string text;
+  for (const auto& [name, cvar] : cvars_) {
+    const unsigned flags = cvar->spec().flags;
+    const bool user_made = (flags & kCvarUser) != 0;
+    if ((flags & kCvarRom) != 0 || (cvar->string() == cvar->default_string() && !user_made)) continue;
+    text += (user_made && cvar->archived() ? "seta " : "set ") + name + ' ' + in_quotes(cvar->string()) + '\n';
+  }
+  for (const auto& [name, body] : aliases_) text += "alias " + in_quotes(name) + ' ' + in_quotes(body) + '\n';
+  return text;
+}
+
 Status Console::write_config(const std::filesystem::path& path) const {
   const std::string text = config_text();
   return fs::write_text_atomically(path, text);

@@ -93,6 +93,8 @@ class Console {
   bool buffer_empty() const;
   // Drops all commands in the buffer, because the program ends.
   void forget_commands() { buffer_.clear(); }
+  // The commands in the buffer, for another console that goes on with them.
+  std::string remaining_commands() const { return buffer_.rest(); }
   // The last execute() ended at a `wait`.
   bool waiting() const { return wait_; }
 
@@ -127,6 +129,8 @@ class Console {
   // lines.
   void add_config_section(std::function<std::string()> section);
   std::string config_text() const;
+  // A script by which another console gets this one's aliases, and all cvars that are not at their defaults.
+  std::string session_text() const;
   // Replaces the file completely, or leaves it unchanged.
   Status write_config(const std::filesystem::path& path) const;
 

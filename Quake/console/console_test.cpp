@@ -364,6 +364,30 @@ TEST_F(ConsoleTest, WritesConfig) {
   EXPECT_FALSE(console.write_config(path / "below"));
 }
 
+TEST_F(ConsoleTest, AnotherConsoleGetsItsCvarsAndAliases) {
+  Console other;
+  for (Console* each : {&console, &other}) {
+    each->add_cvar("kept", "1", "", kCvarArchive);
+    each->add_cvar("plain", "1", "");
+    each->add_cvar("untouched", "1", "");
+    each->add_cvar("fixed", each == &console ? "here" : "there", "", kCvarRom);
+  }
+  console.execute("kept 2\nplain \"two words; do no\"\nset mine 3\nseta my_own 4\nalias both \"do a; do b\"");
+  other.execute("untouched 5");
+  other.execute(console.session_text());
+  EXPECT_EQ(other.cvar("kept").string(), "2");
+  EXPECT_EQ(other.cvar("plain").string(), "two words; do no");
+  EXPECT_EQ(other.cvar("untouched").string(), "5");
+  EXPECT_EQ(other.cvar("fixed").string(), "there");
+  EXPECT_EQ(other.cvar("mine").string(), "3");
+  EXPECT_FALSE(other.cvar("mine").archived());
+  EXPECT_TRUE(other.cvar("my_own").archived());
+  std::vector<std::string> heard;
+  other.add_command("do", "", [&](const Args& args) { heard.push_back(args.joined(1)); });
+  other.execute("both");
+  EXPECT_THAT(heard, ElementsAre("a", "b"));
+}
+
 TEST_F(ConsoleTest, ScrollbackHearsTheLogAndEchoIsThere) {
   EXPECT_THAT(said("echo \"a  b\" c"), ElementsAre("a  b c"));
   EXPECT_THAT(said("clear; echo x"), ElementsAre("x"));

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "base/log.h"
 #include "base/log_budget.h"
 #include "base/stop.h"
-#include "host/terminal.h"
 #include "platform/clock.h"
 
 namespace fb::host {
@@ -32,7 +33,7 @@ Result<std::unique_ptr<Engine>> assemble_dedicated(const GameOptions& options) {
   return made;
 }
 
-Result<int> run_dedicated(const GameOptions& options) {
+Result<int> run_dedicated(const GameOptions& options, TerminalLines& terminal, std::optional<NextStart>& next) {
   const LogBudget budget;
   auto made = assemble_dedicated(options);
   if (!made) return made.error();
@@ -44,10 +45,13 @@ Result<int> run_dedicated(const GameOptions& options) {
     quit = true;
     console.forget_commands();
   });
+  register_game(console, engine.files(), options, [&](NextStart wanted) {
+    next = std::move(wanted);
+    quit = true;
+  });
   console.set_scripts_may_name_nothing(true);
-  engine.queue_configuration(options.arguments);
+  engine.queue_configuration(options);
 
-  TerminalLines terminal;
   FrameTimer timer;
   double last = platform::now_seconds();
   while (!quit && !stop_wanted()) {
@@ -59,8 +63,8 @@ Result<int> run_dedicated(const GameOptions& options) {
     const double now = platform::now_seconds();
     engine.frame(timer.plan(now - last, settings), vec2(0.0f), now);
     last = now;
-    const double next = now + static_cast<double>(console.cvar("sys_ticrate").value());
-    if (console.buffer_empty() || console.waiting()) platform::sleep_seconds(next - platform::now_seconds());
+    const double next_tick = now + static_cast<double>(console.cvar("sys_ticrate").value());
+    if (console.buffer_empty() || console.waiting()) platform::sleep_seconds(next_tick - platform::now_seconds());
   }
   engine.server().shutdown();
   return engine.went_wrong() ? 1 : 0;

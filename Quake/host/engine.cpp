@@ -182,13 +182,18 @@ void Engine::register_listen() {
                        });
 }
 
-void Engine::queue_configuration(const std::vector<std::string>& arguments) {
-  console_.set_command_line(arguments);
-  if (files_.exists("quake.rc")) return console_.append("exec quake.rc\n");
-  for (const char* script : {"default.cfg", "config.cfg", "autoexec.cfg"}) {
-    if (files_.exists(script)) console_.append(fmt::format("exec {}\n", script));
+void Engine::queue_configuration(const GameOptions& options) {
+  console_.set_command_line(options.arguments);
+  console_.append(options.carried.session);
+  if (files_.exists("quake.rc")) {
+    console_.append("exec quake.rc\n");
+  } else {
+    for (const char* script : {"default.cfg", "config.cfg", "autoexec.cfg"}) {
+      if (files_.exists(script)) console_.append(fmt::format("exec {}\n", script));
+    }
+    console_.append("stuffcmds\n");
   }
-  console_.append("stuffcmds\n");
+  console_.append(options.carried.commands);
 }
 
 Status Engine::write_config(std::string_view name) const {

@@ -74,7 +74,7 @@ class Engine {
   void set_loading(const std::function<void()>& loading);
   // Queues the commands that configure a game, as Quake does: quake.rc, or the same steps if there is none; they
   // include those of the command line.
-  void queue_configuration(const std::vector<std::string>& arguments);
+  void queue_configuration(const GameOptions& options);
   // Bindings and kept cvars as a file of the game's folder, whole or not at all.
   Status write_config(std::string_view name) const;
   // Where the console's lines are kept between runs, for all games.

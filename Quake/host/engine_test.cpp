@@ -132,7 +132,9 @@ TEST_F(EngineTest, ConfigurationsComeInQuakesOrder) {
   std::ofstream(folder / "id1" / "autoexec.cfg") << "echo autoexec\n";
   auto engine = make();
   ASSERT_TRUE(engine);
-  engine->queue_configuration({"+echo", "command line", "+map", "start"});
+  GameOptions options;
+  options.arguments = {"+echo", "command line", "+map", "start"};
+  engine->queue_configuration(options);
   run(*engine, 3, [] { return false; });
   const std::size_t config = log.find("config\n"), autoexec = log.find("autoexec\n"), line = log.find("command line\n");
   ASSERT_NE(line, std::string::npos) << log;

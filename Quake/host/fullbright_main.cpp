@@ -3,16 +3,19 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/stop.h"
 #include "host/base_game.h"
+#include "host/change_game.h"
 #include "host/dedicated.h"
 #include "host/device_list.h"
 #include "host/game.h"
 #include "host/guarded_main.h"
+#include "host/terminal.h"
 
 namespace fb::host {
 namespace {
@@ -21,16 +24,18 @@ constexpr const char* kProgram = "fullbright";
 
 // How a game ended.
 struct End {
-  std::vector<std::string> next_start;  // the arguments with which the program begins anew, if it does
+  std::optional<NextStart> next_start;  // if the program begins anew
   bool at_once = false;                 // no destructor may run any more
 };
 
-int run_once(const std::vector<std::string>& arguments, End& end) {
-  const auto options = parse_game_options(with_base_game(arguments));
+int run_once(const NextStart& start, TerminalLines& terminal, End& end) {
+  auto options = parse_game_options(with_base_game(start.arguments));
   if (!options) {
     fmt::print(stderr, "fullbright: {}\n", options.error().message);
     return 2;
   }
+  options->carried = start.carried;
+  options->has_commands |= !start.carried.commands.empty();
   if (options->help) {
     fmt::print("{}", game_help());
     return 0;
@@ -41,7 +46,7 @@ int run_once(const std::vector<std::string>& arguments, End& end) {
   }
   if (options->list_devices) return print_devices(options->device);
   if (options->dedicated) {
-    const auto status = run_dedicated(*options);
+    const auto status = run_dedicated(*options, terminal, end.next_start);
     if (!status) fmt::print(stderr, "fullbright: {}\n", status.error().message);
     return status ? *status : 1;
   }
@@ -52,19 +57,24 @@ int run_once(const std::vector<std::string>& arguments, End& end) {
     return 1;
   }
   const int status = (*game)->run();
-  end.next_start = (*game)->next_start().value_or(std::vector<std::string>());
+  end.next_start = (*game)->next_start();
   end.at_once = end.at_once || !(*game)->settled();
   return status;
 }
 
+// What fails in one of several starts is not forgotten.
 int run_program(std::vector<std::string> arguments, bool& at_once) {
+  NextStart start{std::move(arguments), {}};
+  TerminalLines terminal;  // it may have read more than one start was given
   End end;
+  int worst = 0;
   while (true) {
-    end.next_start.clear();
-    const int status = run_once(arguments, end);
+    end.next_start.reset();
+    const int status = run_once(start, terminal, end);
+    if (status != 0) worst = status;
     at_once = end.at_once;
-    if (end.next_start.empty() || stop_wanted()) return status;
-    arguments = std::move(end.next_start);
+    if (!end.next_start || stop_wanted()) return worst;
+    start = std::move(*end.next_start);
   }
 }
 

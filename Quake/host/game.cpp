@@ -106,7 +106,7 @@ Result<std::unique_ptr<Game>> Game::create(const GameOptions& options) {
 
   // Mouse look is on unless the configuration says otherwise.
   if (!options.headless) game->engine_->console().append("+mlook\n");
-  game->engine_->queue_configuration(options.arguments);
+  game->engine_->queue_configuration(options);
 
   if (!options.headless)
     if (auto status = game->open_window(); !status) return status.error();
@@ -132,8 +132,10 @@ void Game::register_commands() {
     console.add_command("startdemos", "startdemos: no effect without a window: the loop would never end",
                         [](const con::Args&) {});
   }
-  console.add_command("game", "game [folder]: show the game folder, or play another: the program starts anew with it",
-                      [this](const con::Args& args) { change_game(args); });
+  register_game(console, engine_->files(), options_, [this](NextStart next) {
+    if (!options_.headless || !next.carried.commands.empty()) next_start_ = std::move(next);
+    quit_ = true;
+  });
   console.add_command("viewmap", "viewmap <map>: show a map from its first player start, without starting a game",
                       [this](const con::Args& args) {
                         if (args.size() != 2) {
@@ -157,22 +159,6 @@ std::vector<std::uint32_t> Game::read_picture() const {
     for (std::uint32_t& p : pixels) p = (p & 0xff00ff00u) | ((p & 0xffu) << 16u) | ((p >> 16u) & 0xffu);
   }
   return pixels;
-}
-
-// Everything that was read from the former folder is let go with it.
-void Game::change_game(const con::Args& args) {
-  if (args.size() < 2) return log_info("\"game\" is \"{}\"", engine_->files().game());
-  const std::string& folder = args[1];
-  const fs::FsOptions& files = engine_->files().options();
-  const auto user = files.user_dir ? *files.user_dir : fs::default_user_dir();
-  std::error_code code;
-  const bool is_name = folder.find_first_of("/\\:") == folder.npos && folder != "." && folder != "..";
-  const bool exists = is_name && (std::filesystem::is_directory(files.base_dir / folder, code) ||
-                                  (!user.empty() && std::filesystem::is_directory(user / folder, code)));
-  if (!exists) return engine_->console().fail(fmt::format("game {}: there is no such game folder", folder));
-  next_start_ = with_game(options_.arguments, folder);
-  quit_ = true;
-  engine_->console().forget_commands();
 }
 
 // Where the start leads to no game and no demo, the menu shows what to do.

@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "gpu/device.h"
 #include "gpu/swapchain.h"
+#include "host/change_game.h"
 #include "host/demo_capture.h"
 #include "host/demo_controls.h"
 #include "host/engine.h"
@@ -44,8 +45,8 @@ class Game {
   // and device alone, and the program must end by std::_Exit.
   bool settled() const;
   const con::Console& console() const { return engine_->console(); }
-  // The command line of the program's next start, with another game folder, if `game` has asked for one.
-  const std::optional<std::vector<std::string>>& next_start() const { return next_start_; }
+  // The program's next start, if `game` has asked for one and there is anything to do there.
+  const std::optional<NextStart>& next_start() const { return next_start_; }
 
  private:
   Game(const GameOptions& options, std::unique_ptr<Engine> engine);
@@ -57,7 +58,6 @@ class Game {
   void fit_to_window();
   void keep_window_size();
   void register_commands();
-  void change_game(const con::Args& args);
   void apply_video();
   void replace_device(const std::string& why);
   void open_first_menu();
@@ -110,7 +110,7 @@ class Game {
   scene::FrameSnapshot snapshot_;
   PassReport pass_report_;
   TimedemoReport timedemo_report_;
-  std::optional<std::vector<std::string>> next_start_;
+  std::optional<NextStart> next_start_;
   bool quit_ = false, was_timing_ = false;
   bool first_timed_ = false;              // no timed frame has been shown yet: that one loads and compiles
   bool started_ = false;                  // the configuration has been read

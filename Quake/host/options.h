@@ -12,6 +12,12 @@
 
 namespace fb::host {
 
+// What a program that begins anew (`game`) takes with it.
+struct CarriedScripts {
+  std::string session;   // cvars and aliases as they were; runs before the configuration
+  std::string commands;  // those that were still to come; run after it
+};
+
 struct GameOptions {
   bool help = false, version = false, list_devices = false;
   bool headless = false, fullscreen = false, validation = false;
@@ -34,6 +40,7 @@ struct GameOptions {
   std::optional<std::uint64_t> seed;                          // of QuakeC's random numbers; none: a random seed
   std::optional<std::uint32_t> particles, console_kilobytes;  // none: the default
   std::vector<std::string> arguments;                         // all of them, for files and stuffcmds
+  CarriedScripts carried;
 };
 
 // Parses by the rows of option_table.h. Fails on an unknown option and on a missing or malformed value, with a message

@@ -185,6 +185,40 @@ if [[ -d $build/game/id1 || -d $data/id1 ]]; then
   # Not under sanitizers, which want terabytes of addresses.
   if (ulimit -v 6000000 && "$build/fullbright" -version) >/dev/null 2>&1; then check "a start with little memory ends with one sentence" starved; fi
 fi
+# `game` with and without a window's parts: the commands behind it go on in the other folder, behind its configuration.
+mkdir -p "$scratch/two/id1/maps" "$scratch/two/other" && cp Misc/basegame/maps/b_bh25.bsp "$scratch/two/id1/maps/"
+printf 'echo "others configuration"\ngame other\nsv_friction 3\n' >"$scratch/two/other/autoexec.cfg"
+in_two() { timeout 120 "$build/fullbright" "$@" >"$scratch/log" 2>"$scratch/errors" </dev/null; }
+two=(-size 16x16 -port $((20000 + RANDOM)) -userdir "$scratch/user_of_two" -basedir "$scratch/two")
+goes_on() {  # goes_on OPTION...
+  local status
+  in_two "$@" "${two[@]}" +sv_gravity 555 +sv_friction 7 +alias greet "echo greetings; game; wait; sv_gravity; sv_friction" \
+    +game other +greet +wait +game id1 +game +quit +echo beyond
+  status=$?
+  [[ $status -eq 0 && "$(grep -o '^others configuration\|^"game" is.*\|^greetings\|^"sv_gravity" is "555"\|^"sv_friction" is "3"\|^beyond' "$scratch/log")" == \
+'others configuration
+"game" is "other" already
+greetings
+"game" is "other"
+"sv_gravity" is "555"
+"sv_friction" is "3"
+"game" is "id1"' ]] || { echo "exit status $status" && cat "$scratch/log" "$scratch/errors" && false; }
+}
+fails_before() {  # fails_before OPTION...: what failed in the first folder is the exit status of all
+  in_two "$@" "${two[@]}" +map nowhere +game nofolder +game other +echo goes on +quit
+  [[ $? -eq 1 ]] && grep -q 'game nofolder: there is no such game folder' "$scratch/errors" && grep -q '^goes on' "$scratch/log"
+}
+ends_there() { in_two -headless "${two[@]}" +echo here +game other && grep -q '^here' "$scratch/log"; }
+typed_goes_on() {
+  printf 'echo typed\ngame other\necho on\ngame\nquit\n' | timeout 60 "$build/fullbright" -dedicated "${two[@]}" >"$scratch/log" 2>&1 &&
+    grep -q '^"game" is "other"' "$scratch/log"
+}
+for mode in -dedicated -headless; do
+  check "$mode: commands behind \`game\` go on, with cvars and aliases" goes_on $mode
+  check "$mode: a failure before \`game\` is not forgotten" fails_before $mode
+done
+check "a program without a window ends at a last \`game\`" ends_there
+check "a terminal's commands behind \`game\` go on" typed_goes_on
 check "and of the laboratory" ends_with_one_sentence "a picture of 16384x16384 needs a buffer of" \
   "$build/fullbright-lab" render --quiet --scene cbox --size 16384x16384
 check "a device would be chosen" grep -q '^\* 0\|^\* [0-9]' "$scratch/devices"
