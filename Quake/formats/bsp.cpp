@@ -1,8 +1,9 @@
 // Parses maps: the header, the fifteen lumps in an order in which each can be checked against those before it, then the
-// trees. Formats as in the published specifications of Quake's BSP29 and of RMQ's 2PSB and BSP2. Which faults are
-// repaired instead of refused follows QuakeSpasm's behaviour.
+// trees. Formats as in the published specifications of Quake's BSP29 and of RMQ's 2PSB and BSP2; Quake 64's as
+// QuakeSpasm reads it. Which faults are repaired instead of refused follows QuakeSpasm's behaviour.
 #include "formats/bsp.h"
 
+#include "base/text_mark.h"
 #include "formats/bsp_detail.h"
 
 namespace fb::formats {
@@ -35,6 +36,9 @@ enum LumpIndex {
 constexpr std::array<const char*, kLumpCount> kLumpNames = {
     "entities", "planes",    "textures", "vertices",     "visibility", "nodes",     "texinfos", "faces",
     "lighting", "clipnodes", "leafs",    "marksurfaces", "edges",      "surfedges", "models"};
+
+// A map is whole without these: a wall is plain, everything is seen from everywhere, no light is stored.
+constexpr bool can_be_spared(std::size_t lump) { return lump == kTextures || lump == kVisibility || lump == kLighting; }
 
 // CRC-16/CCITT as QuakeSpasm computes it for external entity files.
 std::uint16_t crc16(ByteView data) {
@@ -123,8 +127,11 @@ bool BspParser::read_header() {
       bsp_.version = BspVersion::k2Psb;
       layout_ = {true, false};
       break;
+    case 0x51363420u:  // " 46Q", the number that spells "Q64 "
+      bsp_.version = BspVersion::kQuake64;
+      break;
     default:
-      return refuse(0, "map version " + std::to_string(version) + " is none of 29, BSP2, 2PSB");
+      return refuse(0, "map version " + std::to_string(version) + " is none of 29, BSP2, 2PSB, Quake 64's");
   }
   for (std::size_t i = 0; i < kLumpCount; ++i) {
     const std::size_t entry = reader_.offset();
@@ -133,6 +140,10 @@ bool BspParser::read_header() {
     if (reader_.failed()) return refuse(entry, "file ends inside the map's header");
     if (size == 0) continue;  // empty lumps may point anywhere
     if (!range_fits(offset, size, reader_.size())) {
+      if (can_be_spared(i)) {
+        mendings_.add(entry, "a lump of textures, visibility or light lies outside the file; left out");
+        continue;
+      }
       return refuse(entry, std::string(kLumpNames[i]) + " lump (" + std::to_string(size) + " bytes at " +
                                std::to_string(offset) + ") lies outside the file of " + std::to_string(reader_.size()) +
                                " bytes");
@@ -146,8 +157,15 @@ bool BspParser::read_extensions() {
   std::size_t maps_end = 4 + 8 * kLumpCount;
   for (const Lump& lump : lumps_) maps_end = std::max(maps_end, lump.end());
   bsp_.bspx = detail::read_bspx(reader_, maps_end, mendings_);
+  if (bsp_.version == BspVersion::kQuake64) {
+    if (lumps_[kLighting].size > 0)
+      bsp_.bspx.emplace_back("RGBLIGHTING", detail::light_of_quake64(lump_bytes(kLighting)));
+  } else {
+    const ByteView lighting = lump_bytes(kLighting);
+    bsp_.lighting.assign(lighting.begin(), lighting.end());
+  }
   // Coloured light may come without the grey lump: its samples are three bytes each.
-  light_samples_ = lumps_[kLighting].size;
+  light_samples_ = bsp_.lighting.size();
   for (const auto& [name, bytes] : bsp_.bspx) {
     if (name == "RGBLIGHTING") light_samples_ = std::max(light_samples_, bytes.size() / 3);
   }
@@ -160,8 +178,9 @@ bool BspParser::read_entities() {
     error_ = fits.error();
     return false;
   }
-  bsp_.entities.assign(text.begin(), std::find(text.begin(), text.end(), std::uint8_t{0}));
   if (!text.empty()) bsp_.entities_crc = crc16(text.first(text.size() - 1));
+  const std::string_view plain = without_byte_order_mark({reinterpret_cast<const char*>(text.data()), text.size()});
+  bsp_.entities = plain.substr(0, plain.find('\0'));
   return true;
 }
 
@@ -229,12 +248,7 @@ bool BspParser::read_surfedges() {
 }
 
 bool BspParser::read_textures() {
-  auto textures = detail::read_textures(reader_, lumps_[kTextures], mendings_);
-  if (!textures) {
-    error_ = textures.error();
-    return false;
-  }
-  bsp_.textures = std::move(*textures);
+  bsp_.textures = detail::read_textures(reader_, lumps_[kTextures], bsp_.version, mendings_);
   return true;
 }
 
@@ -265,8 +279,6 @@ bool BspParser::read_texinfos() {
 bool BspParser::read_faces() {
   std::size_t count = 0;
   if (!open(kFaces, layout_.face_size(), count)) return false;
-  const ByteView lighting = lump_bytes(kLighting);
-  bsp_.lighting.assign(lighting.begin(), lighting.end());
   bsp_.faces.resize(count);
   for (BspFace& face : bsp_.faces) {
     const std::size_t at = reader_.offset();
@@ -277,6 +289,8 @@ bool BspParser::read_faces() {
     face.texinfo = layout_.index(reader_);
     for (std::uint8_t& style : face.styles) style = reader_.u8();
     face.light_offset = reader_.i32();
+    // Quake 64's counts bytes, of which a sample has two.
+    if (bsp_.version == BspVersion::kQuake64 && face.light_offset > 0) face.light_offset /= 2;
     if (face.plane >= bsp_.planes.size()) {
       return refuse(at, "face names plane " + std::to_string(face.plane) + " of " + std::to_string(bsp_.planes.size()));
     }

@@ -1,8 +1,8 @@
-// Quake maps: BSP29, BSP2 and 2PSB with every index checked, plus external .ent and .vis. After parsing, every index in
-// this structure is in range (a face's edges, an edge's vertices, a node's children, a model's faces, ...), node trees
-// have no cycles and are at most kMaxBspDepth deep, and floats are finite, so that users need no checks of their own.
-// Two cases remain for the user: a face may have fewer than three edges (draw nothing), and rows of visibility or
-// samples of light may extend past the end of their lump (stop there).
+// Quake maps: BSP29, BSP2, 2PSB and Quake 64's with every index checked, plus external .ent and .vis. After parsing,
+// every index in this structure is in range (a face's edges, an edge's vertices, a node's children, a model's faces,
+// ...), node trees have no cycles and are at most kMaxBspDepth deep, and floats are finite, so that users need no
+// checks of their own. Two cases remain for the user: a face may have fewer than three edges (draw nothing), and rows
+// of visibility or samples of light may extend past the end of their lump (stop there).
 //
 // A file whose structure contradicts itself is refused. Faults that QuakeSpasm tolerates (a bad texture, a light offset
 // beyond the lump, a node whose leaf does not exist, ...) are repaired and listed in `warnings`.
@@ -21,7 +21,8 @@
 
 namespace fb::formats {
 
-enum class BspVersion { kBsp29, kBsp2, k2Psb };
+// kQuake64: the re-release's Quake 64 maps: BSP29 but for headers of textures and samples of light.
+enum class BspVersion { kBsp29, kBsp2, k2Psb, kQuake64 };
 
 constexpr std::uint32_t kMaxBspDepth =
     4096;                                  // of node and clip node trees: the depth that a recursive walk must support
@@ -29,9 +30,10 @@ constexpr float kMaxBspCoordinate = 1e6f;  // of a vertex, on each axis
 constexpr std::size_t kMostEntityText = 16u << 20u;  // bytes; the largest known maps have five million
 
 struct BspTexture {
-  std::string name;                   // as stored, at most 15 characters; empty for a missing one
+  std::string name;                   // as stored, at most 15 characters; empty for an entry that is not there
   int width = 0, height = 0;          // 1..kMaxImageSize; 16x16 for a missing one of unknown size
   std::vector<std::uint8_t> indices;  // mip 0; empty if the texels are in an external file
+  int shift = 0;                      // Quake 64; if not 0, a texel covers 2 * shift units of the texture axes
   bool missing() const { return indices.empty(); }
 };
 struct BspTexInfo {
@@ -39,6 +41,7 @@ struct BspTexInfo {
   std::uint32_t texture;     // valid index, or kNoTexture
   std::uint32_t flags;       // kTexSpecial
 };
+constexpr int kMaxTextureShift = 16;  // the maps have 0 to 2
 constexpr std::uint32_t kNoTexture = 0xffffffffu;
 constexpr std::uint32_t kTexSpecial = 1;
 
@@ -111,7 +114,8 @@ struct Bsp {
   std::vector<BspModel> models;         // [0] is the world
   Bytes visibility;                     // run-length coded rows
   Bytes lighting;
-  // BSPX lumps by name (RGBLIGHTING, LMSHIFT, ...): unparsed parts of the file.
+  // BSPX lumps by name (RGBLIGHTING, LMSHIFT, ...): unparsed parts of the file. A Quake 64 map's light, which is
+  // coloured, is RGBLIGHTING here, and `lighting` is empty.
   std::vector<std::pair<std::string, Bytes>> bspx;
   std::vector<std::string>
       warnings;  // what was repaired: one sentence for each kind of fault, with file and first offset
@@ -131,8 +135,8 @@ Result<Bsp> parse_bsp(ByteView data, std::string_view name);
 // `name` starts the error message.
 Status check_entity_text(std::size_t size, std::string_view name);
 
-// External .vis (VisPatch, BSP29 only): the record for `map_name` (as "start.bsp") replaces visibility and the leafs'
-// vis_offset and contents-independent leaf data. nullopt if the file has no record for the map.
+// External .vis (VisPatch, BSP29 and Quake 64 only): the record for `map_name` (as "start.bsp") replaces visibility and
+// the leafs' vis_offset and contents-independent leaf data. nullopt if the file has no record for the map.
 struct VisRecord {
   Bytes visibility;
   std::vector<BspLeaf> leafs;  // as many as the map has

@@ -55,7 +55,7 @@ class Mendings {
   std::vector<Entry> entries_;
 };
 
-// Differences of the three versions: BSP29 has 16-bit indices, BSP2 has float bounds.
+// Differences of the versions: BSP29 and Quake 64's have 16-bit indices, BSP2 has float bounds.
 struct Layout {
   bool wide_indices = false;
   bool float_bounds = false;
@@ -91,8 +91,11 @@ vec3 mended_vec3(ByteReader& reader, Mendings& mendings, std::string_view cause)
 Result<std::vector<BspLeaf>> read_leafs(ByteReader& reader, std::size_t count, const Layout& layout,
                                         std::size_t mark_face_count, std::size_t visibility_size, Mendings& mendings);
 
-// Reads the texture lump; bad textures are returned as missing ones.
-Result<std::vector<BspTexture>> read_textures(const ByteReader& file, Lump lump, Mendings& mendings);
+// Reads the texture lump; bad textures are returned as missing ones, textures without a name are called unnamedN.
+std::vector<BspTexture> read_textures(const ByteReader& file, Lump lump, BspVersion version, Mendings& mendings);
+
+// A Quake 64 map's samples of light, each 5 bits of red, 5 of green and 6 of blue from the top, as bytes.
+Bytes light_of_quake64(ByteView samples);
 
 // Reads the BSPX lumps after the map's own; an invalid directory is ignored.
 std::vector<std::pair<std::string, Bytes>> read_bspx(const ByteReader& file, std::size_t maps_end, Mendings& mendings);

@@ -63,7 +63,7 @@ bool same_name(std::string_view a, std::string_view b) {
 
 // Reads the record at the reader's position, which ends at `end`.
 Result<std::optional<VisRecord>> read_record(ByteReader& reader, std::size_t end, const Bsp& bsp) {
-  if (bsp.version != BspVersion::kBsp29)
+  if (bsp.version != BspVersion::kBsp29 && bsp.version != BspVersion::kQuake64)
     return reader.error("visibility of a BSP29 map offered to one of another kind");
   const Layout layout;
   VisRecord record;

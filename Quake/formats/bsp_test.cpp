@@ -20,7 +20,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using testing::write_bsp;
 
-constexpr std::array kVersions = {BspVersion::kBsp29, BspVersion::kBsp2, BspVersion::k2Psb};
+constexpr std::array kVersions = {BspVersion::kBsp29, BspVersion::kBsp2, BspVersion::k2Psb, BspVersion::kQuake64};
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -29,6 +29,10 @@ const testing::Attempt kAttempt = testing::attempt([](const Bytes& bytes) { retu
 
 class EachVersion : public ::testing::TestWithParam<BspVersion> {
  protected:
+  bool quake64() const { return GetParam() == BspVersion::kQuake64; }
+  // Samples of light in the room.
+  std::size_t light_samples() const { return quake64() ? room_.bspx.at(0).second.size() / 3 : room_.lighting.size(); }
+
   Bsp room_ = box_room(GetParam());
 
   // Refused, and for the reason that contains `cause`.
@@ -59,7 +63,7 @@ class EachVersion : public ::testing::TestWithParam<BspVersion> {
 INSTANTIATE_TEST_SUITE_P(Bsp, EachVersion, ::testing::ValuesIn(kVersions));
 
 TEST_P(EachVersion, RoundTrips) {
-  room_.bspx = {{"RGBLIGHTING", Bytes(5202, 9)}, {"LMSHIFT", Bytes(6, 4)}};
+  if (!quake64()) room_.bspx = {{"RGBLIGHTING", Bytes(5202, 9)}, {"LMSHIFT", Bytes(6, 4)}};
   const Bytes file = write_bsp(room_);
   const auto bsp = parse_bsp(file, "maps/x.bsp");
   ASSERT_TRUE(bsp.ok()) << bsp.error().message;
@@ -69,9 +73,10 @@ TEST_P(EachVersion, RoundTrips) {
   EXPECT_EQ(write_bsp(*bsp), file);
 
   EXPECT_EQ(bsp->textures[0].indices, room_.textures[0].indices);
+  EXPECT_EQ(bsp->textures[0].shift, room_.textures[0].shift);
   EXPECT_TRUE(bsp->textures[1].missing());
-  EXPECT_EQ(bsp->textures[1].name, "outside");
-  EXPECT_EQ(bsp->textures[1].width, 32);
+  EXPECT_EQ(bsp->textures[1].name, room_.textures[1].name);
+  EXPECT_EQ(bsp->textures[1].width, quake64() ? 16 : 32);
   EXPECT_TRUE(bsp->textures[2].missing());
   EXPECT_EQ(bsp->face_vertex(bsp->faces[1], 0), room_.face_vertex(room_.faces[1], 0));
   EXPECT_EQ(bsp->bspx, room_.bspx);
@@ -98,12 +103,32 @@ TEST_P(EachVersion, SoundWhenDamaged) {
 
 TEST_P(EachVersion, OversizedLumpsAreRefused) {
   const Bytes valid = write_bsp(room_);
+  const auto can_be_spared = [](std::size_t lump) { return lump == 2 || lump == 4 || lump == 8; };
   for (std::size_t word = 4; word < 124; word += 4) {
+    if (can_be_spared((word - 4) / 8)) continue;
     for (const std::uint32_t value : {0xffffffffu, 0x7ffffffcu, static_cast<std::uint32_t>(valid.size() + 4)}) {
       testing::ByteWriter file{valid};
       file.patch_u32(word, value);
       testing::expect_refused(kAttempt, file.out, "maps/x.bsp");
     }
+  }
+}
+
+// A wall without its texture, a level in which all is seen, light that is not used: no reason to lose the map.
+TEST_P(EachVersion, LumpsThatCanBeSparedAreLeftOut) {
+  for (const std::size_t lump : {2u, 4u, 8u}) {
+    testing::ByteWriter file{write_bsp(room_)};
+    file.patch_u32(4 + 8 * lump, static_cast<std::uint32_t>(file.out.size() - 4));
+    file.patch_u32(8 + 8 * lump, 5);
+    const auto bsp = parse_bsp(file.out, "maps/x.bsp");
+    ASSERT_TRUE(bsp.ok()) << lump << ": " << bsp.error().message;
+    EXPECT_EQ(testing::broken(*bsp), "");
+    ASSERT_FALSE(bsp->warnings.empty());
+    EXPECT_THAT(bsp->warnings[0], HasSubstr("lies outside the file; left out"));
+    EXPECT_TRUE(testing::names_place(bsp->warnings[0], "maps/x.bsp", file.out.size()));
+    EXPECT_EQ(bsp->textures.empty(), lump == 2);
+    EXPECT_EQ(bsp->visibility.empty(), lump == 4);
+    EXPECT_EQ(bsp->lighting.empty() && bsp->bspx.empty(), lump == 8);
   }
 }
 
@@ -269,7 +294,7 @@ TEST_P(EachVersion, NodeChildThatDoesNotExist) {
   }
 }
 TEST_P(EachVersion, LightOutsideItsLump) {
-  room_.faces[0].light_offset = static_cast<std::int32_t>(room_.lighting.size());
+  room_.faces[0].light_offset = static_cast<std::int32_t>(light_samples());
   room_.faces[1].light_offset = -7;
   const Bsp bsp = expect_mended("light outside the lighting lump; taken as none (and 1 more)");
   EXPECT_EQ(bsp.faces[0].light_offset, -1);
@@ -277,6 +302,7 @@ TEST_P(EachVersion, LightOutsideItsLump) {
   EXPECT_EQ(bsp.faces[2].light_offset, room_.faces[2].light_offset);
 }
 TEST_P(EachVersion, ColouredLightAlone) {
+  if (quake64()) return;  // which has no other
   room_.bspx = {{"RGBLIGHTING", Bytes(3 * room_.lighting.size())}};
   room_.lighting.clear();
   const auto bsp = parse_bsp(write_bsp(room_), "maps/x.bsp");
@@ -285,6 +311,7 @@ TEST_P(EachVersion, ColouredLightAlone) {
 }
 TEST_P(EachVersion, NoLightNoVisibility) {
   room_.lighting.clear();
+  room_.bspx.clear();
   room_.visibility.clear();
   const auto bsp = parse_bsp(write_bsp(room_), "maps/x.bsp");
   ASSERT_TRUE(bsp.ok());
@@ -378,11 +405,62 @@ TEST(Bsp2, BoxNotFinite) {
   EXPECT_EQ(bsp->warnings.size(), 1u);
 }
 
+// --- Quake 64's ---
+
+TEST(Quake64, TexturesHaveAShift) {
+  Bsp room = box_room(BspVersion::kQuake64);
+  EXPECT_EQ(parse_bsp(write_bsp(room), "x")->textures[0].shift, 2);
+  for (const int wrong : {-1, kMaxTextureShift + 1, std::numeric_limits<int>::max()}) {
+    room.textures[0].shift = wrong;
+    const auto bsp = parse_bsp(write_bsp(room), "x");
+    ASSERT_TRUE(bsp.ok());
+    EXPECT_EQ(bsp->textures[0].shift, 0);
+    EXPECT_EQ(bsp->textures[0].indices, room.textures[0].indices);
+    EXPECT_THAT(bsp->warnings, Contains(HasSubstr("impossible shift")));
+  }
+}
+// The texels follow the header, whatever the offsets say.
+TEST(Quake64, OffsetsOfTexelsSayNothing) {
+  const Bytes valid = write_bsp(box_room(BspVersion::kQuake64));
+  std::uint32_t lump = 0;
+  std::memcpy(&lump, valid.data() + 4 + 8 * 2, 4);
+  for (const std::uint32_t offset : {0u, 40u, 60u}) {
+    testing::ByteWriter file{valid};
+    file.patch_u32(lump + 16 + 28, offset);
+    EXPECT_EQ(parse_bsp(file.out, "x")->textures[0].indices, box_room(BspVersion::kQuake64).textures[0].indices);
+  }
+}
+// Sixteen bits a sample, the greater byte first; a face counts bytes.
+TEST(Quake64, LightIsColoured) {
+  Bsp room = box_room(BspVersion::kQuake64);
+  room.bspx[0].second.assign(3 * 300, 0);
+  room.faces[1].light_offset = 299;
+  Bytes file = write_bsp(room);
+  std::uint32_t lump = 0;
+  std::memcpy(&lump, file.data() + 4 + 8 * 8, 4);
+  file[lump] = 0xf8;  // 11111 000, 00 000001
+  file[lump + 1] = 0x01;
+  file[lump + 2] = 0x07;  // 00000 111, 11 111111
+  file[lump + 3] = 0xff;
+  const auto bsp = parse_bsp(file, "x");
+  ASSERT_TRUE(bsp.ok());
+  ASSERT_EQ(bsp->bspx.size(), 1u);
+  const Bytes& light = bsp->bspx[0].second;
+  EXPECT_EQ(Bytes(light.begin(), light.begin() + 6), (Bytes{248, 0, 4, 0, 248, 252}));
+  EXPECT_EQ(bsp->faces[1].light_offset, 299);
+}
+
 // The published check value of CRC-16/CCITT with start 0xffff.
 TEST(Bsp, EntitiesCrc) {
   Bsp room = box_room(BspVersion::kBsp29);
   room.entities = "123456789";
   EXPECT_EQ(parse_bsp(write_bsp(room), "x")->entities_crc, 0x29b1);
+}
+
+TEST(Bsp, EntitiesMayBeginWithAByteOrderMark) {
+  Bsp room = box_room(BspVersion::kBsp29);
+  room.entities = "\xef\xbb\xbf{}";
+  EXPECT_EQ(parse_bsp(write_bsp(room), "x")->entities, "{}");
 }
 
 TEST(Bsp, EntitiesHaveALimit) {

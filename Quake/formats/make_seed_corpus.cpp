@@ -22,8 +22,8 @@ struct Seed {
 };
 
 void add_map_seeds(std::vector<Seed>& seeds) {
-  const char* names[] = {"bsp29", "bsp2", "2psb"};
-  for (const BspVersion version : {BspVersion::kBsp29, BspVersion::kBsp2, BspVersion::k2Psb}) {
+  const char* names[] = {"bsp29", "bsp2", "2psb", "quake64"};
+  for (const BspVersion version : {BspVersion::kBsp29, BspVersion::kBsp2, BspVersion::k2Psb, BspVersion::kQuake64}) {
     const std::string name = names[static_cast<int>(version)];
     Bsp room = box_room(version);
     seeds.push_back({"fuzz_bsp", name + "_room", write_bsp(room)});
@@ -47,11 +47,15 @@ void add_map_seeds(std::vector<Seed>& seeds) {
 void add_model_seeds(std::vector<Seed>& seeds) {
   Mdl mdl = tetrahedron();
   seeds.push_back({"fuzz_mdl", "groups", write_mdl(mdl)});
+  ByteWriter more{write_mdl(mdl)};
+  more.patch_u32(68, 3);  // frames than there are
+  seeds.push_back({"fuzz_mdl", "cut", more.out});
   mdl.skins.resize(1);
   mdl.frames.resize(1);
   seeds.push_back({"fuzz_mdl", "single", write_mdl(mdl)});
   for (int i = 0; i < 5; ++i) {
     Spr spr = small_sprite(static_cast<SpriteOrientation>(i));
+    if (i == 1) spr.frames[0].images[0].image = {0, 1, {}};
     if (i > 2) spr.frames.resize(1);
     seeds.push_back({"fuzz_spr", "orientation" + std::to_string(i), write_spr(spr)});
   }
@@ -61,6 +65,9 @@ void add_picture_seeds(std::vector<Seed>& seeds) {
   seeds.push_back({"fuzz_wad", "pictures",
                    write_wad({{"disc", 'B', write_lmp(small_picture())}, {"num_0", 'B', write_lmp(small_picture())}})});
   seeds.push_back({"fuzz_wad", "conchars", small_wad()});
+  ByteWriter outside{small_wad()};
+  outside.patch_u32(outside.out.size() - 3 * 32, 0x7fffffffu);
+  seeds.push_back({"fuzz_wad", "outside", outside.out});
   seeds.push_back({"fuzz_image", "picture.lmp", write_lmp(small_picture())});
   seeds.push_back({"fuzz_image", "paletted.pcx", write_pcx(small_picture(), Palette{})});
   seeds.push_back({"fuzz_image", "coloured.pcx", write_pcx(small_image(false))});

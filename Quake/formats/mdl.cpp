@@ -45,13 +45,15 @@ class MdlParser {
   bool read_tex_coords();
   bool read_triangles();
   bool read_frames();
+  bool read_frame();
   bool read_pose(std::string& name);
+  void leave_rest_out(std::uint32_t whole);
 
   ByteReader reader_;
   Error error_;
   Mdl mdl_;
   std::uint32_t skin_count_ = 0, triangle_count_ = 0, frame_count_ = 0;
-  bool said_times_ = false, said_normal_ = false, said_radius_ = false;
+  bool said_times_ = false, said_normal_ = false, said_radius_ = false, said_vertex_ = false;
 };
 
 bool MdlParser::read_count(std::uint32_t& count, const char* what) {
@@ -159,18 +161,19 @@ bool MdlParser::read_triangles() {
   if (!holds(triangle_count_, kTriangleSize)) {
     return refuse(reader_.offset(), "file is too short for " + std::to_string(triangle_count_) + " triangles");
   }
-  mdl_.triangles.resize(triangle_count_);
-  for (MdlTriangle& triangle : mdl_.triangles) {
+  const std::size_t first_at = reader_.offset();
+  mdl_.triangles.reserve(triangle_count_);
+  for (std::uint32_t i = 0; i < triangle_count_; ++i) {
     const std::size_t at = reader_.offset();
+    MdlTriangle triangle{};
     triangle.faces_front = reader_.i32() != 0;
-    for (std::uint32_t& vertex : triangle.vertices) {
-      vertex = reader_.u32();
-      if (vertex >= mdl_.vertex_count) {
-        return refuse(at,
-                      "triangle names vertex " + std::to_string(vertex) + " of " + std::to_string(mdl_.vertex_count));
-      }
-    }
+    for (std::uint32_t& vertex : triangle.vertices) vertex = reader_.u32();
+    if (std::ranges::all_of(triangle.vertices, [&](std::uint32_t vertex) { return vertex < mdl_.vertex_count; }))
+      mdl_.triangles.push_back(triangle);
+    else
+      mend(at, "triangle names a vertex beyond those there are; left out", said_vertex_);
   }
+  if (mdl_.triangles.empty()) return refuse(first_at, "every triangle names a vertex beyond those there are");
   return true;
 }
 
@@ -197,36 +200,52 @@ bool MdlParser::read_pose(std::string& name) {
 }
 
 bool MdlParser::read_frames() {
-  const std::uint64_t pose_size = kPoseHeaderSize + kVertexSize * std::uint64_t{mdl_.vertex_count};
-  if (!holds(frame_count_, 4 + pose_size)) {
-    return refuse(reader_.offset(), "file is too short for " + std::to_string(frame_count_) + " frames");
-  }
-  mdl_.vertices.reserve(std::size_t{frame_count_} * mdl_.vertex_count);
-  mdl_.frames.reserve(frame_count_);
+  const std::uint64_t frame_size = 4 + kPoseHeaderSize + kVertexSize * std::uint64_t{mdl_.vertex_count};
+  const std::size_t likely = std::min<std::size_t>(frame_count_, reader_.remaining() / frame_size);
+  mdl_.vertices.reserve(likely * mdl_.vertex_count);
+  mdl_.frames.reserve(likely);
   for (std::uint32_t i = 0; i < frame_count_; ++i) {
-    const std::size_t at = reader_.offset();
-    const std::int32_t is_group = reader_.i32();
-    MdlFrame& frame = mdl_.frames.emplace_back();
-    frame.first_pose = mdl_.pose_count;
-    frame.pose_count = 1;
-    if (is_group != 0) {
-      frame.pose_count = reader_.u32();
-      reader_.skip(8);  // bounding box of the group
-      if (reader_.failed() || frame.pose_count < 1 || !holds(frame.pose_count, 4 + pose_size)) {
-        return refuse(at,
-                      "group of " + std::to_string(frame.pose_count) + " frames is empty or runs past the file's end");
-      }
-      if (!detail::read_group_times(reader_, frame.pose_count, frame.end_times)) {
-        mend(at, "group has a time that is not positive; taken as 0.1 s each", said_times_);
-      }
-    }
-    for (std::uint32_t k = 0; k < frame.pose_count; ++k) {
-      std::string pose_name;
-      if (!read_pose(pose_name)) return false;
-      if (k == 0) frame.name = std::move(pose_name);
-    }
+    if (read_frame()) continue;
+    if (i == 0) return false;
+    leave_rest_out(i);
+    break;
   }
   mdl_.vertices.shrink_to_fit();
+  return true;
+}
+
+// Frames have no size of their own: where one is broken, nothing says where the next begins.
+void MdlParser::leave_rest_out(std::uint32_t whole) {
+  mdl_.frames.resize(whole);
+  mdl_.pose_count = mdl_.frames.back().first_pose + mdl_.frames.back().pose_count;
+  mdl_.vertices.resize(std::size_t{mdl_.pose_count} * mdl_.vertex_count);
+  mdl_.warnings.push_back(error_.message + "; of " + std::to_string(frame_count_) + " frames the first " +
+                          std::to_string(whole) + " are used");
+}
+
+bool MdlParser::read_frame() {
+  const std::uint64_t pose_size = kPoseHeaderSize + kVertexSize * std::uint64_t{mdl_.vertex_count};
+  const std::size_t at = reader_.offset();
+  const std::int32_t is_group = reader_.i32();
+  MdlFrame& frame = mdl_.frames.emplace_back();
+  frame.first_pose = mdl_.pose_count;
+  frame.pose_count = 1;
+  if (is_group != 0) {
+    frame.pose_count = reader_.u32();
+    reader_.skip(8);  // bounding box of the group
+    if (reader_.failed() || frame.pose_count < 1 || !holds(frame.pose_count, 4 + pose_size)) {
+      return refuse(at,
+                    "group of " + std::to_string(frame.pose_count) + " frames is empty or runs past the file's end");
+    }
+    if (!detail::read_group_times(reader_, frame.pose_count, frame.end_times)) {
+      mend(at, "group has a time that is not positive; taken as 0.1 s each", said_times_);
+    }
+  }
+  for (std::uint32_t k = 0; k < frame.pose_count; ++k) {
+    std::string pose_name;
+    if (!read_pose(pose_name)) return false;
+    if (k == 0) frame.name = std::move(pose_name);
+  }
   return true;
 }
 

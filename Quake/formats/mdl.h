@@ -1,6 +1,7 @@
 // Alias models (IDPO version 6): groups of frames and skins. After parsing every index is in range, there is at least
 // one skin, frame, triangle and vertex, no group is empty, times are finite, positive and never decrease, and vectors
-// are finite. Small faults that QuakeSpasm tolerates are repaired and listed in `warnings`.
+// are finite. Small faults are repaired and listed in `warnings`: a triangle of a vertex that does not exist is left
+// out, and of a file that ends too early the frames that are whole are used.
 #pragma once
 
 #include <array>

@@ -46,13 +46,56 @@ TEST(Mdl, RoundTrips) {
   EXPECT_EQ(mdl->flags, kMdlRocket | kMdlHoley);
 }
 
-TEST(Mdl, RefusedWhenCut) { testing::expect_refused_when_cut(kAttempt, write_mdl(tetrahedron()), "progs/x.mdl"); }
+// Refused up to the end of the first frame; from there on the frames that are whole are used.
+TEST(Mdl, WhenCutWhatIsWholeIsUsed) {
+  const Bytes whole = write_mdl(tetrahedron());
+  const std::size_t first_frame_ends = 356;
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
+    if (length < first_frame_ends) {
+      testing::expect_refused(kAttempt, cut, "progs/x.mdl");
+      continue;
+    }
+    const auto mdl = parse_mdl(cut, "progs/x.mdl");
+    ASSERT_TRUE(mdl.ok()) << length << ": " << mdl.error().message;
+    ASSERT_EQ(testing::broken(*mdl), "") << length;
+    EXPECT_EQ(mdl->frames.size(), 1u) << length;
+    ASSERT_EQ(mdl->warnings.size(), 1u);
+    EXPECT_THAT(mdl->warnings[0], HasSubstr("; of 2 frames the first 1 are used"));
+    ASSERT_TRUE(testing::names_place(mdl->warnings[0], "progs/x.mdl", length));
+  }
+}
+TEST(Mdl, MoreFramesSaidThanThereAre) {
+  for (const std::uint32_t count : {3u, 0x7fffffffu}) {
+    testing::ByteWriter file{write_mdl(tetrahedron())};
+    file.patch_u32(68, count);
+    const auto mdl = parse_mdl(file.out, "x");
+    ASSERT_TRUE(mdl.ok());
+    EXPECT_EQ(testing::broken(*mdl), "");
+    EXPECT_EQ(mdl->frames.size(), 2u);
+    EXPECT_EQ(mdl->warnings.size(), 1u);
+  }
+}
+// A group of no frames, or of more than there are.
+TEST(Mdl, ABrokenGroupCostsItselfAndWhatFollows) {
+  for (const std::uint32_t count : {0xffffffffu, 0x7fffffffu, 0x10000u, 0u}) {
+    testing::ByteWriter file{write_mdl(tetrahedron())};
+    file.patch_u32(360, count);
+    const auto mdl = parse_mdl(file.out, "x");
+    ASSERT_TRUE(mdl.ok());
+    EXPECT_EQ(testing::broken(*mdl), "");
+    EXPECT_EQ(mdl->frames.size(), 1u);
+    ASSERT_EQ(mdl->warnings.size(), 1u);
+    EXPECT_THAT(mdl->warnings[0], HasSubstr("is empty or runs past the file's end"));
+  }
+}
 TEST(Mdl, SoundWhenDamaged) { testing::expect_sound_when_damaged(kAttempt, write_mdl(tetrahedron()), "progs/x.mdl"); }
 
 TEST(Mdl, CountsBeyondTheFileOrBelowOne) {
-  // Skins, width, height, vertices, triangles, frames; then the group's counts.
-  for (const std::size_t at : {48u, 52u, 56u, 60u, 64u, 68u, 84u + 36u + 4u, 360u}) {
+  // Skins, width, height, vertices, triangles, frames; then the count of a group of skins. Too many frames are mended.
+  for (const std::size_t at : {48u, 52u, 56u, 60u, 64u, 68u, 84u + 36u + 4u}) {
     for (const std::uint32_t count : {0xffffffffu, 0x7fffffffu, 0x10000u, 0u}) {
+      if (at == 68 && static_cast<std::int32_t>(count) > 0) continue;
       testing::ByteWriter file{write_mdl(tetrahedron())};
       file.patch_u32(at, count);
       testing::expect_refused(kAttempt, file.out, "progs/x.mdl");
@@ -77,11 +120,19 @@ TEST(Mdl, WrongMagicOrVersion) {
 }
 
 TEST(Mdl, TriangleVertex) {
-  Mdl mdl = tetrahedron();
-  mdl.triangles[2].vertices[1] = 4;
-  expect_refused(mdl, "triangle names vertex 4 of 4");
-  mdl.triangles[2].vertices[1] = 0xffffffffu;
-  expect_refused(mdl, "triangle names vertex");
+  for (const std::uint32_t vertex : {4u, 0xffffffffu}) {
+    Mdl mdl = tetrahedron();
+    const std::size_t count = mdl.triangles.size();
+    mdl.triangles[2].vertices[1] = vertex;
+    const auto mended = parse_mdl(write_mdl(mdl), "x");
+    ASSERT_TRUE(mended.ok()) << mended.error().message;
+    EXPECT_EQ(testing::broken(*mended), "");
+    EXPECT_EQ(mended->triangles.size(), count - 1);
+    ASSERT_EQ(mended->warnings.size(), 1u);
+    EXPECT_THAT(mended->warnings[0], HasSubstr("triangle names a vertex beyond those there are; left out"));
+    for (MdlTriangle& triangle : mdl.triangles) triangle.vertices[0] = vertex;
+    expect_refused(mdl, "every triangle names a vertex");
+  }
 }
 
 TEST(Mdl, NotFinite) {

@@ -11,8 +11,9 @@ namespace {
 
 constexpr std::uint32_t kSprMagic = 0x50534449u;  // "IDSP"
 constexpr std::size_t kImageHeaderSize = 16;
+constexpr std::uint8_t kClear = 255;
 
-std::optional<Error> read_image(ByteReader& reader, SprFrame& frame) {
+std::optional<Error> read_image(ByteReader& reader, SprFrame& frame, std::vector<std::string>& warnings) {
   const std::size_t at = reader.offset();
   SprImage image;
   image.origin_x = reader.i32();
@@ -20,9 +21,14 @@ std::optional<Error> read_image(ByteReader& reader, SprFrame& frame) {
   const std::uint32_t width = reader.u32();
   const std::uint32_t height = reader.u32();
   if (reader.failed()) return reader.error_at(at, "file ends inside a frame's header");
-  if (width < 1 || height < 1 || width > kMaxImageSize || height > kMaxImageSize) {
-    return reader.error_at(
-        at, "frame of " + std::to_string(width) + " by " + std::to_string(height) + " texels is empty or too large");
+  if (width > kMaxImageSize || height > kMaxImageSize) {
+    return reader.error_at(at, "frame of " + std::to_string(width) + " by " + std::to_string(height) + " is too large");
+  }
+  if (width < 1 || height < 1) {  // nothing to see, and no texels follow
+    if (warnings.empty()) warnings.push_back(reader.error_at(at, "frame without texels; taken as clear").message);
+    image.image = {1, 1, {kClear}};
+    frame.images.push_back(std::move(image));
+    return std::nullopt;
   }
   const ByteView texels = reader.bytes(std::size_t{width} * height);
   if (reader.failed()) {
@@ -34,7 +40,7 @@ std::optional<Error> read_image(ByteReader& reader, SprFrame& frame) {
   return std::nullopt;
 }
 
-std::optional<Error> read_frame(ByteReader& reader, SprFrame& frame) {
+std::optional<Error> read_frame(ByteReader& reader, SprFrame& frame, std::vector<std::string>& warnings) {
   const std::size_t at = reader.offset();
   const std::int32_t is_group = reader.i32();
   std::uint32_t image_count = 1;
@@ -44,13 +50,12 @@ std::optional<Error> read_frame(ByteReader& reader, SprFrame& frame) {
       return reader.error_at(
           at, "group of " + std::to_string(image_count) + " images is empty or runs past the file's end");
     }
-    // QuakeSpasm refuses these too.
-    if (!detail::read_group_times(reader, image_count, frame.end_times)) {
-      return reader.error_at(at, "group has a time that is not positive");
+    if (!detail::read_group_times(reader, image_count, frame.end_times) && warnings.empty()) {
+      warnings.push_back(reader.error_at(at, "group has a time that is not positive; taken as 0.1 s each").message);
     }
   }
   for (std::uint32_t k = 0; k < image_count; ++k) {
-    if (auto error = read_image(reader, frame)) return error;
+    if (auto error = read_image(reader, frame, warnings)) return error;
   }
   return std::nullopt;
 }
@@ -76,12 +81,16 @@ Result<Spr> parse_spr(ByteView data, std::string_view name) {
   if (orientation >= 0 && orientation <= 4) spr.orientation = static_cast<SpriteOrientation>(orientation);
   if (!std::isfinite(spr.bounding_radius)) spr.bounding_radius = 0.0f;
   if (!std::isfinite(spr.beam_length)) spr.beam_length = 0.0f;
-  if (frame_count < 1 || frame_count > reader.remaining() / (4 + kImageHeaderSize)) {
-    return reader.error_at(
-        count_at, "number of frames, " + std::to_string(frame_count) + ", is zero or more than the file can hold");
-  }
+  if (frame_count < 1) return reader.error_at(count_at, "number of frames is zero");
   for (std::uint32_t i = 0; i < frame_count; ++i) {
-    if (auto error = read_frame(reader, spr.frames.emplace_back())) return *error;
+    const auto error = read_frame(reader, spr.frames.emplace_back(), spr.warnings);
+    if (!error) continue;
+    if (i == 0) return *error;
+    // Frames have no size of their own: where one is broken, nothing says where the next begins.
+    spr.frames.pop_back();
+    spr.warnings.push_back(error->message + "; of " + std::to_string(frame_count) + " frames the first " +
+                           std::to_string(i) + " are used");
+    break;
   }
   return spr;
 }

@@ -1,8 +1,10 @@
 // Sprites (IDSP version 1). After parsing there is at least one frame, no group is empty, times are finite, positive
-// and never decrease, and images have at least one texel.
+// and never decrease, and images have at least one texel. Small faults are repaired and listed in `warnings`: of a file
+// that ends too early the frames that are whole are used.
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +37,7 @@ struct Spr {
   float beam_length = 0;
   std::int32_t sync_type = 0;
   std::vector<SprFrame> frames;
+  std::vector<std::string> warnings;  // what was repaired, with file and offset
 };
 
 // Refuses a bad file with file, offset and cause; an unknown orientation is read as kParallel. Memory is bounded by a

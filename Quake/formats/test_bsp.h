@@ -13,8 +13,9 @@
 
 namespace fb::formats::testing {
 
-// The texture lump: a texture without a name has no entry (-1); one with a name but no texels is in an external file.
-inline Bytes write_texture_lump(const std::vector<BspTexture>& textures) {
+// The texture lump: a texture without a name has no entry (-1); one with a name but no texels is in an external file,
+// and in Quake 64's maps, which know no such, nothing follows its header.
+inline Bytes write_texture_lump(const std::vector<BspTexture>& textures, bool quake64 = false) {
   ByteWriter w;
   w.u32(static_cast<std::uint32_t>(textures.size()));
   for (std::size_t i = 0; i < textures.size(); ++i) w.u32(0xffffffffu);
@@ -25,7 +26,8 @@ inline Bytes write_texture_lump(const std::vector<BspTexture>& textures) {
     w.text(texture.name, 16);
     w.u32(static_cast<std::uint32_t>(texture.width));
     w.u32(static_cast<std::uint32_t>(texture.height));
-    std::uint32_t at = 40;
+    if (quake64) w.i32(texture.shift);
+    std::uint32_t at = quake64 ? 44 : 40;
     std::size_t texels = texture.indices.size();
     for (int mip = 0; mip < 4; ++mip, texels /= 4) {
       w.u32(texture.missing() ? 0 : at);
@@ -39,24 +41,27 @@ inline Bytes write_texture_lump(const std::vector<BspTexture>& textures) {
 
 class BspWriter {
  public:
-  explicit BspWriter(const Bsp& bsp) : bsp_(bsp), wide_(bsp.version != BspVersion::kBsp29) {}
+  explicit BspWriter(const Bsp& bsp)
+      : bsp_(bsp),
+        quake64_(bsp.version == BspVersion::kQuake64),
+        wide_(bsp.version != BspVersion::kBsp29 && !quake64_) {}
 
   Bytes write() {
-    file_.u32(bsp_.version == BspVersion::kBsp29 ? 29u : 0u);
-    if (bsp_.version != BspVersion::kBsp29) {
+    file_.u32(quake64_ ? 0x51363420u : bsp_.version == BspVersion::kBsp29 ? 29u : 0u);
+    if (wide_) {
       const std::string_view magic = bsp_.version == BspVersion::kBsp2 ? "BSP2" : "2PSB";
       std::copy(magic.begin(), magic.end(), file_.out.begin());
     }
     for (int i = 0; i < 30; ++i) file_.u32(0);
     lump(0, [&] { file_.text(bsp_.entities, bsp_.entities.size() + 1); });
     lump(1, [&] { planes(); });
-    lump(2, [&] { file_.bytes(write_texture_lump(bsp_.textures)); });
+    lump(2, [&] { file_.bytes(write_texture_lump(bsp_.textures, quake64_)); });
     lump(3, [&] { std::for_each(bsp_.vertices.begin(), bsp_.vertices.end(), [&](const vec3& v) { file_.vec(v); }); });
     lump(4, [&] { file_.bytes(bsp_.visibility); });
     lump(5, [&] { nodes(); });
     lump(6, [&] { texinfos(); });
     lump(7, [&] { faces(); });
-    lump(8, [&] { file_.bytes(bsp_.lighting); });
+    lump(8, [&] { light(); });
     lump(9, [&] { clip_nodes(); });
     lump(10, [&] { leafs(); });
     lump(11, [&] { std::for_each(bsp_.mark_faces.begin(), bsp_.mark_faces.end(), [&](auto f) { index(f); }); });
@@ -124,7 +129,7 @@ class BspWriter {
       index(face.surfedge_count);
       index(face.texinfo);
       file_.bytes(face.styles);
-      file_.i32(face.light_offset);
+      file_.i32(quake64_ && face.light_offset > 0 ? 2 * face.light_offset : face.light_offset);
     }
   }
   void clip_nodes() {
@@ -155,8 +160,20 @@ class BspWriter {
       file_.u32(model.face_count);
     }
   }
+  // Quake 64's, of RGBLIGHTING: 5, 5 and 6 bits of a sample in a word, its greater byte first.
+  void light() {
+    if (!quake64_) return file_.bytes(bsp_.lighting);
+    for (const auto& [name, rgb] : bsp_.bspx) {
+      if (name != "RGBLIGHTING") continue;
+      for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) {
+        const auto word = static_cast<std::uint32_t>((rgb[i] >> 3) << 11 | (rgb[i + 1] >> 3) << 6 | rgb[i + 2] >> 2);
+        file_.u8(word >> 8u);
+        file_.u8(word & 0xffu);
+      }
+    }
+  }
   void bspx() {
-    if (bsp_.bspx.empty()) return;
+    if (bsp_.bspx.empty() || quake64_) return;
     while (file_.out.size() % 4 != 0) file_.u8(0);
     file_.text("BSPX", 4);
     file_.u32(static_cast<std::uint32_t>(bsp_.bspx.size()));
@@ -171,7 +188,7 @@ class BspWriter {
   }
 
   const Bsp& bsp_;
-  bool wide_;
+  bool quake64_, wide_;
   ByteWriter file_;
 };
 
@@ -246,7 +263,16 @@ inline Bsp box_room(BspVersion version) {
   bsp.leafs = {{kContentsSolid, -1, vec3(0.0f), vec3(0.0f), 0, 0, {}},
                {kContentsEmpty, 0, low, high, 0, 6, {1, 2, 3, 4}}};
   bsp.visibility = {1};
-  for (std::size_t i = 0; i < 6 * kSamples; ++i) bsp.lighting.push_back(static_cast<std::uint8_t>(i));
+  if (version == BspVersion::kQuake64) {
+    bsp.bspx = {{"RGBLIGHTING", {}}};
+    for (std::size_t i = 0; i < 6 * kSamples; ++i)
+      for (const std::size_t level : {i % 32 * 8, i % 31 * 8, i % 64 * 4})
+        bsp.bspx[0].second.push_back(static_cast<std::uint8_t>(level));
+    bsp.textures[0].shift = 2;
+    bsp.textures[1].name = "";  // there are no external ones
+  } else {
+    for (std::size_t i = 0; i < 6 * kSamples; ++i) bsp.lighting.push_back(static_cast<std::uint8_t>(i));
+  }
   bsp.models = {{low, high, vec3(0.0f), {0, 0, 0, kContentsEmpty}, 1, 0, 6},
                 {low, high, vec3(0.0f), {~0, kContentsSolid, kContentsSolid, kContentsEmpty}, 0, 0, 0}};
   return bsp;

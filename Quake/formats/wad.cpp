@@ -7,6 +7,7 @@ namespace {
 constexpr std::uint32_t kWadMagic = 0x32444157u;  // "WAD2"
 constexpr std::size_t kEntrySize = 32;
 constexpr int kConcharsSize = 128;
+constexpr std::size_t kMostWarnings = 8;
 
 std::string lower_case(std::string_view text) {
   std::string lower(text);
@@ -31,6 +32,10 @@ Result<Wad> Wad::parse(FileData data, std::string_view name) {
                                   " runs past the end of the file");
   }
   reader.seek(directory);
+  std::size_t left_out = 0;
+  const auto leave_out = [&](std::size_t at, const std::string& cause) {
+    if (++left_out <= kMostWarnings) wad.warnings_.push_back(reader.error_at(at, cause + "; it is left out").message);
+  };
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::size_t at = reader.offset();
     WadLump lump;
@@ -43,14 +48,15 @@ Result<Wad> Wad::parse(FileData data, std::string_view name) {
     const std::string lump_name = lower_case(reader.fixed_string(16));
     // The field alone does not prove compression: QuakeSpasm ignores it, so it may hold any value.
     if (compression != 0 && stored_size != lump.size) {
-      return reader.error_at(at, "lump " + lump_name + " is compressed, which nothing can read");
+      leave_out(at, "lump " + lump_name + " is compressed, which nothing can read");
+    } else if (lump.offset > data.size() || lump.size > data.size() - lump.offset) {
+      leave_out(at, "lump " + lump_name + " (" + std::to_string(lump.size) + " bytes at " +
+                        std::to_string(lump.offset) + ") lies outside the file");
+    } else {
+      wad.lumps_.emplace(lump_name, lump);
     }
-    if (lump.offset > data.size() || lump.size > data.size() - lump.offset) {
-      return reader.error_at(at, "lump " + lump_name + " (" + std::to_string(lump.size) + " bytes at " +
-                                     std::to_string(lump.offset) + ") lies outside the file");
-    }
-    wad.lumps_.emplace(lump_name, lump);
   }
+  if (left_out > kMostWarnings) wad.warnings_.back() += " (and " + std::to_string(left_out - kMostWarnings) + " more)";
   wad.name_ = name;
   wad.data_ = std::move(data);
   return wad;

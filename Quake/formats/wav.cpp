@@ -28,6 +28,7 @@ struct Chunk {
 
 struct Chunks {
   Chunk format, data, cue, list;  // the first of each; of lists the first behind the cue
+  std::uint32_t missing = 0;      // bytes of the last chunk that the file does not hold
 };
 
 std::uint32_t word_at(ByteView bytes, std::size_t at) {
@@ -36,15 +37,17 @@ std::uint32_t word_at(ByteView bytes, std::size_t at) {
   return reader.u32();
 }
 
-Result<Chunks> find_chunks(ByteReader& reader) {
+// A file that was cut, or whose writer did not know the length beforehand: the last chunk is what there is of it.
+Chunks find_chunks(ByteReader& reader) {
   Chunks chunks;
   while (reader.remaining() >= 8) {
-    const std::size_t at = reader.offset();
     const std::uint32_t id = reader.u32();
-    const std::uint32_t size = reader.u32();
+    const std::uint32_t said = reader.u32();
     const std::size_t contents = reader.offset();
-    if (size > reader.remaining())
-      return reader.error_at(at, fmt::format("a chunk of {} bytes does not fit into the file", size));
+    const auto size = static_cast<std::uint32_t>(std::min<std::size_t>(said, reader.remaining()));
+    const bool whole = size == said;
+    if (!whole && id != tag("data")) break;
+    if (!chunks.data.found()) chunks.missing = said - size;
     const Chunk chunk{contents, reader.bytes(size)};
     if (size % 2 != 0 && reader.remaining() > 0) reader.skip(1);
     if (id == tag("fmt ") && !chunks.format.found()) chunks.format = chunk;
@@ -126,15 +129,17 @@ Result<Wav> parse_wav(ByteView data, std::string_view name) {
   const bool riff = reader.u32() == tag("RIFF");
   reader.skip(4);
   if (!riff || reader.u32() != tag("WAVE") || reader.failed()) return reader.error_at(0, "not a RIFF/WAVE file");
-  const auto chunks = find_chunks(reader);
-  if (!chunks) return chunks.error();
-  if (!chunks->format.found()) return reader.error("there is no format chunk");
-  if (!chunks->data.found()) return reader.error("there is no data chunk");
+  const Chunks chunks = find_chunks(reader);
+  if (!chunks.format.found()) return reader.error("there is no format chunk");
+  if (!chunks.data.found()) return reader.error("there is no data chunk");
   Wav wav;
-  if (const Status status = read_format(reader, chunks->format, wav); !status) return status.error();
-  read_samples(chunks->data.bytes, wav);
-  if (wav.samples.empty()) return reader.error_at(chunks->data.offset, "the data chunk holds no sample");
-  read_loop(*chunks, name, wav);
+  if (const Status status = read_format(reader, chunks.format, wav); !status) return status.error();
+  read_samples(chunks.data.bytes, wav);
+  if (wav.samples.empty()) return reader.error_at(chunks.data.offset, "the data chunk holds no sample");
+  if (chunks.missing != 0)
+    wav.flaw =
+        fmt::format("{}: the data chunk wants {} bytes more than the file has; it ends there", name, chunks.missing);
+  read_loop(chunks, name, wav);
   return wav;
 }
 

@@ -97,7 +97,42 @@ TEST(Waves, ExtensibleFormatNamesPcmInItsSubformat) {
   EXPECT_THAT(kWaveAttempt(file.out).text, HasSubstr("format 3"));
 }
 
-TEST(Waves, RefusedWhenCut) { testing::expect_refused_when_cut(kWaveAttempt, write_wav({}), "sound/x.wav"); }
+// Samples begin at 44: what there is of them is played.
+TEST(Waves, WhenCutWhatIsThereIsPlayed) {
+  const Bytes whole = write_wav({});
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
+    if (length < 46) {
+      testing::expect_refused(kWaveAttempt, cut, "sound/x.wav");
+      continue;
+    }
+    const auto wav = parse_wav(cut, "sound/x.wav");
+    ASSERT_TRUE(wav.ok()) << length << ": " << wav.error().message;
+    EXPECT_EQ(wav->samples.size(), (length - 44) / 2);
+    EXPECT_EQ(wav->flaw, "sound/x.wav: the data chunk wants " + std::to_string(whole.size() - length) +
+                             " bytes more than the file has; it ends there");
+  }
+}
+// Writers that stream do not know the length: they say the greatest, or one of their own.
+TEST(Waves, DataOfUnknownLength) {
+  for (const std::uint32_t said : {0xffffffffu, 0x7ffff000u}) {
+    testing::ByteWriter file{write_wav({})};
+    file.patch_u32(40, said);
+    const auto wav = parse_wav(file.out, "sound/x.wav");
+    ASSERT_TRUE(wav.ok()) << wav.error().message;
+    EXPECT_THAT(wav->samples, ElementsAre(0, 1000, -1000, 32767, -32768, 5));
+  }
+}
+// A list or a cue that was cut: the sound itself is whole.
+TEST(Waves, AChunkBehindTheSamplesThatIsCut) {
+  Bytes file = write_wav({.cue = 2, .marked = 3});
+  file.resize(file.size() - 4);
+  const auto wav = parse_wav(file, "sound/x.wav");
+  ASSERT_TRUE(wav.ok()) << wav.error().message;
+  EXPECT_EQ(wav->samples.size(), 6u);
+  EXPECT_EQ(wav->loop_start, 2u);
+  EXPECT_EQ(wav->flaw, "");
+}
 
 TEST(Waves, SoundWhenDamaged) {
   for (const std::uint32_t bits : {8u, 16u}) {

@@ -7,12 +7,12 @@
 #include "fs/path.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto entries = fb::fs::parse_pak({data, size}, "fuzz.pak");
-  if (!entries) {
-    FB_CHECK(!entries.error().message.empty());
+  const auto parsed = fb::fs::parse_pak({data, size}, "fuzz.pak");
+  if (!parsed) {
+    FB_CHECK(!parsed.error().message.empty());
     return 0;
   }
-  for (const fb::fs::PakEntry& entry : *entries) {
+  for (const fb::fs::PakEntry& entry : parsed->entries) {
     FB_CHECK_LE(entry.offset + entry.size, size);
     FB_CHECK_LT(entry.name.size(), fb::fs::kPakNameSize + 1);
     if (const auto name = fb::fs::normalise(entry.name)) {

@@ -19,7 +19,10 @@ int main(int argc, char** argv) {
   using fb::fs::make_pak;
   using fb::fs::make_zip;
   using Seeds = std::vector<std::pair<const char*, fb::Bytes>>;
+  fb::Bytes beyond = make_pak({{"a", "alpha"}, {"b", "beta"}});
+  beyond[beyond.size() - 1] = 0x7f;
   const Seeds paks = {
+      {"beyond", beyond},
       {"empty", make_pak({})},
       {"one", make_pak({{"a", "alpha"}})},
       {"several", make_pak({{"maps/start.bsp", "x"}, {"gfx\\palette.lmp", std::string(768, 'p')}, {"empty", ""}})},

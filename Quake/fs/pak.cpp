@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "base/log.h"
 #include "fs/path.h"
 
 namespace fb::fs {
@@ -30,11 +31,12 @@ Result<PakHeader> parse_pak_header(ByteView bytes, std::uint64_t file_size, std:
   return header;
 }
 
-Result<std::vector<PakEntry>> parse_pak_directory(ByteView directory, const PakHeader& header, std::uint64_t file_size,
-                                                  std::string_view name) {
+PakDirectory parse_pak_directory(ByteView directory, const PakHeader& header, std::uint64_t file_size,
+                                 std::string_view name) {
   ByteReader reader(directory, name);
-  std::vector<PakEntry> entries;
-  entries.reserve(directory.size() / kPakEntrySize);
+  PakDirectory parsed;
+  parsed.entries.reserve(directory.size() / kPakEntrySize);
+  std::size_t count = 0, left_out = 0;
   while (reader.remaining() >= kPakEntrySize) {
     const std::size_t at = header.directory_offset + reader.offset();
     PakEntry entry;
@@ -42,15 +44,22 @@ Result<std::vector<PakEntry>> parse_pak_directory(ByteView directory, const PakH
     std::replace(entry.name.begin(), entry.name.end(), '\\', '/');
     entry.offset = reader.u32();
     entry.size = reader.u32();
-    if (entry.offset + entry.size > file_size)
-      return reader.error_at(at, fmt::format("entry {} \"{}\" ({} bytes at {}) reaches past the file's end at {}",
-                                             entries.size(), entry.name, entry.size, entry.offset, file_size));
-    entries.push_back(std::move(entry));
+    const std::size_t number = count++;
+    if (entry.offset + entry.size <= file_size) {
+      parsed.entries.push_back(std::move(entry));
+    } else if (left_out++ == 0) {
+      parsed.warning = reader
+                           .error_at(at, fmt::format("entry {} \"{}\" ({} bytes at {}) reaches past the file's end at "
+                                                     "{}; it is left out",
+                                                     number, entry.name, entry.size, entry.offset, file_size))
+                           .message;
+    }
   }
-  return entries;
+  if (left_out > 1) parsed.warning += fmt::format(" (and {} more)", left_out - 1);
+  return parsed;
 }
 
-Result<std::vector<PakEntry>> parse_pak(ByteView data, std::string_view name) {
+Result<PakDirectory> parse_pak(ByteView data, std::string_view name) {
   const auto header = parse_pak_header(data, data.size(), name);
   if (!header) return header.error();
   const ByteView directory = data.subspan(header->directory_offset, header->directory_size);
@@ -78,9 +87,9 @@ Result<Pak> Pak::open(const std::filesystem::path& path, std::string name) {
 
   Bytes directory(header->directory_size);
   if (auto status = file->read_at(header->directory_offset, directory); !status) return status.error();
-  auto entries = parse_pak_directory(directory, *header, size, name);
-  if (!entries) return entries.error();
-  return Pak(*std::move(file), std::move(name), *std::move(entries));
+  PakDirectory parsed = parse_pak_directory(directory, *header, size, name);
+  if (!parsed.warning.empty()) log_warning("{}", parsed.warning);
+  return Pak(*std::move(file), std::move(name), std::move(parsed.entries));
 }
 
 const PakEntry* Pak::find(std::string_view name) const {

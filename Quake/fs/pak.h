@@ -30,20 +30,26 @@ constexpr std::size_t kPakEntrySize = 64;
 constexpr std::size_t kPakNameSize = 56;
 constexpr std::size_t kMostPakEntries = 1u << 18u;  // Quake had 2048, the largest mods ten thousand
 
+// Of a directory: entries that do not lie inside the file are left out, and named in one sentence.
+struct PakDirectory {
+  std::vector<PakEntry> entries;
+  std::string warning;  // empty: none was left out
+};
+
 struct PakHeader {
   std::uint32_t directory_offset = 0, directory_size = 0;  // bytes, inside the file
 };
 
 // The two steps of opening a pak; `file_size` is that of the whole pak. Errors name the pak, the offset and the cause.
 Result<PakHeader> parse_pak_header(ByteView header, std::uint64_t file_size, std::string_view name);
-Result<std::vector<PakEntry>> parse_pak_directory(ByteView directory, const PakHeader& header, std::uint64_t file_size,
-                                                  std::string_view name);
+PakDirectory parse_pak_directory(ByteView directory, const PakHeader& header, std::uint64_t file_size,
+                                 std::string_view name);
 // Both steps, for a pak in memory.
-Result<std::vector<PakEntry>> parse_pak(ByteView data, std::string_view name);
+Result<PakDirectory> parse_pak(ByteView data, std::string_view name);
 
 class Pak {
  public:
-  // `name` is the pak's name in errors, e.g. "id1/pak0.pak".
+  // `name` is the pak's name in errors, e.g. "id1/pak0.pak". What is left out of it goes to the log.
   static Result<Pak> open(const std::filesystem::path& path, std::string name);
 
   const std::string& name() const { return name_; }

@@ -14,8 +14,8 @@ void set_u32(Bytes& bytes, std::size_t at, std::uint32_t value) {
   for (int i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::uint8_t>(value >> (8 * i));
 }
 std::string failure(const Bytes& pak) {
-  const auto entries = parse_pak(pak, "test.pak");
-  return entries ? "no failure" : entries.error().message;
+  const auto parsed = parse_pak(pak, "test.pak");
+  return parsed ? "no failure" : parsed.error().message;
 }
 
 TEST(Pak, EntriesAndBytes) {
@@ -43,9 +43,10 @@ TEST(Pak, OfTwoWithOneNameTheFirstCounts) {
 
 TEST(Pak, NameThatFillsItsField) {
   const std::string name(kPakNameSize, 'n');
-  const auto entries = parse_pak(make_pak({{name, "x"}}), "test.pak");
-  ASSERT_TRUE(entries);
-  EXPECT_EQ(entries->front().name, name);
+  const auto parsed = parse_pak(make_pak({{name, "x"}}), "test.pak");
+  ASSERT_TRUE(parsed);
+  EXPECT_EQ(parsed->entries.front().name, name);
+  EXPECT_EQ(parsed->warning, "");
 }
 
 TEST(Pak, EmptyDirectoryIsAPak) { EXPECT_TRUE(parse_pak(make_pak({}), "test.pak")); }
@@ -70,10 +71,29 @@ TEST(Pak, RefusesWithFileOffsetAndCause) {
   bad = good;
   set_u32(bad, 4, 0xffffffffu);
   EXPECT_THAT(failure(bad), HasSubstr("reaches past"));
+}
 
-  bad = good;  // the second entry's size
-  set_u32(bad, 21 + 64 + 60, 0xfffffff0u);
-  EXPECT_THAT(failure(bad), HasSubstr("test.pak: offset 85: entry 1 \"b\""));
+// An interrupted download, or a tool's mistake: what is whole is used.
+TEST(Pak, AnEntryOutsideIsLeftOutAlone) {
+  Bytes bad = make_pak({{"a", "alpha"}, {"b", "beta"}, {"c", "gamma"}});
+  set_u32(bad, 26 + 64 + 60, 0xfffffff0u);  // the second entry's size
+  const auto parsed = parse_pak(bad, "test.pak");
+  ASSERT_TRUE(parsed) << parsed.error().message;
+  ASSERT_EQ(parsed->entries.size(), 2u);
+  EXPECT_EQ(parsed->entries[1].name, "c");
+  EXPECT_THAT(parsed->warning, StartsWith("test.pak: offset 90: entry 1 \"b\" (4294967280 bytes at 17)"));
+  EXPECT_THAT(parsed->warning, HasSubstr("; it is left out"));
+  set_u32(bad, 26 + 56, 1u << 31u);  // the first one's place
+  EXPECT_THAT(parse_pak(bad, "test.pak")->warning, HasSubstr("it is left out (and 1 more)"));
+
+  const TestDirectory directory;
+  directory.put("x.pak", bad);
+  ::testing::internal::CaptureStderr();
+  const auto pak = Pak::open(directory.path() / "x.pak", "id1/x.pak");
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("id1/x.pak: offset "));
+  ASSERT_TRUE(pak);
+  EXPECT_EQ(pak->find("a"), nullptr);
+  EXPECT_EQ(as_text(*pak->read(*pak->find("c"))), "gamma");
 }
 
 TEST(Pak, EveryTruncationIsRefused) {

@@ -65,8 +65,9 @@ Result<MapSummary> read_map_summary(const fs::FileSystem& files, std::string_vie
   if (!header) return header.error();
   if (header->size() < kHeader) return Error{fmt::format("{}: {} bytes are no map", file, header->size())};
   const std::uint32_t version = little_endian(*header, 0);
-  constexpr std::array<std::uint32_t, 3> kVersions = {29, 'B' | 'S' << 8 | 'P' << 16 | '2' << 24,
-                                                      '2' | 'P' << 8 | 'S' << 16 | 'B' << 24};
+  constexpr std::array<std::uint32_t, 4> kVersions = {29, 'B' | 'S' << 8 | 'P' << 16 | '2' << 24,
+                                                      '2' | 'P' << 8 | 'S' << 16 | 'B' << 24,
+                                                      ' ' | '4' << 8 | '6' << 16 | 'Q' << 24};
   if (std::ranges::find(kVersions, version) == kVersions.end())
     return Error{fmt::format("{}: version {} is none of Quake's maps", file, version)};
   const auto entities = files.load_part(file, little_endian(*header, 4),

@@ -42,6 +42,11 @@ int main(int argc, char** argv) {
   map.bsp.entities = kEntities;
   write_seed(directory, "fuzz_library", "map", files::write_bsp(map.bsp));
   write_seed(directory, "fuzz_library", "room", files::write_bsp(files::box_room(formats::BspVersion::kBsp2)));
+  map.bsp.version = formats::BspVersion::kQuake64;
+  map.bsp.textures[1].shift = 1;
+  map.add_square(64, 64, 32, 64, map.add_texture(scene::test::texture("sky64", 12, 32, 64)));
+  map.add_square(0, 64, 0, 64, map.add_texture(scene::test::texture("+2lamp", 230)));
+  write_seed(directory, "fuzz_library", "quake64", files::write_bsp(map.bsp));
   write_seed(directory, "fuzz_library", "alias", files::write_mdl(files::tetrahedron()));
   write_seed(directory, "fuzz_library", "sprite",
              files::write_spr(files::small_sprite(formats::SpriteOrientation::kParallel)));

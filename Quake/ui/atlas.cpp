@@ -43,10 +43,12 @@ Atlas::Atlas(FileLoader files) : files_(std::move(files)) {
     }
     if (auto data = files_("gfx.wad")) {
       auto wad = formats::Wad::parse(*std::move(data), "gfx.wad");
-      if (wad)
+      if (wad) {
+        for (const std::string& warning : wad->warnings()) log_warning("{}", warning);
         wad_ = *std::move(wad);
-      else
+      } else {
         log_warning("{}", wad.error().message);
+      }
     }
   }
   if (wad_ && palette_) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <system_error>
 
+#include "base/text_mark.h"
+
 namespace fb::world {
 namespace {
 
@@ -14,7 +16,7 @@ bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' '; }
 bool stands_alone(char c) { return c == '{' || c == '}' || c == '(' || c == ')' || c == '\'' || c == ':'; }
 
 // Quake's tokens: quoted strings without escapes (an unclosed one ends with the text), single punctuation marks, words;
-// // comments.
+// comments as in C++, of a line or of a block.
 class Tokens {
  public:
   explicit Tokens(std::string_view text) : text_(text) {}
@@ -48,6 +50,9 @@ class Tokens {
         ++at_;
       } else if (text_.substr(at_, 2) == "//") {
         at_ = std::min(text_.find('\n', at_), text_.size());
+      } else if (text_.substr(at_, 2) == "/*") {
+        const std::size_t end = text_.find("*/", at_ + 2);
+        at_ = end == text_.npos ? text_.size() : end + 2;
       } else {
         return;
       }
@@ -106,7 +111,7 @@ std::optional<vec3> Entity::color(std::string_view key) const {
 
 Result<std::vector<Entity>> parse_entity_lump(std::string_view text, std::string_view name) {
   // A lump may include its terminating zero; bytes after it are not text.
-  text = text.substr(0, text.find('\0'));
+  text = without_byte_order_mark(text.substr(0, text.find('\0')));
   const auto error = [&](std::size_t offset, std::string_view cause) {
     return Error{fmt::format("{}: entities: offset {}: {}", name, offset, cause)};
   };

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 TEST(EntityLump, ReadsPairs) {
   const auto lump = parse_entity_lump(
       "{\n\"classname\" \"worldspawn\"\n\"message\" \"two words\"\n}\n"
-      "// a comment \"{\"\n{ classname light \"origin\" \"1 -2 3.5\" }",
+      "// a comment \"{\"\n/* a block\n { } */{ classname light \"origin\" \"1 -2 3.5\" }",
       "m.bsp");
   ASSERT_TRUE(lump.ok());
   ASSERT_EQ(lump->size(), 2u);
@@ -30,6 +30,7 @@ TEST(EntityLump, Forgives) {
   EXPECT_EQ((*lump)[0].integer("light", 0), 7) << "the last of equal keys counts";
   EXPECT_TRUE((*lump)[1].values.empty());
   EXPECT_TRUE(parse_entity_lump("", "m")->empty());
+  EXPECT_EQ(parse_entity_lump("\xef\xbb\xbf{}\r\n/* no end", "m")->size(), 1u) << "a byte order mark";
   EXPECT_TRUE(parse_entity_lump(std::string_view("{\"a\" \"b\"}\0}}}", 14), "m").ok()) << "text ends at a zero byte";
 }
 

@@ -16,7 +16,8 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = std::filesystem::path(argv[1]) / "fuzz_trace";
   std::filesystem::create_directories(folder);
   int number = 0;
-  for (const auto version : {formats::BspVersion::kBsp29, formats::BspVersion::kBsp2, formats::BspVersion::k2Psb}) {
+  for (const auto version : {formats::BspVersion::kBsp29, formats::BspVersion::kBsp2, formats::BspVersion::k2Psb,
+                             formats::BspVersion::kQuake64}) {
     for (const float width : {0.0f, 32.0f, 64.0f}) {
       formats::testing::ByteWriter writer;
       writer.u32(static_cast<std::uint32_t>(number));

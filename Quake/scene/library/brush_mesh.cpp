@@ -95,8 +95,7 @@ class BrushMeshBuilder {
   void add_fan(const std::vector<vec3>& polygon, const formats::BspTexInfo& texinfo, const formats::BspTexture* texture,
                bool liquid_in_front = false) {
     const std::size_t n = polygon.size(), start = best_fan_start(polygon);
-    const vec2 size(texture != nullptr && texture->width > 0 ? static_cast<float>(texture->width) : 16.0f,
-                    texture != nullptr && texture->height > 0 ? static_cast<float>(texture->height) : 16.0f);
+    const vec2 size = units_of(texinfo, texture);
     const auto uv_at = [&](const vec3& p) {
       const vec2 uv = vec2(glm::dot(vec3(texinfo.axes[0]), p) + texinfo.axes[0].w,
                            glm::dot(vec3(texinfo.axes[1]), p) + texinfo.axes[1].w) /
@@ -117,6 +116,16 @@ class BrushMeshBuilder {
       for (std::size_t c = 0; c < 3; ++c) triangle.uv[c] = uv_at(polygon[ids[c]]) - shift;
       mesh_.triangles.push_back(triangle);
     }
+  }
+
+  // How many units of the texture axes one repeat covers.
+  vec2 units_of(const formats::BspTexInfo& texinfo, const formats::BspTexture* texture) const {
+    if (texture == nullptr) return vec2(16.0f);
+    const float texel = texture->shift > 0 ? 2.0f * static_cast<float>(texture->shift) : 1.0f;
+    // QuakeSpasm's liquids repeat every 64 units; Quake 64's have any size, others 64 texels.
+    if (bsp_.version == formats::BspVersion::kQuake64 && liquid_kind(texture->name) != LiquidKind::kNone)
+      return vec2((texinfo.flags & formats::kTexSpecial) != 0 ? 64.0f : 64.0f * texel);
+    return texel * vec2(std::max(texture->width, 1), std::max(texture->height, 1));
   }
 
   std::uint32_t vertex(const vec3& p) {

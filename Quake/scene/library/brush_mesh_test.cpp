@@ -120,6 +120,33 @@ TEST(BrushMesh, LiquidsHaveOneSurface) {
   EXPECT_NEAR(down, 28 * 32, 0.1);
 }
 
+// A texel of 32 by 32 textures covers 1, 2 or 4 units; liquids repeat every 64, and twice or four times that if they
+// are lit.
+TEST(BrushMesh, Quake64TexturesAreDrawnAsLargeAsTheirShiftSays) {
+  const auto repeats = [](const char* name, int shift, std::uint32_t flags) {
+    MapBuilder map;
+    map.bsp.version = formats::BspVersion::kQuake64;
+    formats::BspTexture t = texture(name, 10, 32, 32);
+    t.shift = shift;
+    map.add_square(0, 0, 0, 64, map.add_texture(t));
+    map.bsp.texinfos[0].flags = flags;
+    const auto built = build(map);
+    float least = 1e9f, most = -1e9f;
+    for (const MeshTriangle& triangle : built->mesh.triangles)
+      for (const vec2& uv : triangle.uv) {
+        least = std::min(least, uv.x);
+        most = std::max(most, uv.x);
+      }
+    return most - least;
+  };
+  EXPECT_EQ(repeats("wall", 0, 0), 2.0f);
+  EXPECT_EQ(repeats("wall", 1, 0), 1.0f);
+  EXPECT_EQ(repeats("wall", 2, 0), 0.5f);
+  EXPECT_EQ(repeats("*water", 0, formats::kTexSpecial), 1.0f);
+  EXPECT_EQ(repeats("*water", 2, formats::kTexSpecial), 1.0f);
+  EXPECT_EQ(repeats("*water", 2, 0), 0.25f);
+}
+
 TEST(LiquidFaces, Subtraction) {
   const std::vector<vec3> a{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
   const std::vector<vec3> hole{{1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}};
@@ -253,6 +280,22 @@ TEST(MapMaterials, AnimationSequencesAreShared) {
   EXPECT_EQ(built->base(2, 0.3).texels[0], 21) << "a face of the alternate sequence starts with it";
   EXPECT_EQ(built->base(2, 0.3, true).texels[0], 11);
   EXPECT_EQ(built->base(6, 0.3, true).texels[0], 30) << "no alternates";
+}
+
+// Quake 64's maps call textures so that are not animated: frames are missing.
+TEST(MapMaterials, Quake64SequencesThatLackAFrameStandStill) {
+  for (const bool complete : {false, true}) {
+    MapBuilder map;
+    map.bsp.version = formats::BspVersion::kQuake64;
+    map.add_square(0, 0, 0, 64, map.add_texture(texture("+0lamp", 1)));
+    map.add_square(64, 0, 0, 64, map.add_texture(texture("+2lamp", 3)));
+    if (complete) map.add_texture(texture("+1lamp", 2));
+    const auto built = build(map);
+    EXPECT_EQ(built->material(0).frames.size(), complete ? 3u : 1u);
+    EXPECT_EQ(built->base(2).texels[0], complete ? 1 : 3);
+    EXPECT_EQ(built->base(2, 0.4).texels[0], 3) << "five frames a second";
+    EXPECT_EQ(built->mesh.triangles[0].material == built->mesh.triangles[2].material, complete);
+  }
 }
 
 TEST(MapMaterials, ATextNamesGlass) {

@@ -13,6 +13,7 @@
 #include "base/check.h"
 #include "base/log.h"
 #include "base/out_of_memory.h"
+#include "base/text_mark.h"
 #include "scene/animation.h"
 #include "scene/library/alias_mesh.h"
 #include "scene/library/asset_builder.h"
@@ -185,7 +186,7 @@ Status ModelLibrary::load_map_file(std::string_view bsp_path) {
       log_warning("{}", fits.error().message);
       continue;
     }
-    bsp->entities.assign(ent->begin(), ent->end());
+    bsp->entities = without_byte_order_mark(ent->text());
     entities_name = ent_path;
     break;
   }
@@ -290,7 +291,9 @@ Model ModelLibrary::Impl::load_model(const std::string& name) {
   }
   if (magic == "IDSP") {
     auto spr = formats::parse_spr(*bytes, name);
-    return spr ? sprite_model(*builder, *spr, name) : refuse(spr.error());
+    if (!spr) return refuse(spr.error());
+    log_all(spr->warnings);
+    return sprite_model(*builder, *spr, name);
   }
   auto bsp = formats::parse_bsp(*bytes, name);
   if (!bsp) return refuse(bsp.error());

@@ -84,12 +84,13 @@ TEST_F(World, MapAndSubmodels) {
 }
 
 TEST_F(World, ExternalEntitiesAndBrokenOnes) {
-  files.files["maps/a.ent"] = bytes_of("{classname worldspawn}{classname light}{classname light}");
+  files.files["maps/a.ent"] = bytes_of("\xef\xbb\xbf{classname worldspawn}\r\n{classname light}{classname light}");
   ModelLibrary library(files.loader());
   ASSERT_TRUE(library.load_map("maps/a.bsp").ok());
   EXPECT_EQ(library.entity_lights().size(), 2u);
   EXPECT_TRUE(library.map_sky().suns.empty());
   EXPECT_THAT(library.map_entities(), HasSubstr("light"));
+  EXPECT_EQ(library.map_entities().front(), '{') << "without the byte order mark";
 
   const std::uint64_t generation = library.assets()->generation;
   files.files["maps/a.ent"] = bytes_of("{classname worldspawn");

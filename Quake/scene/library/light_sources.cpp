@@ -17,10 +17,12 @@ bool is_black(const Assets& assets, std::uint32_t image) {
   return image == kNone || is_black(mean_color(assets.palette, assets.images[image]));
 }
 
+constexpr std::string_view kSkyboxKeys[] = {"sky", "_sky", "skyname", "_skyname", "qlsky", "_qlsky"};
+
 bool names_skybox(const std::vector<world::Entity>& entities) {
   if (entities.empty()) return false;
   const auto named = [&](std::string_view key) { return !entities.front().text(key).empty(); };
-  return named("sky") || named("skyname") || named("qlsky");
+  return std::ranges::any_of(kSkyboxKeys, named);
 }
 
 bool sky_shines(const Assets& assets, const std::vector<world::Entity>& entities, const Sky& sky) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/library/asset_builder.h"
@@ -173,6 +174,20 @@ TEST(Sky, LayersOfItsTexture) {
   EXPECT_NEAR(make_layered_sky(builder, map.bsp, 2.0f * mean).color.x, 2.0f, 1e-3f);
   EXPECT_EQ(make_layered_sky(builder, map.bsp, 99.0f).color.x, kMaxSkyFactor);
   EXPECT_EQ(make_layered_sky(builder, test::MapBuilder().bsp, 1.0f).mode, SkyMode::kBlack);
+
+  // Quake 64's: 32 by 64, the near layer above, without holes and half clear.
+  test::MapBuilder quake64;
+  quake64.bsp.version = formats::BspVersion::kQuake64;
+  formats::BspTexture stacked = test::texture("sky64", 0, 32, 64);
+  std::fill(stacked.indices.begin() + 32 * 32, stacked.indices.end(), std::uint8_t{7});
+  quake64.add_texture(stacked);
+  const Sky half = make_layered_sky(builder, quake64.bsp, 0.0f);
+  const Image& near_layer = builder.assets().images[half.alpha];
+  const Image& far_layer = builder.assets().images[half.solid];
+  EXPECT_EQ(far_layer.width, 32);
+  EXPECT_EQ(far_layer.height, 32);
+  EXPECT_EQ(far_layer.texels[0], 7);
+  EXPECT_EQ(near_layer.texels[3], 128);
 }
 
 TEST(Sky, Boxes) {

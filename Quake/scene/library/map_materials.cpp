@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace fb::scene {
@@ -40,12 +41,28 @@ std::uint32_t MapMaterials::material(std::uint32_t texture) {
     return missing_material_;
   }
   if (materials_[texture] != kNone) return materials_[texture];
-  const auto animated = animated_name(bsp_.textures[texture].name);
+  const auto animated = animated_in_map(texture);
   if (!animated) return materials_[texture] = make_material(texture);
   const std::string key = fmt::format("{}{}", animated->alternate ? 'a' : '0', animated->base);
   const auto [at, added] = sequences_.try_emplace(key, kNone);
   if (added) at->second = make_material(texture);
   return materials_[texture] = at->second;
+}
+
+// Quake 64's maps have textures that are called so without being animated: those that lack a frame (QuakeSpasm).
+std::optional<AnimatedName> MapMaterials::animated_in_map(std::uint32_t texture) {
+  const auto name = animated_name(bsp_.textures[texture].name);
+  if (!name || bsp_.version != formats::BspVersion::kQuake64) return name;
+  const auto [complete, added] = complete_.try_emplace(std::string(name->base), true);
+  if (added) {
+    std::set<int> frames;
+    for (const formats::BspTexture& other : bsp_.textures) {
+      const auto found = animated_name(other.name);
+      if (found && found->base == name->base && !found->alternate) frames.insert(found->frame);
+    }
+    complete->second = frames.empty() || *frames.rbegin() == static_cast<int>(frames.size()) - 1;
+  }
+  return complete->second ? name : std::nullopt;
 }
 
 std::uint32_t MapMaterials::missing_image() {
@@ -142,7 +159,7 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
     material.base_color = vec3(0.0f);
     return builder_.add_material(std::move(material));
   }
-  if (const auto animated = animated_name(texture.name)) {
+  if (const auto animated = animated_in_map(index)) {
     material.frames = sequence(animated->base, animated->alternate);
     material.alternate_frames = sequence(animated->base, !animated->alternate);
   } else {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -50,6 +51,7 @@ class MapMaterials {
  private:
   const TextureSet& texture_set(std::uint32_t texture);
   std::vector<TextureSet> sequence(std::string_view base, bool alternate);
+  std::optional<AnimatedName> animated_in_map(std::uint32_t texture);
   std::vector<std::string> stems(std::string_view name) const;  // of images in place of a texture
   std::uint32_t make_material(std::uint32_t texture);
   void fill_liquid(Material& material, LiquidKind kind) const;
@@ -60,9 +62,10 @@ class MapMaterials {
   std::string map_path_;
   LiquidAlphas alphas_;
   SurfaceLights surface_lights_;
-  std::vector<TextureSet> sets_;                    // a texture; base kNone until made
-  std::vector<std::uint32_t> materials_;            // a texture; kNone until made
-  std::map<std::string, std::uint32_t> sequences_;  // material of an animation, by "0" or "a" + its base name
+  std::vector<TextureSet> sets_;                       // a texture; base kNone until made
+  std::vector<std::uint32_t> materials_;               // a texture; kNone until made
+  std::map<std::string, std::uint32_t> sequences_;     // material of an animation, by "0" or "a" + its base name
+  std::map<std::string, bool, std::less<>> complete_;  // of Quake 64's animations, by base name: no frame is missing
   std::uint32_t missing_material_ = kNone, missing_image_ = kNone;
 };
 

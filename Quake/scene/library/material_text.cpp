@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/number.h"
+#include "base/text_mark.h"
 
 namespace fb::scene {
 namespace {
@@ -46,6 +47,7 @@ Status read_numbers(std::string_view where, std::span<const std::string_view> wo
 Result<MaterialText> parse_material_text(std::string_view text, std::string_view path) {
   std::array<double, 3> color{1, 1, 1};
   double index = 0, distance = 64, scatter = 0;
+  text = without_byte_order_mark(text);
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::vector<std::string_view> words = words_of(text.substr(0, end));

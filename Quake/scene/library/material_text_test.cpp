@@ -23,6 +23,11 @@ TEST(MaterialText, WithoutColourNothingIsAbsorbed) {
   EXPECT_EQ(clear->scattering, 0.0f);
 }
 
+TEST(MaterialText, AByteOrderMarkIsNoProperty) {
+  EXPECT_TRUE(parse_material_text("\xef\xbb\xbfindex 1.5", "a.mat").ok());
+  EXPECT_FALSE(parse_material_text("\xef\xbb\xbf\xef\xbb\xbfindex 1.5", "a.mat").ok());
+}
+
 TEST(MaterialText, SaysWhereHalfIsScattered) {
   const auto milk = parse_material_text("index 1.34\nscatter 20", "a.mat");
   ASSERT_TRUE(milk.ok());

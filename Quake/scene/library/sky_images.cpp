@@ -13,6 +13,8 @@
 namespace fb::scene {
 namespace {
 
+constexpr std::uint8_t kQuake64Cover = 128;  // of a near layer without holes: QuakeSpasm's choice
+
 const formats::BspTexture* find_sky(const formats::Bsp& bsp) {
   for (const formats::BspTexture& texture : bsp.textures)
     if (is_sky_texture(texture.name) && !texture.missing() && texture.width >= 2 && texture.height >= 2)
@@ -26,8 +28,9 @@ Sky make_layered_sky(AssetBuilder& builder, const formats::Bsp& bsp, float dome_
   Sky sky;
   const formats::BspTexture* texture = find_sky(bsp);
   if (texture == nullptr) return sky;
-  // Quake's are twice as wide as high. Taller ones (Quake 64's) have the near layer above the far one.
-  const bool beside = texture->width >= texture->height;
+  // Quake's are twice as wide as high. Quake 64's, and taller ones, have the near layer above the far one.
+  const bool quake64 = bsp.version == formats::BspVersion::kQuake64;
+  const bool beside = !quake64 && texture->width >= texture->height;
   const int width = beside ? texture->width / 2 : texture->width;
   const int height = beside ? texture->height : texture->height / 2;
   Image solid{texture->name + " far layer", ImageEncoding::kPalette, width, height, {}};
@@ -36,17 +39,17 @@ Sky make_layered_sky(AssetBuilder& builder, const formats::Bsp& bsp, float dome_
     return texture
         ->indices[static_cast<std::size_t>(y) * static_cast<std::size_t>(texture->width) + static_cast<std::size_t>(x)];
   };
-  std::size_t covered = 0;
+  std::size_t covered = 0;  // of 255 for each texel
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       solid.texels.push_back(beside ? index_at(width + x, y) : index_at(x, height + y));
       const std::uint8_t near_index = index_at(x, y);
-      covered += near_index != 0;
       const auto& rgb = builder.palette().rgb[near_index];
-      const std::uint8_t opaque = near_index == 0 ? 0 : 255;
+      const std::uint8_t opaque = quake64 ? kQuake64Cover : near_index == 0 ? 0 : 255;
+      covered += opaque;
       alpha.texels.insert(alpha.texels.end(), {rgb[0], rgb[1], rgb[2], opaque});
     }
-  const float cover = static_cast<float>(covered) / static_cast<float>(width * height);
+  const float cover = static_cast<float>(covered) / (255.0f * static_cast<float>(width * height));
   const vec3 mean = glm::mix(mean_color(builder.palette(), solid), mean_color(builder.palette(), alpha), cover);
   const float factor = std::clamp(dome_radiance / std::max(luminance(mean), 1e-3f), 1.0f, kMaxSkyFactor);
   sky.mode = SkyMode::kLayers;
