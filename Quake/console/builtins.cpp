@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/log.h"
+#include "base/text_mark.h"
 #include "console/console.h"
 
 namespace fb::con {
@@ -125,8 +126,7 @@ void Console::exec(const std::string& name) {
     return log_warning("exec {}: a script of {} bytes; at most {} are taken", name, script->size(),
                        CommandBuffer::kMaxBytes);
   // Old editors end a file with a zero or ^Z, and new ones begin it with a byte order mark.
-  std::string text(script->begin(), script->end());
-  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+  std::string text(without_byte_order_mark(script->text()));
   std::replace(text.begin(), text.end(), '\0', ' ');
   if (const auto follower = followers_.find(found); follower != followers_.end())
     text += "\n" + follower->second + "\n";

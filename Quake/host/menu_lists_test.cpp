@@ -135,7 +135,7 @@ TEST_F(MenuLists, MapsGetTheirTitlesAndBoxesAreLeftOut) {
 
 TEST_F(MenuLists, ModsAreFoldersWithGameData) {
   directory.put("base/ad/pak0.pak", "PACK");
-  directory.put("base/ad/modinfo.txt", "\r\n  Arcane Dimensions\x01\r\nmore\r\n");
+  directory.put("base/ad/modinfo.txt", "\xef\xbb\xbf\r\n  Arcane Dimensions\x01\r\nmore\r\n");
   directory.put("base/pictures/a.png", "x");
   directory.put("user/mine/maps/a.bsp", "x");
   const fs::FileSystem files = open();

@@ -5,6 +5,7 @@
 #include <string>
 #include <system_error>
 
+#include "base/text_mark.h"
 #include "fs/file.h"
 #include "fs/path.h"
 #include "host/server_list.h"
@@ -23,7 +24,7 @@ std::string description_of(const stdfs::path& folder) {
     if (!stdfs::is_regular_file(path, code) || stdfs::file_size(path, code) > kMostDescription) continue;
     const auto data = fs::read_whole_file(path);
     if (!data) continue;
-    const std::string_view text = data->text();
+    const std::string_view text = without_byte_order_mark(data->text());
     const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
     std::string line = plain_text(text.substr(start, text.find_first_of("\r\n", start) - start));
     if (!line.empty()) return line;

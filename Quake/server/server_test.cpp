@@ -287,6 +287,17 @@ TEST_F(ServerGameTest, ExternalEntities) {
   EXPECT_EQ(said(), "outside ");
 }
 
+// As Windows' editors write them.
+TEST_F(ServerGameTest, ExternalEntitiesMayBeginWithAByteOrderMark) {
+  put_progs(std::string(testing::kModSource) + kThing);
+  put_map("test", room(), thing("inside"));
+  const std::string outside = "\xef\xbb\xbf{\r\n\"classname\" \"worldspawn\"\r\n}\r\n" + thing("outside");
+  files_["maps/test.ent"] = Bytes(outside.begin(), outside.end());
+  make_server();
+  ASSERT_TRUE(server_->map("test").ok());
+  EXPECT_EQ(said(), "outside ");
+}
+
 TEST_F(ServerGameTest, ExternalEntitiesOfAnEarlierGameDoNotCount) {
   put_progs(std::string(testing::kModSource) + kThing);
   put_map("test", room(), thing("inside"));

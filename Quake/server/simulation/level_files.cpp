@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/log.h"
+#include "base/text_mark.h"
 #include "formats/mdl.h"
 #include "formats/spr.h"
 #include "fs/path.h"
@@ -46,7 +47,7 @@ std::string use_external_entities(const LevelFiles& files, const std::string& na
       continue;
     }
     log_info("{}: entities of the map are from here", path);
-    bsp.entities.assign(bytes->begin(), bytes->end());
+    bsp.entities = without_byte_order_mark(bytes->text());
     return path;
   }
   return map_path;
