@@ -117,6 +117,7 @@ void Engine::make_server(const EngineOptions& options) {
   services.read_save = [this](std::string_view name) { return files_.read_own(name); };
   services.obstacle = [this](std::string_view name) { return files_.obstacle(name); };
   services.game_index_of = [this](std::string_view name) { return files_.game_index_of(name); };
+  services.game = [this] { return files_.game(); };
   services.write_file = [this](std::string_view name, ByteView data) { return files_.write(name, data); };
   services.read_for_mod = [this](std::string_view name) { return mod_files_.read(name); };
   services.write_for_mod = [this](std::string_view name, ByteView data) { return mod_files_.write(name, data); };

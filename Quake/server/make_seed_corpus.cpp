@@ -37,6 +37,7 @@ void write_saves(const std::filesystem::path& folder) {
       "\"alpha\" \"0.500000\"\n\"angle\" \"90\"\n}\n";
   std::ofstream(folder / "header") << header;
   std::ofstream(folder / "whole") << header << game;
+  std::ofstream(folder / "version6") << "6\nid1\n" << header.substr(2) << game;
   std::ofstream(folder / "unknown") << header << "{\n\"nothing\" \"1\"\n}\n{\n\"think\" \"none\"\n}\n";
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/number.h"
+#include "base/text_mark.h"
 #include "progs/text_tokens.h"
 
 namespace fb::sv {
@@ -24,6 +25,15 @@ std::string_view take_word(std::string_view& text) {
   const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
   text.remove_prefix(word.size());
   return word;
+}
+
+// Takes the rest of the line off the front, without the blanks around it.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+  return line.substr(0, line.find_last_not_of(kBlanks) + 1);
 }
 
 std::optional<double> take_number(std::string_view& text) { return parse_number(take_word(text)); }
@@ -47,11 +57,20 @@ std::string extra_lines(const Level& level, const EdictExtra& extra) {
 Result<SaveGame> parse_save(std::string_view text, std::string_view name) {
   SaveGame save;
   SaveHeader& header = save.header;
+  text = without_byte_order_mark(text);
   const auto version = take_number(text);
   if (!version) return Error{fmt::format("{}: no saved game", name)};
-  if (*version != kSaveVersion)
-    return Error{fmt::format("{}: a saved game of version {}, not {}", name, *version, kSaveVersion)};
-  header.comment = take_word(text);
+  if (*version != kSaveVersion && *version != kRereleaseSaveVersion)
+    return Error{fmt::format("{}: a saved game of version {}, not {} or {}", name, *version, kSaveVersion,
+                             kRereleaseSaveVersion)};
+  if (*version == kRereleaseSaveVersion) {
+    take_line(text);
+    header.game = take_line(text);
+    header.comment = take_line(text);
+    if (header.game.empty()) return cut_short(name, "game");
+  } else {
+    header.comment = take_word(text);
+  }
   for (float& parm : header.spawn_parms) {
     const auto value = take_number(text);
     if (!value || !std::isfinite(static_cast<float>(*value))) return cut_short(name, "spawn parms");

@@ -1,6 +1,7 @@
-// Saved games: QuakeSpasm's text, version 5, which Quake has had from the start. Lines: the version; a comment of 39
-// letters for menus, with _ for blanks; the player's 16 spawn parms; the skill; the map; the time; 64 light styles;
-// then the globals and each edict in braces, as in maps, a free edict as {}.
+// Saved games: QuakeSpasm's text, version 5, which Quake has had from the start; the re-release's version 6 is read,
+// too: it has the game's folder on a line behind the version. Lines: the version; a comment of 39 letters for menus,
+// with _ for blanks; the player's 16 spawn parms; the skill; the map; the time; 64 light styles; then the globals and
+// each edict in braces, as in maps, a free edict as {}.
 //
 // Files come from anywhere: reading checks the whole of one before anything of the game that runs is given up.
 #pragma once
@@ -17,10 +18,12 @@
 
 namespace fb::sv {
 
-constexpr int kSaveVersion = 5;
+constexpr int kSaveVersion = 5;  // what is written
+constexpr int kRereleaseSaveVersion = 6;
 constexpr std::size_t kSaveCommentLength = 39;
 
 struct SaveHeader {
+  std::string game;     // of version 6: the folder that was played ("id1"); else empty
   std::string comment;  // as in the file
   std::array<float, 16> spawn_parms{};
   int skill = 1;

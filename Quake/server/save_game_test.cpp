@@ -31,6 +31,26 @@ TEST(SaveGame, ReadsAHeader) {
   EXPECT_EQ(save->entities, "\n{\n}\n{\n}\n");
 }
 
+// The re-release's: the game's folder is on a line of its own, and what follows is as ever.
+TEST(SaveGame, ReadsVersion6) {
+  for (const std::string end : {"\n", "\r\n"}) {
+    std::string text = header();
+    text.replace(0, 2, "6" + end + "hipnotic" + end);
+    const auto save = parse_save(text + "{\n}\n{\n}\n", "s.sav");
+    ASSERT_TRUE(save.ok()) << save.error().message;
+    EXPECT_EQ(save->header.game, "hipnotic");
+    EXPECT_EQ(save->header.comment, "The_Test______________kills:__3/_22____");
+    EXPECT_EQ(save->header.spawn_parms[15], 15.5f);
+    EXPECT_EQ(save->header.map, "e1m1");
+    EXPECT_EQ(save->entities, "\n{\n}\n{\n}\n");
+    for (std::size_t length = 0; length + 2 < text.size(); ++length)
+      EXPECT_NE(error_of(text.substr(0, length)), "") << length;
+  }
+  EXPECT_EQ(parse_save(header(), "s.sav")->header.game, "");
+}
+
+TEST(SaveGame, MayBeginWithAByteOrderMark) { EXPECT_EQ(error_of("\xef\xbb\xbf" + header()), ""); }
+
 // Quake 1.0 has the skill as a float.
 TEST(SaveGame, SkillMayBeAFloat) {
   std::string text = header();
@@ -43,7 +63,8 @@ TEST(SaveGame, SkillMayBeAFloat) {
 TEST(SaveGame, SaysWhatIsWrong) {
   EXPECT_EQ(error_of(""), "s.sav: no saved game");
   EXPECT_EQ(error_of("hello"), "s.sav: no saved game");
-  EXPECT_THAT(error_of(header("6")), HasSubstr("version 6, not 5"));
+  EXPECT_THAT(error_of(header("7")), HasSubstr("version 7, not 5 or 6"));
+  EXPECT_THAT(error_of("6\n\ncomment\n1\n"), HasSubstr("no game"));
   EXPECT_THAT(error_of(header("5", "nan")), HasSubstr("no time"));
   EXPECT_THAT(error_of(header("5", "-1")), HasSubstr("no time"));
   EXPECT_THAT(error_of(header("5", "1e999")), HasSubstr("no time"));

@@ -43,6 +43,8 @@ struct ServerServices {
   // Saves: those of the game that is played alone, as FileSystem::read_own. Absent: read_file.
   FileReader read_save;
   std::function<int(std::string_view name)> game_index_of;
+  // The folder that is played, as FileSystem::game; absent: saves of any are taken.
+  std::function<std::string()> game;
   ObstacleFinder obstacle;  // of both; may be absent
   // FileSystem::write, whole or not at all.
   std::function<Status(std::string_view name, ByteView data)> write_file;

@@ -105,6 +105,10 @@ Status Server::load_game(std::string_view typed) {
         fmt::format("{}: a saved game of {} bytes; at most {} are taken", *name, bytes->size(), kMostSaveBytes)};
   const auto save = parse_save(bytes->text(), *name);
   if (!save) return save.error();
+  const std::string& game = save->header.game;
+  if (!game.empty() && services_.game && fs::lower_case(game) != fs::lower_case(services_.game()))
+    return Error{fmt::format("{}: a saved game of \"{}\", and \"{}\" is played; `game {}` changes that", *name, game,
+                             services_.game(), game)};
   const auto map_name = map_name_of(save->header.map);
   if (!map_name) return Error{fmt::format("{}: {}", *name, map_name.error().message)};
   if (loading_) loading_();

@@ -62,6 +62,21 @@ TEST_F(ServerSavesTest, WhatIsSavedComesBack) {
   EXPECT_EQ(file("second.sav"), saved);
 }
 
+// The re-release's, of the game that is played; of another nothing is loaded, and what runs goes on.
+TEST_F(ServerSavesTest, Version6IsLoadedInItsGame) {
+  start_game();
+  frames(10);
+  ASSERT_TRUE(server_->save("first").ok());
+  const std::string state = server_->dump();
+  const std::string rest = file("first.sav").substr(2);
+  frames(10);
+  EXPECT_EQ(error_of_load("6\nID1\n" + rest), "");
+  EXPECT_EQ(server_->dump(), state);
+  EXPECT_EQ(error_of_load("6\nhipnotic\n" + rest),
+            "x.sav: a saved game of \"hipnotic\", and \"id1\" is played; `game hipnotic` changes that");
+  EXPECT_EQ(server_->dump(), state);
+}
+
 // Two games from one save go the same way, also by way of another server.
 TEST_F(ServerSavesTest, TheGameGoesOnTheSame) {
   start_game();

@@ -124,6 +124,7 @@ class ServerTest : public ::testing::Test {
       return ok_status();
     };
     services.game_index_of = game_index_of_;
+    services.game = [] { return std::string("id1"); };
     services.rng = &rng_;
     server_ = std::make_unique<Server>(console_, services, options);
     server_->clients().add_listener(listener_);
