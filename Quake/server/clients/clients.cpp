@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/log.h"
+#include "server/clients/level_protocol.h"
 #include "server/clients/send_entities.h"
 #include "server/clients/signon.h"
 
@@ -20,19 +21,6 @@ enum Destination { kBroadcast = 0, kOne = 1, kAll = 2, kInit = 3 };
 
 constexpr std::size_t kFirstWide = 256;          // sounds from here on do not fit a byte
 constexpr std::uint32_t kMostSoundEdict = 8191;  // protocol 15 has 13 bits for who makes a sound
-
-// What RMQ's engine, and QuakeSpasm, speak as protocol 999.
-constexpr std::uint32_t kRmqFlags = net::kInt32Coord | net::kShortAngle;
-
-net::Protocol protocol_of(const con::Cvar& cvar) {
-  net::Protocol protocol{cvar.integer(), 0};
-  if (!net::is_known_protocol(protocol.version)) {
-    log_warning("sv_protocol is {}, not 15, 666 or 999: it is taken as 666", cvar.string());
-    protocol.version = net::kProtocolFitzQuake;
-  }
-  if (protocol.version == net::kProtocolRmq) protocol.flags = kRmqFlags;
-  return protocol;
-}
 
 int sound_index(const Level& level, std::string_view sample) {
   const auto found = std::find(level.sounds.begin() + 1, level.sounds.end(), sample);
@@ -51,8 +39,10 @@ float ServerClient::average_ping() const {
 Clients::Clients(con::Console& console, const ClientsOptions& options)
     : standard_quake(options.standard_quake), console_(console) {
   if (!console.find_cvar("sv_protocol"))
-    console.add_cvar("sv_protocol", "666",
-                     "network protocol: 15 NetQuake, 666 FitzQuake or 999 RMQ; takes effect at the next level");
+    console.add_cvar(
+        "sv_protocol", "666",
+        "network protocol: 15 NetQuake, 666 FitzQuake or 999 RMQ; takes effect at the next level. With 666 a "
+        "map beyond 4096 units, or one whose entities have a scale, is told in 999");
   if (!console.find_cvar("sv_signontime"))
     console.add_cvar({"sv_signontime", "60", "seconds within which a newcomer must have signed on; 0: no limit",
                       con::kCvarPlain, 0.0f, 3600.0f});
@@ -84,7 +74,7 @@ ServerClient* Clients::find(EdictId edict) {
 void Clients::begin_level(Level& level) {
   end_level();
   level_ = &level;
-  protocol_ = protocol_of(console_.cvar("sv_protocol"));
+  protocol_ = protocol_for(level, console_.cvar("sv_protocol"));
   effects_mask_ = effects_mask(*level.vm);
   for (net::MessageWriter* writer : {&datagram_, &reliable_datagram_, &signon_, &lost_})
     *writer = net::MessageWriter(protocol_);

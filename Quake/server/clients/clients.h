@@ -105,7 +105,8 @@ class Clients final : public LevelEvents {
   bool standard_quake = true;
 
   // --- levels ---
-  // Empties the buffers and takes the protocol from sv_protocol. The level must outlive end_level() or the next call.
+  // Empties the buffers and chooses the protocol (level_protocol.h). The level must outlive end_level() or the next
+  // call.
   void begin_level(Level& level);
   // After spawning: makes the baselines, sends everybody who is here the new level's serverinfo.
   void finish_level();

@@ -44,6 +44,44 @@ TEST_P(Signon, TellsOfTheLevel) {
   EXPECT_FALSE(thought_.empty());
 }
 
+// Beyond what 16 bits say of a coordinate: protocol 999, so that who is there is seen there. Who asks for 15 gets 15.
+TEST_P(Signon, AFarMapIsToldInAProtocolThatReachesIt) {
+  for (const float edge : {4096.0f, 6000.0f}) {
+    const bool far = edge > 4096.0f;
+    bsp_ = std::make_shared<formats::Bsp>(MapBuilder(vec3(-256, -256, 0), vec3(edge, 256, 512)).build());
+    const LogWatch log;
+    start_game("void() main = { };", 1, GetParam());
+    FakeClient& player = join();
+    EXPECT_EQ(player.protocol.version, far && GetParam() == 666 ? 999 : GetParam());
+    place(1, {edge - 32, 0, 48});
+    frame();
+    const float seen = player.updates.at(1).origin.x;
+    if (far && GetParam() == 15) {
+      EXPECT_LT(seen, 4096.0f);
+      EXPECT_THAT(log.text(), HasSubstr("the map reaches to 6000 units, and 16 bits to 4096: protocol 15"));
+    } else {
+      EXPECT_FLOAT_EQ(seen, edge - 32);
+      EXPECT_EQ(log.text().find("16 bits") != std::string::npos, far && GetParam() == 666) << log.text();
+    }
+    fakes_.clear();
+    level_.reset();
+  }
+}
+
+// 666 has no word for it.
+TEST_P(Signon, AMapWithScaledEntitiesIsToldInAProtocolThatHasScales) {
+  for (const char* scale : {"", "1", "0.5"}) {
+    MapBuilder room(vec3(-256, -256, 0), vec3(256, 256, 256));
+    room.entities += "{ \"classname\" \"thing\" \"scale\" \"" + std::string(scale) + "\" }";
+    bsp_ = std::make_shared<formats::Bsp>(room.build());
+    start_game("void() main = { };", 1, GetParam());
+    const bool scaled = scale == std::string("0.5");
+    EXPECT_EQ(join().protocol.version, scaled && GetParam() == 666 ? 999 : GetParam()) << scale;
+    fakes_.clear();
+    level_.reset();
+  }
+}
+
 TEST_P(Signon, IsSplitBetweenMessages) {
   start_game("float i; void() main = { for (i = 0; i < 9000; i = i + 1) ambientsound('1 0 0' * i, \"a.wav\", 1, 3); };",
              1, GetParam());
