@@ -54,7 +54,8 @@ Status Client::Impl::load_world(ClientState& state) {
   if (demo()) session.reseed();
   if (const Status loaded = load_models(state); !loaded.ok()) return loaded;
   const bool has_world = state.models.size() > 1 && state.models[1] != nullptr;
-  if (has_world) apply_worldspawn(library.map_entities(), state.model_names[1], state);
+  read_settings();
+  if (has_world) apply_worldspawn(library.map_entities(), state.model_names[1], session.settings, state);
   if (session.quiet) return ok_status();
   if (state.model_names.size() > 1) log_info("{}", state.hud.level_name);
   if (has_world) tell_of_even_light(state.model_names[1]);
@@ -223,11 +224,11 @@ Status Client::map_view(std::string_view name) {
   stop();
   disconnect();
   try {
+    impl_->read_settings();  // it can be seen at once, before any advance
     const Status status = load_map_view(name, impl_->library, impl_->session, impl_->view);
     if (!status.ok()) return status;
     impl_->source = StillMap{};
     impl_->snapshots.forget();
-    impl_->read_settings();  // it can be seen at once, before any advance
     impl_->tell_of_even_light(map_path(name));
     impl_->refresh_sky();
     place_entities(impl_->session);

@@ -49,7 +49,7 @@ vec3 ambient_light(const SnapshotInput& input) {
 // Quake's fog leaves exp(-(density z / 64)^2) of the light: ours, whose logarithm is linear, leaves half at the same
 // distance. Its colour is what is scattered of white light all around, so that thick fog in such light looks as
 // Quake's.
-scene::Medium medium_of(const Fog& fog, const Settings& settings) {
+scene::Medium medium_of(const Fog& fog, const SkyFog& sky_fog, const Settings& settings) {
   scene::Medium medium;
   const float density = fog.density * std::max(settings.r_fog, 0.0f);
   if (!(density > 0.0f)) return medium;
@@ -57,7 +57,7 @@ scene::Medium medium_of(const Fog& fog, const Settings& settings) {
   for (int i = 0; i < 3; ++i) medium.albedo[i] = scene::linear_from_srgb(fog.color[i]);
   medium.g = settings.r_fog_g;
   medium.alpha = settings.r_fog_alpha;
-  medium.sky = 1.0f - std::clamp(settings.r_skyfog, 0.0f, 1.0f);
+  medium.sky = 1.0f - std::clamp(sky_fog.now(settings.r_skyfog), 0.0f, 1.0f);
   return medium;
 }
 
@@ -163,7 +163,8 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
 
   snapshot.instances.clear();
   snapshot.ambient = input.active ? ambient_light(input) : vec3(0.0f);
-  snapshot.medium = input.active ? medium_of(fog_at(state.fog, state.time), input.session.settings) : scene::Medium();
+  snapshot.medium =
+      input.active ? medium_of(fog_at(state.fog, state.time), state.sky_fog, input.session.settings) : scene::Medium();
   snapshot.liquid_opacity = liquid_opacity(input.session.settings);
   snapshot.camera_liquid = scene::kNone;
   if (input.active && input.library.map())

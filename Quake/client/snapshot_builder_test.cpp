@@ -204,6 +204,20 @@ TEST(Snapshot, FogScattersAsItsCvarsSay) {
   EXPECT_EQ(s.snapshot.medium.sky, 0.75f);
 }
 
+// What the map says counts until the player says something else.
+TEST(Snapshot, TheMapSaysHowMuchFogCoversTheSky) {
+  Scene s;
+  s.state.fog.now = s.state.fog.before = {0.1f, vec3(0.5f)};
+  s.settings.r_skyfog = 0.25f;
+  s.state.sky_fog = {0.0f, 0.25f};
+  s.pass(2.0);
+  EXPECT_EQ(s.build().medium.sky, 1.0f);
+  s.state.sky_fog = {1.0f, 0.25f};
+  EXPECT_EQ(s.build().medium.sky, 0.0f);
+  s.settings.r_skyfog = 0.75f;
+  EXPECT_EQ(s.build().medium.sky, 0.25f);
+}
+
 TEST(Snapshot, SpritesPlayTheirGroups) {
   Scene s;
   s.tell({svc::Time{1.1f}, update(1, 3, {0, 0, 24}), update(2, 4, {50, 0, 0})});

@@ -81,6 +81,7 @@ inline void add_state(MomentHash& h, const ClientState& s) {
   add_entity(h, s.view_model);
   h.add_all(s.light_styles).add(s.skybox.value_or("the map's")).add(s.sky_changed);
   for (const Fog& fog : {s.fog.now, s.fog.before}) h.add(fog.density).add(fog.color);
+  h.add(s.sky_fog.of_map.value_or(-1.0f)).add(s.sky_fog.cvar);
   h.add(s.fog.fade_seconds).add(s.fog.fade_done).add(s.music.track).add(s.music.loop);
   for (const ColorShift& shift : s.shifts) h.add(shift.color).add(shift.percent);
   h.add(s.empty_shift.color).add(s.empty_shift.percent).add(s.damage_time).add(s.damage_roll).add(s.damage_pitch);

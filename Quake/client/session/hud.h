@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,13 @@
 #include "net/protocol.h"
 
 namespace fb::cl {
+
+// How much of the fog covers the sky where the map says it ("skyfog"): until r_skyfog is changed.
+struct SkyFog {
+  std::optional<float> of_map;
+  float cvar = 0.0f;  // r_skyfog when the map was loaded
+  float now(float r_skyfog) const { return of_map && r_skyfog == cvar ? *of_map : r_skyfog; }
+};
 
 struct Fog {
   float density = 0.0f;  // QuakeSpasm's unit: fog 1 hides what is 64 units away, about

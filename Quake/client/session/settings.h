@@ -64,7 +64,7 @@ namespace fb::cl {
   X(r_fog_alpha, "r_fog_alpha", 0.0f,                                                                                  \
     "alpha of Draine's phase function of fog, 0 to 100: 0 Henyey and Greenstein's; for droplets of a size see "        \
     "Jendersie and d'Eon 2023")                                                                                        \
-  X(r_skyfog, "r_skyfog", 0.5f, "opacity of fog over the sky")                                                         \
+  X(r_skyfog, "r_skyfog", 0.5f, "opacity of fog over the sky; a map's own counts until this is changed")               \
   X(r_wateralpha, "r_wateralpha", 1.0f,                                                                                \
     "opacity of water (r_water 1) where the map has no key wateralpha, 0 to 1: half of light is left after 256 units " \
     "over it")                                                                                                         \

@@ -104,6 +104,7 @@ struct ClientState {
   std::optional<std::string> skybox;  // svc_skybox or the "sky" key; empty: the map's own sky
   bool sky_changed = true;
   FogState fog;
+  SkyFog sky_fog;
   MusicTracks music;
   std::array<ColorShift, kShiftCount> shifts{};
   ColorShift empty_shift{vec3(130, 80, 50), 0.0f};  // v_cshift's: what contents make when there are none

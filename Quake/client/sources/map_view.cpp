@@ -78,11 +78,11 @@ std::string map_path(std::string_view name) {
   return path;
 }
 
-void apply_worldspawn(std::string_view text, std::string_view map_name, ClientState& state) {
+void apply_worldspawn(std::string_view text, std::string_view map_name, const Settings& settings, ClientState& state) {
   const auto entities = world::parse_entity_lump(text, map_name);
   if (!entities.ok() || entities->empty()) return;
   const world::Entity& world = entities->front();
-  for (std::string_view key : {"sky", "skyname", "qlsky"}) {
+  for (std::string_view key : {"sky", "_sky", "skyname", "_skyname", "qlsky", "_qlsky"}) {
     if (!world.has(key)) continue;
     state.skybox = std::string(world.text(key));
     state.sky_changed = true;
@@ -95,6 +95,8 @@ void apply_worldspawn(std::string_view text, std::string_view map_name, ClientSt
     if (numbers.size() == 4) fog.color = glm::clamp(vec3(numbers[1], numbers[2], numbers[3]), 0.0f, 1.0f);
     change_fog(state.fog, fog, 0.0, state.time);
   }
+  for (std::string_view key : {"skyfog", "_skyfog"})
+    if (world.has(key)) state.sky_fog = {world.number(key, 0.0f), settings.r_skyfog};
 }
 
 Status load_map_view(std::string_view name, scene::ModelLibrary& library, Session& session, View& view) {
@@ -116,7 +118,7 @@ Status load_map_view(std::string_view name, scene::ModelLibrary& library, Sessio
   };
   for (std::size_t i = 0; i < kStyles.size(); ++i) state.light_styles[i] = std::string(kStyles[i]);
   state.light_styles[63] = std::string(1, 'a');
-  apply_worldspawn(library.map_entities(), path, state);
+  apply_worldspawn(library.map_entities(), path, session.settings, state);
 
   view = View{};
   auto parsed = world::parse_entity_lump(library.map_entities(), path);

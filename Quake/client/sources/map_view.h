@@ -18,7 +18,9 @@ std::string map_path(std::string_view name);
 // changes but, maybe, the library.
 Status load_map_view(std::string_view name, scene::ModelLibrary& library, Session& session, View& view);
 
-// Of the worldspawn: fog and the sky's name. Used by games, too.
-void apply_worldspawn(std::string_view entities, std::string_view map_name, ClientState& state);
+// Of the worldspawn: fog, how much of it covers the sky, and the sky's name. Keys may begin with _, as tools want those
+// that QuakeC does not know. Used by games, too.
+void apply_worldspawn(std::string_view entities, std::string_view map_name, const Settings& settings,
+                      ClientState& state);
 
 }  // namespace fb::cl

@@ -1,6 +1,7 @@
 // Maps without a server, as the client shows them.
 #include "client/sources/map_view.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -88,6 +89,43 @@ TEST_F(Game, TheCameraIsAndWasInALiquid) {
   client.set_camera(std::nullopt);
   expect(true, false);
   expect(true, true);
+}
+
+// Keys of the world with and without _, in a map that is looked at and in a demo.
+TEST_F(Game, TheMapSaysHowItsSkyLooks) {
+  formats::Bsp room = formats::testing::box_room(formats::BspVersion::kBsp29);
+  const auto shown = [&](const std::string& keys, bool in_game) {
+    room.entities = "{\"classname\" \"worldspawn\" \"fog\" \"0.5 1 0 0\" " + keys + "}";
+    files.files["maps/test.bsp"] = formats::testing::write_bsp(room);
+    if (in_game) {
+      put("walk.dem", walk(5));
+      console.append("playdemo walk\n");
+      console.execute();
+      client.advance(0.1);
+    } else {
+      EXPECT_TRUE(client.map_view("test").ok());
+    }
+    client.build_snapshot(snapshot);
+    return snapshot.medium.sky;
+  };
+  for (const bool in_game : {false, true}) {
+    ASSERT_TRUE(console.set("r_skyfog", "0.25"));
+    EXPECT_EQ(shown("", in_game), 0.75f);
+    EXPECT_EQ(shown("\"skyfog\" \"0\"", in_game), 1.0f);
+    EXPECT_EQ(shown("\"_skyfog\" \"1\"", in_game), 0.0f);
+    ASSERT_TRUE(console.set("r_skyfog", "0.5"));
+    client.advance(0.1);
+    client.build_snapshot(snapshot);
+    EXPECT_EQ(snapshot.medium.sky, 0.5f) << "what is typed counts from then on";
+    EXPECT_EQ(shown("\"skyfog\" \"0.125\"", in_game), 0.875f) << "and the next map's again";
+    EXPECT_FALSE(shown("\"fog\" \"-1 0 0 1\"", in_game) < 0.0f);
+    EXPECT_FALSE(snapshot.medium.scatters()) << "no fog is less than none";
+  }
+  for (const char* key : {"sky", "_sky", "skyname", "_skyname", "qlsky", "_qlsky"}) {
+    log.clear();
+    shown(fmt::format("\"{}\" \"dusk_\"", key), false);
+    EXPECT_THAT(log, HasSubstr("gfx/env/dusk_")) << key;
+  }
 }
 
 // A room of one dull texture, and these entities.
