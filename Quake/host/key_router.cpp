@@ -52,6 +52,7 @@ KeyRouter::KeyRouter(con::Console& console, ui::menu::Facts& facts)
       bindings_(
           console, [](std::string_view name) { return platform::key_from_name(name); },
           [](int key) { return platform::key_name(key); }),
+      pad_layer_(console, bindings_),
       menu_(console, bindings_, facts) {
   register_commands();
   bindings_.bind(kKeyGrave, "toggleconsole");
@@ -306,8 +307,9 @@ void KeyRouter::run_binding(const platform::InputEvent& event) {
   bindings_.key_event(event.key, event.down);
 }
 
-void KeyRouter::handle(const platform::InputEvent& event) {
+void KeyRouter::handle(const platform::InputEvent& happened) {
   using Kind = platform::InputEvent::Kind;
+  const platform::InputEvent event = pad_layer_.meant(happened, behind_ == Behind::kGame && !holds_game());
   if (event.kind == Kind::kFocus && !event.focused) {
     bindings_.release_all();
     alt_ = ctrl_ = shift_ = false;

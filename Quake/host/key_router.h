@@ -10,6 +10,7 @@
 #include "console/bindings.h"
 #include "console/console.h"
 #include "console/input_line.h"
+#include "host/pad_layer.h"
 #include "platform/input_event.h"
 #include "ui/menu/menu.h"
 #include "ui/message_line.h"
@@ -30,7 +31,7 @@ class KeyRouter {
   KeyRouter(con::Console& console, ui::menu::Facts& facts);
 
   // Handles a key, text, motion or focus event; ignores others.
-  void handle(const platform::InputEvent& event);
+  void handle(const platform::InputEvent& happened);
   bool console_open() const { return open_; }
   bool menu_open() const { return menu_.open(); }
   // Whether a game of one player waits: all keys go elsewhere.
@@ -76,6 +77,7 @@ class KeyRouter {
 
   con::Console& console_;
   con::Bindings bindings_;
+  PadLayer pad_layer_;
   con::InputLine input_;
   ui::MessageLine message_;
   ui::menu::Menu menu_;

@@ -57,6 +57,41 @@ class KeyRouterTest : public testing::Test {
   std::vector<std::string> ran;
 };
 
+// As in Ironwail: its configurations bind them.
+TEST_F(KeyRouterTest, AControllersButtonsHaveASecondSet) {
+  console.execute("bind LTHUMB +altmodifier; bind ABUTTON \"impulse 1\"; bind ABUTTON_ALT \"impulse 2\"");
+  press(platform::kKeyAButton);
+  key(platform::kKeyLeftThumb);
+  console.execute();
+  press(platform::kKeyAButton);
+  press(platform::kKeySpace);
+  key(platform::kKeyLeftThumb, false);
+  console.execute();
+  press(platform::kKeyAButton);
+  EXPECT_THAT(ran, ElementsAre("impulse 1", "impulse 2", "impulse 1"));
+}
+// What was pressed as one button is let go as that, whatever is held by then.
+TEST_F(KeyRouterTest, AButtonIsLetGoAsWhatItWasPressedAs) {
+  console.execute("bind ABUTTON_ALT +forward; +altmodifier");
+  key(platform::kKeyAButton);
+  console.execute("-altmodifier");
+  key(platform::kKeyAButton, false);
+  console.execute();
+  ASSERT_EQ(ran.size(), 2u);
+  EXPECT_THAT(ran[0], testing::StartsWith("+forward"));
+  EXPECT_THAT(ran[1], testing::StartsWith("-forward"));
+}
+TEST_F(KeyRouterTest, TheCrossIsTheArrowKeysUnlessItIsBound) {
+  console.execute("bind UPARROW \"impulse 1\"; bind DPAD_DOWN \"impulse 2\"; bind DOWNARROW \"impulse 3\"");
+  press(platform::kKeyDpadUp);
+  press(platform::kKeyDpadDown);
+  EXPECT_THAT(ran, ElementsAre("impulse 1", "impulse 2"));
+  press(platform::kKeyEscape);
+  press(platform::kKeyDpadDown);
+  EXPECT_EQ(ran.size(), 2u) << "in the menu it moves";
+  EXPECT_TRUE(keys.menu_open());
+}
+
 TEST_F(KeyRouterTest, EscapeOpensTheMenuAndLeadsBackToTheGame) {
   press(platform::kKeyEscape);
   EXPECT_TRUE(keys.menu_open());

@@ -50,6 +50,8 @@ constexpr Named kNamed[] = {{kKeyTab, "TAB"},
                             {kKeypadInsert, "KP_INS"},
                             {kKeypadDelete, "KP_DEL"},
                             {kKeyCommand, "COMMAND"},
+                            {kKeyCapsLock, "CAPSLOCK"},
+                            {kKeyScrollLock, "SCROLLLOCK"},
                             {kKeyMouse1, "MOUSE1"},
                             {kKeyMouse2, "MOUSE2"},
                             {kKeyMouse3, "MOUSE3"},
@@ -69,9 +71,23 @@ constexpr Named kNamed[] = {{kKeyTab, "TAB"},
                             {kKeyRightTrigger, "RTRIGGER"},
                             {kKeyPrintScreen, "PRINTSCREEN"},
                             {kKeyPause, "PAUSE"},
+                            {kKeyDpadUp, "DPAD_UP"},
+                            {kKeyDpadDown, "DPAD_DOWN"},
+                            {kKeyDpadLeft, "DPAD_LEFT"},
+                            {kKeyDpadRight, "DPAD_RIGHT"},
+                            {kKeyGuide, "GUIDE"},
+                            {kKeyMisc1, "MISC1"},
+                            {kKeyPaddle1, "PADDLE1"},
+                            {kKeyPaddle2, "PADDLE2"},
+                            {kKeyPaddle3, "PADDLE3"},
+                            {kKeyPaddle4, "PADDLE4"},
+                            {kKeyTouchpad, "TOUCHPAD"},
                             {';', "SEMICOLON"},
                             {'`', "BACKQUOTE"},
-                            {'~', "TILDE"}};
+                            {'~', "TILDE"},
+                            {kKeypadNumLock, "NUMLOCK"}};  // its other name
+
+constexpr std::string_view kAlternateEnd = "_ALT";
 
 // Keys whose names end in a number, from 1.
 struct Numbered {
@@ -87,7 +103,15 @@ bool same_word(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+int alternate_key(int key) {
+  const bool is_pad = (key >= kKeyLeftThumb && key <= kKeyRightTrigger) || (key >= kKeyDpadUp && key <= kKeyTouchpad);
+  return is_pad && key != kKeyGuide ? key + kKeyAlternate : kKeyNone;
+}
+
 std::string key_name(int key) {
+  if (key > kKeyAlternate)
+    return alternate_key(key - kKeyAlternate) == key ? key_name(key - kKeyAlternate) + std::string(kAlternateEnd)
+                                                     : std::string();
   for (const Numbered& keys : kNumbered)
     if (key >= keys.first && key < keys.first + keys.count) return fmt::format("{}{}", keys.name, key - keys.first + 1);
   for (const Named& named : kNamed)
@@ -106,6 +130,8 @@ int key_from_name(std::string_view name) {
       if (same_word(name, key_name(key))) return key;
   for (const Named& named : kNamed)
     if (same_word(name, named.name)) return named.key;
+  if (name.size() > kAlternateEnd.size() && same_word(name.substr(name.size() - kAlternateEnd.size()), kAlternateEnd))
+    return alternate_key(key_from_name(name.substr(0, name.size() - kAlternateEnd.size())));
   return kKeyNone;
 }
 

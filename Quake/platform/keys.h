@@ -48,6 +48,8 @@ enum Key : int {
   kKeypadInsert,
   kKeypadDelete,
   kKeyCommand,
+  kKeyCapsLock,  // Ironwail's number, as the next
+  kKeyScrollLock,
   kKeyMouse1 = 200,  // left
   kKeyMouse2,        // right
   kKeyMouse3,        // middle
@@ -70,7 +72,24 @@ enum Key : int {
   kKeyRightTrigger,
   kKeyPrintScreen = 254,
   kKeyPause = 255,
+  // Beyond Quake's numbers: buttons of game controllers that newer engines have names for.
+  kKeyDpadUp = 256,
+  kKeyDpadDown,
+  kKeyDpadLeft,
+  kKeyDpadRight,
+  kKeyGuide,
+  kKeyMisc1,
+  kKeyPaddle1,
+  kKeyPaddle2,
+  kKeyPaddle3,
+  kKeyPaddle4,
+  kKeyTouchpad,
+  // Added to a controller's button while +altmodifier is held: "ABUTTON_ALT".
+  kKeyAlternate = 512,
 };
+
+// The key that a controller's button is while +altmodifier is held; kKeyNone for others.
+int alternate_key(int key);
 
 // "SPACE", "MWHEELUP", "a", as `bind` writes them; empty if the number is no key.
 std::string key_name(int key);

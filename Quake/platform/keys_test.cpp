@@ -20,7 +20,7 @@ TEST(Keys, HaveQuakesNumbers) {
 
 TEST(Keys, NamesGoBothWays) {
   std::set<std::string> names;
-  for (int key = 0; key < 256; ++key) {
+  for (int key = 0; key < 1024; ++key) {
     const std::string name = key_name(key);
     if (name.empty()) continue;
     EXPECT_TRUE(names.insert(name).second) << name;
@@ -43,6 +43,26 @@ TEST(Keys, JoysticksAndControllersHaveQuakeSpasmsNumbers) {
   EXPECT_EQ(key_from_name("RTRIGGER"), 252);
   EXPECT_EQ(key_from_name("JOY5"), kKeyNone);
   EXPECT_EQ(key_from_name("AUX33"), kKeyNone);
+}
+
+// Names of Ironwail's and vkQuake's configurations.
+TEST(Keys, ButtonsOfNewerEnginesHaveNames) {
+  for (const char* name :
+       {"DPAD_UP",       "DPAD_DOWN",     "DPAD_LEFT",      "DPAD_RIGHT",    "GUIDE",         "MISC1",
+        "PADDLE1",       "PADDLE2",       "PADDLE3",        "PADDLE4",       "TOUCHPAD",      "CAPSLOCK",
+        "SCROLLLOCK",    "LTHUMB_ALT",    "RTHUMB_ALT",     "LSHOULDER_ALT", "RSHOULDER_ALT", "DPAD_UP_ALT",
+        "DPAD_DOWN_ALT", "DPAD_LEFT_ALT", "DPAD_RIGHT_ALT", "ABUTTON_ALT",   "BBUTTON_ALT",   "XBUTTON_ALT",
+        "YBUTTON_ALT",   "LTRIGGER_ALT",  "RTRIGGER_ALT",   "MISC1_ALT",     "PADDLE1_ALT",   "PADDLE4_ALT",
+        "TOUCHPAD_ALT"}) {
+    EXPECT_NE(key_from_name(name), kKeyNone) << name;
+    EXPECT_EQ(key_name(key_from_name(name)), name);
+  }
+  EXPECT_EQ(key_from_name("NUMLOCK"), kKeypadNumLock);
+  EXPECT_EQ(key_name(kKeypadNumLock), "KP_NUMLOCK");
+  EXPECT_EQ(key_from_name("capslock"), 171);
+  EXPECT_EQ(alternate_key(kKeyAButton), key_from_name("abutton_alt"));
+  for (const char* none : {"SPACE_ALT", "GUIDE_ALT", "_ALT", "ABUTTON_ALT_ALT", "a_alt", "PADDLE5"})
+    EXPECT_EQ(key_from_name(none), kKeyNone) << none;
 }
 
 TEST(Keys, NamesInAnyCase) {

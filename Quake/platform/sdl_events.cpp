@@ -66,6 +66,8 @@ constexpr Place kPlaces[] = {{SDL_SCANCODE_TAB, kKeyTab},
                              {SDL_SCANCODE_RALT, kKeyAlt},
                              {SDL_SCANCODE_LGUI, kKeyCommand},
                              {SDL_SCANCODE_RGUI, kKeyCommand},
+                             {SDL_SCANCODE_CAPSLOCK, kKeyCapsLock},
+                             {SDL_SCANCODE_SCROLLLOCK, kKeyScrollLock},
                              {SDL_SCANCODE_PRINTSCREEN, kKeyPrintScreen},
                              {SDL_SCANCODE_PAUSE, kKeyPause}};
 

@@ -52,13 +52,27 @@ int key_from_pad_button(SDL_GameControllerButton button) {
     case SDL_CONTROLLER_BUTTON_RIGHTSHOULDER:
       return kKeyRightShoulder;
     case SDL_CONTROLLER_BUTTON_DPAD_UP:
-      return kKeyUpArrow;
+      return kKeyDpadUp;
     case SDL_CONTROLLER_BUTTON_DPAD_DOWN:
-      return kKeyDownArrow;
+      return kKeyDpadDown;
     case SDL_CONTROLLER_BUTTON_DPAD_LEFT:
-      return kKeyLeftArrow;
+      return kKeyDpadLeft;
     case SDL_CONTROLLER_BUTTON_DPAD_RIGHT:
-      return kKeyRightArrow;
+      return kKeyDpadRight;
+    case SDL_CONTROLLER_BUTTON_GUIDE:
+      return kKeyGuide;
+    case SDL_CONTROLLER_BUTTON_MISC1:
+      return kKeyMisc1;
+    case SDL_CONTROLLER_BUTTON_PADDLE1:
+      return kKeyPaddle1;
+    case SDL_CONTROLLER_BUTTON_PADDLE2:
+      return kKeyPaddle2;
+    case SDL_CONTROLLER_BUTTON_PADDLE3:
+      return kKeyPaddle3;
+    case SDL_CONTROLLER_BUTTON_PADDLE4:
+      return kKeyPaddle4;
+    case SDL_CONTROLLER_BUTTON_TOUCHPAD:
+      return kKeyTouchpad;
     default:
       return kKeyNone;
   }

@@ -8,6 +8,8 @@
 
 #include <gmock/gmock.h>
 
+#include <utility>
+
 namespace fb::platform {
 namespace {
 
@@ -57,7 +59,17 @@ TEST_F(GamepadsTest, ButtonsAreKeys) {
   SDL_JoystickSetVirtualButton(joystick, SDL_CONTROLLER_BUTTON_A, 0);
   SDL_JoystickSetVirtualButton(joystick, SDL_CONTROLLER_BUTTON_DPAD_UP, 1);
   poll();
-  EXPECT_THAT(keys, ElementsAre("+ABUTTON", "-ABUTTON", "+UPARROW"));
+  EXPECT_THAT(keys, ElementsAre("+ABUTTON", "-ABUTTON", "+DPAD_UP"));
+}
+TEST(Buttons, OfNewerControllersAreKeys) {
+  for (const auto& [button, name] : {std::pair{SDL_CONTROLLER_BUTTON_MISC1, "MISC1"},
+                                     {SDL_CONTROLLER_BUTTON_PADDLE1, "PADDLE1"},
+                                     {SDL_CONTROLLER_BUTTON_PADDLE4, "PADDLE4"},
+                                     {SDL_CONTROLLER_BUTTON_TOUCHPAD, "TOUCHPAD"},
+                                     {SDL_CONTROLLER_BUTTON_GUIDE, "GUIDE"},
+                                     {SDL_CONTROLLER_BUTTON_DPAD_RIGHT, "DPAD_RIGHT"},
+                                     {SDL_CONTROLLER_BUTTON_START, "ESCAPE"}})
+    EXPECT_EQ(key_name(key_from_pad_button(button)), name);
 }
 
 // A trigger's way is the whole of a joystick's axis.
