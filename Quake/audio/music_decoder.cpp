@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "audio/ogg_flac.h"
 #include "formats/wav.h"
 
 namespace fb::audio {
@@ -110,17 +111,29 @@ class ModuleDecoder final : public MusicDecoder {
   openmpt::module module_;
 };
 
-}  // namespace
+Result<std::unique_ptr<MusicDecoder>> open_sound_file(const FileData& data, const std::string& name) {
+  if (auto flac = flac_of_ogg({data.data(), data.size()})) return SoundFileDecoder::open(*std::move(flac), name);
+  return SoundFileDecoder::open(data, name);
+}
 
-std::span<const std::string_view> music_extensions() { return kExtensions; }
-
-Result<std::unique_ptr<MusicDecoder>> open_music(FileData data, const std::string& name, std::uint32_t rate) {
-  if (!is_module(name)) return SoundFileDecoder::open(std::move(data), name);
+Result<std::unique_ptr<MusicDecoder>> open_module(const FileData& data, const std::string& name, std::uint32_t rate) {
   try {
     return std::unique_ptr<MusicDecoder>(std::make_unique<ModuleDecoder>(data, rate));
   } catch (const openmpt::exception& failure) {
     return Error{fmt::format("{}: {}", name, failure.what())};
   }
+}
+
+}  // namespace
+
+std::span<const std::string_view> music_extensions() { return kExtensions; }
+
+Result<std::unique_ptr<MusicDecoder>> open_music(FileData data, const std::string& name, std::uint32_t rate) {
+  const bool module_first = is_module(name);
+  auto music = module_first ? open_module(data, name, rate) : open_sound_file(data, name);
+  if (music) return music;
+  auto other = module_first ? open_sound_file(data, name) : open_module(data, name, rate);
+  return other ? std::move(other) : std::move(music);
 }
 
 }  // namespace fb::audio

@@ -1,5 +1,5 @@
-// Music files as frames of two channels: WAV, FLAC, Ogg Vorbis, Opus and MP3 by libsndfile, tracker modules by
-// libopenmpt.
+// Music files as frames of two channels: WAV, FLAC (within Ogg, too), Ogg Vorbis, Opus and MP3 by libsndfile, tracker
+// modules by libopenmpt. What a file is its bytes say, whatever it is called.
 #pragma once
 
 #include <cstddef>
@@ -34,8 +34,8 @@ class MusicDecoder {
 // The extensions of music files, in the order in which they are looked for.
 std::span<const std::string_view> music_extensions();
 
-// `name` is that of the file, by whose extension a module is known; `rate` is what modules are played at. Fails with
-// the file's name and the library's reason.
+// `name` is that of the file, by whose extension the library is chosen that is asked first; `rate` is what modules are
+// played at. Fails with the file's name and that library's reason.
 Result<std::unique_ptr<MusicDecoder>> open_music(FileData data, const std::string& name, std::uint32_t rate);
 
 }  // namespace fb::audio

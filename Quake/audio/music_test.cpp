@@ -17,6 +17,7 @@
 #include "audio/music_decoder.h"
 #include "audio/music_player.h"
 #include "audio/music_stream.h"
+#include "audio/ogg_flac.h"
 #include "audio/test_sounds.h"
 #include "base/rng.h"
 #include "base/test_directory.h"
@@ -108,6 +109,80 @@ INSTANTIATE_TEST_SUITE_P(All, MusicFormats,
                                            Format{"mp3", SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III, 44100},
                                            Format{"flac", SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 48000},
                                            Format{"wav", SF_FORMAT_WAV | SF_FORMAT_PCM_16, 22050}));
+
+// What a file is its bytes say: players rename them.
+TEST_P(MusicFormats, AreKnownByWhatTheyHold) {
+  const auto [extension, format, rate] = GetParam();
+  const Bytes file = music_file(format, rate);
+  for (const char* wrong : {"ogg", "opus", "mp3", "flac", "wav", "it", "mod"}) {
+    auto decoder = open_music(file, fmt::format("music/track02.{}", wrong), 44100);
+    ASSERT_TRUE(decoder.ok()) << wrong << ": " << decoder.error().message;
+    EXPECT_EQ((*decoder)->rate(), static_cast<std::uint32_t>(rate));
+  }
+}
+TEST(Music, ModulesAreKnownByWhatTheyHold) {
+  for (const char* wrong : {"ogg", "wav", "xm"}) {
+    auto decoder = open_music(module_file(), fmt::format("music/a.{}", wrong), 48000);
+    ASSERT_TRUE(decoder.ok()) << wrong << ": " << decoder.error().message;
+    EXPECT_EQ((*decoder)->rate(), 48000u);
+  }
+}
+
+// A file of FLAC in pages of Ogg, with another stream's page between them.
+Bytes in_ogg(const Bytes& flac, std::size_t page_size = 5000) {
+  formats::testing::ByteWriter w;
+  std::uint32_t number = 0;
+  const auto page = [&](ByteView payload, std::uint32_t serial) {
+    w.text("OggS", 4);
+    w.u8(0);
+    w.u8(number == 0 ? 2 : 0);
+    w.u32(0);
+    w.u32(0);
+    w.u32(serial);
+    w.u32(number++);
+    w.u32(0);  // the checksum, which nobody asks for
+    const std::size_t segments = payload.size() / 255 + 1;
+    w.u8(static_cast<std::uint32_t>(segments));
+    for (std::size_t i = 0; i + 1 < segments; ++i) w.u8(255);
+    w.u8(static_cast<std::uint32_t>(payload.size() % 255));
+    w.bytes(payload);
+  };
+  formats::testing::ByteWriter first;
+  first.text(
+      "\x7f"
+      "FLAC",
+      5);
+  for (const std::uint32_t byte : {1u, 0u, 0u, 1u}) first.u8(byte);
+  constexpr std::size_t kInfo = 4 + 4 + 34;  // the mark and STREAMINFO
+  first.bytes(ByteView(flac).first(kInfo));
+  page(first.out, 7);
+  page(Bytes(100, 3), 8);
+  for (std::size_t at = kInfo; at < flac.size(); at += page_size)
+    page(ByteView(flac).subspan(at, std::min(page_size, flac.size() - at)), 7);
+  return w.out;
+}
+
+TEST(Music, FlacWithinOggIsTakenOut) {
+  const Bytes flac = music_file(SF_FORMAT_FLAC | SF_FORMAT_PCM_16, 44100);
+  const Bytes ogg = in_ogg(flac);
+  EXPECT_EQ(flac_of_ogg(ogg), flac);
+  auto decoder = open_music(ogg, "music/track03.ogg", 44100);
+  ASSERT_TRUE(decoder.ok()) << decoder.error().message;
+  std::vector<float> frames(2 * 44100), left;
+  ASSERT_EQ((*decoder)->read(frames), 44100u);
+  for (std::size_t i = 0; i < 44100; ++i) left.push_back(frames[2 * i]);
+  EXPECT_NEAR(test::rms(left, 10000, 20000), 0.5 * std::sqrt(0.5), 0.02);
+  EXPECT_TRUE((*decoder)->rewind());
+
+  EXPECT_EQ(flac_of_ogg(flac), std::nullopt);
+  EXPECT_EQ(flac_of_ogg(music_file(SF_FORMAT_OGG | SF_FORMAT_VORBIS, 44100)), std::nullopt);
+  for (std::size_t length = 0; length < ogg.size(); length += 97) {
+    const Bytes cut(ogg.begin(), ogg.begin() + static_cast<std::ptrdiff_t>(length));
+    const auto out = flac_of_ogg(cut);
+    EXPECT_TRUE(!out || std::equal(out->begin(), out->end(), flac.begin())) << length;
+    if (auto music = open_music(cut, "music/a.ogg", 44100); music.ok()) (*music)->read(frames);
+  }
+}
 
 TEST(Music, OneChannelIsHeardOnBothSides) {
   auto decoder = open_music(music_file(SF_FORMAT_WAV | SF_FORMAT_PCM_16, 44100, 1), "music/a.wav", 44100);
