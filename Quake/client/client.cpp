@@ -21,6 +21,7 @@ Client::Impl::Impl(con::Console& console_, scene::ModelLibrary& library_, FileLo
   clock = [] { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); };
   session.load_world = [this](ClientState& state) { return load_world(state); };
   session.localization = &console.localization();
+  session.load_model = [this](const std::string& name) { return library.map() ? &library.model(name) : nullptr; };
   session.print = [this](const std::string& text) { print(text); };
   register_console();
   register_demo_commands();

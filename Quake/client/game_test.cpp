@@ -324,6 +324,21 @@ TEST_F(Playing, RecordingMayBeginInTheMidstOfAGame) {
   EXPECT_EQ(client.hud().scores.at(0).name, "tester") << "what was said before is in it";
 }
 
+TEST_F(Playing, ARecordingFromTheMidstKnowsWhatWasPrecachedLate) {
+  join();
+  server.say({svc::StuffText{"//precache model 40 \"progs/thing.mdl\"\n//precache sound 9 \"late.wav\"\n"}});
+  frames(3);
+  console.append("record late\n");
+  frames(3);
+  console.execute("stop; disconnect");
+  const Bytes demo = read_whole(folder / "late.dem");
+  const std::string text(demo.begin(), demo.end());
+  EXPECT_THAT(text, HasSubstr("//precache model 40 \"progs/thing.mdl\"\n"));
+  EXPECT_THAT(text, HasSubstr("//precache sound 9 \"late.wav\"\n"));
+  EXPECT_THAT(log, Not(HasSubstr("precache"))) << "nothing for the console";
+  EXPECT_GE(positions("late.dem").size(), 2u);
+}
+
 TEST_F(Playing, RecordingsBeginAfterALevelChangeWithTheNewLevel) {
   join();
   frames(3);

@@ -90,6 +90,7 @@ void Client::Impl::record_game_so_far() {
     say(net::svc::LightStyle{static_cast<int>(i), state.light_styles[i]});
   for (const int stat : {net::kStatTotalSecrets, net::kStatTotalMonsters, net::kStatSecrets, net::kStatMonsters})
     say(net::svc::UpdateStat{stat, state.hud.stats[static_cast<std::size_t>(stat)]});
+  for (const std::string& line : state.late_precaches) say(net::svc::StuffText{line});
   if (state.skybox) say(net::svc::StuffText{fmt::format("sky \"{}\"\n", *state.skybox)});
   const Fog& fog = state.fog.now;
   say(net::svc::StuffText{fmt::format("fog {} {} {} {}\n", fog.density, fog.color.x, fog.color.y, fog.color.z)});

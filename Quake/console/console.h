@@ -61,6 +61,7 @@ class Console {
   void remove_command(std::string_view name);
   void set_argument_completer(std::string_view command, ArgumentCompleter completer);
   bool has_command(std::string_view name) const;
+  bool has_alias(std::string_view name) const { return aliases_.contains(std::string(name)); }
   struct CommandInfo {
     std::string name, help;
   };

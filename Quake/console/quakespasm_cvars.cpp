@@ -140,6 +140,88 @@ constexpr Row kRows[] = {
     {"sys_ticrate", "0.05", false, "length of a dedicated server's tick, seconds", "this is no dedicated server"},
 };
 
+struct Setting {
+  const char* name;
+  const char* value;
+};
+// A player's, which mods read and set on dedicated servers, too. Where there is a client they are its own.
+constexpr Setting kPlayersSettings[] = {
+    {"_cl_color", "0"},
+    {"_cl_name", "player"},
+    {"chase_active", "0"},
+    {"chase_back", "100"},
+    {"chase_right", "0"},
+    {"chase_up", "16"},
+    {"cl_alwaysrun", "0"},
+    {"cl_anglespeedkey", "1.5"},
+    {"cl_backspeed", "200"},
+    {"cl_bob", "0.02"},
+    {"cl_bobcycle", "0.6"},
+    {"cl_bobup", "0.5"},
+    {"cl_forwardspeed", "200"},
+    {"cl_maxpitch", "90"},
+    {"cl_minpitch", "-90"},
+    {"cl_movespeedkey", "2.0"},
+    {"cl_nolerp", "0"},
+    {"cl_pitchspeed", "150"},
+    {"cl_sidespeed", "350"},
+    {"cl_startdemos", "1"},
+    {"cl_upspeed", "200"},
+    {"cl_yawspeed", "140"},
+    {"fov", "90"},
+    {"fov_adapt", "1"},
+    {"gl_cshiftpercent", "100"},
+    {"gl_cshiftpercent_bonus", "100"},
+    {"gl_cshiftpercent_contents", "100"},
+    {"gl_cshiftpercent_damage", "100"},
+    {"gl_cshiftpercent_powerup", "100"},
+    {"gl_polyblend", "1"},
+    {"lookspring", "0"},
+    {"lookstrafe", "0"},
+    {"m_forward", "1"},
+    {"m_pitch", "0.022"},
+    {"m_side", "0.8"},
+    {"m_yaw", "0.022"},
+    {"r_drawentities", "1"},
+    {"r_drawviewmodel", "1"},
+    {"r_drawworld", "1"},
+    {"r_dynamic", "1"},
+    {"r_lavaalpha", "0"},
+    {"r_lerpmodels", "1"},
+    {"r_lerpmove", "1"},
+    {"r_particles", "1"},
+    {"r_scale", "1"},
+    {"r_skyfog", "0.5"},
+    {"r_slimealpha", "0"},
+    {"r_telealpha", "0"},
+    {"r_viewmodel_quake", "0"},
+    {"r_wateralpha", "1"},
+    {"r_waterwarp", "1"},
+    {"scr_ofsx", "0"},
+    {"scr_ofsy", "0"},
+    {"scr_ofsz", "0"},
+    {"sensitivity", "3"},
+    {"v_centermove", "0.15"},
+    {"v_centerspeed", "500"},
+    {"v_gunkick", "1"},
+    {"v_idlescale", "0"},
+    {"v_ipitch_cycle", "1"},
+    {"v_ipitch_level", "0.3"},
+    {"v_iroll_cycle", "0.5"},
+    {"v_iroll_level", "0.1"},
+    {"v_iyaw_cycle", "2"},
+    {"v_iyaw_level", "0.3"},
+    {"v_kickpitch", "0.6"},
+    {"v_kickroll", "0.6"},
+    {"v_kicktime", "0.5"},
+    {"viewsize", "100"},
+    {"r_nolerp_list",
+     "progs/flame.mdl,progs/flame2.mdl,progs/braztall.mdl,progs/brazshrt.mdl,progs/longtrch.mdl,"
+     "progs/flame_pyre.mdl,progs/v_saw.mdl,progs/v_xfist.mdl,progs/h2stuff/newfire.mdl"},
+    // And one of Ironwail's.
+    {"hudstyle", "0"},
+};
+
 }  // namespace
 
 void add_quakespasm_cvars(Console& console) {
@@ -147,6 +229,11 @@ void add_quakespasm_cvars(Console& console) {
     if (console.find_cvar(row.name) || console.has_command(row.name)) continue;
     console.add_cvar(row.name, row.value, fmt::format("{}; no effect here: {}", row.what, row.why),
                      kCvarNoEffect | (row.archived ? kCvarArchive : kCvarPlain));
+  }
+  for (const Setting& setting : kPlayersSettings) {
+    if (console.find_cvar(setting.name) || console.has_command(setting.name)) continue;
+    console.add_cvar(setting.name, setting.value,
+                     "a player's setting, for mods; no effect here: no player looks through it", kCvarNoEffect);
   }
 }
 

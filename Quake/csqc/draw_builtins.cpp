@@ -7,13 +7,15 @@
 #include <cmath>
 
 #include "csqc/hud_context.h"
-#include "csqc/markup.h"
+#include "progs/markup.h"
 #include "progs/vm.h"
 
 namespace fb::csqc {
 namespace {
 
 using progs::BuiltinTable;
+using progs::Letter;
+using progs::marked_up;
 using progs::Vm;
 
 constexpr std::size_t kMostDrawn = 65536;   // letters, pictures and fills in a frame

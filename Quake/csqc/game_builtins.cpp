@@ -122,7 +122,6 @@ void add_game_builtins(BuiltinTable& table, HudContext& context) {
     if (!vm.failed() && context.play_sound) context.play_sound(name);
   });
   table.set(519, "gettime", [&context](Vm& vm) { vm.return_float(static_cast<float>(context.moment.now)); });
-  table.set(339, "print", [](Vm& vm) { (*vm.builtins().find(23))(vm); });  // bprint: here there is one console
   table.set(352, "registercommand", [&context](Vm& vm) {
     const std::string name(vm.parm_string(0));
     if (!vm.failed() && context.register_command) context.register_command(name);

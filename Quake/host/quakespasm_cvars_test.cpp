@@ -294,6 +294,18 @@ TEST_F(QuakeSpasmCvarsTest, AreThereWithTheirDefaults) {
   EXPECT_EQ(engine->console().cvar("cmdline").string(), "-basedir " + directory.path().string() + " -nohome -nolan");
 }
 
+// Mods ask for settings of players wherever they run.
+TEST_F(QuakeSpasmCvarsTest, ADedicatedServerHasThemAll) {
+  EngineOptions options;
+  options.client = false;
+  options.dedicated = true;
+  auto made = Engine::create({"-basedir", directory.path().string(), "-nohome", "-nolan"}, options);
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  for (const Theirs& theirs : kTheirCvars) EXPECT_NE((*made)->console().find_cvar(theirs.name), nullptr) << theirs.name;
+  EXPECT_NE((*made)->console().find_cvar("hudstyle"), nullptr);
+  EXPECT_NE(engine->console().find_cvar("hudstyle"), nullptr) << "nor is it a stranger where there is a client";
+}
+
 TEST_F(QuakeSpasmCvarsTest, AConfigurationOfTheirsSetsThemWithoutAWord) {
   std::string config;
   for (const Theirs& theirs : kTheirCvars) {

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -181,11 +182,18 @@ TEST_F(OpcodeTest, Strings) {
   EXPECT_EQ(equal(Op::kNotS, a + 4, 0), 1.0f);
   EXPECT_EQ(equal(Op::kNotS, 0, 0), 1.0f);
   EXPECT_EQ(error_, "");
-  for (const Op op : {Op::kEqS, Op::kNeS, Op::kNotS}) {
-    for (const Word bad : {1000000u, 0x7fffffffu, 0x80000000u, 0xffff0000u}) {
-      equal(op, bad, a);
-      EXPECT_THAT(error_, HasSubstr("is none")) << op_info(op).name << bad;
-    }
+  // What is no string is taken as an empty one.
+  for (const Word bad : {1000000u, 0x7fffffffu, 0x80000000u, 0xffff0000u}) {
+    const auto warned = [&](Op op, Word x, Word y) {
+      const float result = equal(op, x, y);
+      EXPECT_EQ(error_, "");
+      EXPECT_THAT(vm_->warning(), HasSubstr("is none: it is taken as empty")) << op_info(op).name << bad;
+      return result;
+    };
+    EXPECT_EQ(warned(Op::kEqS, bad, a), 0.0f);
+    EXPECT_EQ(warned(Op::kEqS, 0, bad), 1.0f);
+    EXPECT_EQ(warned(Op::kNeS, a, bad), 1.0f);
+    EXPECT_EQ(warned(Op::kNotS, bad, 0), 1.0f);
   }
 }
 
@@ -242,35 +250,43 @@ TEST_F(OpcodeTest, LoadsAndStoresThroughEntities) {
 
 TEST_F(OpcodeTest, NothingLeadsOutOfTheEntities) {
   const Word last = kSystemFields - 1;
+  const auto warning_of = [&](Op op, Word a, Word b) {
+    const Word value = result(op, a, b);
+    EXPECT_EQ(error_, "");
+    const bool loads = op == Op::kLoadF || op == Op::kLoadV;
+    EXPECT_TRUE(!loads || vm_->warning().empty() || value == 0u) << "nothing is read";
+    return vm_->warning();
+  };
   for (const Op op : {Op::kLoadF, Op::kLoadV, Op::kAddress}) {
-    for (const Word entity : {4u, 16u, 0xffffffffu, 0x80000000u}) {
-      result(op, entity, 0);
-      EXPECT_THAT(error_, HasSubstr("is no entity: there are 4"));
-    }
-    for (const Word field : {kSystemFields, 0x7fffffffu, 0xffffffffu}) {
-      result(op, 3, field);
-      EXPECT_THAT(error_, HasSubstr(fmt::format("field {}, of {} words", field, kSystemFields)));
-    }
+    for (const Word entity : {4u, 16u, 0xffffffffu, 0x80000000u})
+      EXPECT_THAT(warning_of(op, entity, 0), HasSubstr("is no entity: there are 4"));
+    for (const Word field : {kSystemFields, 0x7fffffffu, 0xffffffffu})
+      EXPECT_THAT(warning_of(op, 3, field), HasSubstr(fmt::format("field {}, of {} words", field, kSystemFields)));
   }
-  result(Op::kLoadF, 3, last);
-  EXPECT_EQ(error_, "");
-  result(Op::kLoadV, 3, last - 1);
-  EXPECT_THAT(error_, HasSubstr("field"));
-  result(Op::kLoadV, 3, last - 2);
-  EXPECT_EQ(error_, "");
+  EXPECT_EQ(warning_of(Op::kLoadF, 3, last), "");
+  EXPECT_THAT(warning_of(Op::kLoadV, 3, last - 1), HasSubstr("field"));
+  EXPECT_EQ(warning_of(Op::kLoadV, 3, last - 2), "");
   const Word end = 4 * kSystemFields;
-  for (const Word pointer : {end, 0xffffffffu, 0x80000000u}) {
-    result(Op::kStorepF, 1, pointer);
-    EXPECT_THAT(error_, HasSubstr("leads outside of the entities"));
-  }
-  for (const Word pointer : {end - 2, end - 1, end, 0xffffffffu}) {
-    result(Op::kStorepV, 1, pointer);
-    EXPECT_THAT(error_, HasSubstr("leads outside of the entities"));
-  }
-  result(Op::kStorepF, 1, end - 1);
-  EXPECT_EQ(error_, "");
-  result(Op::kStorepV, 1, end - 3);
-  EXPECT_EQ(error_, "");
+  for (const Word pointer : {end, 0x80000000u})
+    EXPECT_THAT(warning_of(Op::kStorepF, 1, pointer), HasSubstr("leads outside of the entities"));
+  for (const Word pointer : {end - 2, end - 1, end})
+    EXPECT_THAT(warning_of(Op::kStorepV, 1, pointer), HasSubstr("leads outside of the entities"));
+  EXPECT_EQ(warning_of(Op::kStorepF, 1, end - 1), "");
+  EXPECT_EQ(warning_of(Op::kStorepV, 1, end - 3), "");
+}
+
+TEST_F(OpcodeTest, WhatIsWrittenToNoEntityIsLost) {
+  const auto entity = builder_.word(99), field = builder_.word(fields::health.offset);
+  const auto value = builder_.vector(1, 2, 3), pointer = builder_.word(0);
+  builder_.function("main", {{Op::kAddress, entity, field, pointer},
+                             {Op::kStorepF, value, pointer},
+                             {Op::kStorepV, value, pointer},
+                             {Op::kDone}});
+  start();
+  EXPECT_EQ(run(), "");
+  EXPECT_THAT(vm_->warning(), HasSubstr("statement 1: 99 is no entity")) << "the address is told of, not what follows";
+  const Word* const words = vm_->edicts().words();
+  EXPECT_TRUE(std::all_of(words, words + 4 * kSystemFields, [](Word word) { return word == 0; }));
 }
 
 TEST_F(OpcodeTest, TheWorldIsWrittenOnlyWhileItSpawns) {
@@ -309,7 +325,8 @@ TEST_F(OpcodeTest, StateIsAFrameAndAThinkATenthLater) {
   EXPECT_EQ(edict.get(fields::think), FunctionId{1});
   EXPECT_EQ(edict.get(fields::nextthink), static_cast<float>(10.3f + 0.1));
   vm_->set(globals::self, EdictId{99});
-  EXPECT_THAT(run(), HasSubstr("99 is no entity"));
+  EXPECT_EQ(run(), "");
+  EXPECT_THAT(vm_->warning(), HasSubstr("99 is no entity"));
 }
 
 TEST_F(OpcodeTest, CallsPassParametersAndReturnThreeWords) {

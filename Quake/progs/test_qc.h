@@ -80,6 +80,11 @@ class QcTest : public ::testing::Test {
     return output_of(
         std::string(kBuiltinSource).append(before).append("void() main = {").append(statements).append("};"));
   }
+  // What the latest warning of these statements says, "" for none; an error is an error.
+  std::string warned(const std::string& statements, const std::string& before = "") {
+    const std::string said = says(statements, before);
+    return !vm_ || said.starts_with("error") ? said : vm_->warning();
+  }
   bool has_compiler() const { return compile("void() main = {};").has_compiler; }
 
   std::unique_ptr<Vm> vm_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/log.h"
 
@@ -57,7 +58,7 @@ bool Vm::can_call(FunctionId id) const {
 
 Status Vm::execute(FunctionId function) {
   if (nesting_ == 0) {
-    failed_ = false;
+    failed_ = skipped_ = false;
     trace_ = false;
   }
   // A builtin that goes on although something failed gets the same answer again.
@@ -77,10 +78,14 @@ Status Vm::execute(FunctionId function) {
 }
 
 void Vm::call_builtin(FunctionId id) {
-  if (const Builtin* builtin = resolved_[index(id)])
-    (*builtin)(*this);
-  else
-    call_unknown(program_->functions[index(id)]);
+  const Builtin* builtin = resolved_[index(id)];
+  if (!builtin) return call_unknown(program_->functions[index(id)]);
+  const bool outer_skipped = std::exchange(skipped_, false);
+  const FunctionId outer = std::exchange(builtin_, id);
+  (*builtin)(*this);
+  if (skipped_) std::fill_n(&globals_[kOfsReturn], 3, Word{0});
+  skipped_ = outer_skipped;
+  builtin_ = outer;
 }
 
 // QuakeSpasm ends the game here; later engines go on.
@@ -107,6 +112,17 @@ void Vm::fail(std::string_view cause) {
   backtrace_ = current_backtrace();
   cause_ = fmt::format("{}: {}", place(), cause);
   if (function_ != FunctionId::kNull) log_line(LogLevel::kInfo, backtrace_);
+}
+
+void Vm::warn(std::string_view cause) {
+  constexpr std::size_t kMostWarnings = 64;
+  if (failed_) return;
+  warning_ = fmt::format("{}: {}", place(), cause);
+  if (warned_of_.size() > kMostWarnings || !warned_of_.insert(statement_).second) return;
+  if (warned_of_.size() > kMostWarnings)
+    log_warning("{}: more is wrong, of which no more is told on this level", program_->file);
+  else
+    log_warning("{}", warning_);
 }
 
 std::string Vm::current_backtrace() const {
@@ -147,23 +163,28 @@ void Vm::print_statement(std::uint32_t number) const {
   log_line(LogLevel::kInfo, line);
 }
 
+// "parameter 1 of find"
+std::string Vm::parm_name(int i) const { return fmt::format("parameter {} of {}", i + 1, function_name(builtin_)); }
+
 std::string_view Vm::parm_string(int i) {
   const StringId id = parm_string_id(i);
   if (const auto text = strings_.find(id)) return *text;
-  fail(fmt::format("parameter {} is string {}, which there is not", i + 1, static_cast<std::int32_t>(id)));
+  warn(fmt::format("{} is string {}, which there is not: it is taken as empty", parm_name(i),
+                   static_cast<std::int32_t>(id)));
   return "";
 }
 
 EdictId Vm::parm_entity(int i) {
   const EdictId id{parm_words(i)[0]};
   if (edicts_.valid(id)) return id;
-  fail(fmt::format("parameter {} is entity {}, of {}", i + 1, index(id), edicts_.count()));
+  skip(fmt::format("{} is entity {}, of {}: the call does nothing", parm_name(i), index(id), edicts_.count()));
   return EdictId::kWorld;
 }
 
-std::uint32_t Vm::checked_field(Word value, std::uint32_t words) {
+std::uint32_t Vm::checked_field(int i, std::uint32_t words) {
+  const Word value = parm_words(i)[0];
   if (value <= program_->field_words - words) return value;
-  fail(fmt::format("field {}, of {} words", value, program_->field_words));
+  skip(fmt::format("{} is field {}, of {} words: the call does nothing", parm_name(i), value, program_->field_words));
   return kAbsent;
 }
 

@@ -5,9 +5,10 @@
 //   (*vm)->set(globals::self, id);
 //   if (Status status = (*vm)->execute(edict.get(fields::think)); !status) ...   // QuakeC went wrong: end the level
 //
-// QuakeC's errors (a NULL function, an entity that is none, too deep recursion, a loop without end, error()) come back
-// as a Status of one sentence; where it happened and who called whom goes to the log and stays in backtrace(). Builtins
-// may call execute() in turn: what fails there fails the QuakeC that called the builtin as well.
+// QuakeC's errors (a NULL function, too deep recursion, a loop without end, error()) come back as a Status of one
+// sentence; where it happened and who called whom goes to the log and stays in backtrace(). Builtins may call execute()
+// in turn: what fails there fails the QuakeC that called the builtin as well. What some other engine survives (a string
+// or an entity that is none, ...) is a warning, and QuakeC goes on: Misc/docs/quakec.md has the list.
 //
 // A builtin that is not known is no error: it returns 0, "" or the world, and the first call of each is warned of.
 //
@@ -100,6 +101,7 @@ class Vm {
   void set_parm(int i, StringId value) { store_parm(i, value); }
   void set_parm(int i, EdictId value) { store_parm(i, value); }
   float returned_float() const { return as_float(globals_[kOfsReturn]); }
+  EdictId returned_edict() const { return EdictId{globals_[kOfsReturn]}; }
   std::string_view returned_string() const { return text(static_cast<StringId>(globals_[kOfsReturn])); }
 
   // For builtins. i is 0 to 7; parameters that the caller left out hold what was there before: ask parm_count().
@@ -109,14 +111,15 @@ class Vm {
   vec3 parm_vector(int i) const { return ValueTraits<vec3>::load(parm_words(i)); }
   StringId parm_string_id(int i) const { return static_cast<StringId>(parm_words(i)[0]); }
   FunctionId parm_function(int i) const { return static_cast<FunctionId>(parm_words(i)[0]); }
-  // Checked: these fail() where the value makes no sense. The text is valid while its string is (progs/strings.h).
+  // Checked. A string that is none costs a warning and is "". The text is valid while its string is (progs/strings.h).
   std::string_view parm_string(int i);
+  // What is no entity makes the call skip() and gives the world, which is not meant.
   EdictId parm_entity(int i);
   Edict parm_edict(int i) { return edicts_[parm_entity(i)]; }
-  // A field of T: its offset and all of its words lie in an edict.
+  // A field of T: its offset and all of its words lie in an edict. Where they do not the call skips.
   template <typename T>
   Field<T> parm_field(int i) {
-    return Field<T>{checked_field(parm_words(i)[0], words_of(ValueTraits<T>::kType))};
+    return Field<T>{checked_field(i, words_of(ValueTraits<T>::kType))};
   }
   // The parameters from i on, one behind the other (Quake's PF_VarString).
   std::string parm_text_from(int i);
@@ -134,8 +137,17 @@ class Vm {
   void charge(std::int64_t statements) { charge_ += statements; }
   // From a builtin: ends QuakeC with this sentence as the builtin returns. The first one counts.
   void fail(std::string_view cause);
-  bool failed() const { return failed_; }
+  // What QuakeC got wrong and the game survives: a warning with its place, once for each statement.
+  void warn(std::string_view cause);
+  // From a builtin that cannot do what it is asked for: warns, and the call returns 0.
+  void skip(std::string_view cause) {
+    warn(cause);
+    skipped_ = true;
+  }
+  // Whether the builtin that runs has nothing more to do.
+  bool failed() const { return failed_ || skipped_; }
 
+  const std::string& warning() const { return warning_; }  // the latest, be it told or not
   // Of the latest error, innermost first: "  ai.qc : walk, statement 1234 (CALL1)".
   const std::string& backtrace() const { return backtrace_; }
   // As it is now, for builtins that print one.
@@ -161,7 +173,9 @@ class Vm {
   void store_parm(int i, const T& value) {
     ValueTraits<T>::store(&globals_[kOfsParm0 + 3 * static_cast<std::uint32_t>(i)], value);
   }
-  std::uint32_t checked_field(Word value, std::uint32_t words);
+  std::uint32_t checked_field(int i, std::uint32_t words);
+  std::string parm_name(int i) const;
+  std::string place() const;
   void resolve_builtins();
 
   void interpret(FunctionId function);
@@ -171,7 +185,6 @@ class Vm {
   std::uint32_t leave();
   void call_builtin(FunctionId function);
   void call_unknown(const Function& function);
-  std::string place() const;
   void print_statement(std::uint32_t statement) const;
 
   std::shared_ptr<const Program> program_;
@@ -191,8 +204,10 @@ class Vm {
   FunctionId function_ = FunctionId::kNull;  // that runs now
   std::uint32_t statement_ = 0;              // that runs now, as of the last call or error
   int parm_count_ = 0;
-  bool trace_ = false, failed_ = false;
-  std::string cause_, backtrace_;
+  bool trace_ = false, failed_ = false, skipped_ = false;
+  FunctionId builtin_ = FunctionId::kNull;  // that runs
+  std::set<std::uint32_t> warned_of_;       // statements
+  std::string cause_, backtrace_, warning_;
   std::vector<std::int64_t> profile_;  // statements by function
   std::int64_t statements_executed_ = 0;
   std::int64_t charge_ = 0;  // not counted yet

@@ -21,6 +21,8 @@ struct Vm::Run {
 
 namespace {
 
+constexpr Word kNowhere = ~Word{0};  // the address of a field that there is not
+
 // Functions have a handful of locals: a call of memcpy takes longer than the words one by one.
 inline void copy_words(const Word* from, std::uint32_t count, Word* to) {
   for (std::uint32_t i = 0; i < count; ++i) to[i] = from[i];
@@ -120,30 +122,28 @@ bool Vm::interpret_some(Run& run) {
     block = st + 1;
     return left >= 0;
   };
-  // The word of a field, or nullptr after an error.
+  const auto go_on = [&](const std::string& cause) {
+    statement_ = static_cast<std::uint32_t>(st - code);
+    warn(cause);
+  };
+  // The word of a field, or nullptr, with a warning, where there is none: it reads as 0.
   const auto field_of = [&](Word entity, Word field, std::uint32_t words) -> Word* {
     if (entity < edicts_.count() && field <= stride - words) return fields + (std::size_t{entity} * stride + field);
-    stop(entity < edicts_.count() ? fmt::format("field {}, of {} words", field, stride)
-                                  : fmt::format("{} is no entity: there are {}", entity, edicts_.count()));
+    go_on(entity < edicts_.count() ? fmt::format("field {}, of {} words", field, stride)
+                                   : fmt::format("{} is no entity: there are {}", entity, edicts_.count()));
     return nullptr;
   };
+  // What is written elsewhere is lost.
   const auto pointer = [&](Word at, std::uint32_t words) -> Word* {
     const std::size_t all = std::size_t{edicts_.count()} * stride;
     if (at < all && all - at >= words) return fields + at;
-    stop(fmt::format("pointer {} leads outside of the entities", at));
+    if (at != kNowhere) go_on(fmt::format("pointer {} leads outside of the entities", at));
     return nullptr;
   };
-  const auto bad_string = [&](Word a, Word b) {
-    stop(fmt::format("string {} or {} is none", static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)));
-  };
-  // -1 after an error.
-  const auto strings_equal = [&](Word a, Word b) -> int {
-    if (a == b) return 1;
-    const char* const text_a = strings_.c_str(static_cast<StringId>(a));
-    const char* const text_b = strings_.c_str(static_cast<StringId>(b));
-    if (text_a && text_b) return std::strcmp(text_a, text_b) == 0 ? 1 : 0;
-    bad_string(a, b);
-    return -1;
+  const auto string_of = [&](Word id) {
+    const char* const text = strings_.c_str(static_cast<StringId>(id));
+    if (!text) go_on(fmt::format("string {} is none: it is taken as empty", static_cast<std::int32_t>(id)));
+    return text ? text : "";
   };
 
   for (;; ++st) {
@@ -220,9 +220,8 @@ bool Vm::interpret_some(Run& run) {
       }
       case Op::kEqS:
       case Op::kNeS: {
-        const int equal = strings_equal(g[st->a], g[st->b]);
-        if (equal < 0) return finish();
-        truth((equal == 1) == (st->op == Op::kEqS));
+        const bool equal = g[st->a] == g[st->b] || std::strcmp(string_of(g[st->a]), string_of(g[st->b])) == 0;
+        truth(equal == (st->op == Op::kEqS));
         break;
       }
       case Op::kEqE:
@@ -240,15 +239,9 @@ bool Vm::interpret_some(Run& run) {
       case Op::kNotV:
         truth(as_float(g[st->a]) == 0.0f && as_float(g[st->a + 1]) == 0.0f && as_float(g[st->a + 2]) == 0.0f);
         break;
-      case Op::kNotS: {
-        const char* const text = strings_.c_str(static_cast<StringId>(g[st->a]));
-        if (!text) {
-          bad_string(g[st->a], g[st->a]);
-          return finish();
-        }
-        truth(g[st->a] == 0 || *text == 0);
+      case Op::kNotS:
+        truth(g[st->a] == 0 || *string_of(g[st->a]) == 0);
         break;
-      }
       case Op::kNotEnt:
       case Op::kNotFnc:
         truth(g[st->a] == 0);
@@ -269,25 +262,21 @@ bool Vm::interpret_some(Run& run) {
       case Op::kStorepEnt:
       case Op::kStorepFld:
       case Op::kStorepFnc: {
-        Word* const to = pointer(g[st->b], 1);
-        if (!to) return finish();
-        *to = g[st->a];
+        if (Word* const to = pointer(g[st->b], 1)) *to = g[st->a];
         break;
       }
       case Op::kStorepV: {
         Word* const to = pointer(g[st->b], 3);
-        if (!to) return finish();
-        for (int i = 0; i < 3; ++i) to[i] = g[st->a + i];
+        for (int i = 0; to && i < 3; ++i) to[i] = g[st->a + i];
         break;
       }
       case Op::kAddress: {
         const Word* const field = field_of(g[st->a], g[st->b], 1);
-        if (!field) return finish();
         if (g[st->a] == 0 && protect_world) {
           stop("assignment to a field of the world");
           return finish();
         }
-        g[st->c] = static_cast<Word>(field - fields);
+        g[st->c] = field ? static_cast<Word>(field - fields) : kNowhere;
         break;
       }
       case Op::kLoadF:
@@ -296,14 +285,12 @@ bool Vm::interpret_some(Run& run) {
       case Op::kLoadFld:
       case Op::kLoadFnc: {
         const Word* const field = field_of(g[st->a], g[st->b], 1);
-        if (!field) return finish();
-        g[st->c] = *field;
+        g[st->c] = field ? *field : 0;
         break;
       }
       case Op::kLoadV: {
         const Word* const field = field_of(g[st->a], g[st->b], 3);
-        if (!field) return finish();
-        for (int i = 0; i < 3; ++i) g[st->c + i] = field[i];
+        for (int i = 0; i < 3; ++i) g[st->c + i] = field ? field[i] : 0;
         break;
       }
 
@@ -368,7 +355,7 @@ bool Vm::interpret_some(Run& run) {
       }
       case Op::kState: {
         const Word self = g[globals::self.offset];
-        if (!field_of(self, 0, 1)) return finish();
+        if (!field_of(self, 0, 1)) break;
         Edict edict = edicts_[EdictId{self}];
         // A tenth of a second in double precision, as C has it where Quake writes 0.1.
         edict.set(fields::nextthink, static_cast<float>(static_cast<double>(get(globals::time.offset)) + 0.1));

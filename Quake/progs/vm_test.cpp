@@ -191,6 +191,63 @@ TEST_F(VmTest, FunctionsThatAreNone) {
   EXPECT_TRUE(run().ok());
 }
 
+// Lines of the log, warnings and worse.
+class Warnings {
+ public:
+  Warnings() {
+    set_log_level(LogLevel::kWarning);
+    handle_ = add_log_listener([this](LogLevel, std::string_view line) { lines.emplace_back(line); });
+  }
+  ~Warnings() {
+    remove_log_listener(handle_);
+    set_log_level(LogLevel::kError);
+  }
+  std::vector<std::string> lines;
+
+ private:
+  int handle_ = 0;
+};
+
+TEST_F(VmTest, WhatIsWrongIsToldOnceForEachStatementAndTheProgramGoesOn) {
+  ASSERT_TRUE(
+      start(std::string(testing::kBuiltinSource) +
+            "float(float a, string b) length = #114; void(entity e) take = #15;"
+            "entity nobody; void() main = { local float i;"
+            "  for (i = 0; i < 3; i++) put(length(2, \"x\")); put(strlen(\"ab\")); take(nobody); puts(\"end\"); };"));
+  vm_->set(vm_->program().global<EdictId>("nobody"), EdictId{0x40000000});
+  const Warnings log;
+  EXPECT_EQ(error_of(), "");
+  EXPECT_EQ(output(), "0 0 0 2 [end]");
+  ASSERT_EQ(log.lines.size(), 2u);
+  EXPECT_THAT(log.lines[0], ::testing::MatchesRegex("progs.dat: main \\(test.qc\\), statement [0-9]+: parameter 1 of "
+                                                    "length is string 1073741824, which there is not: it is taken as "
+                                                    "empty"));
+  EXPECT_THAT(log.lines[1], HasSubstr("parameter 1 of take is entity 1073741824, of 2: the call does nothing"));
+}
+
+TEST_F(VmTest, AProgramThatIsWrongEverywhereIsNotToldOfForEver) {
+  std::string calls;
+  for (int i = 0; i < 100; ++i) calls += "length(2);";
+  ASSERT_TRUE(start("float(float s) length = #114; void() main = {" + calls + "};"));
+  const Warnings log;
+  EXPECT_EQ(error_of(), "");
+  ASSERT_EQ(log.lines.size(), 65u);
+  EXPECT_EQ(log.lines.back(), "progs.dat: more is wrong, of which no more is told on this level");
+}
+
+// What is skipped within a function that a builtin calls is not the builtin's affair.
+TEST_F(VmTest, ASkippedCallEndsNoOther) {
+  const std::string before =
+      "void(...) callfunction = #605; entity nobody; void(entity e) take = #15; float inner;"
+      "void() helper = { take(nobody); inner = 1; };";
+  ASSERT_TRUE(start(std::string(testing::kBuiltinSource) + before +
+                    "void() main = { callfunction(\"helper\"); put(inner); };"));
+  vm_->set(vm_->program().global<EdictId>("nobody"), EdictId{99});
+  EXPECT_EQ(error_of(), "");
+  EXPECT_EQ(output(), "1");
+  EXPECT_FALSE(vm_->failed());
+}
+
 TEST_F(VmTest, ABuiltinMayBeCalledByTheEngine) {
   ASSERT_TRUE(start("void(entity e) remove = #15; void(string s) puts_too = #1001; void() main = {};"));
   vm_->set_parm(0, vm_->strings().temporary("direct"));

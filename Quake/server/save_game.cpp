@@ -52,6 +52,38 @@ std::string extra_lines(const Level& level, const EdictExtra& extra) {
   return lines;
 }
 
+constexpr std::string_view kModelLine = "sv.model_precache", kSoundLine = "sv.sound_precache";
+
+// What is no line of a precache is left out.
+std::vector<SavedPrecache> parse_precaches(std::string_view text) {
+  std::vector<SavedPrecache> precaches;
+  const std::size_t comment = text.rfind("\n/*");
+  if (comment == std::string_view::npos) return precaches;
+  text.remove_prefix(comment + 3);
+  while (!text.empty() && precaches.size() < 2 * net::kMaxPrecaches) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    const std::string_view key = take_word(line);
+    const auto number = take_number(line);
+    const std::size_t begin = line.find('"'), end = line.rfind('"');
+    if ((key != kModelLine && key != kSoundLine) || !number || begin == end) continue;
+    precaches.push_back(
+        {key == kModelLine, progs::to_int(*number), std::string(line.substr(begin + 1, end - begin - 1))});
+  }
+  return precaches;
+}
+
+std::string precache_lines(const Level& level) {
+  std::string lines;
+  const auto add = [&](std::string_view key, std::size_t number, const std::string& name) {
+    if (name.find_first_of("\"\n*") == std::string::npos) lines += fmt::format("{} {} \"{}\"\n", key, number, name);
+  };
+  for (std::size_t i = level.loaded_models; i > 0 && i < level.models.size(); ++i)
+    add(kModelLine, i, level.models[i].name);
+  for (std::size_t i = level.loaded_sounds; i > 0 && i < level.sounds.size(); ++i) add(kSoundLine, i, level.sounds[i]);
+  return lines.empty() ? lines : fmt::format("/*\n// precached while the level ran\n{}*/\n", lines);
+}
+
 }  // namespace
 
 Result<SaveGame> parse_save(std::string_view text, std::string_view name) {
@@ -89,6 +121,7 @@ Result<SaveGame> parse_save(std::string_view text, std::string_view name) {
     if (header.light_styles.back().empty()) return cut_short(name, "light styles");
   }
   save.entities = text;
+  save.precaches = parse_precaches(text);
   return save;
 }
 
@@ -119,7 +152,7 @@ std::string write_save(Level& level, const std::array<float, 16>& spawn_parms, i
   text += progs::write_globals(vm);
   for (EdictId id{}; vm.edicts().valid(id); id = next(id))
     text += progs::write_edict(*level.vm, id, extra_lines(level, level.extra(id)));
-  return text;
+  return text + precache_lines(level);
 }
 
 Status read_saved_entities(progs::Vm& vm, std::string_view text, std::string_view name, const EdictVisitor& placed) {

@@ -1,7 +1,8 @@
 // Saved games: QuakeSpasm's text, version 5, which Quake has had from the start; the re-release's version 6 is read,
 // too: it has the game's folder on a line behind the version. Lines: the version; a comment of 39 letters for menus,
 // with _ for blanks; the player's 16 spawn parms; the skill; the map; the time; 64 light styles; then the globals and
-// each edict in braces, as in maps, a free edict as {}.
+// each edict in braces, as in maps, a free edict as {}. What was precached while the level ran follows as DarkPlaces,
+// QuakeSpasm-Spiked and vkQuake have it: lines in a comment, which QuakeSpasm skips.
 //
 // Files come from anywhere: reading checks the whole of one before anything of the game that runs is given up.
 #pragma once
@@ -31,9 +32,15 @@ struct SaveHeader {
   double time = 0.0;
   std::vector<std::string> light_styles;  // 64
 };
+struct SavedPrecache {
+  bool is_model = false;  // or a sound
+  int number = 0;
+  std::string name;
+};
 struct SaveGame {
   SaveHeader header;
-  std::string entities;  // the globals and edicts, as text
+  std::string entities;                  // the globals and edicts, as text
+  std::vector<SavedPrecache> precaches;  // in their order; other engines list all of the level's
 };
 
 // `name` is what errors call the file.

@@ -240,6 +240,8 @@ Status Server::spawn_server(const LoadedMap& map) {
   const SpawnRules rules{skill_, level_->cvars.deathmatch.on(), level_->cvars.nomonsters.on()};
   if (Status status = spawn_entities(*level_, map.bsp->entities, map.entities_name, rules); !status) return status;
   level_->loading = false;
+  level_->loaded_models = level_->models.size();
+  level_->loaded_sounds = level_->sounds.size();
   level_->vm->protect_world = true;
   for (int i = 0; i < kSettlingFrames && !level_->failed(); ++i) run_physics(kSettlingFrame);
   if (level_->failed()) return *level_->error();

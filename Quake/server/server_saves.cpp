@@ -1,6 +1,8 @@
 // Saving and loading: what Server does with save_game.h's text.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/log.h"
 #include "base/out_of_memory.h"
 #include "fs/path.h"
@@ -30,6 +32,33 @@ Status rehearse(const SaveGame& save, const LoadedMap& map, std::uint32_t max_ed
   if (!vm) return vm.error();
   (*vm)->edicts().start_level(1);
   return read_saved_entities(**vm, save.entities, name);
+}
+
+// What the level does not precache by itself, in the order in which it came before. Those models whose number is
+// another than it was.
+std::vector<SavedPrecache> precache_again(GameContext& context, const std::vector<SavedPrecache>& precaches) {
+  std::vector<SavedPrecache> renumbered;
+  Level& level = *context.level;
+  const auto& sounds = level.sounds;
+  level.loading = true;  // the player has the list yet to come
+  for (const SavedPrecache& saved : precaches) {
+    if (saved.name.empty()) continue;
+    if (!saved.is_model && std::find(sounds.begin() + 1, sounds.end(), saved.name) == sounds.end())
+      add_sound(context, saved.name);
+    if (!saved.is_model || level.model_index(saved.name) != 0) continue;
+    if (add_model(context, saved.name) != saved.number) renumbered.push_back(saved);
+  }
+  level.loading = false;
+  return renumbered;
+}
+
+// Edicts know models by number and by name.
+void renumber(Level& level, EdictId id, const std::vector<SavedPrecache>& models) {
+  Edict edict = level.edict(id);
+  const int number = progs::to_int(edict.get(fields::modelindex));
+  for (const SavedPrecache& saved : models)
+    if (saved.number == number && saved.name == level.vm->text(edict.get(fields::model)))
+      edict.set(fields::modelindex, static_cast<float>(level.model_index(saved.name)));
 }
 
 }  // namespace
@@ -133,8 +162,10 @@ Status Server::load_game(std::string_view typed) {
 Status Server::resume(const SaveGame& save, std::string_view name) {
   Level& level = *level_;
   level.light_styles = save.header.light_styles;
+  const std::vector<SavedPrecache> renumbered = precache_again(context_, save.precaches);
   const auto place = [&](EdictId id, const progs::EdictText& text) {
     if (text.empty) return;
+    renumber(level, id, renumbered);
     take_looks(level, id, text);
     link_edict(level, id);
   };

@@ -8,7 +8,7 @@ using ::testing::HasSubstr;
 namespace fields = progs::fields;
 namespace globals = progs::globals;
 
-constexpr const char* kGame = R"(
+constexpr const char* kSavedGame = R"(
 float counter; string word; entity marked; vector place;
 void() thinks = { counter = counter + 1; self.health = self.health + 1; self.nextthink = time + 0.1;
   if (counter == 3) remove(find(world, targetname, "victim")); };
@@ -24,7 +24,7 @@ constexpr const char* kThings = R"({ "classname" "victim" "targetname" "victim" 
 class ServerSavesTest : public testing::ServerTest {
  protected:
   void start_game() {
-    start(kGame, kThings);
+    start(kSavedGame, kThings);
     server_->clients()[0].spawn_parms = {1.5f, 2.0f};
   }
   std::string file(const std::string& name) {
@@ -111,7 +111,7 @@ TEST_F(ServerSavesTest, APlayerFindsWhatItLeft) {
 }
 
 TEST_F(ServerSavesTest, NoMomentToSave) {
-  put_progs(std::string(testing::kModSource) + kGame + "float intermission_running;");
+  put_progs(std::string(testing::kModSource) + kSavedGame + "float intermission_running;");
   put_map("test", room(), kThings);
   make_server();
   EXPECT_THAT(server_->save("x").error().message, HasSubstr("no game runs"));

@@ -1,6 +1,5 @@
 #include "ui/hud_settings.h"
 
-#include "base/log.h"
 #include "ui/canvas.h"
 
 namespace fb::ui {
@@ -24,12 +23,12 @@ void register_hud_cvars(con::Console& console) {
                       [&console](const con::Args&) { resize_view(console, kSizeStep); });
   console.add_command("sizedown", "sizedown: more of the status bar (viewsize)",
                       [&console](const con::Args&) { resize_view(console, -kSizeStep); });
-  console.add_command("hudstyle", "hudstyle [0-3]: scr_hudstyle by Ironwail's name", [&console](const con::Args& args) {
-    if (args.size() > 1)
-      console.set("scr_hudstyle", args[1]);
-    else
-      log_info("\"hudstyle\" is \"{}\"", console.cvar("scr_hudstyle").string());
-  });
+  // The same setting by Ironwail's name, which mods read: each follows the other.
+  con::Cvar& style = console.cvar("scr_hudstyle");
+  con::Cvar& alias =
+      console.add_cvar({"hudstyle", style.string(), "scr_hudstyle by Ironwail's name", con::kCvarPlain, 0.0f, 3.0f});
+  style.add_listener([&alias](const con::Cvar& changed) { alias.set(changed.string()); });
+  alias.add_listener([&style](const con::Cvar& changed) { style.set(changed.string()); });
 }
 
 HudSettings read_hud_settings(const con::Console& console, int output_width, int output_height) {

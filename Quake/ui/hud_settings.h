@@ -39,7 +39,7 @@ struct HudSettings {
   float view_size = 100.0f;  // viewsize: the client registers it
 };
 
-// Registers the cvars, the commands sizeup and sizedown, and hudstyle, Ironwail's name of scr_hudstyle.
+// Registers the cvars, hudstyle (Ironwail's name of scr_hudstyle) among them, and the commands sizeup and sizedown.
 void register_hud_cvars(con::Console& console);
 // What the cvars say; scales that are 1 are those of an output of this size (scr_autoscale).
 HudSettings read_hud_settings(const con::Console& console, int output_width, int output_height);

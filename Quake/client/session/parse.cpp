@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "base/log.h"
+#include "base/number.h"
 #include "client/effects/temp_entities.h"
 #include "client/session/entities.h"
 #include "client/session/fog_command.h"
@@ -27,6 +28,24 @@ std::string bare_map_name(const std::string& path) {
   return name.substr(0, name.rfind('.'));
 }
 
+// `//precache model 57 "progs/demon.mdl"`: what a level that runs has got (network.md).
+void take_late_precache(Session& session, std::string_view line) {
+  const con::Args args(line.substr(2));
+  const auto number = parse_whole_number_unsigned(args[2]);
+  ClientState& state = session.state;
+  const bool is_model = args[1] == "model";
+  auto& names = is_model ? state.model_names : state.sound_names;
+  if (!number || *number == 0 || *number >= net::kMaxPrecaches || names.empty() || args.size() != 4) return;
+  const auto place = static_cast<std::size_t>(*number);
+  if (place < names.size() && !names[place].empty()) return;  // as who comes just now has it from the list, too
+  if (place >= names.size()) names.resize(place + 1);
+  names[place] = args[3];
+  state.late_precaches.push_back(fmt::format("{}\n", line));
+  if (!is_model) return;
+  state.models.resize(names.size(), nullptr);
+  if (session.load_model) state.models[place] = session.load_model(args[3]);
+}
+
 // What a server stuffs into the console. Only what shows is obeyed, unless it is the player's own server: neither a
 // demo nor a stranger must change a player's settings.
 void obey(Session& session, std::string_view line) {
@@ -35,7 +54,10 @@ void obey(Session& session, std::string_view line) {
   const std::string_view rest = space == std::string_view::npos ? std::string_view{} : line.substr(space + 1);
   const std::vector<float> numbers = world::parse_numbers(rest, 4);
   ClientState& state = session.state;
-  if (command == "reconnect") {
+  if (command == "//precache") {
+    take_late_precache(session, line);
+  } else if (command.starts_with("//")) {  // a comment
+  } else if (command == "reconnect") {
     session.reconnect = true;
   } else if (command == "bf") {
     bonus_flash(state);

@@ -253,6 +253,44 @@ TEST(Parse, StuffedTextObeysOnlyWhatShows) {
   EXPECT_EQ(fog_at(s.state.fog, s.state.time).color, vec3(1, 0, 0));
 }
 
+// A server of ours says so, in a line that other engines' consoles take for a comment.
+TEST(Parse, ALevelThatRunsMayGetModelsAndSounds) {
+  ToldSession s;
+  const std::size_t models = s.state.model_names.size(), sounds = s.state.sound_names.size();
+  scene::Model late;
+  std::vector<std::string> loaded;
+  s.load_model = [&](const std::string& name) {
+    loaded.push_back(name);
+    return &late;
+  };
+  s.command = [](std::string_view line) { ADD_FAILURE() << line; };
+  const std::string model = fmt::format("//precache model {} \"progs/a b;c.mdl\"\n", models);
+  s.tell({svc::StuffText{model}, svc::StuffText{fmt::format("//precache sound {} \"late.wav\"\n", sounds)},
+          svc::StuffText{"//another comment\n"}});
+  EXPECT_EQ(s.state.model_names.back(), "progs/a b;c.mdl");
+  EXPECT_EQ(s.state.model(static_cast<int>(models)), &late);
+  EXPECT_EQ(s.state.sound_names.back(), "late.wav");
+  EXPECT_EQ(s.state.late_precaches.size(), 2u);
+  EXPECT_EQ(s.state.late_precaches.front(), model) << "for who records from now on";
+  // Heard twice, or nonsense.
+  for (const std::string& line :
+       {model, std::string("//precache model 0 \"x\"\n"), std::string("//precache model 99999 \"x\"\n"),
+        std::string("//precache model -1 \"x\"\n"), std::string("//precache model\n"), std::string("//precache\n"),
+        std::string("//precache model 1 \"x\"\n")})
+    s.tell({svc::StuffText{line}});
+  EXPECT_EQ(s.state.model_names.size(), models + 1);
+  EXPECT_EQ(loaded.size(), 1u);
+  EXPECT_EQ(s.state.model_names[1], "maps/test.bsp");
+  // A number beyond the next: those between are yet to be heard of.
+  s.tell({svc::StuffText{fmt::format("//precache model {} \"x\"\n", models + 2)}});
+  EXPECT_EQ(s.state.model_names.size(), models + 3);
+  EXPECT_EQ(s.state.model(static_cast<int>(models) + 1), nullptr);
+  ToldSession fresh;
+  fresh.clear();
+  fresh.tell({svc::StuffText{model}});
+  EXPECT_TRUE(fresh.state.model_names.empty()) << "before a level there is none";
+}
+
 TEST(Parse, RecoilJoltsOnceAKick) {
   ToldSession s;
   svc::ClientData data;

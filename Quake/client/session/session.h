@@ -39,6 +39,8 @@ struct Session : SessionMoment {
 
   // Called when svc_serverinfo has been understood: loads the map and fills state.models. Empty: nothing is loaded.
   std::function<Status(ClientState&)> load_world;
+  // A model that a level gets while it runs. Empty: none is loaded.
+  std::function<const scene::Model*(const std::string& name)> load_model;
   // What a server stuffs beyond what shows (parse.cpp, obey): only the local one's goes to the console. Empty: nowhere.
   std::function<void(std::string_view line)> command;
   // What the server prints.

@@ -82,6 +82,7 @@ struct ClientState {
   Hud hud;
   std::vector<std::string> model_names, sound_names;  // [0] is empty
   std::vector<const scene::Model*> models;            // beside model_names; null: nothing is known of it
+  std::vector<std::string> late_precaches;            // what was stuffed of those that the level did not begin with
 
   double time = 0.0, old_time = 0.0;
   std::array<double, 2> message_times{};  // [0] the latest

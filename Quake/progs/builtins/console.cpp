@@ -1,6 +1,7 @@
 // The console: cvars, commands, what is printed, and what the engine can do.
 #include "console/console.h"
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <set>
@@ -21,7 +22,7 @@ namespace {
 class MissingCvars {
  public:
   void tell(std::string_view name, const char* doing) {
-    if (told_.size() > kMostNames || told_.contains(name)) return;
+    if (name.empty() || told_.size() > kMostNames || told_.contains(name)) return;
     told_.emplace(name);
     if (told_.size() > kMostNames)
       log_info("QuakeC asks for more cvars that are not there; no more of them are named.");
@@ -79,6 +80,11 @@ void add_cvar_builtins(BuiltinTable& table, con::Console* console) {
     vm.return_float(static_cast<float>(type));
   });
   table.add_extension("DP_QC_CVAR_TYPE");
+  table.set(518, "cvar_description", [find](Vm& vm) {
+    const con::Cvar* cvar = find(vm);
+    vm.return_string(cvar ? std::string_view(cvar->spec().help) : std::string_view());
+  });
+  table.add_extension("DP_QC_CVAR_DESCRIPTION");
   table.set(93, "registercvar", [console](Vm& vm) {
     const std::string name(vm.parm_string(0)), value(vm.parm_string(1));
     const bool usable =
@@ -110,6 +116,22 @@ void add_console_builtins(BuiltinTable& table, const Services& services) {
     };
   }
   table.set(25, "dprint", [developer, texts](Vm& vm) { developer(message_text(vm, 0, texts)); });
+  table.set(339, "print", [print](Vm& vm) { print(vm.parm_text_from(0)); });
+  // 1 a command, 2 an alias, 3 a cvar, 0 nothing of the console.
+  table.set(294, "checkcommand", [console](Vm& vm) {
+    const std::string_view name = vm.parm_string(0);
+    const float kind = !console                     ? 0.0f
+                       : console->has_command(name) ? 1.0f
+                       : console->has_alias(name)   ? 2.0f
+                       : console->find_cvar(name)   ? 3.0f
+                                                    : 0.0f;
+    vm.return_float(kind);
+  });
+  table.add_extension("FTE_QC_CHECKCOMMAND");
+  // Seconds of a clock that never stops, since the level began.
+  table.set(519, "gettime", [start = std::chrono::steady_clock::now()](Vm& vm) {
+    vm.return_float(std::chrono::duration<float>(std::chrono::steady_clock::now() - start).count());
+  });
   table.set(99, "checkextension",
             [](Vm& vm) { vm.return_float(vm.builtins().has_extension(vm.parm_string(0)) ? 1.0f : 0.0f); });
   table.set(100, "builtin_find", [](Vm& vm) {

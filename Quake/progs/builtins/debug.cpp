@@ -31,7 +31,10 @@ void add_debug_builtins(BuiltinTable& table, const Services& services) {
   });
   table.set(29, "traceon", [](Vm& vm) { vm.set_trace(true); });
   table.set(30, "traceoff", [](Vm& vm) { vm.set_trace(false); });
-  table.set(31, "eprint", [print](Vm& vm) { print(print_edict(vm, vm.parm_entity(0))); });
+  table.set(31, "eprint", [print](Vm& vm) {
+    const EdictId id = vm.parm_entity(0);
+    if (!vm.failed()) print(print_edict(vm, id));
+  });
 }
 
 }  // namespace fb::progs

@@ -86,11 +86,17 @@ void add_entity_builtins(BuiltinTable& table) {
   table.set(450, "findchainflags", [](Vm& vm) { find_chain(vm, 2, flag_match(vm, 0)); });
   table.add_extension("DP_QC_FINDCHAINFLAGS");
   table.set(353, "wasfreed", [](Vm& vm) { vm.return_float(vm.parm_edict(0).is_free() ? 1.0f : 0.0f); });
-  table.set(512, "num_for_edict", [](Vm& vm) { vm.return_float(static_cast<float>(index(vm.parm_entity(0)))); });
-  table.set(459, "edict_num", [](Vm& vm) {
+  const auto number_of = [](Vm& vm) { vm.return_float(static_cast<float>(index(vm.parm_entity(0)))); };
+  const auto edict_of = [](Vm& vm) {
     const EdictId id{static_cast<std::uint32_t>(vm.parm_int(0))};
     vm.return_edict(vm.edicts().valid(id) ? id : EdictId::kWorld);
-  });
+  };
+  table.set(512, "num_for_edict", number_of);
+  table.set_named("etof", number_of);
+  table.add_extension("DP_QC_NUM_FOR_EDICT");
+  table.set(459, "edict_num", edict_of);
+  table.set_named("ftoe", edict_of);
+  table.add_extension("DP_QC_EDICT_NUM");
 }
 
 // DP_QC_ENTITYDATA: the mod's fields by number, and their values as text.

@@ -77,6 +77,40 @@ void bound(Vm& vm) {
   vm.return_float(value < low ? low : value > high ? high : value);
 }
 
+// mod(a, n): what is left of a behind the greatest multiple of n towards 0; 0 of 0.
+void mod(Vm& vm) {
+  const float a = vm.parm_float(0), n = vm.parm_float(1);
+  vm.return_float(n == 0.0f ? 0.0f : a - n * std::trunc(a / n));
+}
+
+// To [0, 360), without steps.
+void anglemod(Vm& vm) {
+  const float angle = std::fmod(vm.parm_float(0), 360.0f);
+  vm.return_float(angle < 0.0f ? angle + 360.0f : angle);
+}
+
+// log(v, base): without a base, the natural one.
+void logarithm(Vm& vm) {
+  const double log = std::log(static_cast<double>(vm.parm_float(0)));
+  vm.return_float(
+      static_cast<float>(vm.parm_count() < 2 ? log : log / std::log(static_cast<double>(vm.parm_float(1)))));
+}
+
+// vectoangles(forward, up): with `up`, the roll that it asks for, and no steps (DP_QC_VECTOANGLES_WITH_ROLL).
+void vectoangles(Vm& vm) {
+  const vec3 forward = vm.parm_vector(0);
+  if (vm.parm_count() < 2) return vm.return_vector(vector_to_angles(forward));
+  const vec3 up = vm.parm_vector(1);
+  const auto degrees = [](float y, float x) { return std::atan2(y, x) * (180.0f / 3.14159265358979f); };
+  const bool vertical = forward.x == 0.0f && forward.y == 0.0f;
+  vec3 angles(degrees(forward.z, std::hypot(forward.x, forward.y)), vertical ? 0.0f : degrees(forward.y, forward.x),
+              0.0f);
+  const AxisVectors level = angle_vectors({-angles.x, angles.y, 0.0f});
+  angles.z = degrees(glm::dot(up, level.right), glm::dot(up, level.up));
+  for (int i = 0; i < 2; ++i) angles[i] += angles[i] < 0.0f ? 360.0f : 0.0f;
+  vm.return_vector(angles);
+}
+
 // EXT_BITSHIFT: to the left, or by a negative number to the right (keeping the sign).
 void bitshift(Vm& vm) {
   const std::int32_t value = vm.parm_int(0), by = vm.parm_int(1);
@@ -122,7 +156,7 @@ void add_c_functions(BuiltinTable& table) {
   table.set(474, "atan2", binary(std::atan2));
   table.set(475, "tan", unary(std::tan));
   table.add_extension("DP_QC_ASINACOSATANATAN2TAN");
-  table.set(532, "log", unary(std::log));
+  table.set(532, "log", logarithm);
   table.add_extension("DP_QC_LOG");
 }
 
@@ -142,7 +176,12 @@ void add_math_builtins(BuiltinTable& table, const Services& services) {
   table.set(13, "vectoyaw", [](Vm& vm) { vm.return_float(vector_to_yaw(vm.parm_vector(0))); });
   table.set(36, "rint", rint);
   table.set(49, "changeyaw", changeyaw);
-  table.set(51, "vectoangles", [](Vm& vm) { vm.return_vector(vector_to_angles(vm.parm_vector(0))); });
+  table.set(51, "vectoangles", vectoangles);
+  table.add_extension("DP_QC_VECTOANGLES_WITH_ROLL");
+  table.set(102, "anglemod", anglemod);
+  table.set(245, "mod", mod);
+  table.set_named("crossproduct", [](Vm& vm) { vm.return_vector(glm::cross(vm.parm_vector(0), vm.parm_vector(1))); });
+  table.add_extension("FTE_QC_CROSSPRODUCT");
   table.set(432, "vectorvectors", vectorvectors);
   table.add_extension("DP_QC_VECTORVECTORS");
 
@@ -155,6 +194,7 @@ void add_math_builtins(BuiltinTable& table, const Services& services) {
 
   table.set(63, "changepitch", [](Vm& vm) {
     Edict edict = vm.parm_edict(0);
+    if (vm.failed()) return;
     const auto ideal = vm.program().field<float>("idealpitch"), speed = vm.program().field<float>("pitch_speed");
     change_angle(edict, 0, edict.get(ideal), edict.get(speed));
   });

@@ -36,6 +36,35 @@ TEST_F(MathBuiltinsTest, CsFunctions) {
   EXPECT_EQ(says("put(sin(0)); put(cos(0)); put(sqrt(2.25)); put(pow(2, 10));"), "0 1 1.5 1024");
 }
 
+TEST_F(MathBuiltinsTest, Remainders) {
+  const std::string before = "float(float a, float n) mod = #245; float(float a) anglemod = #102;";
+  EXPECT_EQ(says("put(mod(7, 3)); put(mod(-7, 3)); put(mod(7, -3)); put(mod(5.5, 2)); put(mod(5, 0));", before),
+            "1 -1 1 1.5 0");
+  EXPECT_EQ(says("put(anglemod(370)); put(anglemod(-90.5)); put(anglemod(720)); put(anglemod(12.25));", before),
+            "10 269.5 0 12.25");
+}
+
+TEST_F(MathBuiltinsTest, LogarithmsOfABaseAndCrossProducts) {
+  const std::string before = "float(float v, ...) log = #532; vector(vector a, vector b) crossproduct = #0;";
+  EXPECT_EQ(says("put(log(1)); put(rint(log(1024, 2))); put(rint(1000 * log(2.718281828)));"
+                 "putv(crossproduct('1 0 0', '0 1 0'));",
+                 before),
+            "0 10 1000 (0 0 1)");
+}
+
+// With an up direction vectoangles is the way back from makevectors, whose pitch is the other way round.
+TEST_F(MathBuiltinsTest, VectoanglesKnowsRollByTheUpDirection) {
+  const std::string before = "vector(vector v, ...) angles_of = #51;";
+  for (const std::string angles : {"'10 20 30'", "'-35 200 -120'", "'0 90 0'", "'60 359 179'"})
+    EXPECT_EQ(says("local vector a, f; a = " + angles +
+                       "; makevectors(a); f = angles_of(v_forward, v_up); local vector u; u = v_up; local vector w;"
+                       "w = v_forward; f_x = 0 - f_x; makevectors(f); put(rint(1000 * (v_up * u)));"
+                       "put(rint(1000 * (v_forward * w)));",
+                   before),
+              "1000 1000")
+        << angles;
+}
+
 TEST_F(MathBuiltinsTest, MinMaxBound) {
   EXPECT_EQ(says("put(min(3, 2)); put(min(5, 4, 3, 9)); put(max(3, 2)); put(max(1, 2, 3, -4));"), "2 3 3 3");
   EXPECT_EQ(says("put(bound(0, 5, 3)); put(bound(0, -5, 3)); put(bound(0, 2, 3));"), "3 0 2");

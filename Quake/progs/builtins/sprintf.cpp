@@ -5,7 +5,8 @@
 //     flags      # 0 - + blank, as in C
 //     modifier   h: the argument is a float; l: it is an integer (an entity's number, say). Without: integer for i,
 //                float for all others
-//     conversion d i o u x X c e E f F g G as in C; s a string; v V a vector, three times g or G; % itself
+//     conversion d i o u x X c e E f F g G as in C; s a string, S one in quotes (without any inside: else empty);
+//                v V a vector, three times g or G; p P an integer of 8 hexadecimal digits; % itself
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -114,7 +115,13 @@ class Formatter {
     if (format_.empty()) return false;
     spec.conversion = format_[0];
     format_.remove_prefix(1);
-    spec.integer = integer.value_or(spec.conversion == 'i');
+    const bool pointer = spec.conversion == 'p' || spec.conversion == 'P';
+    if (pointer) {
+      spec.conversion = spec.conversion == 'p' ? 'x' : 'X';
+      spec.flags += '0';
+      spec.width = spec.width.value_or(8);
+    }
+    spec.integer = integer.value_or(spec.conversion == 'i' || pointer);
     spec.argument = position.value_or(next_);
     if (!position) ++next_;
     return append(spec);
@@ -144,6 +151,7 @@ class Formatter {
         print(spec, spec.conversion, number_of(spec));
         return true;
       case 's':
+      case 'S':
         append_string(spec);
         return true;
       case 'v':
@@ -157,6 +165,10 @@ class Formatter {
 
   void append_string(const Spec& spec) {
     std::string text(has(spec.argument) ? vm_.parm_string(spec.argument) : std::string_view());
+    if (spec.conversion == 'S') {
+      if (text.find_first_of("\"\n\r") != std::string::npos) text.clear();
+      text = '"' + text + '"';
+    }
     if (spec.precision) text.resize(std::min(text.size(), static_cast<std::size_t>(*spec.precision)));
     const auto width = static_cast<std::size_t>(spec.width.value_or(0));
     if (text.size() < width) {

@@ -50,14 +50,14 @@ void substring(Vm& vm) {
 
 void strzone(Vm& vm) {
   const StringId id = vm.strings().zone(vm.parm_text_from(0));
-  if (id == StringId::kNull) return vm.fail("too many strings: strzone without strunzone");
+  if (id == StringId::kNull) vm.warn("too many strings (strzone without strunzone): this one is empty");
   vm.return_string_id(id);
 }
 
 // What is no zone string is left alone: mods give back constants, too.
 void strunzone(Vm& vm) {
   if (vm.parm_string_id(0) == StringId::kNull) return;
-  (void)vm.parm_string(0);  // fails for what is no string at all, as one that was given back already
+  (void)vm.parm_string(0);  // warns of what is no string at all, as one that was given back already
   if (!vm.failed()) vm.strings().unzone(vm.parm_string_id(0));
 }
 

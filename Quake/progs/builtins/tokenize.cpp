@@ -87,6 +87,7 @@ void add_tokenize_builtins(BuiltinTable& table) {
   };
   table.set(441, "tokenize", tokenize);
   table.set(514, "tokenize_console", tokenize);
+  table.set_named("tokenize_menuqc", tokenize);
   table.add_extension("DP_QC_TOKENIZE_CONSOLE");
   table.set(479, "tokenizebyseparator", [words, count](Vm& vm) {
     std::vector<std::string_view> separators;

@@ -47,6 +47,14 @@ const std::map<std::string, std::string>& parameters() {
       {"getentityfieldstring", "number_of_field(\"health\"), thing"},
       {"changepitch", "self"},
       {"checkbuiltin", "coredump"},
+      {"callfunction", "\"worldspawn\""},
+      {"copyentity", "thing"},
+      {"touchtriggers", "thing"},
+      {"setmodelindex", "thing, 1"},
+      {"buf_del", "buf_create()"},
+      {"isbackbuffered", "player"},
+      {"dropclient", "player"},
+      {"pointsound", "'0 0 64', \"a.wav\", 1, 1"},
   };
   return kAll;
 }

@@ -27,6 +27,11 @@ struct GameContext {
   world::LeafSet check_pvs{0};                      // what the player that checkclient found last may see
 };
 
+// Appends to what the level has precached, where it is not yet: its number, or 0 where the list is full. While the
+// level runs the players are told.
+int add_model(GameContext& context, const std::string& name);
+int add_sound(GameContext& context, const std::string& name);
+
 void add_game_builtins(progs::BuiltinTable& table, GameContext& context);
 
 // A file for each kind.

@@ -11,37 +11,56 @@ namespace {
 using progs::BuiltinTable;
 using progs::Vm;
 
-// The name that a precache gives, and returns to QuakeC; "" with vm.failed() where it may not.
-std::string precache_parm(Vm& vm, const GameContext& context) {
-  const std::string name(vm.parm_string(0));
+// The name that a precache gives, and returns to QuakeC; empty, with a warning, where it is none.
+std::string precache_parm(Vm& vm) {
+  std::string name(vm.parm_string(0));
   vm.return_string_id(vm.parm_string_id(0));
-  if (!context.level->loading) {
-    vm.fail(fmt::format("\"{}\" is precached while the level runs: only spawn functions may", name));
-  } else if (name.empty() || static_cast<unsigned char>(name.front()) <= ' ') {
-    vm.fail(fmt::format("\"{}\" is no name of a file to precache", name));
+  if (name.empty() || static_cast<unsigned char>(name.front()) <= ' ') {
+    vm.warn(fmt::format("\"{}\" is no name of a file to precache", name));
+    return {};
   }
-  return vm.failed() ? std::string() : name;
+  return name;
+}
+
+// Quake has only spawn functions precache.
+void warn_if_late(Vm& vm, const GameContext& context, std::string_view name) {
+  if (!context.level->loading) vm.warn(fmt::format("\"{}\" is precached while the level runs", name));
 }
 
 void precache_sound(Vm& vm, GameContext& context) {
-  std::string name = precache_parm(vm, context);
+  const std::string name = precache_parm(vm);
   auto& sounds = context.level->sounds;
   if (name.empty() || std::find(sounds.begin() + 1, sounds.end(), name) != sounds.end()) return;
-  if (sounds.size() >= net::kMaxPrecaches)
-    return vm.fail(fmt::format("{}: more than {} sounds", name, net::kMaxPrecaches - 1));
-  sounds.push_back(std::move(name));
+  warn_if_late(vm, context, name);
+  if (add_sound(context, name) == 0) vm.fail(fmt::format("{}: more than {} sounds", name, net::kMaxPrecaches - 1));
 }
 
 void precache_model(Vm& vm, GameContext& context) {
-  const std::string name = precache_parm(vm, context);
-  auto& models = context.level->models;
+  const std::string name = precache_parm(vm);
   if (name.empty() || context.level->model_index(name) != 0) return;
-  if (models.size() >= net::kMaxPrecaches)
-    return vm.fail(fmt::format("{}: more than {} models", name, net::kMaxPrecaches - 1));
-  models.push_back(context.load_model(name));
+  warn_if_late(vm, context, name);
+  if (add_model(context, name) == 0) vm.fail(fmt::format("{}: more than {} models", name, net::kMaxPrecaches - 1));
 }
 
 }  // namespace
+
+int add_model(GameContext& context, const std::string& name) {
+  Level& level = *context.level;
+  if (level.models.size() >= net::kMaxPrecaches) return 0;
+  level.models.push_back(context.load_model(name));
+  const auto number = static_cast<int>(level.models.size() - 1);
+  if (!level.loading) context.clients.tell_of_precache("model", number, name);
+  return number;
+}
+
+int add_sound(GameContext& context, const std::string& name) {
+  Level& level = *context.level;
+  if (level.sounds.size() >= net::kMaxPrecaches) return 0;
+  level.sounds.push_back(name);
+  const auto number = static_cast<int>(level.sounds.size() - 1);
+  if (!level.loading) context.clients.tell_of_precache("sound", number, name);
+  return number;
+}
 
 void add_level_builtins(BuiltinTable& table, GameContext& context) {
   const auto model = [&context](Vm& vm) { precache_model(vm, context); };
@@ -54,6 +73,8 @@ void add_level_builtins(BuiltinTable& table, GameContext& context) {
   table.set(75, "precache_model2", model);
   table.set(68, "precache_file", file);
   table.set(77, "precache_file2", file);
+  // The re-release's: whether a finale's text has been written to its end. Nobody tells the server.
+  table.set(79, "finaleFinished", [](Vm& vm) { vm.return_float(0.0f); });
   table.set(70, "changelevel", [&context](Vm& vm) {
     std::string name(vm.parm_string(0));
     if (!vm.failed() && context.change_level) context.change_level(std::move(name));

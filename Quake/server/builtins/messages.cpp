@@ -1,6 +1,8 @@
 // What QuakeC says to players, and the bytes that it writes itself.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/log.h"
 #include "console/localization.h"
 #include "progs/builtins/output.h"
@@ -14,6 +16,8 @@ using progs::message_text;
 using progs::Vm;
 namespace globals = progs::globals;
 
+constexpr float kMostChannel = 255.0f;  // what a message holds; Quake itself has 0 to 7
+
 // Whose entity parameter 0 is; null, with a line in the log, where it is no player's.
 ServerClient* client_parm(Vm& vm, GameContext& context, std::string_view what) {
   const EdictId id = vm.parm_entity(0);
@@ -23,19 +27,22 @@ ServerClient* client_parm(Vm& vm, GameContext& context, std::string_view what) {
   return client;
 }
 
+// What a sound cannot be is made the nearest that it can.
+float within(Vm& vm, std::string_view sample, const char* what, float value, float most) {
+  if (value >= 0.0f && value <= most) return value;
+  vm.warn(fmt::format("sound {}: {} {}, of 0 to {}", sample, what, value, most));
+  return value > most ? most : 0.0f;
+}
+
 // sound(entity, channel, sample, volume, attenuation)
 void sound(Vm& vm, GameContext& context) {
   const EdictId source = vm.parm_entity(0);
-  const std::int32_t channel = vm.parm_int(1);
   const std::string sample(vm.parm_string(2));
-  const float volume = vm.parm_float(3), attenuation = vm.parm_float(4);
   if (vm.failed()) return;
-  const std::int32_t byte = progs::to_int(volume * 255.0f);
-  if (byte < 0 || byte > 255) return vm.fail(fmt::format("sound {}: volume {}, of 0 to 1", sample, volume));
-  if (!(attenuation >= 0.0f && attenuation <= 4.0f))
-    return vm.fail(fmt::format("sound {}: attenuation {}, of 0 to 4", sample, attenuation));
-  if (channel < 0 || channel > 7) return vm.fail(fmt::format("sound {}: channel {}, of 0 to 7", sample, channel));
-  context.clients.start_sound(source, channel, sample, volume, attenuation);
+  const auto channel = progs::to_int(within(vm, sample, "channel", std::trunc(vm.parm_float(1)), kMostChannel));
+  const float volume = within(vm, sample, "volume", vm.parm_float(3), 1.0f);
+  context.clients.start_sound(source, channel, sample, volume,
+                              within(vm, sample, "attenuation", vm.parm_float(4), 4.0f));
 }
 
 // ambientsound(position, sample, volume, attenuation)
@@ -49,6 +56,33 @@ void localsound(Vm& vm, GameContext& context) {
   ServerClient* client = client_parm(vm, context, "localsound");
   const std::string_view sample = vm.parm_string(1);
   if (!vm.failed() && client && client->active()) context.clients.local_sound(*client, sample);
+}
+
+// pointsound(position, sample, volume, attenuation): of nothing and nobody.
+void pointsound(Vm& vm, GameContext& context) {
+  const std::string sample(vm.parm_string(1));
+  context.clients.sound_at(vm.parm_vector(0), EdictId::kWorld, 0, sample,
+                           within(vm, sample, "volume", vm.parm_float(2), 1.0f),
+                           within(vm, sample, "attenuation", vm.parm_float(3), 4.0f));
+}
+
+// dropclient(player): once this frame's messages go.
+void dropclient(Vm& vm, GameContext& context) {
+  ServerClient* client = client_parm(vm, context, "dropclient");
+  if (client && client->active()) client->sent_away = true;
+}
+
+// clienttype(entity): 0 a player's place where nobody is, 1 a player, 3 anything else. (2 is a bot: there are none.)
+void clienttype(Vm& vm, GameContext& context) {
+  const EdictId id = vm.parm_entity(0);
+  const ServerClient* client = vm.failed() ? nullptr : context.clients.find(id);
+  vm.return_float(!client ? 3.0f : client->active() ? 1.0f : 0.0f);
+}
+
+// isbackbuffered(player): whether what it was told has yet to reach it.
+void isbackbuffered(Vm& vm, GameContext& context) {
+  ServerClient* client = client_parm(vm, context, "isbackbuffered");
+  vm.return_float(client && client->active() && client->spawned() && !client->connection->can_send() ? 1.0f : 0.0f);
 }
 
 // stuffcmd(client, text)
@@ -115,6 +149,12 @@ void add_writes(BuiltinTable& table, GameContext& context) {
     const std::string_view text = vm.parm_string(1);
     to.string(context.localization ? context.localization->text(text) : text);
   });
+  add_write(table, context, 280, "WriteFloat", [](MessageWriter& to, Vm& vm) { to.f32(vm.parm_float(1)); });
+  // Without the zero at the end.
+  add_write(table, context, 456, "WriteUnterminatedString", [](MessageWriter& to, Vm& vm) {
+    for (const char c : vm.parm_string(1)) to.u8(static_cast<unsigned char>(c));
+  });
+  table.add_extension("DP_SV_WRITEUNTERMINATEDSTRING");
   add_write(table, context, 59, "WriteEntity", [](MessageWriter& to, Vm& vm) {
     const EdictId id = vm.parm_entity(1);
     if (!vm.failed()) to.u16(static_cast<int>(index(id)));
@@ -144,6 +184,17 @@ void add_message_builtins(BuiltinTable& table, GameContext& context) {
   set(74, "ambientsound", ambientsound);
   set(80, "localsound", localsound);
   set(78, "setspawnparms", setspawnparms);
+  // Who may see the place: here, everybody.
+  set(82, "multicast",
+      [](Vm& vm, GameContext& in) { in.clients.multicast(vm.parm_int(1), vm.get(globals::msg_entity)); });
+  table.add_extension("FTE_QC_MULTICAST");
+  set(234, "isbackbuffered", isbackbuffered);
+  set(453, "dropclient", dropclient);
+  table.add_extension("DP_SV_DROPCLIENT");
+  set(455, "clienttype", clienttype);
+  set(483, "pointsound", pointsound);
+  table.add_extension("DP_SV_POINTSOUND");
+  table.add_extension("DP_SV_PRINT");
   add_writes(table, context);
 }
 

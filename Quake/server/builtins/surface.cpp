@@ -95,6 +95,35 @@ std::string_view texture_name(const Surface& surface) {
   return texture == formats::kNoTexture ? std::string_view() : std::string_view(surface.bsp->textures[texture].name);
 }
 
+std::uint32_t triangle_count(const Surface& surface) {
+  return surface.face && surface.face->surfedge_count > 2 ? surface.face->surfedge_count - 2 : 0;
+}
+
+// What a point of a face has: 0 its place, 1 and 2 the directions in which its texture grows, 3 the normal, 4 where in
+// the texture it is (1: as wide as it), 5 where in the lightmap (not known here), 6 its colour.
+void getsurfacepointattribute(Vm& vm, const GameContext& context) {
+  const Surface surface = surface_parm(vm, context);
+  const std::int32_t i = vm.parm_int(2), attribute = vm.parm_int(3);
+  vm.return_vector(vec3(0.0f));
+  if (!surface.face || i < 0 || static_cast<std::uint32_t>(i) >= surface.face->surfedge_count) return;
+  const vec3 point = surface.bsp->face_vertex(*surface.face, static_cast<std::uint32_t>(i));
+  const formats::BspTexInfo& info = surface.bsp->texinfos[surface.face->texinfo];
+  const auto direction = [&](std::size_t axis) {
+    const float size = length(vec3(info.axes[axis]));
+    return size > 0.0f ? vec3(info.axes[axis]) / size : vec3(0.0f);
+  };
+  if (attribute == 0) vm.return_vector(point + surface.origin);
+  if (attribute == 1 || attribute == 2) vm.return_vector(direction(static_cast<std::size_t>(attribute) - 1));
+  if (attribute == 3) vm.return_vector(surface.normal());
+  if (attribute == 4 && info.texture != formats::kNoTexture) {
+    const formats::BspTexture& texture = surface.bsp->textures[info.texture];
+    const auto along = [&](std::size_t axis) { return dot(vec3(info.axes[axis]), point) + info.axes[axis].w; };
+    vm.return_vector(
+        {along(0) / static_cast<float>(texture.width), along(1) / static_cast<float>(texture.height), 0.0f});
+  }
+  if (attribute == 6) vm.return_vector(vec3(1.0f));
+}
+
 }  // namespace
 
 void add_surface_builtins(BuiltinTable& table, GameContext& context) {
@@ -121,6 +150,18 @@ void add_surface_builtins(BuiltinTable& table, GameContext& context) {
     vm.return_vector(surface.face ? clip_to_face(surface, p) : p);
   });
   table.add_extension("DP_QC_GETSURFACE");
+  // Faces are convex: their triangles share the first point.
+  table.set(628, "getsurfacenumtriangles",
+            [&context](Vm& vm) { vm.return_float(static_cast<float>(triangle_count(surface_parm(vm, context)))); });
+  table.set(629, "getsurfacetriangle", [&context](Vm& vm) {
+    const std::uint32_t count = triangle_count(surface_parm(vm, context));
+    const std::int32_t i = vm.parm_int(2);
+    const bool there = i >= 0 && static_cast<std::uint32_t>(i) < count;
+    vm.return_vector(there ? vec3(0.0f, i + 1, i + 2) : vec3(0.0f));
+  });
+  table.add_extension("DP_QC_GETSURFACETRIANGLE");
+  table.set(486, "getsurfacepointattribute", [&context](Vm& vm) { getsurfacepointattribute(vm, context); });
+  table.add_extension("DP_QC_GETSURFACEPOINTATTRIBUTE");
 }
 
 }  // namespace fb::sv

@@ -5,6 +5,7 @@
 
 #include "server/builtins/game_builtins.h"
 #include "server/simulation/link.h"
+#include "server/simulation/quakec.h"
 #include "server/simulation/steps.h"
 
 namespace fb::sv {
@@ -46,12 +47,47 @@ void setmodel(Vm& vm, GameContext& context) {
   const std::string name(vm.parm_string(1));
   if (vm.failed()) return;
   Level& level = *context.level;
-  const int number = level.model_index(name);
-  if (number == 0 && !name.empty()) return vm.fail(fmt::format("setmodel: {} is not precached", name));
+  int number = level.model_index(name);
+  if (number == 0 && !name.empty()) {
+    number = add_model(context, name);
+    vm.warn(fmt::format("setmodel: {} is not precached{}", name, number == 0 ? ", and cannot be" : ""));
+  }
   edict.set(fields::model, vm.strings().intern(name));
   edict.set(fields::modelindex, static_cast<float>(number));
   const LevelModel& model = level.models[static_cast<std::size_t>(number)];
   set_size(vm, level, edict, model.mins, model.maxs);
+}
+
+// setmodelindex(entity, number of a precache)
+void setmodelindex(Vm& vm, GameContext& context) {
+  Edict edict = vm.parm_edict(0);
+  const std::int32_t number = vm.parm_int(1);
+  if (vm.failed()) return;
+  Level& level = *context.level;
+  if (number < 0 || static_cast<std::size_t>(number) >= level.models.size())
+    return vm.skip(fmt::format("setmodelindex: there is no model {}", number));
+  const LevelModel& model = level.models[static_cast<std::size_t>(number)];
+  edict.set(fields::model, vm.strings().intern(model.name));
+  edict.set(fields::modelindex, static_cast<float>(number));
+  set_size(vm, level, edict, model.mins, model.maxs);
+}
+
+// touchtriggers(entity, where to go before): self, where it is, if both are left out.
+void touchtriggers(Vm& vm, GameContext& context) {
+  Edict edict = vm.parm_count() > 0 ? vm.parm_edict(0) : vm.self();
+  if (vm.failed() || edict.is_world()) return;
+  if (vm.parm_count() > 1) edict.set(fields::origin, vm.parm_vector(1));
+  const KeepSelfAndOther keep(vm);
+  link_edict(*context.level, edict.id(), true);
+}
+
+// checkpvs(position, entity): whether the entity may be seen from there.
+void checkpvs(Vm& vm, GameContext& context) {
+  const EdictId id = vm.parm_entity(1);
+  if (vm.failed()) return;
+  const formats::Bsp& bsp = *context.level->bsp;
+  const auto seen = world::leaf_pvs(bsp, world::pvs_leaf(bsp, vm.parm_vector(0)));
+  vm.return_float(context.level->extra(id).leafs.visible_in(seen) ? 1.0f : 0.0f);
 }
 
 vec3 zero_if_not_a_number(const vec3& v) {
@@ -125,6 +161,14 @@ void add_world_builtins(BuiltinTable& table, GameContext& context) {
   set(2, "setorigin", setorigin);
   set(3, "setmodel", setmodel);
   set(4, "setsize", setsize);
+  set(333, "setmodelindex", setmodelindex);
+  set(279, "touchtriggers", touchtriggers);
+  set(240, "checkpvs", checkpvs);
+  // What copies an entity's place puts the copy there.
+  table.set(400, "copyentity", [&context, copy = *table.find(400)](Vm& vm) {
+    copy(vm);
+    if (!vm.failed()) link_edict(*context.level, vm.returned_edict());
+  });
   set(16, "traceline", traceline);
   set(64, "tracetoss", tracetoss);
   table.add_extension("DP_QC_TRACETOSS");

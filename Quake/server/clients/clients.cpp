@@ -17,7 +17,7 @@ namespace {
 namespace fields = progs::fields;
 using progs::to_int;
 
-enum Destination { kBroadcast = 0, kOne = 1, kAll = 2, kInit = 3 };
+enum Destination { kBroadcast = 0, kOne = 1, kAll = 2, kInit = 3, kMulticast = 4, kEntity = 5 };
 
 constexpr std::size_t kFirstWide = 256;          // sounds from here on do not fit a byte
 constexpr std::uint32_t kMostSoundEdict = 8191;  // protocol 15 has 13 bits for who makes a sound
@@ -76,7 +76,7 @@ void Clients::begin_level(Level& level) {
   level_ = &level;
   protocol_ = protocol_for(level, console_.cvar("sv_protocol"));
   effects_mask_ = effects_mask(*level.vm);
-  for (net::MessageWriter* writer : {&datagram_, &reliable_datagram_, &signon_, &lost_})
+  for (net::MessageWriter* writer : {&datagram_, &reliable_datagram_, &signon_, &multicast_, &lost_})
     *writer = net::MessageWriter(protocol_);
   for (auto& client : slots_) client->reliable = net::MessageWriter(protocol_);
 }
@@ -153,6 +153,9 @@ Result<net::MessageWriter*> Clients::destination(int where, EdictId msg_entity) 
       return within(reliable_datagram_, kMostBytes);
     case kInit:
       return within(signon_, kMostSignonBytes);
+    case kMulticast:
+    case kEntity:
+      return within(multicast_, kMostBytes);
     case kOne: {
       ServerClient* client = find(msg_entity);
       if (!client) return Error{fmt::format("a message to entity {}, which is no player", index(msg_entity))};
@@ -164,7 +167,27 @@ Result<net::MessageWriter*> Clients::destination(int where, EdictId msg_entity) 
   }
 }
 
+void Clients::multicast(int set, EdictId msg_entity) {
+  const auto append = [&](net::MessageWriter& to, std::size_t most) {
+    if (to.size() <= most) to.append(multicast_.bytes());
+  };
+  ServerClient* const client = find(msg_entity);
+  if (set >= 0 && set <= 2) append(datagram_, kMostBytes);
+  if (set >= 3 && set <= 5) append(reliable_datagram_, kMostBytes);
+  if ((set == 6 || set == 7) && client && client->active()) append(client->reliable, kMostBytes);
+  if (set == 8) append(signon_, kMostSignonBytes);
+  multicast_.truncate(0);
+}
+
 void Clients::start_sound(EdictId source, int channel, std::string_view sample, float volume, float attenuation) {
+  if (!level_) return;
+  const Edict at = level_->edict(source);
+  sound_at(at.get(fields::origin) + 0.5f * (at.get(fields::mins) + at.get(fields::maxs)), source, channel, sample,
+           volume, attenuation);
+}
+
+void Clients::sound_at(const vec3& origin, EdictId source, int channel, std::string_view sample, float volume,
+                       float attenuation) {
   if (!level_) return;
   const int sound = sound_index(*level_, sample);
   if (sound == 0) {
@@ -174,8 +197,6 @@ void Clients::start_sound(EdictId source, int channel, std::string_view sample, 
   const auto edict = static_cast<int>(index(source));
   const bool fits_15 = static_cast<std::size_t>(sound) < kFirstWide && index(source) <= kMostSoundEdict && channel < 8;
   if ((!protocol_.extended() && !fits_15) || datagram_.size() > kMostBytes) return;
-  const Edict at = level_->edict(source);
-  const vec3 origin = at.get(fields::origin) + 0.5f * (at.get(fields::mins) + at.get(fields::maxs));
   net::write_server_message(datagram_,
                             net::svc::Sound{edict, channel, sound, std::clamp(to_int(volume * 255.0f), 0, 255),
                                             std::clamp(to_int(attenuation * 64.0f), 0, 255), origin});
@@ -224,6 +245,14 @@ void Clients::light_style(int style, std::string_view pattern) {
   for (auto& client : slots_)
     if (client->active() && client->spawned())
       write_reliable(*client, net::svc::LightStyle{style, std::string(pattern)});
+}
+
+// As text that starts a comment in the consoles of other engines, whose clients take it for nothing and show nothing in
+// the model's place; a message of its own would be their end.
+void Clients::tell_of_precache(std::string_view kind, int number, std::string_view name) {
+  if (!level_ || (!protocol_.extended() && number >= static_cast<int>(kFirstWide))) return;
+  if (name.find_first_of("\"\n\r") == std::string_view::npos)
+    write_to_all(net::svc::StuffText{fmt::format("//precache {} {} \"{}\"\n", kind, number, name)});
 }
 
 void Clients::set_pause(bool paused) {

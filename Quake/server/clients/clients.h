@@ -69,6 +69,7 @@ struct ServerClient {
 
   net::MessageWriter reliable;
   bool overflowed = false;      // more waits than a message holds: send() drops it
+  bool sent_away = false;       // by the mod: send() drops it
   std::deque<Bytes> before_it;  // reliable messages that go before, each on its own
 
   // On the way into a level nothing is sent but the stage that has been asked for: kParts the signon buffer, a part
@@ -145,12 +146,18 @@ class Clients final : public LevelEvents {
   bool heard_here() const;
   void center_print(ServerClient& client, std::string_view text);
   void stuff(ServerClient& client, std::string_view text);
-  // MSG_BROADCAST 0, MSG_ONE 1 (to `msg_entity`), MSG_ALL 2, MSG_INIT 3, for QuakeC's Write functions. An Error where
+  // MSG_BROADCAST 0, MSG_ONE 1 (to `msg_entity`), MSG_ALL 2, MSG_INIT 3, for QuakeC's Write functions; MSG_MULTICAST 4
+  // (and FTE's MSG_ENTITY 5) gathers what multicast() sends. An Error where
   // it is none of these or where MSG_ONE goes to no player. Ask for each write: what a full buffer is given is lost.
   Result<net::MessageWriter*> destination(int where, EdictId msg_entity);
   void start_sound(EdictId source, int channel, std::string_view sample, float volume, float attenuation) override;
   // The same, for one player alone, as loud everywhere (the 2021 re-release's localsound).
   void local_sound(ServerClient& client, std::string_view sample);
+  void sound_at(const vec3& origin, EdictId source, int channel, std::string_view sample, float volume,
+                float attenuation);
+  // Sends what has gathered (FTE_QC_MULTICAST): 0 to 2 to all, unreliably, 3 to 5 reliably, 6 and 7 to msg_entity, 8 to
+  // whoever comes. Who cannot see a place is told, too.
+  void multicast(int set, EdictId msg_entity);
   void start_particle(const vec3& origin, const vec3& direction, int color, int count);
   // ambientsound. A sample that is not precached: a warning.
   void ambient_sound(const vec3& origin, std::string_view sample, float volume, float attenuation);
@@ -159,6 +166,8 @@ class Clients final : public LevelEvents {
   // Keeps the style, and tells those who are in the game.
   void light_style(int style, std::string_view pattern);
   void set_pause(bool paused);
+  // A "model" or "sound" that was precached while the level runs (network.md): those who are here learn its number.
+  void tell_of_precache(std::string_view kind, int number, std::string_view name);
 
   net::MessageWriter& datagram() { return datagram_; }
   net::MessageWriter& signon() { return signon_; }
@@ -194,7 +203,7 @@ class Clients final : public LevelEvents {
   std::vector<std::unique_ptr<ServerClient>> slots_;
   Level* level_ = nullptr;
   net::Protocol protocol_;
-  net::MessageWriter datagram_, reliable_datagram_, signon_, lost_;
+  net::MessageWriter datagram_, reliable_datagram_, signon_, multicast_, lost_;
   std::vector<Bytes> signon_parts_;
   std::size_t signon_parts_of_ = 0;  // bytes of signon_ that these are of
   bool told_full_ = false;

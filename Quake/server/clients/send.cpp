@@ -33,6 +33,7 @@ void Clients::send(double now) {
   if (!level_) return;
   update_frags();
   for (auto& client : slots_) {
+    if (client->sent_away) drop(*client, false, now);
     if (!client->active()) continue;
     if (client->spawned()) {
       if (!send_datagram(*client, now)) continue;

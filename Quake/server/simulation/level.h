@@ -122,6 +122,7 @@ class Level final : public progs::EdictListener {
   // [0] is nothing, as numbers of precached things are from 1.
   std::vector<LevelModel> models = std::vector<LevelModel>(1);
   std::vector<std::string> sounds = std::vector<std::string>(1);
+  std::size_t loaded_models = 0, loaded_sounds = 0;  // of both, those that spawning has brought; 0 while it lasts
   std::vector<std::string> light_styles = std::vector<std::string>(64);
   int model_index(std::string_view name) const;  // 0: not precached
   // Says once a level what a mod gets wrong and QuakeC may repeat every frame.

@@ -1,4 +1,4 @@
-#include "csqc/markup.h"
+#include "progs/markup.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace fb::csqc {
+namespace fb::progs {
 namespace {
 
 constexpr unsigned kGold = 128;
@@ -36,9 +36,9 @@ unsigned char quake_code(std::uint32_t point) {
   return '?';
 }
 
-class Reader {
+class MarkupReader {
  public:
-  Reader(std::string_view text, const vec4& color) : text_(text), plain_(color), color_(color) {
+  MarkupReader(std::string_view text, const vec4& color) : text_(text), plain_(color), color_(color) {
     if (!text_.empty() && (text_.front() == 1 || text_.front() == 2)) {  // Quake's mark of a golden line
       alphabet_ = kGold;
       text_.remove_prefix(1);
@@ -115,6 +115,6 @@ class Reader {
 
 }  // namespace
 
-std::vector<Letter> marked_up(std::string_view text, const vec4& color) { return Reader(text, color).read(); }
+std::vector<Letter> marked_up(std::string_view text, const vec4& color) { return MarkupReader(text, color).read(); }
 
-}  // namespace fb::csqc
+}  // namespace fb::progs

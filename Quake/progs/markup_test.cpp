@@ -1,10 +1,10 @@
-#include "csqc/markup.h"
+#include "progs/markup.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace fb::csqc {
+namespace fb::progs {
 namespace {
 
 std::string codes(std::string_view text) {
@@ -62,4 +62,4 @@ TEST(Markup, TheOtherAlphabet) {
 }
 
 }  // namespace
-}  // namespace fb::csqc
+}  // namespace fb::progs

@@ -8,7 +8,7 @@
 
 #include "base/maths.h"
 
-namespace fb::csqc {
+namespace fb::progs {
 
 struct Letter {
   unsigned char code = 0;
@@ -18,4 +18,4 @@ struct Letter {
 // `color` is that of letters without a mark; marks' colours multiply it. A caret that begins no mark is a letter.
 std::vector<Letter> marked_up(std::string_view text, const vec4& color);
 
-}  // namespace fb::csqc
+}  // namespace fb::progs
