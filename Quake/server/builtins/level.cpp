@@ -74,7 +74,6 @@ void add_level_builtins(BuiltinTable& table, GameContext& context) {
   table.set(68, "precache_file", file);
   table.set(77, "precache_file2", file);
   // The re-release's: whether a finale's text has been written to its end. Nobody tells the server.
-  table.set(79, "finaleFinished", [](Vm& vm) { vm.return_float(0.0f); });
   table.set(70, "changelevel", [&context](Vm& vm) {
     std::string name(vm.parm_string(0));
     if (!vm.failed() && context.change_level) context.change_level(std::move(name));
