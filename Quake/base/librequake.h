@@ -1,5 +1,5 @@
-// Where LibreQuake's data may lie, which the project does not contain: tests and benchmarks that want real maps are skipped
-// without it, saying so, and the laboratory's suites skip their views of its maps.
+// Where LibreQuake's data may lie, which the project does not contain: tests and benchmarks that want real maps are
+// skipped without it, saying so, and the laboratory's suites skip their views of its maps.
 #pragma once
 
 #include <cstdlib>
@@ -21,7 +21,8 @@ inline std::string librequake_lacks(std::string_view file = "id1/pak0.pak") {
   std::error_code ignored;
   const std::filesystem::path folder = librequake_folder();
   if (std::filesystem::exists(folder / file, ignored)) return {};
-  return "no LibreQuake in " + folder.string() + ": FULLBRIGHT_TEST_DATA names the folder that holds its " + std::string(file);
+  return "no LibreQuake in " + folder.string() + ": FULLBRIGHT_TEST_DATA names the folder that holds its " +
+         std::string(file);
 }
 
 }  // namespace fb

@@ -1,6 +1,6 @@
-// Fuzz target: the whole client but for the picture, with a real game's files (FULLBRIGHT_FUZZ_GAME, else build/game): its
-// models, a map, the console. It plays a demo, is told to seek and to pause in it, and everything that the renderer and
-// the mixer would be given is looked at. Whatever the demo says, the client ends it with a sentence or shows it.
+// Fuzz target: the whole client but for the picture, with a real game's files (FULLBRIGHT_FUZZ_GAME, else build/game):
+// its models, a map, the console. It plays a demo, is told to seek and to pause in it, and everything that the renderer
+// and the mixer would be given is looked at. Whatever the demo says, the client ends it with a sentence or shows it.
 //
 // The input: a byte that chooses a protocol, or a demo as it is in a file (kWhole); a byte with what is done at the
 // demo's controls; then, but for kWhole, datagrams, each after its length (two bytes), which follow a real signon.
@@ -61,7 +61,8 @@ class Data {
   std::optional<FileData> read(std::string_view name) {
     if (known_.size() > 4096) known_.clear();
     auto known = known_.find(name);
-    if (known == known_.end()) known = known_.emplace(std::string(name), files_ ? files_->read(name) : std::nullopt).first;
+    if (known == known_.end())
+      known = known_.emplace(std::string(name), files_ ? files_->read(name) : std::nullopt).first;
     return known->second;
   }
 

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <utility>
+
+#include "console/quake_letters.h"
 
 namespace fb::con {
 namespace {
@@ -36,47 +37,6 @@ std::string value_of(std::string_view text) {
   return value;
 }
 
-// --- letters ---
-
-// From U+00A1, U+00C0 and U+0100 on, the plain letters.
-constexpr std::string_view kLatinSigns = "!cL*Y|S\"ca<--R-o+23'uP.,1o>????";
-constexpr std::string_view kLatin1 = "AAAAAAACEEEEIIIIDNOOOOOxOUUUUYTsaaaaaaaceeeeiiiidnooooo/ouuuuyty";
-constexpr std::string_view kLatinExtended =
-    "AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlLlLlNnNnNnnNnOoOoOoOoRrRrRrSsSsSsSsTtTtTtUuUuUuUuUu"
-    "UuWwYyYZzZzZzs";
-static_assert(kLatin1.size() == 0x40 && kLatinExtended.size() == 0x80 && kLatinSigns.size() == 0x1f);
-
-constexpr std::array<std::pair<std::uint32_t, std::string_view>, 22> kOthers = {{
-    {0xa0, " "},    {0xab, "\""},    {0xbb, "\""},   {0xc6, "AE"},  {0xdf, "ss"},   {0xe6, "ae"},
-    {0x132, "IJ"},  {0x133, "ij"},   {0x152, "OE"},  {0x153, "oe"}, {0x2010, "-"},  {0x2013, "-"},
-    {0x2014, "-"},  {0x2018, "'"},   {0x2019, "'"},  {0x201a, ","}, {0x201c, "\""}, {0x201d, "\""},
-    {0x201e, "\""}, {0x2026, "..."}, {0x2122, "TM"}, {0xfeff, ""},
-}};
-
-std::string_view letters_of(std::uint32_t code) {
-  for (const auto& [other, letters] : kOthers)
-    if (other == code) return letters;
-  if (code >= 0xa1 && code < 0xc0) return kLatinSigns.substr(code - 0xa1, 1);
-  if (code >= 0xc0 && code < 0x100) return kLatin1.substr(code - 0xc0, 1);
-  if (code >= 0x100 && code < 0x180) return kLatinExtended.substr(code - 0x100, 1);
-  return "?";
-}
-
-// The code that begins at `at`, which is moved behind it; nullopt where there is none.
-std::optional<std::uint32_t> next_code(std::string_view text, std::size_t& at) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-  const std::uint8_t first = byte(at);
-  const std::size_t length = first >= 0xf0 && first < 0xf8 ? 4 : first >= 0xe0 ? 3 : first >= 0xc2 ? 2 : 0;
-  if (length == 0 || first >= 0xf8 || length > text.size() - at) return std::nullopt;
-  std::uint32_t code = first & (0x7fu >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(at + i) & 0xc0u) != 0x80u) return std::nullopt;
-    code = code << 6u | (byte(at + i) & 0x3fu);
-  }
-  at += length;
-  return code;
-}
-
 // --- placeholders ---
 
 // The number of the placeholder that begins at `at`, which is moved behind it; nullopt where there is none.
@@ -97,20 +57,6 @@ bool has_placeholders(std::string_view text) {
 }
 
 }  // namespace
-
-std::string quake_letters(std::string_view utf8) {
-  std::string letters;
-  for (std::size_t at = 0; at < utf8.size();) {
-    if (static_cast<std::uint8_t>(utf8[at]) < 0x80) {
-      letters.push_back(utf8[at++]);
-    } else if (const auto code = next_code(utf8, at)) {
-      letters += letters_of(*code);
-    } else {
-      letters.push_back(utf8[at++]);
-    }
-  }
-  return letters;
-}
 
 void Localization::add_line(std::string_view line, std::size_t& added) {
   line = trimmed(line);

@@ -44,7 +44,4 @@ class Localization {
   std::map<std::string, std::string, std::less<>> texts_;  // by key, without the $
 };
 
-// UTF-8 in the letters of Quake's font. Bytes that are no UTF-8 are taken for letters of that font.
-std::string quake_letters(std::string_view utf8);
-
 }  // namespace fb::con

@@ -61,19 +61,6 @@ TEST_F(LocalizationTest, Messages) {
   EXPECT_EQ(message({"{99999999999999999999}", "x"}), "");
 }
 
-TEST_F(LocalizationTest, LettersOfQuakesFont) {
-  EXPECT_EQ(quake_letters("\xc3\x9c"
-                          "ber die Stra\xc3\x9f"
-                          "e \xe2\x80\x9e"
-                          "so\xe2\x80\x9c\xe2\x80\xa6"),
-            "Uber die Strasse \"so\"...");
-  EXPECT_EQ(quake_letters("\xc5\x81\xc3\xb3"
-                          "d\xc5\xba \xc5\x93uvre \xc2\xbfqu\xc3\xa9?"),
-            "Lodz oeuvre ?que?");
-  EXPECT_EQ(quake_letters("\xd0\x94\xe2\x98\xba\xf0\x9f\x98\x80"), "???");
-  EXPECT_EQ(quake_letters("\xc1\xc2 \xe2\x80"), "\xc1\xc2 \xe2\x80") << "a bronze A, and what is cut short";
-}
-
 TEST_F(LocalizationTest, HostileFilesHaveLimits) {
   const std::string large(Localization::kMostFileBytes + 1, 'x');
   const auto refused = texts.add({reinterpret_cast<const std::uint8_t*>(large.data()), large.size()}, "loc.txt");

@@ -1,5 +1,5 @@
-// csqc_make_seed_corpus DIRECTORY: what fuzz_csqc starts from: every builtin of a bar, called with texts, with numbers, and
-// with both in turn.
+// csqc_make_seed_corpus DIRECTORY: what fuzz_csqc starts from: every builtin of a bar, called with texts, with numbers,
+// and with both in turn.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

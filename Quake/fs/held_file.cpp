@@ -35,7 +35,8 @@ Error HeldFile::failure() const { return cannot_be_written(called_, errno); }
 
 // Whether the name is still this file's: between opening and locking it may have been removed or renamed.
 bool HeldFile::stands_there() const {
-  struct stat ours {}, theirs {};
+  struct stat ours {
+  }, theirs{};
   return ::fstat(handle_, &ours) == 0 && ::lstat(path_.c_str(), &theirs) == 0 && ours.st_ino == theirs.st_ino &&
          ours.st_dev == theirs.st_dev;
 }
@@ -77,8 +78,7 @@ Result<HeldFile> HeldFile::take(const std::filesystem::path& path, int flags) {
       ::unlink(path.c_str());
       continue;
     }
-    if (try_lock(file.handle_) == Lock::kTheirs)
-      return Error{fmt::format("{}: another program is writing it", called)};
+    if (try_lock(file.handle_) == Lock::kTheirs) return Error{fmt::format("{}: another program is writing it", called)};
     if (file.stands_there()) return file;
   }
   return cannot_be_written(called, EBUSY);

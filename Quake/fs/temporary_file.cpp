@@ -65,8 +65,7 @@ Status make_folders(const stdfs::path& folder, const stdfs::path& target) {
   while (!there.empty() && !stdfs::exists(there, code) && there.has_relative_path()) there = there.parent_path();
   if (there == folder) return ok_status();
   stdfs::create_directories(folder, code);
-  if (code)
-    return Error{fmt::format("{}: its directory cannot be made: {}", target.generic_string(), code.message())};
+  if (code) return Error{fmt::format("{}: its directory cannot be made: {}", target.generic_string(), code.message())};
   for (stdfs::path made = folder; made != there && made.has_relative_path(); made = made.parent_path())
     flush_path(made.parent_path());
   return ok_status();

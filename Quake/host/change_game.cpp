@@ -36,8 +36,10 @@ void register_game(con::Console& console, const fs::FileSystem& files, const Gam
     // Configurations may say `game`, too, and are read again.
     if (fs::lower_case(folder) == fs::lower_case(files.game()))
       return log_info("\"game\" is \"{}\" already", files.game());
-    if (!is_game_folder(files, folder)) return console.fail(fmt::format("game {}: there is no such game folder", folder));
-    NextStart next{with_game(arguments, folder), {console.session_text(), without_blanks(console.remaining_commands())}};
+    if (!is_game_folder(files, folder))
+      return console.fail(fmt::format("game {}: there is no such game folder", folder));
+    NextStart next{with_game(arguments, folder),
+                   {console.session_text(), without_blanks(console.remaining_commands())}};
     console.forget_commands();
     begin_anew(std::move(next));
   };

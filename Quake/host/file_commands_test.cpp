@@ -25,7 +25,8 @@ class FileCommands : public testing::Test {
  protected:
   FileCommands() {
     const std::string played = map_of("{\"classname\" \"info_player_start\"}");
-    for (const char* name : {"e1m1", "e1m2", "start"}) directory.put(std::string("base/id1/maps/") + name + ".bsp", played);
+    for (const char* name : {"e1m1", "e1m2", "start"})
+      directory.put(std::string("base/id1/maps/") + name + ".bsp", played);
     for (const char* name : {"b_bh10", "e1box"})
       directory.put(std::string("base/id1/maps/") + name + ".bsp", map_of("{\"classname\" \"worldspawn\"}"));
     directory.put("base/id1/progs.dat", "code");

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/log.h"
-#include "console/typed_text.h"
+#include "console/quake_letters.h"
 #include "platform/keys.h"
 
 namespace fb::host {

@@ -54,7 +54,8 @@ TEST_F(LanguageTest, EveryPlaceAndTheirOrder) {
 }
 
 TEST_F(LanguageTest, ThePlayersFolderHasAnArchive) {
-  user.put("QuakeEX.kpf", fs::make_zip({{"localization/loc_english.txt", "a = \"kpf\"\n", fs::deflated("a = \"kpf\"\n"), 8}}));
+  user.put("QuakeEX.kpf",
+           fs::make_zip({{"localization/loc_english.txt", "a = \"kpf\"\n", fs::deflated("a = \"kpf\"\n"), 8}}));
   start();
   EXPECT_EQ(text("$a"), "kpf");
 }

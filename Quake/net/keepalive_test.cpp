@@ -92,8 +92,7 @@ TEST(Keepalive, ASilentClientIsHeard) {
     }
     for (int i = 0; i < 10; ++i) ASSERT_TRUE(heard());
   }
-  while (server.receive(0.0)) {
-  }
+  while (server.receive(0.0)) {}
   const std::uint64_t sent = client.packets_sent();
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   EXPECT_EQ(client.packets_sent(), sent) << "it ends with its owner";

@@ -15,7 +15,7 @@
 namespace fb::net::testing {
 
 inline const Address kServer = ipv4(192, 0, 2, 1, 26000), kClient = ipv4(192, 0, 2, 50, 0),
-              kVictim = ipv4(203, 0, 113, 7, 5000);
+                     kVictim = ipv4(203, 0, 113, 7, 5000);
 constexpr double kFrame = 1.0 / 72.0;
 
 class ListenerTest : public ::testing::Test {

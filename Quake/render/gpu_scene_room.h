@@ -1,5 +1,5 @@
-// What a frame's instances may take of the device's arrays, and which of them are drawn where all would take more: those
-// that are nearest.
+// What a frame's instances may take of the device's arrays, and which of them are drawn where all would take more:
+// those that are nearest.
 #pragma once
 
 #include <cstdint>

@@ -40,7 +40,7 @@ TEST(SceneRoom, EveryArrayCounts) {
   SceneDemand demand{{.instances = 1, .copies = 2, .triangles = 3, .nodes = 4, .vertices = 5}, 0};
   const SceneRoom enough = demand.room;
   EXPECT_THAT(nearest_that_fit({&demand, 1}, enough), ElementsAre(true));
-  for (std::uint64_t SceneRoom::* array :
+  for (std::uint64_t SceneRoom::*array :
        {&SceneRoom::instances, &SceneRoom::copies, &SceneRoom::triangles, &SceneRoom::nodes, &SceneRoom::vertices}) {
     SceneRoom less = enough;
     --(less.*array);

@@ -67,8 +67,8 @@ class TooMuchTest : public GpuSceneTest {
   }
   std::vector<std::uint32_t> drawn_ids(GpuScene& scene) {
     std::vector<std::uint32_t> ids;
-    for (const shared::GpuInstance& instance : gpu::read_now<shared::GpuInstance>(
-             *small_, *scene.buffers().instances, scene.statistics().instances))
+    for (const shared::GpuInstance& instance :
+         gpu::read_now<shared::GpuInstance>(*small_, *scene.buffers().instances, scene.statistics().instances))
       ids.push_back(instance.id);
     return ids;
   }
@@ -171,8 +171,8 @@ TEST_F(TooMuchTest, ImagesBeyondTheBufferAreOneTexel) {
   Case c;
   c.add(c.add_mesh(soup(20, 50, 20, 10)));
   for (int i = 0; i < 20; ++i)
-    c.assets->images.push_back({"big", scene::ImageEncoding::kSrgba, 256, 256,
-                                std::vector<std::uint8_t>(std::size_t{4} * 256 * 256, 255)});
+    c.assets->images.push_back(
+        {"big", scene::ImageEncoding::kSrgba, 256, 256, std::vector<std::uint8_t>(std::size_t{4} * 256 * 256, 255)});
   draw(c, false, [&](GpuScene&) { EXPECT_THAT(said_, ElementsAre(HasSubstr("16 images are shown as one texel"))); });
 }
 

@@ -1,6 +1,7 @@
-// Fuzz target: a whole server with a real game's files (FULLBRIGHT_FUZZ_GAME, else build/game): its QuakeC, and a map with
-// monsters in it. Two players, one within the program and one from afar, sign on, play and say anything; the console
-// says anything; time passes. The game goes on, or ends with a sentence, and what its players are told can be read.
+// Fuzz target: a whole server with a real game's files (FULLBRIGHT_FUZZ_GAME, else build/game): its QuakeC, and a map
+// with monsters in it. Two players, one within the program and one from afar, sign on, play and say anything; the
+// console says anything; time passes. The game goes on, or ends with a sentence, and what its players are told can be
+// read.
 //
 // The input: a byte with the protocol (its low two bits) and who signs on at once (the next two); then steps, each a
 // byte that says what (kinds below, above them how) and, for what has words, their length in a byte.

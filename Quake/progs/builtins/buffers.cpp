@@ -181,8 +181,7 @@ void add_buffer_builtins(BuiltinTable& table, const Services& services) {
   set(467, "bufstr_set", &Buffers::set);
   set(468, "bufstr_add", &Buffers::add);
   set(469, "bufstr_free", &Buffers::free);
-  table.set(517, "buf_cvarlist",
-            [buffers, console = services.console](Vm& vm) { buffers->list_cvars(vm, console); });
+  table.set(517, "buf_cvarlist", [buffers, console = services.console](Vm& vm) { buffers->list_cvars(vm, console); });
   table.add_extension("DP_QC_STRINGBUFFERS");
 }
 

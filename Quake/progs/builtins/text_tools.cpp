@@ -42,9 +42,10 @@ void uri_escape(Vm& vm) {
 void uri_unescape(Vm& vm) {
   const std::string_view escaped = vm.parm_string(0);
   const auto digit = [&](std::size_t i) {
-    const auto at = i < escaped.size() ? std::string_view("0123456789abcdef").find(static_cast<char>(
-                                             std::tolower(static_cast<unsigned char>(escaped[i]))))
-                                       : std::string_view::npos;
+    const auto at = i < escaped.size()
+                        ? std::string_view("0123456789abcdef")
+                              .find(static_cast<char>(std::tolower(static_cast<unsigned char>(escaped[i]))))
+                        : std::string_view::npos;
     return at == std::string_view::npos ? -1 : static_cast<int>(at);
   };
   std::string text;

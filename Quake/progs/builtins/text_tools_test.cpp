@@ -12,8 +12,9 @@ using ::testing::HasSubstr;
 class TextToolsTest : public testing::QcTest {};
 
 TEST_F(TextToolsTest, Trimming) {
-  EXPECT_EQ(says("puts(strtrim(\"  a b\\n\")); puts(strtrim(\"\")); puts(strtrim(\" \"));", "string(string s) strtrim = #0;"),
-            "[a b] [] []");
+  EXPECT_EQ(
+      says("puts(strtrim(\"  a b\\n\")); puts(strtrim(\"\")); puts(strtrim(\" \"));", "string(string s) strtrim = #0;"),
+      "[a b] [] []");
 }
 
 TEST_F(TextToolsTest, MarksOfColour) {

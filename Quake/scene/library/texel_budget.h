@@ -1,5 +1,5 @@
-// How many bytes of texels a game's images may take together. What would be more is shown smaller: the largest images are
-// halved, on both sides, until all fit, as gl_picmip would have it of all.
+// How many bytes of texels a game's images may take together. What would be more is shown smaller: the largest images
+// are halved, on both sides, until all fit, as gl_picmip would have it of all.
 #pragma once
 
 #include <cstddef>

@@ -34,14 +34,16 @@ std::uint64_t bytes_of(const std::vector<Image>& images) {
 
 // 0 and 255 in equal parts are half the light, which sRGB encodes as 188; a hole adds no colour.
 TEST(TexelBudget, HalvesByTheLightOfWhatCovers) {
-  Image colors = image(ImageEncoding::kSrgba, 2, 2, {0,   0, 0, 255, 255, 255, 255, 255,  //
-                                                     255, 0, 0, 255, 0,   255, 255, 255});
+  Image colors = image(ImageEncoding::kSrgba, 2, 2,
+                       {0, 0, 0, 255, 255, 255, 255, 255,  //
+                        255, 0, 0, 255, 0, 255, 255, 255});
   halve(colors);
   EXPECT_EQ(colors.width, 1);
   EXPECT_EQ(colors.height, 1);
   EXPECT_THAT(colors.texels, ElementsAre(188, 188, 188, 255));
-  Image hole = image(ImageEncoding::kSrgba, 2, 2, {200, 100, 50, 255, 0, 0, 0, 0,  //
-                                                   200, 100, 50, 255, 0, 0, 0, 0});
+  Image hole = image(ImageEncoding::kSrgba, 2, 2,
+                     {200, 100, 50, 255, 0, 0, 0, 0,  //
+                      200, 100, 50, 255, 0, 0, 0, 0});
   halve(hole);
   EXPECT_THAT(hole.texels, ElementsAre(200, 100, 50, 128));
   Image nothing = image(ImageEncoding::kSrgba, 2, 1, {80, 80, 80, 0, 80, 80, 80, 0});

@@ -99,7 +99,7 @@ TEST_F(LatePrecacheTest, SavedGamesKeepThem) {
   const auto text = [&](const char* name) { return std::string(files_.at(name).begin(), files_.at(name).end()); };
   EXPECT_THAT(text("before.sav"), Not(HasSubstr("precache")));
   EXPECT_THAT(text("after.sav"), ::testing::EndsWith("}\n/*\n// precached while the level ran\nsv.model_precache 3 "
-                                                    "\"progs/late.mdl\"\nsv.sound_precache 1 \"late.wav\"\n*/\n"));
+                                                     "\"progs/late.mdl\"\nsv.sound_precache 1 \"late.wav\"\n*/\n"));
   const std::string state = server_->dump();
   ASSERT_TRUE(server_->load("after").ok());
   EXPECT_EQ(server_->dump(), state);
@@ -109,7 +109,8 @@ TEST_F(LatePrecacheTest, SavedGamesKeepThem) {
   Player player = join();
   EXPECT_EQ(all<net::svc::ServerInfo>(player).at(0).models.back(), "progs/late.mdl");
   ASSERT_TRUE(server_->save("again").ok());
-  EXPECT_EQ(text("again.sav").substr(text("again.sav").rfind("/*")), text("after.sav").substr(text("after.sav").rfind("/*")));
+  EXPECT_EQ(text("again.sav").substr(text("again.sav").rfind("/*")),
+            text("after.sav").substr(text("after.sav").rfind("/*")));
 }
 
 // Other engines list all of a level's, under the numbers that they have there.

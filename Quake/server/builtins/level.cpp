@@ -73,7 +73,6 @@ void add_level_builtins(BuiltinTable& table, GameContext& context) {
   table.set(75, "precache_model2", model);
   table.set(68, "precache_file", file);
   table.set(77, "precache_file2", file);
-  // The re-release's: whether a finale's text has been written to its end. Nobody tells the server.
   table.set(70, "changelevel", [&context](Vm& vm) {
     std::string name(vm.parm_string(0));
     if (!vm.failed() && context.change_level) context.change_level(std::move(name));

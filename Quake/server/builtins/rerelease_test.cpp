@@ -150,7 +150,9 @@ class RereleaseTest : public testing::ServerTest {
 };
 
 TEST_F(RereleaseTest, EveryUpdatesProgramPlays) {
-  speak("qc_entered = \"{0} entered the game\\n\"\nqc_item = \"a nailgun\"\nqc_finale = \"The end\"\nm_title = \"A title\"\n");
+  speak(
+      "qc_entered = \"{0} entered the game\\n\"\nqc_item = \"a nailgun\"\nqc_finale = \"The end\"\nm_title = \"A "
+      "title\"\n");
   for (const char* declarations : {kFirstRelease, kFirstUpdate, kThirdUpdate}) {
     const auto heard = play(declarations);
     EXPECT_EQ(prints(heard), "Ranger entered the game\nplain a nailgun\nYou got a nailgun\n") << declarations;

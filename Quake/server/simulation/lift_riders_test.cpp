@@ -1,8 +1,9 @@
 // Lifts, trains and doors against what they carry and push, at many speeds, places, directions and ticks: where nothing
-// is in the way, rounding must not make them stop and crush. sv_gameplayfix_elevators 0 is QuakeSpasm's way, which does.
+// is in the way, rounding must not make them stop and crush. sv_gameplayfix_elevators 0 is QuakeSpasm's way, which
+// does.
 //
-// As in maps, a lift's model is where the lift is and its origin near 0: so what it carries, far from 0, is rounded more
-// coarsely than the lift, in each tick by the same.
+// As in maps, a lift's model is where the lift is and its origin near 0: so what it carries, far from 0, is rounded
+// more coarsely than the lift, in each tick by the same.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -110,8 +111,8 @@ struct Blocked {
   int rides = 0, by_player = 0, by_others = 0, flattened = 0;
 };
 
-// Half of them straight up and slow, in many ticks; the others in all directions, where what stands at the edge does not
-// come as far in a tick as what the lift has yet to push.
+// Half of them straight up and slow, in many ticks; the others in all directions, where what stands at the edge does
+// not come as far in a tick as what the lift has yet to push.
 std::vector<Ride> random_rides(Rng& rng, int count, int lifts) {
   constexpr std::array<double, 4> kTicks = {1.0 / 72.0, 1.0 / 60.0, 0.05, 0.1};
   std::vector<Ride> rides;
@@ -149,8 +150,8 @@ TEST_F(LiftRidersTest, NothingInTheWayIsNothingInTheWay) {
       sum.by_others += blocks - by_player;
       for (const char* who : {"corpse", "item"}) sum.flattened += named(who).get(fields::mins).x == 0.0f ? 1 : 0;
       if (whom < 2) continue;
-      const std::string at = fmt::format("lift {}, velocity {} {} {}, tick {}", one.lift, one.velocity.x, one.velocity.y,
-                                         one.velocity.z, one.tick);
+      const std::string at = fmt::format("lift {}, velocity {} {} {}, tick {}", one.lift, one.velocity.x,
+                                         one.velocity.y, one.velocity.z, one.tick);
       EXPECT_EQ(blocks, 0) << at;
       for (const char* who : {"monster", "corpse", "crate", "item", "player"}) {
         const vec3 place = origin(who) - origin("lift") - tops[static_cast<std::size_t>(one.lift)];
@@ -173,10 +174,10 @@ TEST_F(LiftRidersTest, DoorsPushWithoutStopping) {
   gap_ = 0.002f;
   Rng rng(3);
   std::vector<vec3> tops;
-  for (int i = 0; i < 24; ++i) tops.emplace_back(rng.uniform(2100, 4000), rng.uniform(-4000, -2100), rng.uniform(-500, 500));
+  for (int i = 0; i < 24; ++i)
+    tops.emplace_back(rng.uniform(2100, 4000), rng.uniform(-4000, -2100), rng.uniform(-500, 500));
   start_rides(tops);
-  constexpr std::array<vec3, 5> kWaysOfDoors = {
-      {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, -1}}};
+  constexpr std::array<vec3, 5> kWaysOfDoors = {{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, -1}}};
   std::array<float, 3> blocked{};
   for (std::size_t whom = 0; whom < blocked.size(); ++whom) {
     console_.execute(fmt::format("sv_gameplayfix_elevators {}", whom));
@@ -206,7 +207,8 @@ void() main = {
   lift.blocked = count_block;
   rider = make_man(MOVETYPE_STEP, '0 0 60');
   make_player('40 40 40.03125');
-};)"), map);
+};)"),
+                map);
     tick(0.05, 10);
     named("lift").set(fields::velocity, vec3(0, 0, speed));
     tick(1.0 / 72.0, static_cast<int>(seconds * 72.0));
@@ -237,7 +239,8 @@ void() main = {
   lift = make_pusher("*1", '88 0 0');
   lift.blocked = count_block;
   make_player('180 0 24.03125');
-};)"), map);
+};)"),
+                map);
     named("lift").set(fields::velocity, vec3(speed, 0, 0));
     tick(1.0 / 72.0, speed < 10.0f ? 3600 : 200);
     EXPECT_GT(number("blocks"), 20.0f) << speed;
@@ -265,7 +268,8 @@ void() main = {
   gate.touch = go;
   setsize(gate, '-64 -64 0', '64 64 16');
   setorigin(gate, '0 0 200');
-};)"), map);
+};)"),
+              map);
   tick(1.0 / 72.0, 300);
   EXPECT_EQ(number("blocks"), 0.0f);
   EXPECT_NEAR(origin("rider").z, 24.0f, 0.1f);
@@ -288,7 +292,8 @@ void() main = {
   one = make_man(MOVETYPE_STEP, '3050 -3500 2926');
   two = make_man(MOVETYPE_TOSS, '2950 -3550 2926');
   make_player('3050 -3600 2926');
-};)"), map);
+};)"),
+              map);
   level().asked.rotating_pushers = true;
   tick(0.05, 8);
   named("lift").set(fields::avelocity, vec3(0, 1, 0));
