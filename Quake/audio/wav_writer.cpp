@@ -47,7 +47,7 @@ Result<WavWriter> WavWriter::create(const std::filesystem::path& path, std::uint
   if (!there) return there.error();
   auto file = fs::HeldFile::take(*there);
   if (!file) return file.error();
-  if (const Status status = file->empty(); !status) return status.error();
+  if (const Status status = file->cut(0); !status) return status.error();
   WavWriter writer(*std::move(file), path.string(), rate);
   if (const Status status = writer.put_header(0); !status) return status.error();
   return writer;

@@ -13,6 +13,7 @@
 #include "client/session/parse.h"
 #include "client/session/sounds.h"
 #include "client/sources/map_view.h"
+#include "console/console.h"
 
 namespace fb::cl {
 
