@@ -25,6 +25,10 @@ float(entity bot, entity goal) bot_followentity = #92;
 )";
 // The first update's prints.
 constexpr const char* kFirstUpdate = R"(
+#define CheckPlayerEXFlags ex_CheckPlayerEXFlags
+#define walkpathtogoal ex_walkpathtogoal
+#define bot_movetopoint ex_bot_movetopoint
+#define bot_followentity ex_bot_followentity
 void(entity client, string s, ...) centerprint = #90;
 void(string s, ...) bprint = #91;
 void(entity client, string s, ...) sprint = #92;
@@ -32,24 +36,35 @@ float() finaleFinished = #79;
 void(entity client, string s) localsound = #80;
 void(vector point, float colormap, float lifetime, float depthtest) draw_point = #81;
 void(string s, vector origin, float size, float lifetime, float depthtest) draw_worldtext = #87;
-float(entity player) CheckPlayerEXFlags = #0:ex_CheckPlayerEXFlags;
-float(float distance, vector goal) walkpathtogoal = #0:ex_walkpathtogoal;
-float(entity bot, vector point) bot_movetopoint = #0:ex_bot_movetopoint;
-float(entity bot, entity goal) bot_followentity = #0:ex_bot_followentity;
+float(entity player) ex_CheckPlayerEXFlags = #0;
+float(float distance, vector goal) ex_walkpathtogoal = #0;
+float(entity bot, vector point) ex_bot_movetopoint = #0;
+float(entity bot, entity goal) ex_bot_followentity = #0;
 )";
 // The third update's: all by name.
 constexpr const char* kThirdUpdate = R"(
-void(entity client, string s, ...) centerprint = #0:ex_centerprint;
-void(string s, ...) bprint = #0:ex_bprint;
-void(entity client, string s, ...) sprint = #0:ex_sprint;
-float() finaleFinished = #0:ex_finaleFinished;
-void(entity client, string s) localsound = #0:ex_localsound;
-void(vector point, float colormap, float lifetime, float depthtest) draw_point = #0:ex_draw_point;
-void(string s, vector origin, float size, float lifetime, float depthtest) draw_worldtext = #0:ex_draw_worldtext;
-float(entity player) CheckPlayerEXFlags = #0:ex_CheckPlayerEXFlags;
-float(float distance, vector goal) walkpathtogoal = #0:ex_walkpathtogoal;
-float(entity bot, vector point) bot_movetopoint = #0:ex_bot_movetopoint;
-float(entity bot, entity goal) bot_followentity = #0:ex_bot_followentity;
+#define centerprint ex_centerprint
+#define bprint ex_bprint
+#define sprint ex_sprint
+#define finaleFinished ex_finaleFinished
+#define localsound ex_localsound
+#define draw_point ex_draw_point
+#define draw_worldtext ex_draw_worldtext
+#define CheckPlayerEXFlags ex_CheckPlayerEXFlags
+#define walkpathtogoal ex_walkpathtogoal
+#define bot_movetopoint ex_bot_movetopoint
+#define bot_followentity ex_bot_followentity
+void(entity client, string s, ...) ex_centerprint = #0;
+void(string s, ...) ex_bprint = #0;
+void(entity client, string s, ...) ex_sprint = #0;
+float() ex_finaleFinished = #0;
+void(entity client, string s) ex_localsound = #0;
+void(vector point, float colormap, float lifetime, float depthtest) ex_draw_point = #0;
+void(string s, vector origin, float size, float lifetime, float depthtest) ex_draw_worldtext = #0;
+float(entity player) ex_CheckPlayerEXFlags = #0;
+float(float distance, vector goal) ex_walkpathtogoal = #0;
+float(entity bot, vector point) ex_bot_movetopoint = #0;
+float(entity bot, entity goal) ex_bot_followentity = #0;
 )";
 
 constexpr const char* kRereleaseGame = R"(
