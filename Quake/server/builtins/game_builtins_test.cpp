@@ -11,8 +11,8 @@ namespace fields = progs::fields;
 class GameBuiltinsTest : public testing::ServerTest {
  protected:
   // What was written where WriteByte(0, ...) writes, by `statements` on a level that runs.
-  Bytes datagram_of(const std::string& statements) {
-    start("void() go = {" + statements + "};");
+  Bytes datagram_of(const std::string& statements, const std::string& declarations = "") {
+    start(declarations + "void() go = {" + statements + "};");
     if (!server_ || !server_->active()) return {};
     const std::size_t before = server_->clients().datagram().bytes().size();
     EXPECT_TRUE(level().run(level().vm->program().find_function("go"), EdictId::kWorld)) << level().error()->message;
@@ -20,8 +20,8 @@ class GameBuiltinsTest : public testing::ServerTest {
     return Bytes(all.begin() + static_cast<std::ptrdiff_t>(before), all.end());
   }
   // Of one temporary entity.
-  net::svc::TempEntity effect_of(const std::string& statements) {
-    const Bytes bytes = datagram_of(statements);
+  net::svc::TempEntity effect_of(const std::string& statements, const std::string& before = "") {
+    const Bytes bytes = datagram_of(statements, before);
     net::ServerMessageReader reader(bytes, "datagram", server_->clients().protocol());
     const auto message = reader.next();
     EXPECT_TRUE(message.ok() && reader.at_end());
@@ -208,9 +208,11 @@ TEST_F(GameBuiltinsTest, Writes) {
   const Bytes expected{200, 254, 0xd4, 0xfe, 0x70, 0x11, 1, 0, 'h', 'i', 0, 0, 0, 0};
   EXPECT_EQ(bytes, expected);
   EXPECT_EQ(datagram_of("WriteCoord(0, 10.5); WriteAngle(0, 90);").size(), 3u);  // protocol 666: two bytes, and one
-  EXPECT_EQ(datagram_of("void(float to, float f) WriteFloat = #280; WriteFloat(0, 1.5);"), (Bytes{0, 0, 0xc0, 0x3f}));
-  EXPECT_EQ(datagram_of("void(float to, string s) WriteUnterminatedString = #456; WriteUnterminatedString(0, \"hi\");"),
-            (Bytes{'h', 'i'}));
+  EXPECT_EQ(datagram_of("WriteFloat(0, 1.5);", "void(float to, float f) WriteFloat = #280;"),
+            (Bytes{0, 0, 0xc0, 0x3f}));
+  EXPECT_EQ(
+      datagram_of("WriteUnterminatedString(0, \"hi\");", "void(float to, string s) WriteUnterminatedString = #456;"),
+      (Bytes{'h', 'i'}));
   EXPECT_THAT(says("WriteByte(6, 1);"), HasSubstr("error: "));
   EXPECT_THAT(says("WriteByte(-1, 1);"), HasSubstr("error: "));
   EXPECT_THAT(says("msg_entity = self; WriteByte(1, 1);"), HasSubstr("error: "));
@@ -219,12 +221,12 @@ TEST_F(GameBuiltinsTest, Writes) {
 // FTE's: what gathers in a buffer goes where the last call says.
 TEST_F(GameBuiltinsTest, Multicast) {
   const std::string declared = "void(vector o, float set) multicast = #82; ";
-  EXPECT_EQ(datagram_of(declared + "WriteByte(4, 1); WriteByte(5, 2); multicast('0 0 0', 2); WriteByte(4, 3);"),
+  EXPECT_EQ(datagram_of("WriteByte(4, 1); WriteByte(5, 2); multicast('0 0 0', 2); WriteByte(4, 3);", declared),
             (Bytes{1, 2}));
   EXPECT_TRUE(
-      datagram_of(declared + "WriteByte(4, 1); msg_entity = world; multicast('0 0 0', 6); multicast('0 0 0', 0);")
+      datagram_of("WriteByte(4, 1); msg_entity = world; multicast('0 0 0', 6); multicast('0 0 0', 0);", declared)
           .empty());
-  EXPECT_TRUE(datagram_of(declared + "WriteByte(4, 1); multicast('0 0 0', 99);").empty());
+  EXPECT_TRUE(datagram_of("WriteByte(4, 1); multicast('0 0 0', 99);", declared).empty());
   start(declared + "void() go = { WriteByte(4, 7); multicast('0 0 0', 8); };");
   const std::size_t before = server_->clients().signon().bytes().size();
   EXPECT_TRUE(level().run(level().vm->program().find_function("go"), EdictId::kWorld));
@@ -235,7 +237,7 @@ TEST_F(GameBuiltinsTest, Multicast) {
 TEST_F(GameBuiltinsTest, EffectsOfParticles) {
   const auto particles = [&](const std::string& declaration, const std::string& call) {
     std::vector<net::svc::Particle> all;
-    const Bytes bytes = datagram_of(declaration + call);
+    const Bytes bytes = datagram_of(call, declaration);
     net::ServerMessageReader reader(bytes, "datagram", server_->clients().protocol());
     while (!reader.at_end()) {
       const auto message = reader.next();
@@ -263,7 +265,7 @@ TEST_F(GameBuiltinsTest, EffectsOfParticles) {
   EXPECT_EQ(shower[0].origin, vec3(16));
   EXPECT_EQ(shower[7].origin, vec3(48));
   EXPECT_EQ(shower[0].count, 10);
-  EXPECT_EQ(effect_of("void(vector o) te_gunshotquad = #412; te_gunshotquad('8 16 24');").type,
+  EXPECT_EQ(effect_of("te_gunshotquad('8 16 24');", "void(vector o) te_gunshotquad = #412;").type,
             net::TempEntityType::kGunshot);
 }
 
@@ -284,7 +286,7 @@ TEST_F(GameBuiltinsTest, ModelsByNumberAndTriggersByHand) {
 TEST_F(GameBuiltinsTest, CopiesStandWhereTheyAre) {
   EXPECT_EQ(
       says(R"(local entity e; self.solid = SOLID_BBOX; setsize(self, '-8 -8 -8', '8 8 8'); setorigin(self, '100 0 50');
-                    e = copyentity(self); remove(self); traceline('0 0 50', '200 0 50', 0, world); sayse(trace_ent);)",
+                    e = copyentity(self); remove(self); traceline('0 0 50', '200 0 50', 0, self); sayse(trace_ent);)",
            "entity(entity from, ...) copyentity = #400;"),
       "e3 ");
 }
@@ -378,8 +380,8 @@ TEST_F(GameBuiltinsTest, CheckClient) {
 // A room of six faces, as the formats' tests have it.
 class SurfaceTest : public GameBuiltinsTest {
  protected:
-  std::string says_of_room(const std::string& statements) {
-    put_progs("void() worldspawn = {" + statements + "};");
+  std::string says_of_room(const std::string& statements, const std::string& before = "") {
+    put_progs(before + "void() worldspawn = {" + statements + "};");
     formats::Bsp bsp = formats::testing::box_room(formats::BspVersion::kBsp29);
     bsp.entities = "{ \"classname\" \"worldspawn\" }";
     files_["maps/room.bsp"] = formats::testing::write_bsp(bsp);
@@ -407,15 +409,15 @@ TEST_F(SurfaceTest, Surfaces) {
       "1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 ");
   // A quad is two triangles around its first point; its texture's directions lie in it.
   EXPECT_EQ(
-      says_of_room("float(entity e, float s) getsurfacenumtriangles = #628;"
-                   "vector(entity e, float s, float n) getsurfacetriangle = #629;"
-                   "vector(entity e, float s, float n, float a) getsurfacepointattribute = #486;"
-                   "saysf(getsurfacenumtriangles(self, 0)); saysv(getsurfacetriangle(self, 0, 1));"
+      says_of_room("saysf(getsurfacenumtriangles(self, 0)); saysv(getsurfacetriangle(self, 0, 1));"
                    "saysv(getsurfacetriangle(self, 0, 2));"
                    "saysf(getsurfacepointattribute(self, 0, 1, 0) == getsurfacepoint(self, 0, 1));"
                    "saysf(getsurfacepointattribute(self, 0, 1, 3) == getsurfacenormal(self, 0));"
                    "saysf(rint(vlen(getsurfacepointattribute(self, 0, 1, 1))));"
-                   "saysv(getsurfacepointattribute(self, 0, 1, 6)); saysv(getsurfacepointattribute(self, 0, 99, 0));"),
+                   "saysv(getsurfacepointattribute(self, 0, 1, 6)); saysv(getsurfacepointattribute(self, 0, 99, 0));",
+                   "float(entity e, float s) getsurfacenumtriangles = #628;"
+                   "vector(entity e, float s, float n) getsurfacetriangle = #629;"
+                   "vector(entity e, float s, float n, float a) getsurfacepointattribute = #486;"),
       "2 (0 2 3) (0 0 0) 1 1 1 (1 1 1) (0 0 0) ");
   EXPECT_EQ(
       says_of_room(

@@ -12,7 +12,7 @@ namespace fields = progs::fields;
 constexpr const char* kLate = R"(
 void() go = { says(precache_model("progs/late.mdl")); precache_sound("late.wav"); precache_sound("late.wav");
   setmodel(self, "progs/late.mdl"); sound(self, 1, "late.wav", 1, 1); };
-void() thing = { precache_model("progs/early.mdl"); setorigin(self, '0 0 50'); self.think = go; self.nextthink = time + 1; };
+void() thing = { precache_model("progs/early.mdl"); setorigin(self, '0 0 50'); self.think = go; self.nextthink = time + 4; };
 void() PutClientInServer = { self.health = 100; setorigin(self, '100 0 50'); };
 )";
 constexpr const char* kTold = "//precache model 3 \"progs/late.mdl\"\n";
@@ -40,7 +40,7 @@ TEST_F(LatePrecacheTest, PlayersAreToldAndTheGameGoesOn) {
   start_late();
   Player player = join();
   EXPECT_THAT(heard(player), Not(HasSubstr("//precache")));
-  frames(10);
+  frames(40);
   hear(player);
   ASSERT_TRUE(server_->active());
   EXPECT_EQ(said(), "progs/late.mdl ");
@@ -57,7 +57,7 @@ TEST_F(LatePrecacheTest, PlayersAreToldAndTheGameGoesOn) {
 
 TEST_F(LatePrecacheTest, WhoComesLaterHasTheWholeList) {
   start_late();
-  frames(15);
+  frames(45);
   Player player = join();
   const auto infos = all<net::svc::ServerInfo>(player);
   ASSERT_EQ(infos.size(), 1u);
@@ -67,13 +67,13 @@ TEST_F(LatePrecacheTest, WhoComesLaterHasTheWholeList) {
 
 // QuakeSpasm's clients, and those of protocol 15, must find nothing that they do not know.
 TEST_F(LatePrecacheTest, OthersAreToldNothingThatEndsTheirGame) {
-  console_.set("sv_protocol", "15");
+  console_.execute("set sv_protocol 15");
   start_late(R"(
     void() go = { local float i; for (i = 0; i < 260; i++) precache_model(strcat("m", ftos(i))); precache_model("a\"b");
       precache_model("a\nb"); };
-    void() thing = { self.think = go; self.nextthink = time + 1; };)");
+    void() thing = { self.think = go; self.nextthink = time + 4; };)");
   Player player = join();
-  frames(10);
+  frames(40);
   hear(player);
   ASSERT_TRUE(server_->active());
   EXPECT_EQ(level().models.size(), 2u + 262u);
@@ -81,9 +81,9 @@ TEST_F(LatePrecacheTest, OthersAreToldNothingThatEndsTheirGame) {
   EXPECT_THAT(heard(player), Not(HasSubstr("//precache model 256 "))) << "no message of protocol 15 names it";
   console_.set("sv_protocol", "666");
   start_late(R"(void() go = { precache_model("a\"b"); precache_model("a\nb"); precache_model("a;b"); };
-    void() thing = { self.think = go; self.nextthink = time + 1; };)");
+    void() thing = { self.think = go; self.nextthink = time + 4; };)");
   Player other = join();
-  frames(10);
+  frames(40);
   hear(other);
   for (const auto& stuffed : all<net::svc::StuffText>(other))
     EXPECT_THAT(stuffed.text, ::testing::AnyOf(Not(HasSubstr("//")), "//precache model 4 \"a;b\"\n"));
@@ -94,7 +94,7 @@ TEST_F(LatePrecacheTest, SavedGamesKeepThem) {
   start_late();
   frames(5);
   ASSERT_TRUE(server_->save("before").ok());
-  frames(15);
+  frames(45);
   ASSERT_TRUE(server_->save("after").ok());
   const auto text = [&](const char* name) { return std::string(files_.at(name).begin(), files_.at(name).end()); };
   EXPECT_THAT(text("before.sav"), Not(HasSubstr("precache")));
@@ -106,17 +106,17 @@ TEST_F(LatePrecacheTest, SavedGamesKeepThem) {
   EXPECT_EQ(level().models.back().name, "progs/late.mdl");
   EXPECT_NE(level().models.back().maxs, vec3(0.0f)) << "its file is read again";
   EXPECT_EQ(level().sounds.back(), "late.wav");
-  Player player = join();
-  EXPECT_EQ(all<net::svc::ServerInfo>(player).at(0).models.back(), "progs/late.mdl");
   ASSERT_TRUE(server_->save("again").ok());
   EXPECT_EQ(text("again.sav").substr(text("again.sav").rfind("/*")),
             text("after.sav").substr(text("after.sav").rfind("/*")));
+  Player player = join();
+  EXPECT_EQ(all<net::svc::ServerInfo>(player).at(0).models.back(), "progs/late.mdl");
 }
 
 // Other engines list all of a level's, under the numbers that they have there.
 TEST_F(LatePrecacheTest, SavedGamesOfOtherEnginesBringThem) {
   start_late();
-  frames(15);
+  frames(45);
   ASSERT_TRUE(server_->save("ours").ok());
   std::string text(files_.at("ours.sav").begin(), files_.at("ours.sav").end());
   text.replace(text.rfind("/*"), std::string::npos,

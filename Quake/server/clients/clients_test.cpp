@@ -207,7 +207,7 @@ TEST_F(ClientsBasics, QuakeCsBytesAreMessages) {
   EXPECT_EQ(count(first), 2u);
   EXPECT_EQ(count(second), 3u);
   may_fail_ = true;
-  EXPECT_FALSE(clients_.destination(5, EdictId::kWorld));
+  EXPECT_FALSE(clients_.destination(6, EdictId::kWorld));
   EXPECT_FALSE(clients_.destination(1, EdictId::kWorld));
   EXPECT_FALSE(call("nobody"));
 }
