@@ -1,7 +1,8 @@
-// Fuzz target: a whole server with a real game's files (FULLBRIGHT_FUZZ_GAME, else build/game): its QuakeC, and a map
-// with monsters in it. Two players, one within the program and one from afar, sign on, play and say anything; the
-// console says anything; time passes. The game goes on, or ends with a sentence, and what its players are told can be
-// read.
+// Fuzz target: a whole server with a real game's files (FULLBRIGHT_FUZZ_GAME, else build/game): its QuakeC, and a small
+// map of it with monsters and things. Two players, one within the program and one from afar, sign on, play and say
+// anything; the console says anything; time passes. The game goes on, or ends with a sentence, and what its players are
+// told can be read. A run begins the level anew; the server, which has read the models, is made anew only after
+// kRunsOfOne.
 //
 // The input: a byte with the protocol (its low two bits) and who signs on at once (the next two); then steps, each a
 // byte that says what (kinds below, above them how) and, for what has words, their length in a byte.
@@ -26,9 +27,24 @@
 namespace fb::sv {
 namespace {
 
-constexpr const char* kMap = "lab_horde";
+constexpr const char* kMap = "lab_cbox";
+constexpr std::string_view kEntities = R"({
+"classname" "worldspawn"
+"message" "A box"
+}
+{"classname" "info_player_start" "origin" "0 -200 -55" "angle" "90"}
+{"classname" "info_player_deathmatch" "origin" "60 -200 -55" "angle" "90"}
+{"classname" "monster_army" "origin" "-60 0 -55" "angle" "270"}
+{"classname" "monster_dog" "origin" "60 0 -55"}
+{"classname" "monster_zombie" "origin" "0 40 -55" "angle" "270"}
+{"classname" "weapon_rocketlauncher" "origin" "0 -150 -50"}
+{"classname" "item_health" "origin" "-60 -150 -50" "spawnflags" "2"}
+{"classname" "item_artifact_super_damage" "origin" "60 -150 -50"}
+{"classname" "light" "origin" "0 0 40" "style" "1" "targetname" "lamp"}
+{"classname" "trigger_relay" "target" "lamp" "targetname" "all"}
+)";
 constexpr double kTick = 0.05;
-constexpr int kMostTicks = 200;
+constexpr int kMostTicks = 100, kRunsOfOne = 64;
 // Steps: what player 0 or 1 says (above: whether reliably), a line of the console, ticks (above: how many).
 enum Kind : unsigned { kLocal, kRemote, kLine, kTime, kKinds };
 
@@ -54,6 +70,7 @@ class Data {
   }
   std::optional<FileData> read(std::string_view name) {
     if (const auto own = written_.find(name); own != written_.end()) return own->second;
+    if (name.starts_with("maps/") && name.ends_with(".ent")) return Bytes(kEntities.begin(), kEntities.end());
     if (known_.size() > 4096) known_.clear();
     auto known = known_.find(name);
     if (known == known_.end())
@@ -105,10 +122,37 @@ bool is_left_out(const std::string& line) {
   return false;
 }
 
+// What outlives a run.
+struct Game {
+  explicit Game(Data& files) : data(files), server(console, services(), {.max_clients = 3, .autosaves = true}) {}
+  ServerServices services() {
+    ServerServices all;
+    all.read_file = [this](std::string_view name) { return data.read(name); };
+    all.write_file = [this](std::string_view name, ByteView bytes) { return data.write(name, bytes); };
+    all.rng = &rng;
+    return all;
+  }
+  void reset() {
+    server.shutdown();
+    console.forget_commands();
+    console.execute("unaliasall");
+    console.execute("resetall");
+    rng = Rng(1);
+    data.forget_written();
+  }
+
+  Data& data;
+  Rng rng{1};
+  con::Console console;
+  Server server;
+};
+
 class Run {
  public:
-  Run(Data& data, unsigned how) : data_(data), server_(console_, services(), {.max_clients = 3, .autosaves = true}) {
+  Run(Game& game, unsigned how) : console_(game.console), server_(game.server) {
     constexpr const char* kProtocols[] = {"15", "666", "999", "666"};
+    game.reset();
+    console_.set("max_edicts", "600");  // making room for thousands takes half of a run
     console_.set("sv_protocol", kProtocols[how & 3]);
     const Status begun = server_.map(kMap);
     demand(begun.ok(), begun.ok() ? "" : begun.error().message);
@@ -124,7 +168,6 @@ class Run {
       for (int i = 0; i < 2; ++i) tick();
     }
   }
-  ~Run() { data_.forget_written(); }
 
   bool goes_on() { return server_.active() && ticks_ < kMostTicks; }
   void tick() {
@@ -165,18 +208,8 @@ class Run {
   }
 
  private:
-  ServerServices services() {
-    ServerServices services;
-    services.read_file = [this](std::string_view name) { return data_.read(name); };
-    services.write_file = [this](std::string_view name, ByteView bytes) { return data_.write(name, bytes); };
-    services.rng = &rng_;
-    return services;
-  }
-
-  Data& data_;
-  Rng rng_{1};
-  con::Console console_;
-  Server server_;
+  con::Console& console_;
+  Server& server_;
   Player players_[2];
   double now_ = 10.0;
   int ticks_ = 0;
@@ -187,9 +220,12 @@ class Run {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fb::sv;
-  static Data game;
+  static Data files;
+  static std::unique_ptr<Game> game;
+  static int runs = 0;
   if (size == 0) return 0;
-  Run run(game, data[0]);
+  if (!game || ++runs % kRunsOfOne == 0) game = std::make_unique<Game>(files);
+  Run run(*game, data[0]);
   std::size_t at = 1;
   while (at < size && run.goes_on()) {
     const unsigned what = data[at++];
