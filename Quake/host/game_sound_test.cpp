@@ -96,7 +96,8 @@ TEST_F(GameSoundTest, RecordsAsMuchAsTimePasses) {
   ASSERT_TRUE(wav.ok()) << wav.error().message;
   ASSERT_EQ(wav->samples.size(), 22050u);
   EXPECT_EQ(wav->samples[11020], 0);
-  EXPECT_NEAR(wav->samples[11025 + 100], 8192, 300) << "begins with its frame";
+  EXPECT_GT(wav->samples[11025 + 50], 1000) << "begins with its frame";
+  EXPECT_NEAR(wav->samples[11025 + 200], 8192, 300) << "a loop, which may begin anywhere, rises within 5 ms";
 }
 
 TEST_F(GameSoundTest, NamesAFileThatCannotBeRecordedInto) {

@@ -281,6 +281,23 @@ check "a map without any light is dark in the laboratory, unless asked" measures
 "$build/fullbright" -headless -userdir "$scratch/user" -basedir "$scratch/unlit" -size 16x16 +viewmap b_bh25 +quit >"$scratch/log" 2>&1
 check "in the game it is shown in an even light, and one line says so" test "$(grep -c 'even light' "$scratch/log")" -eq 1
 
+# The page of maps without a window: item boxes are none of them. Another room is, which shows that the page is seen.
+maps_page() {  # maps_page FOLDER: its picture, of the first frame that has the page
+  "$build/fullbright" -headless -userdir "$scratch/user" -basedir "$scratch/$1" -size 320x200 +r_deterministic 1 +r_bounces 0 +viewmap start \
+    +menu_maps +wait +screenshot "$1" +quit >"$scratch/log" 2>&1
+}
+for folder in rooms boxes more; do
+  mkdir -p "$scratch/$folder/id1/maps" && echo >"$scratch/$folder/id1/progs.dat"  # so that the base game is not searched
+  cp Misc/basegame/maps/start.bsp "$scratch/$folder/id1/maps/"
+done
+cp Misc/basegame/maps/b_*.bsp "$scratch/boxes/id1/maps/"
+cp Misc/basegame/maps/start.bsp "$scratch/more/id1/maps/again.bsp"
+shows_rooms_alone() {
+  maps_page rooms && maps_page boxes && maps_page more && cmp "$scratch/user/id1/screenshots/rooms.png" "$scratch/user/id1/screenshots/boxes.png" &&
+    ! cmp -s "$scratch/user/id1/screenshots/rooms.png" "$scratch/user/id1/screenshots/more.png"
+}
+check "the page of maps without a window leaves item boxes out" shows_rooms_alone
+
 if [[ ! -e $data/id1/pak0.pak ]]; then
   echo "skipped: $lacks_data"
   exit $((failures > 0 ? 1 : 77))
