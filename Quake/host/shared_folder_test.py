@@ -21,7 +21,7 @@ from saves_test import Kept, can, command
 ROUNDS = 150  # that each server writes at least
 LONGEST_WAIT = 0.12  # seconds before a kill, several rounds of writing
 LOOP = 'alias go "save kept;writeconfig kept;exec kept.cfg;wait;go"\nsys_ticrate 0.001\n'
-WRONG = "cannot|no such|malformed|makes no sense|another program|couldn't exec|unknown command"
+WRONG = "cannot|no such|malformed|makes no sense|another program|couldn't exec kept|unknown command"
 FILES = 1000
 WRITER = """
 float(string name, float mode) fopen = #110;
@@ -29,6 +29,7 @@ void(float handle) fclose = #111;
 void(float handle, string text, ...) fputs = #113;
 string(float f) number_text = #26;
 string(string a, string b) joined = #115;
+void(string text) localcmd = #46;
 float written;
 void() StartFrame = {
   local float i, f;
@@ -113,9 +114,9 @@ def together(build, home, count):
         wait_until(servers, reader, lambda written: min(written) >= ROUNDS)
         reader.end()
         for server in servers:
-            server.game.say("quit")
+            server.game.process.terminate()
         for server in servers:
-            assert server.game.process.wait(60) == 0, f"{server.game.name} failed"
+            assert server.game.process.wait(60) == -signal.SIGTERM, f"{server.game.name} did not end in order"
     finally:
         for server in servers:
             server.kill()
