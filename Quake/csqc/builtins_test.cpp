@@ -76,6 +76,21 @@ TEST_F(BarBuiltinsTest, EachIsCalledOnceWithoutAWrongWord) {
   EXPECT_EQ(sounds.back(), "the end");
 }
 
+// A bar goes on, as the game's own program does.
+TEST_F(BarBuiltinsTest, UnknownOnesReturnNothingAndAreToldOfOnce) {
+  put_program(
+      "float(string s) shader = #999; float() ex_none = #0; void(string s, ...) ex_bprint = #0;"
+      "void(vector size, float scores) CSQC_DrawHud = { ex_bprint(\"printed\\n\");"
+      "localsound(ftos(shader(\"x\") + ex_none() + 5)); };");
+  fs::LogLines log;
+  frame();
+  frame();
+  EXPECT_EQ(sounds, std::vector<std::string>({"5", "5"}));
+  EXPECT_THAT(log.lines, ::testing::Contains("printed").Times(2));
+  EXPECT_THAT(log.lines, ::testing::Contains(::testing::HasSubstr("builtin #999 is not known here")).Times(1));
+  EXPECT_THAT(log.lines, ::testing::Contains(::testing::HasSubstr("the builtin ex_none is not known here")).Times(1));
+}
+
 TEST_F(BarBuiltinsTest, Stats) {
   hud.stats[net::kStatHealth] = -5;
   hud.stats[17] = 1000000;
