@@ -23,8 +23,7 @@ namespace {
 namespace stdfs = std::filesystem;
 
 constexpr std::string_view kSettings = "config.cfg";
-constexpr int kMaxDepth = 16;               // depth of directories below a gamedir; links may form loops
-constexpr std::size_t kMostArchives = 256;  // of a gamedir; each stays open
+constexpr int kMaxDepth = 16;  // depth of directories below a gamedir; links may form loops
 
 // One place that is searched: a pak, an archive, or a directory of loose files.
 struct Place {
@@ -136,7 +135,6 @@ struct FileSystem::Impl {
   Status add_game(const std::string& name, int game_index);
   Status add_base_game_beneath();
   Status add_directory(const stdfs::path& directory, const std::string& label, int game_index);
-  void add_archives(const stdfs::path& directory, const std::string& label, int game_index, std::vector<Place>& stack);
   Result<std::unique_ptr<Pak>> open_pak(const stdfs::path& directory, std::string file, const std::string& label);
   std::optional<Hit> find_exact(const std::string& name) const;
   std::optional<Hit> find_ignoring_case(const std::string& name) const;
@@ -185,40 +183,15 @@ Status FileSystem::Impl::add_directory(const stdfs::path& directory, const std::
     place.pak = *std::move(pak);
     stack.push_back(std::move(place));
   }
-  add_archives(directory, label, game_index, stack);
-  for (Place& place : stack) places.insert(places.begin(), std::move(place));
-  return ok_status();
-}
-
-// What QuakeSpasm does not know is no reason not to play.
-void FileSystem::Impl::add_archives(const stdfs::path& directory, const std::string& label, int game_index,
-                                    std::vector<Place>& stack) {
-  std::vector<std::string> names;
-  std::error_code code;
-  for (stdfs::directory_iterator it(directory, code), end; !code && it != end; it.increment(code)) {
-    const std::string name = it->path().filename().string();
-    if (ends_with_ignoring_case(name, ".pk3") && is_file(it->path())) names.push_back(name);
-  }
-  std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
-    return std::pair(lower_case(a), a) < std::pair(lower_case(b), b);
-  });
-  if (names.size() > kMostArchives) {
-    log_warning("{}: {} archives, of {} that are read", label, names.size(), kMostArchives);
-    names.resize(kMostArchives);
-  }
-  for (const std::string& name : names) {
-    auto zip = Zip::open(directory / name, label + "/" + name);
-    if (!zip) {
-      log_warning("{}; it is left out", zip.error().message);
-      continue;
-    }
-    if (!(*zip)->left_out().empty()) log_warning("{}", (*zip)->left_out());
+  for (auto& zip : open_archives(directory, label)) {
     Place place;
-    place.label = (*zip)->name();
+    place.label = zip->name();
     place.game_index = game_index;
-    place.zip = *std::move(zip);
+    place.zip = std::move(zip);
     stack.push_back(std::move(place));
   }
+  for (Place& place : stack) places.insert(places.begin(), std::move(place));
+  return ok_status();
 }
 
 Status FileSystem::Impl::add_game(const std::string& name, int game_index) {

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/log.h"
 #include "fs/path.h"
 
 namespace fb::fs {
@@ -142,6 +143,33 @@ Result<FileData> Zip::read(const PakEntry& entry, std::uint64_t offset, std::uin
   zip_fclose(file);
   if (offset > 0) bytes.erase(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(offset));
   return FileData(std::move(bytes));
+}
+
+std::vector<std::unique_ptr<Zip>> open_archives(const std::filesystem::path& directory, const std::string& label) {
+  std::vector<std::string> names;
+  std::error_code code, unreadable;
+  for (std::filesystem::directory_iterator it(directory, code), end; !code && it != end; it.increment(code)) {
+    const std::string name = it->path().filename().string();
+    if (ends_with_ignoring_case(name, ".pk3") && it->is_regular_file(unreadable)) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
+    return std::pair(lower_case(a), a) < std::pair(lower_case(b), b);
+  });
+  if (names.size() > kMostArchives) {
+    log_warning("{}: {} archives, of {} that are read", label, names.size(), kMostArchives);
+    names.resize(kMostArchives);
+  }
+  std::vector<std::unique_ptr<Zip>> archives;
+  for (const std::string& name : names) {
+    auto zip = Zip::open(directory / name, label + "/" + name);
+    if (!zip) {
+      log_warning("{}; it is left out", zip.error().message);
+      continue;
+    }
+    if (!(*zip)->left_out().empty()) log_warning("{}", (*zip)->left_out());
+    archives.push_back(*std::move(zip));
+  }
+  return archives;
 }
 
 }  // namespace fb::fs

@@ -26,6 +26,7 @@ namespace fb::fs {
 
 constexpr std::size_t kMostZipEntries = kMostPakEntries;
 constexpr std::uint64_t kMostZipFile = 512u << 20u;  // bytes of one file, unpacked
+constexpr std::size_t kMostArchives = 256;           // of a gamedir; each stays open
 
 // Reading is safe from several threads; they read one after the other.
 class Zip {
@@ -64,5 +65,9 @@ class Zip {
   std::vector<PakEntry> entries_;
   std::map<std::string, std::size_t, std::less<>> by_name_, by_lower_name_;
 };
+
+// A gamedir's archives (*.pk3) by name, ignoring case. `label` is the gamedir's name in errors, "id1". What cannot be
+// read is warned of and left out: QuakeSpasm does not know archives, so the game may play without.
+std::vector<std::unique_ptr<Zip>> open_archives(const std::filesystem::path& directory, const std::string& label);
 
 }  // namespace fb::fs
