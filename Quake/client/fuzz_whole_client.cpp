@@ -36,7 +36,8 @@ constexpr net::Protocol kProtocols[] = {{15, 0},
                                         {999, net::kCoord24}};
 constexpr std::uint8_t kWhole = std::size(kProtocols);
 constexpr int kMostFrames = 64;
-constexpr std::size_t kMostEntities = 4096;  // a frame of more takes long and shows nothing new
+constexpr std::size_t kLargestModel = 16384;  // bytes
+constexpr std::size_t kMostEntities = 4096;   // a frame of more takes long and shows nothing new
 
 void demand(bool condition, const char* complaint) {
   if (condition) return;
@@ -64,7 +65,8 @@ class Data {
     auto known = known_.find(name);
     if (known == known_.end())
       known = known_.emplace(std::string(name), files_ ? files_->read(name) : std::nullopt).first;
-    return known->second;
+    const bool takes_long = name.ends_with(".mdl") && known->second && known->second->size() > kLargestModel;
+    return takes_long ? std::nullopt : known->second;  // a run would be spent on reading monsters
   }
 
  private:
@@ -77,7 +79,7 @@ net::svc::ServerInfo server_info(const net::Protocol& protocol) {
   info.protocol = protocol;
   info.max_clients = 4;
   info.level_name = "A box";
-  info.models = {kMap, "progs/backpack.mdl", "progs/grenade.mdl", "progs/s_explod.spr", "maps/b_bh25.bsp"};
+  info.models = {kMap, "progs/missile.mdl", "progs/grenade.mdl", "progs/s_explod.spr", "maps/b_bh25.bsp"};
   info.sounds = {"misc/null.wav", "weapons/guncock.wav", "doors/drclos4.wav"};
   return info;
 }
