@@ -37,7 +37,7 @@ struct Listed {
     build(snapshot);
   }
   // Another frame of the same assets.
-  void build(const scene::FrameSnapshot& snapshot) {
+  void build(const scene::FrameSnapshot& snapshot, std::uint64_t most = shared::kLightRange) {
     const scene::Assets& assets = *snapshot.assets;
     instances.clear();
     const EmissionScales scales = emission_scales(RenderSettings{});
@@ -51,7 +51,7 @@ struct Listed {
     std::vector<LightList::Source> sources;
     for (std::size_t i = 0; i < instances.size(); ++i)
       sources.push_back({&snapshot.instances[i], &records[snapshot.instances[i].mesh], &instances[i]});
-    list.build(assets, snapshot.sky, sources, table.entries());
+    list.build(assets, snapshot.sky, sources, table.entries(), most);
   }
   double probability(std::uint32_t light) const {
     return static_cast<double>(list.lights()[light].probability) / shared::kLightRange;
@@ -298,6 +298,26 @@ TEST(LightList, IsMadeAnewWhereWhatGlowsHasChangedAndOnlyThere) {
   expect_as_new(true, "something came");
   s.instances.pop_back();
   expect_as_new(true, "it went");
+}
+
+// What a device's buffer cannot hold: the rest is drawn as ever.
+TEST(LightList, ThoseOfTheFirstInstancesAreListedWhereThereIsNoRoomForAll) {
+  const scene::FrameSnapshot snapshot = scene::light_of_every_kind();
+  Listed listed(snapshot);
+  const auto all = listed.list.lights().size();
+  const std::vector<std::uint32_t> first = listed.list.first_lights();
+  ASSERT_GT(std::count_if(first.begin(), first.end(), [](auto at) { return at != shared::kNoIndex; }), 1);
+  listed.build(snapshot, all);
+  EXPECT_EQ(listed.list.lights().size(), all);
+  listed.build(snapshot, all - 1);
+  const auto& lights = listed.list.lights();
+  ASSERT_LT(lights.size(), all);
+  ASSERT_GT(lights.size(), 0u);
+  std::uint64_t sum = 0;
+  for (const shared::GpuLight& light : lights) sum += light.probability;
+  EXPECT_EQ(sum, shared::kLightRange) << "what is listed is drawn in their place";
+  listed.build(snapshot, 0);
+  EXPECT_TRUE(listed.list.lights().empty());
 }
 
 TEST(LightList, AnInstancesColourReplacesItsMaterials) {

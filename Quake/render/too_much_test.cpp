@@ -154,19 +154,6 @@ TEST_F(TooMuchTest, ModelsWhosePosesDoNotFitStandStillOrAreNotDrawn) {
   });
 }
 
-TEST_F(TooMuchTest, TheListOfLightsHasRoomForThoseOfItsFirstInstances) {
-  Case c;
-  c.assets->materials[0].emission_kind = scene::EmissionKind::kConstant;
-  c.assets->materials[0].emission = vec3(1.0f);
-  const std::uint32_t lamp = c.add_mesh(soup(4, 50, 20, 8));
-  for (int i = 0; i < 3500; ++i) c.add(lamp, at(static_cast<float>(i)));
-  for (int i = 0; i < 2; ++i) c.add(c.add_mesh(posed_soup(1500, 1, 9)));
-  draw(c, true, [&](GpuScene& scene) {
-    EXPECT_GT(scene.statistics().lights, 1000u);
-    EXPECT_LT(scene.statistics().lights, 17000u);
-  });
-}
-
 TEST_F(TooMuchTest, ImagesBeyondTheBufferAreOneTexel) {
   Case c;
   c.add(c.add_mesh(soup(20, 50, 20, 10)));
