@@ -57,7 +57,11 @@ scene::Medium medium_of(const Fog& fog, const SkyFog& sky_fog, const Settings& s
   for (int i = 0; i < 3; ++i) medium.albedo[i] = scene::linear_from_srgb(fog.color[i]);
   medium.g = settings.r_fog_g;
   medium.alpha = settings.r_fog_alpha;
-  medium.sky = 1.0f - std::clamp(sky_fog.now(settings.r_skyfog), 0.0f, 1.0f);
+  const float covers = std::clamp(sky_fog.now(settings.r_skyfog), 0.0f, 1.0f);
+  medium.sky = 1.0f - covers;
+  // From Quake's own half on all of the fog's light is before the sky; less fades, and with 0 the sky is as without
+  // fog.
+  medium.before_sky = std::min(2.0f * covers, 1.0f);
   return medium;
 }
 

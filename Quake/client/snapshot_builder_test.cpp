@@ -202,6 +202,13 @@ TEST(Snapshot, FogScattersAsItsCvarsSay) {
   EXPECT_EQ(s.build().medium.g, 0.7f);
   EXPECT_EQ(s.snapshot.medium.alpha, 1.0f);
   EXPECT_EQ(s.snapshot.medium.sky, 0.75f);
+  EXPECT_EQ(s.snapshot.medium.before_sky, 0.5f);
+  for (const float covers : {0.5f, 0.75f, 2.0f}) {
+    s.settings.r_skyfog = covers;
+    EXPECT_EQ(s.build().medium.before_sky, 1.0f) << covers;
+  }
+  s.settings.r_skyfog = 0.0f;
+  EXPECT_EQ(s.build().medium.before_sky, 0.0f);
 }
 
 // What the map says counts until the player says something else.

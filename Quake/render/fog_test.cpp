@@ -96,6 +96,42 @@ TEST_F(FogTest, TheSkyKeepsItsShareHoweverFarItsFaceIs) {
   }
 }
 
+// With a factor of 0 nothing of what bright fog scatters lies before the sky: neither of the sky's light nor of even
+// light. A wall beside it keeps all.
+TEST_F(FogTest, WhatIsScatteredBeforeTheSkyHasAFactor) {
+  const vec3 color(0.3f, 0.5f, 0.9f);
+  for (const char* estimator : {"pt", "nee"}) {
+    const RenderSettings s = settings(estimator, 1);
+    auto renderer = make_renderer(s, 24, 16);
+    for (const bool face : {true, false}) {
+      const auto mean_of = [&](float factor, const vec3& ambient) {
+        scene::FrameSnapshot snapshot = face_of_sky(100.0f, color);
+        if (!face) {
+          snapshot.instances.clear();
+          snapshot.sky.beyond_everything = true;
+        }
+        snapshot.ambient = ambient;
+        snapshot.medium = {0.01f, vec3(1.0f)};
+        snapshot.medium.before_sky = factor;
+        draw(*renderer, snapshot, s, 2);
+        vec3 sum(0.0f);
+        const auto image = renderer->read().linear();
+        for (const auto& pixel : image) sum += vec3(pixel.x, pixel.y, pixel.z) / static_cast<float>(image.size());
+        return sum;
+      };
+      for (const vec3& ambient : {vec3(0.0f), vec3(2.0f)}) {
+        const vec3 none = mean_of(0.0f, ambient);
+        for (int channel = 0; channel < 3; ++channel)
+          ASSERT_NEAR(none[channel], color[channel], 1e-5f) << estimator << face;
+        EXPECT_GT(mean_of(1.0f, ambient).x, 1.02f * color.x) << estimator << face;
+      }
+      // Of even light exactly its part.
+      const double whole = 2.0 * (1.0 - left_of_light(0.01, face ? 100.0 : 1e9));
+      EXPECT_GT(mean_of(0.5f, vec3(2.0f)).x, color.x + 0.5 * 0.9 * whole) << estimator << face;
+    }
+  }
+}
+
 // --- single scattering of one lamp ---
 
 struct LampTriangle {

@@ -99,7 +99,7 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
     const vec3 radiance = sun.irradiance * (settings.emit_sun / solid_angle / sky_factor);
     c.sun_radiance[i] = vec4(radiance, (radiance.x + radiance.y + radiance.z) * sky_factor);
   }
-  c.ambient = vec4(snapshot.ambient, 0);
+  c.ambient = vec4(snapshot.ambient, std::clamp(snapshot.medium.before_sky, 0.0f, 1.0f));
   c.medium_phase.z = 1.0f;  // shaders that know of a medium go on when there is none any more
   if (snapshot.medium.scatters()) {
     const scene::Medium& m = snapshot.medium;

@@ -94,6 +94,7 @@ struct Medium {
   float g = 0.0f;           // of Draine's phase function (Shaders/shared/phase.h): -0.999 behind, 0.999 ahead
   float alpha = 0.0f;       // the same: 0 is Henyey and Greenstein's
   float sky = 1.0f;         // share of the sky's light that the camera sees through it
+  float before_sky = 1.0f;  // factor on what it scatters to the camera where that sees the sky behind it
   bool scatters() const { return extinction > 0.0f; }
 };
 

@@ -23,10 +23,17 @@ struct MediumPiece {
   vec3 scattered;  // per unit, and the camera's share of it
 };
 
-MediumPiece fog_piece(vec3 direction, float reach) {
+// What counts of the fog's light before what a pixel shows: less before the sky where the map or the player wants that.
+float before_surface(GBufferTexel g) {
+  if (frame.ambient.w >= 1.0) return 1.0;
+  bool sky = g.position_t.w <= 0.0 || material_at(g.material_metalness & kTexelMaterial).emission_kind == kEmissionSky;
+  return sky ? frame.ambient.w : 1.0;
+}
+
+MediumPiece fog_piece(vec3 direction, GBufferTexel g, float reach) {
   float extinction = frame.camera_fog;
   return MediumPiece(frame.camera_position.xyz, direction, 0.0, reach, kNoIndex, vec3(extinction), extinction,
-                     frame.medium.rgb * extinction);
+                     frame.medium.rgb * (extinction * before_surface(g)));
 }
 
 MediumPiece piece_of(LiquidPiece p, vec3 ray) {
@@ -40,8 +47,9 @@ MediumPiece piece_of(LiquidPiece p, vec3 ray) {
 // Into the second section of `radiance`.
 void light_in_medium(uint at, uvec2 block, uint number, uvec2 pixel) {
   vec3 ray = normalize(camera_direction(vec2(pixel) + 0.5 + vec2(frame.jitter_x, frame.jitter_y)));
-  float reach = medium_reach(gbuffer_at(at));
-  MediumPiece fog = fog_piece(ray, reach), within = fog;
+  GBufferTexel g = gbuffer_at(at);
+  float reach = medium_reach(g);
+  MediumPiece fog = fog_piece(ray, g, reach), within = fog;
   float of_liquid = 0.0;  // probability of a path in it
   if (FEATURE_WATER) {
     LiquidPiece liquid = liquid_piece_at(at, ray);

@@ -14,8 +14,9 @@ float seen_through_medium(Surface s, float distance) {
 }
 
 // Even light that the medium scatters on the way: as much from every point, so without noise.
-vec3 scattered_even_light(float distance) {
-  return FEATURE_MEDIUM ? frame.medium.rgb * frame.ambient.rgb * opacity(frame.camera_fog, distance) : vec3(0.0);
+vec3 scattered_even_light(Surface s, float distance) {
+  if (!FEATURE_MEDIUM) return vec3(0.0);
+  return frame.medium.rgb * frame.ambient.rgb * (opacity(frame.camera_fog, distance) * (s.sky ? frame.ambient.w : 1.0));
 }
 
 void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float depth) {
@@ -23,7 +24,7 @@ void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float 
   texel.position_t = vec4(s.position, hit.t);
   texel.albedo_roughness = vec4(s.bsdf.albedo, sqrt(s.bsdf.alpha));
   // Even light is reflected here and nowhere else: no path brings it, so that it is the same in every estimator.
-  texel.emission_specular = vec4((s.emission + s.bsdf.albedo * frame.ambient.rgb) * seen_through_medium(s, hit.t) + scattered_even_light(hit.t),
+  texel.emission_specular = vec4((s.emission + s.bsdf.albedo * frame.ambient.rgb) * seen_through_medium(s, hit.t) + scattered_even_light(s, hit.t),
                                 s.bsdf.specular);
   texel.normal = pack_direction(s.normal);
   texel.shading_normal = pack_direction(s.shading_normal);
@@ -34,7 +35,7 @@ void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float 
   texel.motion = vec4(before.xy - point, depth, before.z);
 }
 
-vec4 sky_seen(Surface s) { return vec4(s.emission * seen_through_medium(s, kRayEnd) + scattered_even_light(kRayEnd), 0.0); }
+vec4 sky_seen(Surface s) { return vec4(s.emission * seen_through_medium(s, kRayEnd) + scattered_even_light(s, kRayEnd), 0.0); }
 
 // Where in the picture a pixel is seen through.
 vec2 point_of(uvec2 pixel) { return vec2(pixel) + 0.5 + vec2(frame.jitter_x, frame.jitter_y); }

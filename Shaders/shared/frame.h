@@ -29,7 +29,8 @@ struct FrameConstants {
   vec4 sky_color;         // factor or radiance; w: time in seconds, modulo what keeps it exact
   vec4 sun_direction[4];  // w: cosine of the angular radius
   vec4 sun_radiance[4];   // w: sum of the channels, with the sky's factor
-  vec4 ambient;           // rgb: radiance from everywhere, of what the camera sees alone
+  vec4 ambient;           // rgb: radiance from everywhere, of what the camera sees alone; w: factor on what the medium
+                          // scatters to the camera before the sky
   vec4 medium;            // rgb: albedo; w: extinction, 1/unit, 0: there is no medium
   vec4 medium_phase;  // xy: g and alpha of its phase function; z: share of the sky's light that it lets the camera see;
                       // w: g of liquids
