@@ -221,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(Protocols, QuakeSpasmSignon, ::testing::Values(15, 666,
 
 // A map within 4096 units: others we begin in protocol 999 where QuakeSpasm has 666 (level_protocol.h).
 TEST_P(QuakeSpasmSignon, IsTheSame) {
-  const Guest theirs = this->theirs("lq_e0m2", GetParam()), ours = this->ours("lq_e0m2", GetParam());
+  const Guest theirs = this->theirs("lq_e0m1", GetParam()), ours = this->ours("lq_e0m1", GetParam());
   if (HasFailure()) return;
   EXPECT_EQ(ours.protocol.flags, theirs.protocol.flags);
   const auto of = [](const Guest& guest) {
