@@ -169,12 +169,12 @@ Status Server::begin(const LoadedMap& map) {
   const Status begun = within_memory([&]() -> Status {
     if (Status status = spawn_server(map); !status) return status;
     clients_->finish_level();
-    return level_->failed() ? Status(*level_->error()) : ok_status();
+    if (level_->failed()) return *level_->error();
+    log_info("Server spawned: {}", map.name);
+    last_error_.reset();
+    return ok_status();
   });
-  if (!begun) return end_level(begun.error());
-  log_info("Server spawned: {}", map.name);
-  last_error_.reset();
-  return ok_status();
+  return begun ? begun : end_level(begun.error());
 }
 
 void Server::choose_rules() {
