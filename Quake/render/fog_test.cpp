@@ -124,7 +124,9 @@ TEST_F(FogTest, WhatIsScatteredBeforeTheSkyHasAFactor) {
         for (int channel = 0; channel < 3; ++channel)
           ASSERT_NEAR(none[channel], color[channel], 1e-5f) << estimator << face;
         // Of a sky beyond everything no light comes through endless fog to be scattered.
-        if (face || ambient.x > 0.0f) EXPECT_GT(mean_of(1.0f, ambient).x, 1.02f * color.x) << estimator << face;
+        if (face || ambient.x > 0.0f) {
+          EXPECT_GT(mean_of(1.0f, ambient).x, 1.02f * color.x) << estimator << face;
+        }
       }
       // Of even light exactly its part.
       const double whole = 2.0 * (1.0 - left_of_light(0.01, face ? 100.0 : 1e9));
