@@ -283,7 +283,7 @@ check "in the game it is shown in an even light, and one line says so" test "$(g
 
 # The page of maps without a window: item boxes are none of them. Another room is, which shows that the page is seen.
 maps_page() {  # maps_page FOLDER: its picture, of the first frame that has the page
-  "$build/fullbright" -headless -userdir "$scratch/user" -basedir "$scratch/$1" -size 320x200 +r_deterministic 1 +r_bounces 0 +viewmap start \
+  "$build/fullbright" -headless -userdir "$scratch/pages" -basedir "$scratch/$1" -size 320x200 +r_deterministic 1 +r_bounces 0 +viewmap start \
     +menu_maps +wait +screenshot "$1" +quit >"$scratch/log" 2>&1
 }
 for folder in rooms boxes more; do
@@ -293,8 +293,8 @@ done
 cp Misc/basegame/maps/b_*.bsp "$scratch/boxes/id1/maps/"
 cp Misc/basegame/maps/start.bsp "$scratch/more/id1/maps/again.bsp"
 shows_rooms_alone() {
-  maps_page rooms && maps_page boxes && maps_page more && cmp "$scratch/user/id1/screenshots/rooms.png" "$scratch/user/id1/screenshots/boxes.png" &&
-    ! cmp -s "$scratch/user/id1/screenshots/rooms.png" "$scratch/user/id1/screenshots/more.png"
+  maps_page rooms && maps_page boxes && maps_page more && cmp "$scratch/pages/id1/screenshots/rooms.png" "$scratch/pages/id1/screenshots/boxes.png" &&
+    ! cmp -s "$scratch/pages/id1/screenshots/rooms.png" "$scratch/pages/id1/screenshots/more.png"
 }
 check "the page of maps without a window leaves item boxes out" shows_rooms_alone
 
