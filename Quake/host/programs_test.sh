@@ -36,7 +36,7 @@ if [[ -e $data/id1/pak0.pak ]] && command -v fteqcc >/dev/null; then
   mkdir -p "$scratch/user/id1" && cp -r testdemos/rules "$scratch/rules"
   (cd "$scratch/rules" && fteqcc -O0 -Tstandard -srcfile progs.src >/dev/null 2>&1 && cp progs.dat "$scratch/user/id1/")
   serve() {  # serve FILE: ten minutes of a server's game, and its state
-    timeout 120 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -seed 1 -basedir "$data" -userdir "$scratch/user" \
+    timeout 300 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -seed 1 -basedir "$data" -userdir "$scratch/user" \
       +host_framerate 0.05 +map start +sv_run 600 +sv_dump "$1" +quit >"$scratch/log" 2>&1 </dev/null
   }
   dedicated_repeats() {
@@ -45,19 +45,19 @@ if [[ -e $data/id1/pak0.pak ]] && command -v fteqcc >/dev/null; then
   }
   check "a dedicated server's game repeats" dedicated_repeats
   terminal_is_obeyed() {
-    printf 'echo typed\nquit\n' | timeout 20 "$build/fullbright" -dedicated -port $((20000 + RANDOM)) -basedir "$data" \
+    printf 'echo typed\nquit\n' | timeout 300 "$build/fullbright" -dedicated -port $((20000 + RANDOM)) -basedir "$data" \
       -userdir "$scratch/user" >"$scratch/log" 2>&1 && grep -q '^typed' "$scratch/log"
   }
   check "a dedicated server obeys its terminal" terminal_is_obeyed
   check "a player's configuration is nothing to a server" bash -c "! grep -q 'Unknown command\|valid key' '$scratch/log'"
   no_such_map() {  # no_such_map OPTION...: says so, and fails
-    ! timeout 60 "$build/fullbright" "$@" -basedir "$data" -userdir "$scratch/user" +map nowhere +quit +echo behind \
+    ! timeout 300 "$build/fullbright" "$@" -basedir "$data" -userdir "$scratch/user" +map nowhere +quit +echo behind \
       >"$scratch/log" 2>&1 </dev/null && grep -q 'maps/nowhere.bsp' "$scratch/log" && ! grep -q '^behind' "$scratch/log"
   }
   refused() {  # refused SENTENCE COMMAND...: a server does not do this, says why, goes on, and fails in the end
     local sentence=$1
     shift
-    ! timeout 60 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -seed 1 -basedir "$data" -userdir "$scratch/user" \
+    ! timeout 300 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -seed 1 -basedir "$data" -userdir "$scratch/user" \
       +map start "$@" +echo behind +quit >"$scratch/log" 2>&1 </dev/null && grep -q "$sentence" "$scratch/log" && grep -q '^behind' "$scratch/log"
   }
   for wrong in inf nan abc -5 1e300; do
@@ -65,7 +65,7 @@ if [[ -e $data/id1/pak0.pak ]] && command -v fteqcc >/dev/null; then
   done
   check "so is maxplayers x" refused '^error: maxplayers x: a whole number from 1 to 16 is wanted' "+maxplayers x"
   tiny_frames() {
-    timeout 60 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -seed 1 -basedir "$data" -userdir "$scratch/user" \
+    timeout 300 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -seed 1 -basedir "$data" -userdir "$scratch/user" \
       +host_framerate 0.00000001 +map start +sv_run 1 +quit >"$scratch/log" 2>&1 </dev/null &&
       grep -q '^host_framerate: 0.00000001 is not allowed' "$scratch/log"
   }
@@ -75,7 +75,7 @@ if [[ -e $data/id1/pak0.pak ]] && command -v fteqcc >/dev/null; then
   # What could not be written: a sentence and status 1, and what was there before stays.
   before=()
   server() {  # server ARGUMENT...: a dedicated server that shall end; its status
-    "${before[@]}" timeout 60 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -basedir "$data" -userdir "$scratch/user" "$@" \
+    "${before[@]}" timeout 300 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -basedir "$data" -userdir "$scratch/user" "$@" \
       2>&1 </dev/null | cat >"$scratch/log"  # what limits the program's files does not limit the log
     return "${PIPESTATUS[0]}"
   }
@@ -119,7 +119,7 @@ if [[ -e $data/id1/pak0.pak ]] && command -v fteqcc >/dev/null; then
   unreadable() {  # unreadable TEXT COMMAND...: ends with status 1 and one sentence with this text
     local text=$1
     shift
-    "$@" timeout 60 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -basedir "$scratch/odd" -userdir "$scratch/none" \
+    "$@" timeout 300 "$build/fullbright" -dedicated 1 -port $((20000 + RANDOM)) -basedir "$scratch/odd" -userdir "$scratch/none" \
       +map mine +quit >"$scratch/log" 2>&1 </dev/null
     [[ $? -eq 1 && $(grep -c "$text" "$scratch/log") -eq 1 ]] && ! grep -q 'no such map' "$scratch/log"
   }
@@ -149,13 +149,13 @@ if [[ -e $data/id1/pak0.pak && -e $scratch/user/id1/progs.dat ]]; then
   check "a map that is none is an error without a window" no_such_map -headless -size 16x16
   : >"$scratch/user/id1/screenshots"
   unshown() {
-    timeout 60 "$build/fullbright" -headless -size 16x16 -basedir "$data" -userdir "$scratch/user" +viewmap start +wait "$@" +quit \
+    timeout 300 "$build/fullbright" -headless -size 16x16 -basedir "$data" -userdir "$scratch/user" +viewmap start +wait "$@" +quit \
       >"$scratch/log" 2>&1
     [[ $? -eq 1 && $(grep -c '^error: .*Not a directory' "$scratch/log") -eq 1 ]]
   }
   check "a screenshot that could not be written is an error" unshown +screenshot
   check "so is a demo" unshown +record screenshots/demo start
-  check "and where nothing else is to be done" bash -c "! timeout 60 '$build/fullbright' -headless -size 16x16 -basedir '$data' \
+  check "and where nothing else is to be done" bash -c "! timeout 300 '$build/fullbright' -headless -size 16x16 -basedir '$data' \
     -userdir '$scratch/user' +map nowhere >'$scratch/log' 2>&1"
 fi
 ends_with_one_sentence() {  # ends_with_one_sentence TEXT COMMAND...: exit status 1, and one line on stderr, which holds TEXT
@@ -165,7 +165,7 @@ ends_with_one_sentence() {  # ends_with_one_sentence TEXT COMMAND...: exit statu
   status=$?
   [[ $status -eq 1 && $out == *"$text"* && $(wc -l <<<"$out") -eq 1 ]] || { echo "exit status $status: $out" && false; }
 }
-game() { timeout 120 "$build/fullbright" -headless -userdir "$scratch/user" "$@"; }
+game() { timeout 300 "$build/fullbright" -headless -userdir "$scratch/user" "$@"; }
 if [[ -d $build/game/id1 || -d $data/id1 ]]; then
   basedir=$build/game
   [[ -d $basedir/id1 ]] || basedir=$data
@@ -188,7 +188,7 @@ fi
 # `game` with and without a window's parts: the commands behind it go on in the other folder, behind its configuration.
 mkdir -p "$scratch/two/id1/maps" "$scratch/two/other" && cp Misc/basegame/maps/b_bh25.bsp "$scratch/two/id1/maps/"
 printf 'echo "others configuration"\ngame other\nsv_friction 3\n' >"$scratch/two/other/autoexec.cfg"
-in_two() { timeout 120 "$build/fullbright" "$@" >"$scratch/log" 2>"$scratch/errors" </dev/null; }
+in_two() { timeout 300 "$build/fullbright" "$@" >"$scratch/log" 2>"$scratch/errors" </dev/null; }
 two=(-size 16x16 -port $((20000 + RANDOM)) -userdir "$scratch/user_of_two" -basedir "$scratch/two")
 goes_on() {  # goes_on OPTION...
   local status
@@ -210,7 +210,7 @@ fails_before() {  # fails_before OPTION...: what failed in the first folder is t
 }
 ends_there() { in_two -headless "${two[@]}" +echo here +game other && grep -q '^here' "$scratch/log"; }
 typed_goes_on() {
-  printf 'echo typed\ngame other\necho on\ngame\nquit\n' | timeout 60 "$build/fullbright" -dedicated "${two[@]}" >"$scratch/log" 2>&1 &&
+  printf 'echo typed\ngame other\necho on\ngame\nquit\n' | timeout 300 "$build/fullbright" -dedicated "${two[@]}" >"$scratch/log" 2>&1 &&
     grep -q '^"game" is "other"' "$scratch/log"
 }
 for mode in -dedicated -headless; do

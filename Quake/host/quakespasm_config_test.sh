@@ -28,7 +28,7 @@ printf 'bind w +forward\nbind MOUSE1 +attack\nbind JOY1 +jump\nbind ABUTTON +jum
 grep -q '^volume "0.25"' "$written/config.cfg" || { echo "quakespasm wrote another config.cfg"; exit 1; }
 cp "$written/config.cfg" "$work/base/$game"
 
-ours() { timeout 120 "$build/fullbright" -basedir "$work/base" -userdir "$work/user" -game "$game" -headless -size 16x16 "$@"; }
+ours() { timeout 300 "$build/fullbright" -basedir "$work/base" -userdir "$work/user" -game "$game" -headless -size 16x16 "$@"; }
 failures=0
 ours +exec config.cfg +volume +gamma +bindlist +quit >"$work/ours.log" 2>&1 || failures=1
 grep -q '^"volume" is "0.25"' "$work/ours.log" || { echo "FAILED: a cvar keeps what the configuration says"; failures=1; }
@@ -47,7 +47,7 @@ if grep -n 'Unknown command' "$work/ours.log"; then
   failures=1
 fi
 # The game's own quake.rc and default.cfg, which name things of several engines.
-timeout 120 "$build/fullbright" -basedir "$data" -userdir "$work/user" -headless -size 16x16 +lq_toggle_style +quit >"$work/ours.log" 2>&1 || failures=1
+timeout 300 "$build/fullbright" -basedir "$data" -userdir "$work/user" -headless -size 16x16 +lq_toggle_style +quit >"$work/ours.log" 2>&1 || failures=1
 grep -q '^execing default.cfg' "$work/ours.log" || { echo "FAILED: the game's default.cfg runs"; failures=1; }
 if grep -n "Unknown command\|valid key" "$work/ours.log"; then
   echo "FAILED: the game's own configuration runs without unknown commands"
