@@ -41,13 +41,13 @@ bool HeldFile::stands_there() const {
          ours.st_dev == theirs.st_dev;
 }
 
-Result<HeldFile> HeldFile::create(const std::filesystem::path& path, std::string called) {
+Result<HeldFile> HeldFile::create(const std::function<std::filesystem::path()>& name, const std::string& called) {
   for (int i = 0; i < kTries; ++i) {
+    const std::filesystem::path path = name();
     HeldFile file(path, called, ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
     if (file.handle_ < 0) return file.failure();
     if (try_lock(file.handle_) != Lock::kTheirs && file.stands_there()) return file;
-    // Somebody took it for left over before it was locked, and removes it.
-    ::unlink(path.c_str());
+    // Somebody took it for left over before it was locked, and removes it by its name: the next file has another.
   }
   return cannot_be_written(called, EBUSY);
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -15,8 +16,9 @@ namespace fb::fs {
 
 class HeldFile {
  public:
-  // A new file; fails where something has its name. Errors call it `called`.
-  static Result<HeldFile> create(const std::filesystem::path& path, std::string called);
+  // A new file of a name that `name` gives, each time another one: remove_unless_held removes by name, so no second
+  // file may have it. Fails where something has it. Errors call the file `called`.
+  static Result<HeldFile> create(const std::function<std::filesystem::path()>& name, const std::string& called);
   // The file of this name as it is, or a new one. A device is taken, too; a link is not followed. Fails if another
   // program holds it.
   static Result<HeldFile> take(const std::filesystem::path& path);
@@ -28,6 +30,7 @@ class HeldFile {
   HeldFile& operator=(const HeldFile&) = delete;
   ~HeldFile();
 
+  const std::filesystem::path& path() const { return path_; }
   std::uint64_t size() const;
   // Behind what is there.
   Status append(ByteView data) const;
@@ -51,7 +54,7 @@ class HeldFile {
   int handle_ = -1;
 };
 
-// Removes a file or a folder unless somebody holds it.
+// Removes a file or a folder unless somebody holds it. What is made later under its name may go with it.
 void remove_unless_held(const std::filesystem::path& path);
 // What a file holds, or a folder's names, onto the disk. Where that cannot be done, the system chooses the moment.
 void flush_path(const std::filesystem::path& path);

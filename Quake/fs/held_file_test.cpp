@@ -168,13 +168,16 @@ TEST(TemporaryFile, ManyWritersAndSweepersNeverMeet) {
   const std::string texts[] = {std::string(1000, 'a'), std::string(50000, 'b'), "c", std::string(9000, 'd')};
   std::atomic<int> failures = 0, halves = 0;
   std::atomic<bool> over = false;
-  std::thread sweeper([&] {
-    while (!over) {
-      std::error_code code;
-      for (stdfs::directory_iterator it(directory.path(), code), end; !code && it != end; it.increment(code))
-        if (is_temporary_name(it->path().filename().string())) remove_unless_held(it->path());
-    }
-  });
+  std::vector<std::thread> sweepers;
+  for (int i = 0; i < 4; ++i) {
+    sweepers.emplace_back([&] {
+      while (!over) {
+        std::error_code code;
+        for (stdfs::directory_iterator it(directory.path(), code), end; !code && it != end; it.increment(code))
+          if (is_temporary_name(it->path().filename().string())) remove_unless_held(it->path());
+      }
+    });
+  }
   std::thread reader([&] {
     while (!over) {
       const auto data = read_whole_file(target);
@@ -184,13 +187,13 @@ TEST(TemporaryFile, ManyWritersAndSweepersNeverMeet) {
   std::vector<std::thread> writers;
   for (const std::string& text : texts) {
     writers.emplace_back([&] {
-      for (int i = 0; i < 100; ++i)
+      for (int i = 0; i < 300; ++i)
         if (!write_file_atomically(target, view(text), Flush::kLater)) ++failures;
     });
   }
   for (std::thread& writer : writers) writer.join();
   over = true;
-  sweeper.join();
+  for (std::thread& sweeper : sweepers) sweeper.join();
   reader.join();
   EXPECT_EQ(failures, 0);
   EXPECT_EQ(halves, 0);

@@ -88,10 +88,10 @@ Result<TemporaryFile> TemporaryFile::create(const stdfs::path& target) {
   const stdfs::path folder = target.parent_path();
   if (auto status = make_folders(folder, target); !status) return status.error();
   if (sweep_is_due(folder)) sweep(folder);
-  const stdfs::path path = folder / temporary_name();
-  auto file = HeldFile::create(path, target.generic_string());  // the user knows it by the name that it will have
+  // The user knows it by the name that it will have.
+  auto file = HeldFile::create([&] { return folder / temporary_name(); }, target.generic_string());
   if (!file) return file.error();
-  return TemporaryFile(path, target, *std::move(file));
+  return TemporaryFile(target, *std::move(file));
 }
 
 TemporaryFile::~TemporaryFile() {

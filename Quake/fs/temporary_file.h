@@ -27,8 +27,8 @@ class TemporaryFile {
   Status commit(Flush flush);
 
  private:
-  TemporaryFile(std::filesystem::path path, std::filesystem::path target, HeldFile file)
-      : path_(std::move(path)), target_(std::move(target)), file_(std::move(file)) {}
+  TemporaryFile(std::filesystem::path target, HeldFile file)
+      : path_(file.path()), target_(std::move(target)), file_(std::move(file)) {}
 
   std::filesystem::path path_, target_;  // path_ is empty once there is nothing to remove
   HeldFile file_;
