@@ -6,15 +6,18 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "base/log.h"
 #include "fs/file.h"
 
 namespace fb::audio {
 namespace {
 
 constexpr std::uint32_t kFrameSize = 4, kHeaderSize = 44;
+constexpr const char* kPart = ".part";
 constexpr std::uint64_t kMostBytes = 0xffffffffull - kHeaderSize;
 
 using Header = std::array<std::uint8_t, kHeaderSize>;
@@ -43,17 +46,24 @@ Header make_header(std::uint32_t rate, std::uint32_t bytes) {
 }  // namespace
 
 Result<WavWriter> WavWriter::create(const std::filesystem::path& path, std::uint32_t rate) {
-  const auto there = fs::output_path(path);
-  if (!there) return there.error();
-  auto file = fs::HeldFile::take(*there);
+  auto target = fs::output_path(path);
+  if (!target) return target.error();
+  std::error_code ignored;
+  std::filesystem::path grows = *target;
+  const bool may_be_renamed =
+      !std::filesystem::exists(grows, ignored) || std::filesystem::is_regular_file(grows, ignored);
+  if (may_be_renamed && grows.extension() != kPart) grows += kPart;
+  auto file = fs::HeldFile::take(grows);
   if (!file) return file.error();
   if (const Status status = file->cut(0); !status) return status.error();
-  WavWriter writer(*std::move(file), path.string(), rate);
-  if (const Status status = writer.put_header(0); !status) return status.error();
+  WavWriter writer(*std::move(file), *std::move(target), path.string(), rate);
+  if (const Status status = writer.put_header(); !status) return status.error();
   return writer;
 }
 
-Status WavWriter::put_header(std::uint32_t bytes) { return file_.write_at(0, make_header(rate_, bytes)); }
+Status WavWriter::put_header() const {
+  return file_.write_at(0, make_header(rate_, static_cast<std::uint32_t>(bytes_)));
+}
 
 Status WavWriter::write(std::span<const float> stereo) {
   std::vector<std::uint8_t> data;
@@ -64,12 +74,32 @@ Status WavWriter::write(std::span<const float> stereo) {
     data.push_back(static_cast<std::uint8_t>(sample & 0xffu));
     data.push_back(static_cast<std::uint8_t>(sample >> 8u));
   }
+  failed_ = true;
   if (bytes_ + data.size() > kMostBytes) return Error{fmt::format("{}: a wave file holds no more than 4 GiB", path_)};
   if (const Status status = file_.append(data); !status) return status;
   bytes_ += data.size();
+  if (const Status status = put_header(); !status) return status;
+  failed_ = false;
   return ok_status();
 }
 
-Status WavWriter::finish() { return put_header(static_cast<std::uint32_t>(bytes_)); }
+Status WavWriter::finish() {
+  if (failed_) {  // in the middle of a frame, perhaps
+    if (const Status status = file_.cut(kHeaderSize + bytes_); !status) return status;
+    if (const Status status = put_header(); !status) return status;
+  }
+  if (file_.path() == target_) return ok_status();
+  std::error_code failed;
+  if (failed_ && std::filesystem::exists(target_, failed)) {
+    log_info("What was recorded until then is {}; {} stays as it was.", file_.path().string(), path_);
+    return ok_status();
+  }
+  file_.resemble(target_);
+  if (const Status status = file_.flush(); !status) return status;
+  std::filesystem::rename(file_.path(), target_, failed);
+  if (failed) return Error{fmt::format("{}: cannot be written: {}", path_, failed.message())};
+  fs::flush_path(target_.parent_path());
+  return ok_status();
+}
 
 }  // namespace fb::audio

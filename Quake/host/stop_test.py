@@ -17,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import wave
 
 from network_game_test import SKIPPED, Program, compile_rules
 from programs_needed import librequake
@@ -155,11 +156,13 @@ def games(build, game, folder):
     small = ["-size", "16x16", "+r_bounces", "0"]
     for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGUSR1):
         name = number.name.lower()
-        record = headless(f"a recording, {number.name}", *small, "-capture", folder / name, "+record", name, "start")
+        record = headless(f"a recording, {number.name}", *small, "-capture", folder / name, "-wavcapture", folder / f"{name}.wav", "+record", name, "start")
         record.wait_for("^recording to")
         record.wait_for_file(folder / name / "frame_000001.png")
         record.is_stopped_by(number)
         is_whole(folder / "id1" / f"{name}.dem")
+        with wave.open(str(folder / f"{name}.wav")) as sound:
+            assert sound.getnframes() > 0 and not (folder / f"{name}.wav.part").exists(), "the sound is not whole"
     if shutil.which("setsid"):
         record = AtTerminal("a recording at a terminal that closes", [build / "fullbright", "-headless", "-seed", "1", *game, *small,
                                                                      "+record", "closed", "start", "+wait", "+wait", "+echo", "is recorded"])
