@@ -8,7 +8,7 @@
 namespace fb {
 
 LogFlow::Answer LogFlow::take(std::string_view line, bool is_error) {
-  if (line == last_ && !is_error) {
+  if (line == last_) {
     if (++same_ > limits_.same_in_a_row) {
       ++repeats_;
       return {false, {}};
@@ -17,18 +17,20 @@ LogFlow::Answer LogFlow::take(std::string_view line, bool is_error) {
     same_ = 1;
   }
   const double cost = 1.0 + static_cast<double>(line.size()) / LogLimits::kLineBytes;
-  if (!is_error && budget_ < cost) {
+  double& budget = is_error ? error_budget_ : budget_;
+  if (budget < cost) {
     ++left_out_;
     return {false, {}};
   }
-  if (!is_error) budget_ -= cost;
+  budget -= cost;
   Answer answer{true, line == last_ ? std::string() : rest()};
   last_ = line;
   return answer;
 }
 
 std::string LogFlow::advance(double seconds) {
-  budget_ = std::min(budget_ + seconds * limits_.lines_a_second, limits_.burst);
+  for (double* budget : {&budget_, &error_budget_})
+    *budget = std::min(*budget + seconds * limits_.lines_a_second, limits_.burst);
   unsaid_seconds_ = repeats_ + left_out_ > 0 ? unsaid_seconds_ + seconds : 0.0;
   return unsaid_seconds_ < 1.0 ? std::string() : rest();
 }

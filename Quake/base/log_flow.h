@@ -1,7 +1,8 @@
 // LogFlow: which of very many lines are worth writing. A mod that prints in every frame, or a client that makes the
 // server speak, would fill a disk and hide what else is said. So a line that comes over and over is counted after a
 // while, and beyond a budget of lines lines are counted; how many is said as soon as something else is, or a second
-// later. What is an error is always written.
+// later. Errors have a budget of their own, so that no chatter hides one, and an error that comes without end, because
+// a mod tries each frame what cannot be, fills no disk either.
 //
 // Time is what the program says it is (advance): a server that simulates an hour in a minute may say as much as in an
 // hour.
@@ -23,7 +24,7 @@ struct LogLimits {
 
 class LogFlow {
  public:
-  explicit LogFlow(const LogLimits& limits) : limits_(limits), budget_(limits.burst) {}
+  explicit LogFlow(const LogLimits& limits) : limits_(limits), budget_(limits.burst), error_budget_(limits.burst) {}
 
   struct Answer {
     bool written = true;
@@ -37,7 +38,7 @@ class LogFlow {
 
  private:
   LogLimits limits_;
-  double budget_, unsaid_seconds_ = 0.0;
+  double budget_, error_budget_, unsaid_seconds_ = 0.0;
   std::string last_;  // that was written
   std::uint64_t same_ = 0, repeats_ = 0, left_out_ = 0;
 };

@@ -58,7 +58,7 @@ TEST(LogFlow, WhatWasCountedIsSaidAfterASecondOrAtTheEnd) {
   EXPECT_EQ(said.lines.back(), "(the same line 7 more times)");
 }
 
-TEST(LogFlow, BeyondTheBudgetLinesAreCountedAndErrorsWritten) {
+TEST(LogFlow, BeyondTheBudgetLinesAreCountedAndAnErrorIsWritten) {
   const Said said;
   LogBudget budget(kSmall);
   for (int i = 0; i < 1000; ++i) log_info("line {}", i);
@@ -67,6 +67,21 @@ TEST(LogFlow, BeyondTheBudgetLinesAreCountedAndErrorsWritten) {
   EXPECT_THAT(said.lines, SizeIs(11));
   EXPECT_EQ(said.lines[9], "(991 lines are left out: more than 2 a second)");
   EXPECT_EQ(said.lines[10], "the end");
+}
+
+// A mod that asks in every frame for a level that is not there.
+TEST(LogFlow, ErrorsWithoutEndAreCounted) {
+  const Said said;
+  const LogBudget budget(kSmall);
+  for (int i = 0; i < 100; ++i) log_error("no such map");
+  EXPECT_THAT(said.lines, ElementsAre("no such map", "no such map", "no such map"));
+  log_info("else");
+  EXPECT_THAT(said.lines,
+              ElementsAre("no such map", "no such map", "no such map", "(the same line 97 more times)", "else"));
+  for (int i = 0; i < 1000; ++i) log_error("no map {}", i % 2);
+  EXPECT_THAT(said.lines, SizeIs(5u + 6u)) << "ten, less what their length costs";
+  log_info("else");
+  EXPECT_EQ(said.lines[11], "(994 lines are left out: more than 2 a second)");
 }
 
 TEST(LogFlow, TheBudgetComesBackWithTime) {
