@@ -20,7 +20,7 @@ constexpr std::size_t kMaxBytes = 16u << 20u, kMaxBytesOpen = 64u << 20u;  // of
 // What a file's opening or writing counts for in QuakeC's limit of statements, so that a loop which does nothing else
 // ends before long.
 constexpr std::int64_t kStatementsAFile = 2000, kBytesAStatement = 16;
-constexpr int kMostWarnings = 3;  // of each kind in a level
+constexpr int kMostWarnings = 3;  // of files that cannot be written, in a level
 enum Mode { kRead = 0, kAppend = 1, kWrite = 2 };
 
 class Files {
@@ -39,24 +39,24 @@ class Files {
     const int mode = vm.parm_int(1);
     vm.return_float(-1.0f);
     if (!name || open_.size() >= kMaxOpen) {
-      log_warning("fopen: {}", name ? "too many files are open" : "no name for a file of the mod");
+      vm.warn(name ? "fopen: too many files are open" : "fopen: no name for a file of the mod");
       return;
     }
     File file{"data/" + *name, "", 0, mode != kRead};
     vm.charge(kStatementsAFile);
     if (mode == kRead) {
-      auto text = read(file.name);
-      if (!text) text = read(*name);  // of the game itself
+      auto text = read(vm, file.name);
+      if (!text) text = read(vm, *name);  // of the game itself
       if (!text) return;
       file.text = std::move(*text);
     } else if (mode == kAppend) {
-      file.text = read(file.name).value_or("");
+      file.text = read(vm, file.name).value_or("");
     } else if (mode != kWrite) {
-      log_warning("fopen: {} is no mode", mode);
+      vm.warn(fmt::format("fopen: {} is no mode", mode));
       return;
     }
     if (file.text.size() > kMaxBytesOpen - std::min(kMaxBytesOpen, bytes_open_)) {
-      complain_of_size(fmt::format("fopen: {}: files of more than {} bytes would be open", file.name, kMaxBytesOpen));
+      vm.warn(fmt::format("fopen: {}: files of more than {} bytes would be open", file.name, kMaxBytesOpen));
       return;
     }
     charge_for(vm, file);
@@ -98,10 +98,9 @@ class Files {
     const std::string text = vm.parm_text_from(1);
     File& file = found->second;
     if (text.size() > kMaxBytes - std::min(kMaxBytes, file.text.size()))
-      return complain_of_size(fmt::format("fputs: {} would have more than {} bytes", file.name, kMaxBytes));
+      return vm.warn(fmt::format("fputs: {} would have more than {} bytes", file.name, kMaxBytes));
     if (text.size() > kMaxBytesOpen - std::min(kMaxBytesOpen, bytes_open_))
-      return complain_of_size(
-          fmt::format("fputs: {}: files of more than {} bytes would be open", file.name, kMaxBytesOpen));
+      return vm.warn(fmt::format("fputs: {}: files of more than {} bytes would be open", file.name, kMaxBytesOpen));
     file.text += text;
     bytes_open_ += text.size();
   }
@@ -113,12 +112,12 @@ class Files {
     bool writing = false;
   };
 
-  std::optional<std::string> read(const std::string& name) const {
+  std::optional<std::string> read(Vm& vm, const std::string& name) const {
     if (!services_.read_file) return std::nullopt;
     const auto bytes = services_.read_file(name);
     if (!bytes) return std::nullopt;
     if (bytes->size() > kMaxBytes) {
-      log_warning("fopen: {} has {} bytes; at most {} can be read", name, bytes->size(), kMaxBytes);
+      vm.warn(fmt::format("fopen: {} has {} bytes; at most {} can be read", name, bytes->size(), kMaxBytes));
       return std::nullopt;
     }
     return std::string(bytes->text());
@@ -133,10 +132,6 @@ class Files {
   static void charge_for(Vm& vm, const File& file) {
     vm.charge(static_cast<std::int64_t>(file.text.size()) / kBytesAStatement);
   }
-  // What is too much is left out, and the game goes on.
-  void complain_of_size(const std::string& sentence) {
-    if (too_large_++ < kMostWarnings) log_warning("{}", sentence);
-  }
   // From 1 on: some mods take 0 for a failure, although the extension says -1.
   int first_unused() const {
     int handle = 1;
@@ -144,13 +139,13 @@ class Files {
     return handle;
   }
   static void complain(Vm& vm, const char* what) {
-    log_warning("{}: {} is no file that is open for this", what, vm.parm_float(0));
+    vm.warn(fmt::format("{}: {} is no file that is open for this", what, vm.parm_float(0)));
   }
 
   Services services_;
   std::map<int, File> open_;
   std::size_t bytes_open_ = 0;  // of all texts in open_
-  int refused_ = 0, too_large_ = 0;
+  int refused_ = 0;
   bool written_ = false;
 };
 

@@ -80,6 +80,19 @@ TEST_F(FileBuiltinsTest, HandlesThatAreNone) {
   EXPECT_EQ(files_["data/a.txt"], "one");
 }
 
+TEST_F(FileBuiltinsTest, WhatIsWrongIsToldWithItsPlace) {
+  files_["data/long"] = std::string((16u << 20u) + 1, 'x');
+  for (const auto& [call, told] : std::map<std::string, std::string>{
+           {"fclose(7);", "fclose: 7 is no file that is open for this"},
+           {"fopen(\"../x\", 0);", "fopen: no name for a file of the mod"},
+           {"fopen(\"x\", 9);", "fopen: 9 is no mode"},
+           {"fopen(\"long\", 0);", "fopen: data/long has 16777217 bytes; at most 16777216 can be read"},
+           {"puts(sprintf(\"%y\"));", "sprintf cannot make sense of \"%y\""}}) {
+    EXPECT_THAT(warned(call), HasSubstr("statement")) << call;
+    EXPECT_THAT(warned(call), HasSubstr(told));
+  }
+}
+
 TEST_F(FileBuiltinsTest, Limits) {
   EXPECT_EQ(says("local float i, f; for (i = 0; i < 100; i++) f = fopen(strcat(\"f\", ftos(i)), 2); put(f);"), "-1");
   files_["data/long"] = std::string((16u << 20u) + 1, 'x');

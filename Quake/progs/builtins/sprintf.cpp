@@ -13,7 +13,6 @@
 #include <cstdio>
 #include <optional>
 
-#include "base/log.h"
 #include "progs/builtins/kinds.h"
 #include "progs/vm.h"
 
@@ -45,7 +44,7 @@ class Formatter {
       if (take('%')) {
         result_ += '%';
       } else if (!convert()) {
-        log_warning("sprintf cannot make sense of \"{}\"", written);
+        vm_.warn(fmt::format("sprintf cannot make sense of \"{}\"", written));
         result_ += written;
         break;
       }

@@ -54,6 +54,7 @@ const std::map<std::string, std::string>& parameters() {
       {"buf_del", "buf_create()"},
       {"isbackbuffered", "player"},
       {"dropclient", "player"},
+      {"localsound", "player, \"a.wav\""},
       {"pointsound", "'0 0 64', \"a.wav\", 1, 1"},
   };
   return kAll;

@@ -1,5 +1,8 @@
 // Each builtin that needs a server, called from QuakeC.
+#include <map>
+
 #include "formats/test_models.h"
+#include "fs/test_log.h"
 #include "server/test_server.h"
 
 namespace fb::sv {
@@ -200,6 +203,27 @@ TEST_F(GameBuiltinsTest, ThoseWhoAreNoPlayers) {
   EXPECT_THAT(says("stuffcmd(self, \"x\");"), HasSubstr("stuffcmd to entity 2, which is no player"));
   EXPECT_THAT(says("setspawnparms(self);"), HasSubstr("setspawnparms of entity 2, which is no player"));
   EXPECT_EQ(says("setspawnparms(edict_num(1)); saysf(parm1);"), "0 ");
+}
+
+// A mod's author needs to know where, and players need no line a frame.
+TEST_F(GameBuiltinsTest, WhatIsNotThereIsToldOnceWithItsPlace) {
+  const std::string declared =
+      "void(entity e, string s) localsound = #80; void(vector o, string s, float v, float a) pointsound = #483; ";
+  for (const auto& [call, told] : std::map<std::string, std::string>{
+           {"sound(self, 0, \"no.wav\", 1, 1)", "the sound \"no.wav\" is not precached"},
+           {"ambientsound('0 0 0', \"no.wav\", 1, 1)", "the sound \"no.wav\" is not precached"},
+           {"localsound(edict_num(1), \"no.wav\")", "the sound \"no.wav\" is not precached"},
+           {"pointsound('0 0 0', \"no.wav\", 1, 1)", "the sound \"no.wav\" is not precached"},
+           {"localsound(self, \"a.wav\")", "localsound to entity 2, which is no player"},
+           {"sprint(self, \"x\")", "sprint to entity 2, which is no player"},
+           {"lightstyle(64, \"m\")", "lightstyle 64, of 0 to 63"}}) {
+    const fs::LogLines log;
+    set_log_level(LogLevel::kWarning);
+    EXPECT_EQ(says("local float i; for (i = 0; i < 3; i++) " + call + ";", declared), "") << call;
+    set_log_level(LogLevel::kError);
+    EXPECT_THAT(level().vm->warning(), HasSubstr("statement")) << call;
+    EXPECT_THAT(log.lines, ::testing::Contains(HasSubstr(told)).Times(1)) << call;
+  }
 }
 
 TEST_F(GameBuiltinsTest, Writes) {

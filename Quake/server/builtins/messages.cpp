@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "base/log.h"
 #include "console/localization.h"
 #include "progs/builtins/output.h"
 #include "server/builtins/game_builtins.h"
@@ -18,12 +17,12 @@ namespace globals = progs::globals;
 
 constexpr float kMostChannel = 255.0f;  // what a message holds; Quake itself has 0 to 7
 
-// Whose entity parameter 0 is; null, with a line in the log, where it is no player's.
+// Whose entity parameter 0 is; null, with a warning, where it is no player's.
 ServerClient* client_parm(Vm& vm, GameContext& context, std::string_view what) {
   const EdictId id = vm.parm_entity(0);
   if (vm.failed()) return nullptr;
   ServerClient* client = context.clients.find(id);
-  if (!client) log_info("{} to entity {}, which is no player", what, index(id));
+  if (!client) vm.warn(fmt::format("{} to entity {}, which is no player", what, index(id)));
   return client;
 }
 
@@ -34,11 +33,18 @@ float within(Vm& vm, std::string_view sample, const char* what, float value, flo
   return value > most ? most : 0.0f;
 }
 
+// Asked before the engine is, which could not say whose fault it is.
+bool is_precached(Vm& vm, const GameContext& context, std::string_view sample) {
+  if (context.level->sound_index(sample) != 0) return true;
+  vm.warn(fmt::format("the sound \"{}\" is not precached", sample));
+  return false;
+}
+
 // sound(entity, channel, sample, volume, attenuation)
 void sound(Vm& vm, GameContext& context) {
   const EdictId source = vm.parm_entity(0);
   const std::string sample(vm.parm_string(2));
-  if (vm.failed()) return;
+  if (vm.failed() || !is_precached(vm, context, sample)) return;
   const auto channel = progs::to_int(within(vm, sample, "channel", std::trunc(vm.parm_float(1)), kMostChannel));
   const float volume = within(vm, sample, "volume", vm.parm_float(3), 1.0f);
   context.clients.start_sound(source, channel, sample, volume,
@@ -48,19 +54,22 @@ void sound(Vm& vm, GameContext& context) {
 // ambientsound(position, sample, volume, attenuation)
 void ambientsound(Vm& vm, GameContext& context) {
   const std::string_view sample = vm.parm_string(1);
-  if (!vm.failed()) context.clients.ambient_sound(vm.parm_vector(0), sample, vm.parm_float(2), vm.parm_float(3));
+  if (vm.failed() || !is_precached(vm, context, sample)) return;
+  context.clients.ambient_sound(vm.parm_vector(0), sample, vm.parm_float(2), vm.parm_float(3));
 }
 
 // localsound(client, sample): the 2021 re-release's
 void localsound(Vm& vm, GameContext& context) {
   ServerClient* client = client_parm(vm, context, "localsound");
   const std::string_view sample = vm.parm_string(1);
-  if (!vm.failed() && client && client->active()) context.clients.local_sound(*client, sample);
+  if (vm.failed() || !client || !is_precached(vm, context, sample)) return;
+  if (client->active()) context.clients.local_sound(*client, sample);
 }
 
 // pointsound(position, sample, volume, attenuation): of nothing and nobody.
 void pointsound(Vm& vm, GameContext& context) {
   const std::string sample(vm.parm_string(1));
+  if (vm.failed() || !is_precached(vm, context, sample)) return;
   context.clients.sound_at(vm.parm_vector(0), EdictId::kWorld, 0, sample,
                            within(vm, sample, "volume", vm.parm_float(2), 1.0f),
                            within(vm, sample, "attenuation", vm.parm_float(3), 4.0f));
@@ -101,7 +110,7 @@ void lightstyle(Vm& vm, GameContext& context) {
   const std::string_view pattern = vm.parm_string(1);
   if (vm.failed()) return;
   if (style < 0 || style >= net::kMaxLightStyles)
-    return log_warning("lightstyle {}, of 0 to {}", style, net::kMaxLightStyles - 1);
+    return vm.warn(fmt::format("lightstyle {}, of 0 to {}", style, net::kMaxLightStyles - 1));
   context.clients.light_style(style, pattern);
 }
 

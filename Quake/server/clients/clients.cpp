@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/log.h"
 #include "server/clients/level_protocol.h"
 #include "server/clients/send_entities.h"
 #include "server/clients/signon.h"
@@ -22,10 +21,7 @@ enum Destination { kBroadcast = 0, kOne = 1, kAll = 2, kInit = 3, kMulticast = 4
 constexpr std::size_t kFirstWide = 256;          // sounds from here on do not fit a byte
 constexpr std::uint32_t kMostSoundEdict = 8191;  // protocol 15 has 13 bits for who makes a sound
 
-int sound_index(const Level& level, std::string_view sample) {
-  const auto found = std::find(level.sounds.begin() + 1, level.sounds.end(), sample);
-  return found == level.sounds.end() ? 0 : static_cast<int>(found - level.sounds.begin());
-}
+std::string not_precached(std::string_view sample) { return fmt::format("the sound \"{}\" is not precached", sample); }
 
 }  // namespace
 
@@ -189,11 +185,8 @@ void Clients::start_sound(EdictId source, int channel, std::string_view sample, 
 void Clients::sound_at(const vec3& origin, EdictId source, int channel, std::string_view sample, float volume,
                        float attenuation) {
   if (!level_) return;
-  const int sound = sound_index(*level_, sample);
-  if (sound == 0) {
-    log_warning("the sound \"{}\" was not precached", sample);
-    return;
-  }
+  const int sound = level_->sound_index(sample);
+  if (sound == 0) return level_->warn_once(not_precached(sample));
   const auto edict = static_cast<int>(index(source));
   const bool fits_15 = static_cast<std::size_t>(sound) < kFirstWide && index(source) <= kMostSoundEdict && channel < 8;
   if ((!protocol_.extended() && !fits_15) || datagram_.size() > kMostBytes) return;
@@ -205,8 +198,8 @@ void Clients::sound_at(const vec3& origin, EdictId source, int channel, std::str
 // By svc_sound, which every client understands; later engines have svc_localsound for it.
 void Clients::local_sound(ServerClient& client, std::string_view sample) {
   if (!level_) return;
-  const int sound = sound_index(*level_, sample);
-  if (sound == 0) return log_warning("the sound \"{}\" was not precached", sample);
+  const int sound = level_->sound_index(sample);
+  if (sound == 0) return level_->warn_once(not_precached(sample));
   if (!protocol_.extended() && static_cast<std::size_t>(sound) >= kFirstWide) return;
   const auto edict = static_cast<int>(index(client.edict_id()));
   write_reliable(client,
@@ -223,11 +216,8 @@ void Clients::start_particle(const vec3& origin, const vec3& direction, int colo
 
 void Clients::ambient_sound(const vec3& origin, std::string_view sample, float volume, float attenuation) {
   if (!level_) return;
-  const int sound = sound_index(*level_, sample);
-  if (sound == 0) {
-    log_warning("the sound \"{}\" was not precached", sample);
-    return;
-  }
+  const int sound = level_->sound_index(sample);
+  if (sound == 0) return level_->warn_once(not_precached(sample));
   const bool wide = static_cast<std::size_t>(sound) >= kFirstWide;
   if ((wide && !protocol_.extended()) || signon_.size() > kMostSignonBytes) return;
   net::write_server_message(signon_, net::svc::SpawnStaticSound{origin, sound, to_int(volume * 255.0f) & 0xff,

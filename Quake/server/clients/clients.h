@@ -159,7 +159,7 @@ class Clients final : public LevelEvents {
   // whoever comes. Who cannot see a place is told, too.
   void multicast(int set, EdictId msg_entity);
   void start_particle(const vec3& origin, const vec3& direction, int color, int count);
-  // ambientsound. A sample that is not precached: a warning.
+  // ambientsound. A sample that is not precached: a warning once.
   void ambient_sound(const vec3& origin, std::string_view sample, float volume, float attenuation);
   // makestatic, without freeing the edict.
   void make_static(Edict edict);

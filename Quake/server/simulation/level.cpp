@@ -87,6 +87,12 @@ int Level::model_index(std::string_view name) const {
   return 0;
 }
 
+int Level::sound_index(std::string_view name) const {
+  for (std::size_t i = 1; i < sounds.size(); ++i)
+    if (sounds[i] == name) return static_cast<int>(i);
+  return 0;
+}
+
 void Level::warn_once(const std::string& sentence) {
   if (warnings_.insert(sentence).second) log_warning("{}", sentence);
 }

@@ -77,7 +77,7 @@ struct OptionalFields {
 class LevelEvents {
  public:
   virtual ~LevelEvents() = default;
-  // channel 0 to 7; volume 0 to 1; attenuation 0 to 4. A sample that is not precached: a warning, no sound.
+  // channel 0 to 7; volume 0 to 1; attenuation 0 to 4. A sample that is not precached: a warning once, no sound.
   virtual void start_sound(EdictId source, int channel, std::string_view sample, float volume, float attenuation) = 0;
 };
 
@@ -125,6 +125,7 @@ class Level final : public progs::EdictListener {
   std::size_t loaded_models = 0, loaded_sounds = 0;  // of both, those that spawning has brought; 0 while it lasts
   std::vector<std::string> light_styles = std::vector<std::string>(64);
   int model_index(std::string_view name) const;  // 0: not precached
+  int sound_index(std::string_view name) const;
   // Says once a level what a mod gets wrong and QuakeC may repeat every frame.
   void warn_once(const std::string& sentence);
 
