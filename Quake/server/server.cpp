@@ -141,7 +141,7 @@ Status Server::restart() {
 }
 
 void Server::request_changelevel(std::string name) {
-  if (next_level_.empty()) next_level_ = std::move(name);
+  if (next_level_.empty() && !not_reached_.contains(name)) next_level_ = std::move(name);
 }
 
 void Server::shutdown() {
@@ -171,6 +171,7 @@ Status Server::begin(const LoadedMap& map) {
     clients_->finish_level();
     if (level_->failed()) return *level_->error();
     log_info("Server spawned: {}", map.name);
+    not_reached_.clear();
     last_error_.reset();
     return ok_status();
   });
@@ -282,9 +283,13 @@ void Server::run_frame(double seconds) {
 void Server::frame(double seconds, double now) {
   now_ = now;
   if (!level_) return;
+  constexpr std::size_t kMostNotReached = 64;
   if (!next_level_.empty()) {
     const std::string name = std::exchange(next_level_, std::string());
-    if (Status status = changelevel(name); !status) log_error("{}", status.error().message);
+    if (Status status = changelevel(name); !status) {
+      log_error("{}", status.error().message);
+      if (not_reached_.size() < kMostNotReached) not_reached_.insert(name);
+    }
     if (!level_) return;
   }
   try {

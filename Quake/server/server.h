@@ -19,6 +19,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -121,7 +122,8 @@ class Server {
   // For the parts of the server, and tests.
   con::Console& console() { return console_; }
   int skill() const { return skill_; }  // of the level that runs, 0 to 3
-  // QuakeC's changelevel: done before the next frame; the first one counts.
+  // QuakeC's changelevel: done before the next frame; the first one counts. What has failed is not tried again on this
+  // level: an exit asks every frame while somebody stands in it.
   void request_changelevel(std::string name);
 
  private:
@@ -161,8 +163,9 @@ class Server {
   std::string last_save_;         // of this level: NAME of NAME.sav; empty: none
   bool autosave_failed_ = false;  // has been told
   std::optional<Error> last_error_;
-  std::string next_level_;     // of request_changelevel
-  float server_flags_ = 0.0f;  // QuakeC's serverflags, kept from level to level
+  std::string next_level_;             // of request_changelevel
+  std::set<std::string> not_reached_;  // names of such that failed on this level
+  float server_flags_ = 0.0f;          // QuakeC's serverflags, kept from level to level
   int skill_ = 1;
   bool held_ = false;
   double now_ = 0.0;

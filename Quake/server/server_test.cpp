@@ -3,6 +3,7 @@
 #include <csignal>
 
 #include "base/stop.h"
+#include "fs/test_log.h"
 #include "server/test_server.h"
 
 namespace fb::sv {
@@ -213,13 +214,18 @@ TEST_F(ServerGameTest, QuakeCChangesLevelBeforeTheNextFrame) {
   EXPECT_EQ(level().map_name, "b");
 }
 
-// A level that is not there: a sentence, and the game goes on.
+// A level that is not there: one sentence, however often it is asked for, and the game goes on; also to one that is.
 TEST_F(ServerGameTest, QuakeCChangesToNowhere) {
-  start(
-      "void() thinks = { changelevel(\"../x\"); }; void() thing = { self.think = thinks; self.nextthink = time + 1; };",
-      thing(""));
-  frames(20);
+  put_map("b", room());
+  start(R"(void() thinks = { if (time > 3) changelevel("b"); changelevel("../x"); self.nextthink = time + 0.1; };
+           void() thing = { self.think = thinks; self.nextthink = time + 1; };)",
+        thing(""));
+  const fs::LogLines log;
+  frames(16);
   EXPECT_TRUE(server_->active());
+  EXPECT_EQ(log.lines.size(), 1u);
+  frames(15);
+  EXPECT_EQ(level().map_name, "b");
 }
 
 TEST_F(ServerGameTest, TimeStandsWhileHeldOrPaused) {
