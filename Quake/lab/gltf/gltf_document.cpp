@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <bit>
 #include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
 
 #include "fs/file.h"
 
@@ -24,6 +27,24 @@ std::span<const std::uint8_t> bytes_of(std::span<const T> values) {
 void append_words(Bytes& out, std::initializer_list<std::uint32_t> words) {
   for (const std::uint32_t word : words)
     for (int shift = 0; shift < 32; shift += 8) out.push_back(static_cast<std::uint8_t>(word >> shift));
+}
+
+// Where the bytes of a .gltf file go: of two names, the one that the former file of its name does not refer to, so that
+// this one has its own until its successor is there.
+struct Binaries {
+  std::filesystem::path next, former;  // `former` is empty where there is none
+};
+
+Binaries binaries_of(const std::filesystem::path& file) {
+  std::filesystem::path first = file, second = file;
+  first.replace_extension(".bin");
+  second.replace_filename(file.stem().string() + "-2.bin");
+  const auto text = fs::read_whole_file(file);
+  const auto named = [&](const std::filesystem::path& binary) {
+    return text && text->text().find(Json(binary.filename().string()).dump()) != std::string_view::npos;
+  };
+  if (named(first)) return {second, first};
+  return {first, named(second) ? second : std::filesystem::path()};
 }
 
 }  // namespace
@@ -89,12 +110,14 @@ Status GltfDocument::write(const std::string& path) const {
     whole.insert(whole.end(), bytes_.begin(), bytes_.end());
     return fs::write_file_atomically(file, whole);
   }
-  std::filesystem::path binary = file;
-  binary.replace_extension(".bin");
-  root["buffers"][0]["uri"] = binary.filename().string();
-  if (auto status = fs::write_file_atomically(binary, bytes_); !status) return status;
+  const Binaries binaries = binaries_of(file);
+  root["buffers"][0]["uri"] = binaries.next.filename().string();
+  if (auto status = fs::write_file_atomically(binaries.next, bytes_); !status) return status;
   const std::string text = root.dump(1) + "\n";
-  return fs::write_text_atomically(file, text);
+  if (auto status = fs::write_text_atomically(file, text); !status) return status;
+  std::error_code ignored;
+  if (!binaries.former.empty()) std::filesystem::remove(binaries.former, ignored);
+  return ok_status();
 }
 
 }  // namespace fb::lab

@@ -25,7 +25,8 @@ class GltfDocument {
   void use_extension(const std::string& name);
   Json& root() { return root_; }
 
-  // NAME.gltf and NAME.bin beside it, or NAME.glb, which holds both. Fails where a file cannot be written.
+  // NAME.gltf and NAME.bin beside it (NAME-2.bin if a former NAME.gltf refers to NAME.bin, which then goes), or
+  // NAME.glb, which holds both. Fails where a file cannot be written; the former ones stay then.
   Status write(const std::string& path) const;
 
  private:

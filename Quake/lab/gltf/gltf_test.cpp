@@ -1,9 +1,12 @@
 // Exported scenes: what is said of the Cornell box, of textures, poses and lamps, and how it is laid out in files.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
+#include <cstddef>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +17,7 @@
 
 #include "base/test_directory.h"
 #include "formats/image.h"
+#include "lab/gltf/gltf_document.h"
 #include "lab/gltf/gltf_export.h"
 #include "lab/json_reader.h"
 #include "scene/in_code/scenes_in_code.h"
@@ -38,7 +42,7 @@ class GltfTest : public testing::Test {
   std::vector<vec3> vectors(const Json& gltf, const Json& accessor) const {
     const Json& a = gltf["accessors"][accessor.get<std::size_t>()];
     const Json& view = gltf["bufferViews"][a["bufferView"].get<std::size_t>()];
-    const std::string data = bytes(path("scene.bin"));
+    const std::string data = bytes(path(gltf["buffers"][0]["uri"]));
     std::vector<vec3> out(a["count"].get<std::size_t>());
     EXPECT_EQ(view["byteLength"].get<std::size_t>(), out.size() * sizeof(vec3));
     std::memcpy(out.data(), data.data() + view["byteOffset"].get<std::size_t>(), out.size() * sizeof(vec3));
@@ -53,6 +57,37 @@ class GltfTest : public testing::Test {
   render::RenderSettings settings_;
   GltfSummary summary_;
 };
+
+// What ends between its two files leaves the former two as they were.
+TEST_F(GltfTest, TheFormerFileKeepsItsBytes) {
+  const auto write = [&](std::size_t count) {
+    GltfDocument document("a test");
+    const std::vector<vec3> values(count);
+    document.add_vec3(values);
+    return document.write(path("pair.gltf"));
+  };
+  const auto bytes_referred_to = [&] {
+    const Json buffer = Json::parse(bytes(path("pair.gltf")))["buffers"][0];
+    const std::size_t size = bytes(path(buffer["uri"])).size();
+    EXPECT_EQ(size, buffer["byteLength"].get<std::size_t>());
+    return size;
+  };
+  for (const std::size_t count : {1u, 2u, 3u}) {
+    ASSERT_TRUE(write(count));
+    EXPECT_EQ(bytes_referred_to(), 12u * count);
+    EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(path(""))), 2) << "nothing is left";
+    rlimit former{};
+    ::getrlimit(RLIMIT_FSIZE, &former);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{128, former.rlim_max};  // more than the vectors have, less than the text
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    const Status failed = write(count + 4);
+    ::setrlimit(RLIMIT_FSIZE, &former);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_FALSE(failed);
+    EXPECT_EQ(bytes_referred_to(), 12u * count);
+  }
+}
 
 TEST_F(GltfTest, SaysWhatTheCornellBoxReflectsAndHowItGlows) {
   const Json gltf = exported(scene::cornell_box());
@@ -97,8 +132,8 @@ TEST_F(GltfTest, TexturesAreTheTexelsAsAScreenShowsThem) {
     EXPECT_EQ(gltf["samplers"][texture["sampler"].get<std::size_t>()]["magFilter"], 9728) << "nearest";
     const Json& image = gltf["images"][texture["source"].get<std::size_t>()];
     const Json& view = gltf["bufferViews"][image["bufferView"].get<std::size_t>()];
-    const std::string data =
-        bytes(path("scene.bin")).substr(view["byteOffset"].get<std::size_t>(), view["byteLength"].get<std::size_t>());
+    const std::string data = bytes(path(gltf["buffers"][0]["uri"]))
+                                 .substr(view["byteOffset"].get<std::size_t>(), view["byteLength"].get<std::size_t>());
     return *formats::parse_png({reinterpret_cast<const std::uint8_t*>(data.data()), data.size()}, "texture");
   };
   const Json& material = gltf["materials"][0];
