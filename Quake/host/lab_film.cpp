@@ -16,7 +16,7 @@
 #include "lab/bench/bench_view.h"
 #include "lab/compare/metrics.h"
 #include "lab/film/film_writer.h"
-#include "lab/jobs.h"
+#include "lab/reference/replicates.h"
 
 namespace fb::host {
 namespace {
@@ -136,12 +136,7 @@ Result<lab::Reference> reference_of(Film& film, const scene::FrameSnapshot& snap
   settings.estimator = film.spec.reference_estimator;
   settings.denoise = 0;
   settings.seed += 1000003;  // not that of the lanes
-  lab::RenderSummary summary;
-  render::Renderer& renderer = *film.stage.renderer;
-  lab::render_samples(renderer, settings, snapshot, film.spec.reference_samples, summary, nullptr);
-  lab::Reference reference{lab::picture_of(renderer.read().linear(), renderer.render_size()), {}};
-  for (const vec4& v : renderer.read().variance_of_mean()) reference.variance.push_back(vec3(v));
-  return reference;
+  return lab::render_replicates(*film.stage.renderer, settings, snapshot, film.spec.reference_samples, nullptr);
 }
 
 // `exposure`: at which the frame is shown; none: as the lane's settings say.

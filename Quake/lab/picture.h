@@ -2,6 +2,7 @@
 // come from files.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -17,6 +18,10 @@ struct Picture {
   std::vector<vec3> pixels;  // row-major, top row first; linear Rec.709 unless something else is said
   bool same_size(const Picture& other) const { return width == other.width && height == other.height; }
 };
+
+inline bool finite(const vec3& pixel) {
+  return std::isfinite(pixel.x) && std::isfinite(pixel.y) && std::isfinite(pixel.z);
+}
 
 struct Reference {
   Picture mean;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/kinds.h"
 #include "shared/phase.h"
 #include "shared/picture_warp.h"
+#include "shared/rng.h"
 #include "shared/scene_gpu.h"
 #include "shared/waves.h"
 
@@ -52,6 +54,17 @@ bool warps_picture(const scene::FrameSnapshot& snapshot, const RenderSettings& s
 vec2 jitter_at(std::uint32_t index) {
   const double x = 0.5 + 0.7548776662466927 * index, y = 0.5 + 0.5698402909980532 * index;
   return {static_cast<float>(x - std::floor(x)) - 0.5f, static_cast<float>(y - std::floor(y)) - 0.5f};
+}
+
+void fill_jitter(shared::FrameConstants& c, const RenderSettings& settings, std::uint32_t frame, bool moving) {
+  const bool asked = settings.jitter > 0, always = asked || (settings.jitter < 0 && moving);
+  if (!always && (settings.jitter == 0 || c.accumulated_frames == 0)) return;
+  const std::uint32_t start = asked ? shared::hash_u32(static_cast<std::uint32_t>(settings.seed)) : 0;
+  const vec2 jitter = jitter_at(start + (always ? frame : 0) + c.accumulated_frames);
+  c.jitter_x = jitter.x;
+  c.jitter_y = jitter.y;
+  const bool alike = c.denoise != 0 || c.texture_filter == std::int32_t{shared::kFilterFootprint};
+  c.jitter_seed = asked && !alike ? start | 1u : 0;
 }
 
 float half_pixel_tangent(const CameraFrame& camera, std::uint32_t height) {

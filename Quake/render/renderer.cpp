@@ -282,12 +282,6 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.accumulated_frames = accumulated;
   constants.frame = shared::hash_combine(static_cast<std::uint32_t>(snapshot.frame), accumulated);
   if (technique->salt() != 0) constants.frame = shared::hash_combine(constants.frame, technique->salt());
-  const bool always = settings.jitter > 0 || (settings.jitter < 0 && Denoiser::antialiases(settings));
-  if (always || (settings.jitter < 0 && accumulated > 0)) {
-    const vec2 jitter = jitter_at(always ? static_cast<std::uint32_t>(snapshot.frame) + accumulated : accumulated);
-    constants.jitter_x = jitter.x;
-    constants.jitter_y = jitter.y;
-  }
   const double elapsed = std::clamp(snapshot.time - last_time, 0.0, 1.0);
   const bool jump = first_frame || snapshot.cut || same_view || settings.exposure_time <= 0;
   constants.adaptation = jump ? 1.0f : 1.0f - static_cast<float>(std::exp(-elapsed / settings.exposure_time));
@@ -313,6 +307,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   if (settings.texture_filter < 0)
     constants.texture_filter =
         static_cast<std::int32_t>(constants.denoise != 0 ? shared::kFilterFootprint : shared::kFilterNearest);
+  fill_jitter(constants, settings, static_cast<std::uint32_t>(snapshot.frame), Denoiser::antialiases(settings));
   std::memcpy(uniform.mapped(), &constants, sizeof(constants));
 
   key = now;

@@ -18,7 +18,7 @@ Vertex first_vertex(GBufferTexel g, uvec2 pixel) {
   Vertex v;
   v.position = g.position_t.xyz;
   v.previous = v.position;
-  if (kFollowsMotion) v.previous = previous_world(g, vec2(pixel) + 0.5 + vec2(frame.jitter_x, frame.jitter_y));
+  if (kFollowsMotion) v.previous = previous_world(g, vec2(pixel) + 0.5 + jitter_of(pixel));
   v.liquid = kNoIndex;
   v.glows = (g.material_metalness & kTexelGlows) != 0u;
   v.view = normalize(frame.camera_position.xyz - v.position);

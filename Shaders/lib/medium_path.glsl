@@ -46,7 +46,7 @@ MediumPiece piece_of(LiquidPiece p, vec3 ray) {
 
 // Into the second section of `radiance`.
 void light_in_medium(uint at, uvec2 block, uint number, uvec2 pixel) {
-  vec3 ray = normalize(camera_direction(vec2(pixel) + 0.5 + vec2(frame.jitter_x, frame.jitter_y)));
+  vec3 ray = normalize(camera_direction(vec2(pixel) + 0.5 + jitter_of(pixel)));
   GBufferTexel g = gbuffer_at(at);
   float reach = medium_reach(g);
   MediumPiece fog = fog_piece(ray, g, reach), within = fog;

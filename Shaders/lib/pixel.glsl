@@ -3,6 +3,7 @@
 #ifndef FB_LIB_PIXEL
 #define FB_LIB_PIXEL
 #include "lib/frame_bindings.glsl"
+#include "shared/rng.h"
 
 layout(local_size_x = 64) in;
 
@@ -16,6 +17,14 @@ uvec2 invocation_pixel() {
 uvec2 light_pixel(uvec2 block) { return block * frame.light_block + uvec2(frame.light_x, frame.light_y); }
 
 uvec2 medium_pixel(uvec2 block) { return block * frame.medium_block + uvec2(frame.medium_x, frame.medium_y); }
+
+// Where in its pixel a camera ray goes through, from the middle.
+vec2 jitter_of(uvec2 pixel) {
+  vec2 jitter = vec2(frame.jitter_x, frame.jitter_y);
+  if (frame.jitter_seed == 0u) return jitter;
+  uint start = hash_combine(pixel.y * frame.width + pixel.x, frame.jitter_seed);
+  return fract(jitter + 0.5 + vec2(start >> 16u, start & 0xffffu) / 65536.0) - 0.5;
+}
 
 // Direction through a point of the image, in pixels from the top left; not normalised: its component along the camera's
 // forward axis is 1.

@@ -38,7 +38,7 @@ void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float 
 vec4 sky_seen(Surface s) { return vec4(s.emission * seen_through_medium(s, kRayEnd) + scattered_even_light(s, kRayEnd), 0.0); }
 
 // Where in the picture a pixel is seen through.
-vec2 point_of(uvec2 pixel) { return vec2(pixel) + 0.5 + vec2(frame.jitter_x, frame.jitter_y); }
+vec2 point_of(uvec2 pixel) { return vec2(pixel) + 0.5 + jitter_of(pixel); }
 // Of the ray of a pixel.
 uint seen_rng(uint at) { return rng_seed(at, frame.frame, 0xffffffffu, frame.seed); }
 #endif

@@ -44,6 +44,7 @@ struct FrameConstants {
   uint sky_box0, sky_box1, sky_box2, sky_box3;
   uint sky_box4, sky_box5, sky_beyond, accumulated_frames;
   float time, prev_time, jitter_x, jitter_y;  // jitter in pixels, 0: pixel centre
+  uint jitter_seed;                           // not 0: each pixel's jitter is moved by a random offset of its own
   float tap_size, tap_shift;                  // kFilterFootprint: a pixel's points, in pixels; their part of the jitter
   float adaptation;                           // of the exposure: weight of the new value, 1 at a cut
   uint swap_red_blue, quad_tiles_x, draw_quads, atlas_width;

@@ -12,8 +12,6 @@
 namespace fb::lab {
 namespace {
 
-bool finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 double top_share(std::vector<double>& pixel_errors) {
   const double total = std::accumulate(pixel_errors.begin(), pixel_errors.end(), 0.0);
   if (total <= 0) return 0;

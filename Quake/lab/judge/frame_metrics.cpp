@@ -18,8 +18,6 @@ namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-bool finite(const vec3& v) { return std::isfinite(v.x + v.y + v.z); }
-
 std::vector<float> lumas(const Picture& picture) {
   std::vector<float> values(picture.pixels.size());
   std::transform(picture.pixels.begin(), picture.pixels.end(), values.begin(), shared::luminance);

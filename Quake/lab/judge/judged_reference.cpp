@@ -12,13 +12,13 @@
 #include "base/number.h"
 #include "base/progress.h"
 #include "lab/image_io.h"
-#include "lab/jobs.h"
+#include "lab/reference/replicates.h"
 #include "shared/color.h"
 
 namespace fb::lab {
 namespace {
 
-constexpr std::uint32_t kFormat = 2;  // of the kept files
+constexpr std::uint32_t kFormat = 3;  // of the kept files
 constexpr const char* kExposureText = "fullbright.exposure";
 
 template <typename Item, typename Part>
@@ -124,14 +124,11 @@ Result<std::vector<JudgedReference>> make_judged_references(const View& view, re
     auto reference = kept(path, options);
     if (!reference) {
       const std::uint64_t before = references.size() * options.spp;
-      RenderSummary ignored;
-      render::RenderSettings now = settings;  // render_samples sets what it needs
-      render_samples(renderer, now, snapshot, options.spp, ignored,
-                     [&](std::uint32_t done) { progress.update(before + done); });
       reference.emplace();
-      reference->radiance = {picture_of(renderer.read().linear(), renderer.render_size()),
-                             picture_of(renderer.read().variance_of_mean(), renderer.render_size()).pixels};
+      reference->radiance = render_replicates(renderer, settings, snapshot, options.spp,
+                                              [&](std::uint32_t done) { progress.update(before + done); });
       reference->exposure = renderer.read().exposure();
+      render::RenderSettings now = settings;
       now.jitter = 0;
       now.spp = 1;
       now.accumulate = 0;

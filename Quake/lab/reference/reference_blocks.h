@@ -26,10 +26,10 @@ std::vector<BlockPlan> plan_blocks(std::uint32_t spp);
 
 struct ReferenceBlock {
   BlockPlan plan;
-  Reference content;  // no variance where the block is a single pass
+  Reference content;  // no variance where the block is a single sample
 };
 
-// Mean of blocks, weighted by their samples, and its variance from the scatter within each.
+// Mean of blocks, weighted by their samples, and its variance from that of each, since blocks are independent.
 class ReferenceSum {
  public:
   // In the order of their indices: sums in another order may differ in the last bit.

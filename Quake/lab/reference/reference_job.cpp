@@ -15,9 +15,9 @@
 #include "fs/file.h"
 #include "lab/content_key.h"
 #include "lab/image_io.h"
-#include "lab/jobs.h"
 #include "lab/json.h"
 #include "lab/json_reader.h"
+#include "lab/reference/replicates.h"
 #include "render/shader_set.h"
 #include "shared/packing.h"
 #include "shared/rng.h"
@@ -25,7 +25,7 @@
 namespace fb::lab {
 namespace {
 
-constexpr const char* kReferenceFormat = "fullbright reference 1";
+constexpr const char* kReferenceFormat = "fullbright reference 2";
 constexpr std::uint32_t kBlockSeed = 0x5eed0000u, kWarmupSeed = 0x5eed8000u;
 
 double seconds_now() {
@@ -108,7 +108,7 @@ ExrImage render_guides(render::Renderer& renderer, const ReferenceSubject& subje
 Status write_picture(const std::string& path, const Reference& reference, ExrImage picture, const ReferenceManifest& m,
                      const ReferenceError& error) {
   picture.add_colors("", reference.mean.pixels);
-  // A single pass tells no variance.
+  // A single sample tells no variance.
   picture.add_colors("variance.",
                      reference.variance.empty() ? std::vector<vec3>(reference.mean.pixels.size()) : reference.variance);
   // What a comparison must do alike: where in a pixel its rays go.
@@ -146,25 +146,14 @@ Result<ReferenceBlock> make_block(render::Renderer& renderer, const ReferenceSub
                                   const BlockFolder& folder, const std::function<void(std::uint32_t)>& progress) {
   if (auto kept = folder.read(plan)) return std::move(*kept);
   render::RenderSettings settings = subject.settings;
-  const std::uint32_t per_pass = samples_per_pass(plan.samples);
-  scene::FrameSnapshot snapshot = subject.snapshot;
-  snapshot.frame = plan.first / per_pass;  // where the block's positions within pixels begin
-  snapshot.cut = true;
-  settings.jitter = settings.jitter != 0 ? 1 : 0;
   const auto seed = static_cast<std::uint32_t>(settings.seed);
   renderer.resize(subject.width, subject.height);
   renderer.reset_learning();
-  RenderSummary ignored;
   // What it has learnt from must not be drawn again: that would bias the mean.
   settings.seed = static_cast<int>(shared::hash_combine(seed, kWarmupSeed + plan.index));
-  if (subject.warmup > 0)
-    render_samples(renderer, settings, snapshot, (subject.warmup + per_pass - 1) / per_pass * per_pass, ignored,
-                   nullptr);
+  if (subject.warmup > 0) render_replicates(renderer, settings, subject.snapshot, subject.warmup, nullptr);
   settings.seed = static_cast<int>(shared::hash_combine(seed, kBlockSeed + plan.index));
-  render_samples(renderer, settings, snapshot, plan.samples, ignored, progress);
-  ReferenceBlock block{plan, {picture_of(renderer.read().linear(), renderer.render_size()), {}}};
-  if (renderer.accumulated_frames() > 1)
-    block.content.variance = picture_of(renderer.read().variance_of_mean(), renderer.render_size()).pixels;
+  ReferenceBlock block{plan, render_replicates(renderer, settings, subject.snapshot, plan.samples, progress)};
   if (auto status = folder.keep(block); !status) return status.error();
   return block;
 }

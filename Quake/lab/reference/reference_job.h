@@ -19,8 +19,7 @@ struct ReferenceSubject {
   scene::FrameSnapshot snapshot;
   render::RenderSettings settings;  // estimator and seed included; jitter other than 0 covers the whole pixel
   std::uint32_t width = 0, height = 0;
-  std::uint32_t warmup =
-      0;  // samples of each block that are thrown away: who learns has learnt from them, in whole passes
+  std::uint32_t warmup = 0;  // samples of each block that are thrown away: who learns has learnt from them
   std::uint64_t key() const;
 };
 
