@@ -90,16 +90,21 @@ class Results(Made):
     def test_gains_are_of_equal_samples_and_time(self):
         box = results.read(self.folder)["box"]
         gain = box.gain("nee", "samples")
-        self.assertAlmostEqual(gain.value, 0.6 / 0.15 / 2)
-        self.assertLessEqual(gain.low, gain.value)
-        self.assertGreaterEqual(gain.high, gain.value)
-        self.assertAlmostEqual(box.gain("nee", "time").value, 0.6 / 0.15 / 4)
+        self.assertAlmostEqual(gain.value, np.sqrt(0.8 / 0.1 * 0.4 / 0.2) / 2)
+        self.assertTrue(np.isnan(gain.low), "of two runs")
+        self.assertAlmostEqual(box.gain("nee", "time").value, np.sqrt(0.8 / 0.1 * 0.4 / 0.2) / 4)
+        with self.assertRaisesRegex(KeyError, "no experiment 'bax'; it has seen, box, lights"):
+            results.read(self.folder)["bax"]
 
     def test_the_interval_of_a_mean_holds_it_as_often_as_it_says(self):
         random = np.random.default_rng(4)
-        held = sum(low.low <= 0 <= low.high for low in (results.bootstrap(random.normal(size=30)) for _ in range(300)))
-        self.assertTrue(268 <= held <= 297, held)  # bootstrap's are a little narrow for 30
-        self.assertTrue(np.isnan(results.bootstrap([1.0]).low))
+        for freedom, t in ((1, 12.706), (7, 2.3646), (30, 2.0423)):
+            self.assertAlmostEqual(results.student_95(freedom), t, 3)
+        for count in (8, 30):
+            held = sum(e.low <= 1 <= e.high for e in (results.over_runs(np.exp(random.normal(size=count))) for _ in range(1000)))
+            self.assertTrue(930 <= held <= 970, held)  # three binomial standard errors
+        self.assertTrue(np.isnan(results.over_runs([1.0] * 7).low))
+        self.assertTrue(np.isnan(results.over_runs([1.0, -1.0]).value))
 
     def test_what_cannot_be_read_is_said_in_a_sentence(self):
         for text, pattern in ((None, "no such file"), ("{", "line 1"), ("{}", "no results of a suite")):

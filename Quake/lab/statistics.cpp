@@ -1,14 +1,38 @@
 #include "lab/statistics.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "base/check.h"
-#include "base/rng.h"
 
 namespace fb::lab {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr Interval kUnknown{kNone, kNone};
+
+// Nothing where one has none.
+std::optional<std::vector<double>> logarithms(std::span<const double> values) {
+  std::vector<double> logs;
+  for (const double v : values) {
+    if (!(v > 0)) return std::nullopt;
+    logs.push_back(std::log(v));
+  }
+  if (logs.empty()) return std::nullopt;
+  return logs;
+}
+
+Estimate exponential(const Estimate& e) {
+  return {std::exp(e.value), {std::exp(e.interval.low), std::exp(e.interval.high)}};
+}
+
+}  // namespace
 
 double mean(std::span<const double> values) {
   if (values.empty()) return 0;
@@ -70,32 +94,41 @@ double student_t_quantile(double confidence, int degrees_of_freedom) {
   return 0.5 * (low + high);
 }
 
-Interval t_interval(std::span<const double> values, double confidence) {
-  const double center = mean(values);
-  if (values.size() < 2) return {center, center};
-  const double half = student_t_quantile(confidence, static_cast<int>(values.size()) - 1) * standard_error(values);
-  return {center - half, center + half};
+Estimate mean_over_runs(std::span<const double> runs, std::size_t fewest) {
+  const double center = mean(runs);
+  if (runs.size() < std::max(fewest, std::size_t{2})) return {center, kUnknown};
+  const double half = student_t_quantile(0.95, static_cast<int>(runs.size()) - 1) * standard_error(runs);
+  return {center, {center - half, center + half}};
 }
 
-Interval bootstrap_interval(const Series& series, const Statistic& statistic, double confidence, int resamples,
-                            std::uint64_t seed) {
-  if (series.size() == 0) return {};
-  const auto block = static_cast<std::size_t>(std::ceil(std::cbrt(static_cast<double>(series.length))));
-  const auto starts = static_cast<std::uint32_t>(series.length - block + 1);
-  Rng rng(seed);
-  std::vector<std::size_t> indices(series.size());
-  std::vector<double> values;
-  for (int i = 0; i < resamples; ++i) {
-    for (std::size_t filled = 0; filled < indices.size();) {
-      const std::size_t run = rng.below(static_cast<std::uint32_t>(series.runs)), start = rng.below(starts);
-      for (std::size_t k = 0; k < block && filled < indices.size(); ++k)
-        indices[filled++] = run * series.length + start + k;
-    }
-    values.push_back(statistic(indices));
-    if (std::isnan(values.back())) return {values.back(), values.back()};
-  }
-  const double tail = 0.5 * (1 - confidence);
-  return {quantile(values, tail), quantile(values, 1 - tail)};
+Estimate factor_over_runs(std::span<const double> runs, std::size_t fewest) {
+  const auto logs = logarithms(runs);
+  return logs ? exponential(mean_over_runs(*logs, fewest)) : Estimate{kNone, kUnknown};
+}
+
+Estimate factor_between(std::span<const double> above, std::span<const double> below, std::size_t fewest) {
+  const auto a = logarithms(above), b = logarithms(below);
+  if (!a || !b) return {kNone, kUnknown};
+  const double center = mean(*a) - mean(*b);
+  if (std::min(a->size(), b->size()) < std::max(fewest, std::size_t{2})) return {std::exp(center), kUnknown};
+  const double square_a = standard_error(*a) * standard_error(*a), square_b = standard_error(*b) * standard_error(*b);
+  const double square = square_a + square_b;
+  if (!(square > 0)) return exponential({center, {center, center}});
+  const double degrees = square * square /
+                         (square_a * square_a / static_cast<double>(a->size() - 1) +
+                          square_b * square_b / static_cast<double>(b->size() - 1));
+  // Rounded down: wider rather than narrower.
+  const double half = student_t_quantile(0.95, std::max(1, static_cast<int>(degrees))) * std::sqrt(square);
+  return exponential({center, {center - half, center + half}});
+}
+
+bool has_heavy_tail(std::span<const double> runs) {
+  const Estimate typical = factor_over_runs(runs);
+  return typical.has_interval() && mean(runs) > typical.interval.high;
+}
+
+std::string too_few_runs(std::size_t runs, std::size_t fewest) {
+  return fmt::format("95% intervals want {} runs; there {} {}", fewest, runs == 1 ? "is" : "are", runs);
 }
 
 }  // namespace fb::lab

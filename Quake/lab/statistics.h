@@ -1,10 +1,11 @@
 // What the laboratory says about a handful of numbers: means with their uncertainty, quantiles, intervals.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace fb::lab {
@@ -24,23 +25,33 @@ double student_t_quantile(double confidence, int degrees_of_freedom);
 struct Interval {
   double low = 0, high = 0;
 };
+// What is told of a figure: its value over independent runs and a 95% interval of what it would be over infinitely
+// many. Not a number where it is not known.
 struct Estimate {
   double value = 0;
-  Interval interval;  // 95%
+  Interval interval;
+  bool has_interval() const { return !std::isnan(interval.low) && !std::isnan(interval.high); }
 };
-// Of the mean, by Student's t. Both ends are the mean for fewer than two values.
-Interval t_interval(std::span<const double> values, double confidence = 0.95);
 
-// `runs` series of `length` values each; value f of run r has index r * length + f. Blocks of consecutive values are
-// drawn with replacement, because frames of an estimator that learns are not independent (moving blocks, Kuensch 1989),
-// and `statistic` gets runs * length indices. Returns the percentile interval; the same seed gives the same one. Where
-// the statistic has no value, neither has the interval: both ends are NaN.
-struct Series {
-  std::size_t runs = 1, length = 0;
-  std::size_t size() const { return runs * length; }
-};
-using Statistic = std::function<double(std::span<const std::size_t>)>;
-Interval bootstrap_interval(const Series& series, const Statistic& statistic, double confidence = 0.95,
-                            int resamples = 1000, std::uint64_t seed = 1);
+// Intervals are Student's t over runs, whatever happens within one: frames of an estimator that learns depend on each
+// other, and frames of one run share what it has learnt. t holds where runs' values are near to normal. Those of errors
+// and times multiply, so it is taken of their logarithms; even these have long tails where rare samples rule, and with
+// few runs such a sample is missing more often than an interval allows for. So fewer than these tell none.
+inline constexpr std::size_t kFewestRuns = 8;
+// Times of whole runs and figures of finished pictures, whose tails are short.
+inline constexpr std::size_t kFewestSteadyRuns = 4;
+
+// The mean.
+Estimate mean_over_runs(std::span<const double> runs, std::size_t fewest = kFewestRuns);
+// The geometric mean, of figures that multiply (errors, times, ratios of these); not a number where one is not
+// positive.
+Estimate factor_over_runs(std::span<const double> runs, std::size_t fewest = kFewestRuns);
+// The geometric mean of `above` over that of `below`, runs that are not paired (Welch 1947, of logarithms).
+Estimate factor_between(std::span<const double> above, std::span<const double> below, std::size_t fewest = kFewestRuns);
+// Whether one run rules the geometric mean's tail: the factor between the mean and it is beyond the interval, so that
+// what is told of a typical run does not hold for the mean over many.
+bool has_heavy_tail(std::span<const double> runs);
+// Why there is no interval: "95% intervals want 8 runs; there are 3".
+std::string too_few_runs(std::size_t runs, std::size_t fewest = kFewestRuns);
 
 }  // namespace fb::lab

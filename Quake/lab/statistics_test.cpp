@@ -36,49 +36,73 @@ TEST(Statistics, StudentsTOfTheTables) {
   EXPECT_NEAR(student_t_probability(-2.262, 9), 0.025, 1e-4);
 }
 
-TEST(Statistics, IntervalsCoverTheTruthAsOftenAsTheySay) {
-  // 400 series of 40 normal numbers with mean 5. The t interval covers 95% exactly; the bootstrap of blocks is known to
-  // be too narrow for short series. Three binomial standard errors are 3.3%.
-  Rng rng(11);
-  int t_covers = 0, bootstrap_covers = 0;
-  constexpr int kSeries = 400, kLength = 40;
-  for (int s = 0; s < kSeries; ++s) {
-    std::vector<double> values(kLength);
-    for (double& v : values) v = 5 + 2 * normal(rng);
-    const Interval t = t_interval(values);
-    t_covers += t.low <= 5 && 5 <= t.high;
-    const auto mean_at = [&](std::span<const std::size_t> indices) {
-      double sum = 0;
-      for (const std::size_t i : indices) sum += values[i];
-      return sum / static_cast<double>(indices.size());
-    };
-    const Interval b = bootstrap_interval({4, kLength / 4}, mean_at, 0.95, 300, 1);
-    bootstrap_covers += b.low <= 5 && 5 <= b.high;
+// How often an interval holds `truth`, of so many.
+template <typename Draw>
+double coverage(int trials, double truth, const Draw& draw) {
+  int held = 0;
+  for (int i = 0; i < trials; ++i) {
+    const Interval interval = draw().interval;
+    held += interval.low <= truth && truth <= interval.high;
   }
-  EXPECT_NEAR(t_covers / double{kSeries}, 0.95, 0.033);
-  EXPECT_GT(bootstrap_covers / double{kSeries}, 0.85);
-  EXPECT_LT(bootstrap_covers / double{kSeries}, 0.985);
+  return held / static_cast<double>(trials);
 }
 
-TEST(Statistics, BlocksKeepWhatBelongsTogether) {
-  // Values that come in long stretches of equal ones: a bootstrap of single values would call their mean far too
-  // certain.
-  std::vector<double> values(64);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = (i / 8) % 2 == 0 ? 0.0 : 1.0;
-  const auto mean_at = [&](std::span<const std::size_t> indices) {
-    EXPECT_EQ(indices.size(), 64u);
-    double sum = 0;
-    for (const std::size_t i : indices) sum += values[i];
-    return sum / 64;
+TEST(Statistics, IntervalsCoverTheTruthAsOftenAsTheySay) {
+  // 2000 trials: three binomial standard errors are 1.5%. Errors of runs are the exponential of normal numbers; two
+  // sides that are unequally many and unequally noisy, as Welch allows for.
+  constexpr int kTrials = 2000;
+  constexpr double kThreeErrors = 0.0147;
+  Rng rng(11);
+  const auto runs = [&](std::size_t count, double log_mean, double deviation) {
+    std::vector<double> values(count);
+    for (double& v : values) v = std::exp(log_mean + deviation * normal(rng));
+    return values;
   };
-  const Interval interval = bootstrap_interval({1, 64}, mean_at);
-  EXPECT_LT(interval.low, 0.33);  // 2 * 0.5 / sqrt(64) = 0.125 if they were independent
-  EXPECT_GT(interval.high, 0.67);
-  const Interval again = bootstrap_interval({1, 64}, mean_at);
-  EXPECT_EQ(interval.low, again.low);
-  int calls = 0;
-  const auto sometimes_none = [&](std::span<const std::size_t>) { return ++calls % 7 == 0 ? std::nan("") : 1.0; };
-  EXPECT_TRUE(std::isnan(bootstrap_interval({1, 64}, sometimes_none).low));
+  for (const std::size_t n : {std::size_t{8}, std::size_t{40}}) {
+    EXPECT_NEAR(coverage(kTrials, 5,
+                         [&] {
+                           std::vector<double> values(n);
+                           for (double& v : values) v = 5 + 2 * normal(rng);
+                           return mean_over_runs(values);
+                         }),
+                0.95, kThreeErrors)
+        << n;
+    EXPECT_NEAR(coverage(kTrials, std::exp(0.3), [&] { return factor_over_runs(runs(n, 0.3, 1.2)); }), 0.95,
+                kThreeErrors)
+        << n;
+  }
+  EXPECT_NEAR(coverage(kTrials, 2, [&] { return factor_over_runs(runs(4, std::log(2.0), 0.1), kFewestSteadyRuns); }),
+              0.95, kThreeErrors);
+  EXPECT_NEAR(coverage(kTrials, std::exp(0.5),
+                       [&] { return factor_between(runs(4, 0.5, 0.1), runs(12, 0.0, 0.3), kFewestSteadyRuns); }),
+              0.95, 0.02)
+      << "Welch's degrees of freedom are approximate";
+}
+
+TEST(Statistics, FewRunsHaveNoInterval) {
+  const std::vector<double> seven{1, 2, 1, 2, 1, 2, 1}, eight{1, 2, 1, 2, 1, 2, 1, 2};
+  EXPECT_FALSE(mean_over_runs(seven).has_interval());
+  EXPECT_FALSE(factor_over_runs(seven).has_interval());
+  EXPECT_FALSE(factor_between(eight, seven).has_interval());
+  EXPECT_NEAR(factor_between(eight, eight).value, 1, 1e-12);
+  EXPECT_TRUE(factor_over_runs(eight).has_interval());
+  EXPECT_NEAR(factor_over_runs(eight).value, std::sqrt(2.0), 1e-12);
+  EXPECT_TRUE(mean_over_runs(std::vector<double>{1, 2}, 2).has_interval());
+  EXPECT_EQ(too_few_runs(3), "95% intervals want 8 runs; there are 3");
+  EXPECT_EQ(too_few_runs(1, kFewestSteadyRuns), "95% intervals want 4 runs; there is 1");
+}
+
+TEST(Statistics, WhatDoesNotMultiplyHasNoFactor) {
+  EXPECT_TRUE(std::isnan(factor_over_runs(std::vector<double>{1, 0, 1}).value));
+  EXPECT_TRUE(std::isnan(factor_over_runs({}).value));
+  EXPECT_TRUE(std::isnan(factor_between(std::vector<double>{1, 2}, std::vector<double>{1, NAN}).value));
+}
+
+TEST(Statistics, ARunThatRulesTheMeanIsToldOf) {
+  std::vector<double> runs{1, 1.1, 0.9, 1, 1.05, 0.95, 1, 1};
+  EXPECT_FALSE(has_heavy_tail(runs));
+  runs.back() = 1e6;  // the interval is as wide as that, and the mean still beyond it
+  EXPECT_TRUE(has_heavy_tail(runs));
 }
 
 }  // namespace

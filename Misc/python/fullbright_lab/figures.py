@@ -12,7 +12,7 @@ matplotlib.use("svg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
-from fullbright_lab.results import Experiment  # noqa: E402
+from fullbright_lab.results import FEWEST_RUNS, Experiment, student_95  # noqa: E402
 
 # Okabe and Ito's colours, told apart by all.
 COLORS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7f7f7f"]
@@ -38,14 +38,15 @@ def svg(figure, label: str) -> str:
 def _band(axes, x, rows, color, name, marker=None):
     x, measured = np.asarray(x, float), np.isfinite(rows).all(axis=0)
     x, rows = x[measured], rows[:, measured]
-    mean = rows.mean(axis=0)
+    positive = (rows > 0).all(axis=0)
+    mean = np.where(positive, np.exp(np.log(np.where(positive, rows, 1)).mean(axis=0)), 0)  # as intervals have it: geometric
     keep = (mean > 0) & (x > 0)
     if not keep.any():
         return
     every = max(1, int(keep.sum()) // 8)
     axes.plot(x[keep], mean[keep], color=color, marker=marker, markevery=every, markersize=4, linewidth=1.6, label=name)
-    if len(rows) > 1:
-        spread = np.exp(1.96 * rows.std(axis=0, ddof=1)[keep] / np.sqrt(len(rows)) / mean[keep])  # a factor: the axis is logarithmic
+    if len(rows) >= FEWEST_RUNS:
+        spread = np.exp(student_95(len(rows) - 1) * np.log(rows[:, keep]).std(axis=0, ddof=1) / np.sqrt(len(rows)))
         axes.fill_between(x[keep], mean[keep] / spread, mean[keep] * spread, color=color, alpha=0.2, linewidth=0)
 
 

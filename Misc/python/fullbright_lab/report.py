@@ -1,6 +1,6 @@
 """A suite's results as one HTML page that needs nothing else: python3 -m fullbright_lab.report DIR [--out FILE] [--lab PROGRAM].
 
-Figures with bands of 95%, tables of gains with bootstrap intervals, pictures side by side with zoom in step, errors in false colours, times by
+Figures with bands of 95%, tables of gains with their intervals, pictures side by side with zoom in step, errors in false colours, times by
 pass, and beside each the command that repeats it. PROGRAM, a fullbright-lab, adds maps of FLIP."""
 
 from __future__ import annotations
@@ -42,16 +42,22 @@ def table(head: list[str], rows: list[list[str]], caption: str) -> str:
     return f"<div class=scroll><table><caption>{html.escape(caption)}</caption><thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table></div>"
 
 
+def runs(experiment: Experiment, fewest: int = results.FEWEST_RUNS) -> str:
+    count = len(experiment.chosen(experiment.configurations[0]))
+    intervals = "with 95% intervals" if count >= fewest else f"too few for intervals, which want {fewest}"
+    return f"{count} run{'' if count == 1 else 's'}, {intervals}"
+
+
 def gains(experiment: Experiment) -> str:
     rows = []
     for name in experiment.configurations:
-        error = results.bootstrap(experiment.errors(name, "relmse_corrected"))
-        time = results.bootstrap(experiment.milliseconds(name), np.median)
+        error = results.over_runs(experiment.errors(name, "relmse_corrected"))
+        time = results.over_runs(experiment.milliseconds(name), results.FEWEST_STEADY_RUNS)
         first = name == experiment.configurations[0]
         rows.append([name, interval(error), interval(time), "1" if first else interval(experiment.gain(name, "samples")),
                      "1" if first else interval(experiment.gain(name, "time"))])
     return table(["", "relMSE of a frame", "ms of the estimator", "gain, equal samples", "gain, equal time"], rows,
-                 f"Gains in MSE over {experiment.configurations[0]}, the reference's variance taken off; 95% intervals by bootstrap over {len(experiment.chosen(experiment.configurations[0]))} runs")
+                 f"Gains in MSE over {experiment.configurations[0]}, the reference's variance taken off; geometric means over {runs(experiment)}")
 
 
 def errors_table(experiment: Experiment) -> str:
@@ -142,8 +148,8 @@ def side_by_side(experiment: Experiment) -> str:
 
 def judged_section(experiment: Experiment) -> str:
     truth = experiment.data["truth"]
-    runs = len(experiment.chosen(experiment.configurations[0]))
-    caption = f"Final pictures of {runs} seeds; 95% intervals over them. FLIP of the reference's own noise: {number(truth['flip'])}"
+    seeds = runs(experiment, results.FEWEST_STEADY_RUNS)
+    caption = f"Final pictures of seeds, {seeds}. FLIP of the reference's own noise: {number(truth['flip'])}"
     return judged_table(experiment.data["judged"], caption) + side_by_side(experiment)
 
 
@@ -163,14 +169,14 @@ def section(experiment: Experiment, lab: str | None) -> str:
     elif experiment.what:
         drawings = []
         if experiment.what != "time":
-            drawings.append(figure(figures.over_values(experiment, "time"), f"Time over {experiment.what}; bands are 95% over runs."))
+            drawings.append(figure(figures.over_values(experiment, "time"), f"Time over {experiment.what}; bands are 95% over runs, where there are {results.FEWEST_RUNS} or more."))
         if measured:
-            drawings.append(figure(figures.over_values(experiment, "error"), f"Error over {experiment.label}; bands are 95% over runs."))
+            drawings.append(figure(figures.over_values(experiment, "error"), f"Error over {experiment.label}; bands are 95% over runs, where there are {results.FEWEST_RUNS} or more."))
         parts.append(f"<div class='grid plots'>{''.join(drawings)}</div>")
     elif measured:
         drawings = []
         if experiment.curve(experiment.configurations[0], "running_rel_mse") is not None:
-            drawings += [figure(figures.over_frames(experiment, "samples"), "Error of the mean of the frames so far, over samples. Lines begin with nothing learnt, dashed ones after the warm-up. Bands are 95% over runs."),
+            drawings += [figure(figures.over_frames(experiment, "samples"), "Error of the mean of the frames so far, over samples. Lines begin with nothing learnt, dashed ones after the warm-up. Bands are 95% over runs, where there are {results.FEWEST_RUNS} or more."),
                          figure(figures.over_frames(experiment, "time"), "The same over time.")]
         drawings.append(figure(figures.adaptation(experiment), "Adaptation: error of each frame alone."))
         parts.append(f"<div class='grid plots'>{''.join(drawings)}</div>{gains(experiment)}{errors_table(experiment)}")

@@ -12,7 +12,16 @@ import numpy as np
 from fullbright_lab import exr
 
 FORMAT = "fullbright suite results 1"
-RESAMPLES = 2000
+FEWEST_RUNS = 8  # of which an interval of errors is told: with fewer, rare samples are missing more often than it allows for
+FEWEST_STEADY_RUNS = 4  # of times
+
+
+def student_95(freedom: int) -> float:
+    """Student's t of which |T| <= t in 95% of cases: T = sqrt(freedom) tan(angle), whose density is cos(angle)^(freedom - 1)."""
+    angles = np.linspace(0, np.pi / 2, 20001)
+    density = np.cos(angles) ** (freedom - 1)
+    within = np.concatenate([[0.0], np.cumsum(density[1:] + density[:-1])])
+    return float(np.sqrt(freedom) * np.tan(np.interp(0.95 * within[-1], within, angles)))
 
 
 @dataclass
@@ -24,15 +33,18 @@ class Interval:
     high: float
 
 
-def bootstrap(values: np.ndarray, statistic=np.mean, seed: int = 1) -> Interval:
-    """Percentile interval of a statistic of runs: whole runs (rows) are drawn with replacement. One run has no interval: nan."""
+def over_runs(values, fewest: int = FEWEST_RUNS) -> Interval:
+    """Geometric mean of figures that multiply (errors, times, ratios of these) over independent runs, with Student's t of their logarithms;
+    nan where one is not positive, and for the interval of fewer runs than `fewest`, as in the laboratory (Quake/lab/statistics.h)."""
     values = np.asarray(values, float)
-    if len(values) < 2:
-        return Interval(float(statistic(values, axis=0)), np.nan, np.nan)
-    chosen = np.random.default_rng(seed).integers(0, len(values), (RESAMPLES, len(values)))
-    drawn = np.array([statistic(values[rows], axis=0) for rows in chosen])
-    low, high = np.nanpercentile(drawn, [2.5, 97.5])
-    return Interval(float(statistic(values, axis=0)), float(low), float(high))
+    if len(values) == 0 or not (values > 0).all():
+        return Interval(np.nan, np.nan, np.nan)
+    logs = np.log(values)
+    center = logs.mean()
+    if len(values) < max(fewest, 2):
+        return Interval(float(np.exp(center)), np.nan, np.nan)
+    half = student_95(len(values) - 1) * logs.std(ddof=1) / np.sqrt(len(values))
+    return Interval(*(float(np.exp(center + by)) for by in (0, -half, half)))
 
 
 class Experiment:
@@ -69,23 +81,18 @@ class Experiment:
         return np.array([point["milliseconds"][of] for point in self.chosen(configuration, value)], float)
 
     def gain(self, configuration: str, equal: str, value: float | None = None) -> Interval:
-        """How many times smaller the error (MSE less the reference's variance) is than the first configuration's, at equal
-        "samples" or "time"; nan where there is no error above the reference's noise."""
-        base = self.configurations[0]
+        """How many times smaller the error (MSE less the reference's variance) is than the first configuration's, at equal "samples" or
+        "time": geometric mean of the runs' own gains; nan where a run has no error above the reference's noise."""
 
-        def row(name):
+        def rows(name):
             points = self.chosen(name, value)
-            return np.array([[p["errors"].get("mse_corrected", p["errors"]["mse"]), p["samples"], p["milliseconds"]["estimator"]] for p in points])
+            return np.array([[p["errors"].get("mse_corrected", p["errors"]["mse"]), p["samples"], p["milliseconds"]["estimator"]] for p in points], float).T
 
-        both = np.concatenate([row(base), row(configuration)], axis=1)
-
-        def ratio(rows, axis=0):
-            mse, samples, time, own, own_samples, own_time = rows.mean(axis=axis)
-            if not (mse > 0 and own > 0):
-                return np.nan
-            return mse / own * (samples / own_samples if equal == "samples" else time / own_time)
-
-        return bootstrap(both, ratio)
+        mse, samples, time = rows(self.configurations[0])
+        own, own_samples, own_time = rows(configuration)
+        known = (mse > 0) & (own > 0)
+        ratios = np.where(known, mse / np.where(known, own, 1), np.nan)
+        return over_runs(ratios * (samples / own_samples if equal == "samples" else time / own_time))
 
     def pictures(self, value_index: int = 0) -> dict[str, np.ndarray]:
         """(H, W, 3) float32 linear radiance by configuration, and the "reference"; empty where none were kept."""
@@ -114,7 +121,10 @@ class Suite:
         self.experiments = [Experiment(folder, experiment) for experiment in data["experiments"]]
 
     def __getitem__(self, name: str) -> Experiment:
-        return next(experiment for experiment in self.experiments if experiment.name == name)
+        for experiment in self.experiments:
+            if experiment.name == name:
+                return experiment
+        raise KeyError(f"{self.folder} has no experiment {name!r}; it has {', '.join(experiment.name for experiment in self.experiments)}")
 
 
 def read(folder: str | Path) -> Suite:

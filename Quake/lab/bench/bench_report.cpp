@@ -14,9 +14,11 @@ std::string_view name_of(const Window& window) { return window.warm ? "warm" : "
 
 void add_gains(std::string& out, const std::string& name, const std::string& baseline, const Gains& g) {
   const auto line = [&](std::string_view what, const Estimate& e) {
-    out += fmt::format("    {:38} {:.3f} [{:.3f}, {:.3f}]\n", what, e.value, e.interval.low, e.interval.high);
+    out += fmt::format("    {:38} {:.3f}", what, e.value);
+    if (e.has_interval()) out += fmt::format(" [{:.3f}, {:.3f}]", e.interval.low, e.interval.high);
+    out += '\n';
   };
-  out += fmt::format("  gain of {} over {} [95%]\n", name, baseline);
+  out += fmt::format("  gain of {} over {}{}\n", name, baseline, g.samples.has_interval() ? " [95%]" : "");
   line("equal samples", g.samples);
   line("equal time of the estimator", g.time);
   line("equal time of all passes", g.time_all);
@@ -38,8 +40,8 @@ void add_windows(std::string& out, const BenchResult& result) {
       const WindowStatistics& s = c.windows[w];
       out += fmt::format(
           "  {:{}} {:>11.4g} +- {:<7.2g} {:>11.4g} {:>9.4g} +- {:<7.2g} {:>11.4g} {:>9.2g} +- {:<7.2g} {:>7.1f}%\n",
-          c.name, width, s.mse.value, s.mse_error, s.mse_median, s.rel_mse.value, s.rel_mse_error, s.median_pixel,
-          s.bias, s.bias_error, 100 * s.top_share);
+          c.name, width, s.mse.mean, s.mse.standard_error, s.mse_median, s.rel_mse.mean, s.rel_mse.standard_error,
+          s.median_pixel, s.bias, s.bias_error, 100 * s.top_share);
     }
     for (const auto& c : result.configurations)
       if (c.windows[w].gains) add_gains(out, c.name, first.name, *c.windows[w].gains);
@@ -82,10 +84,11 @@ void write_series(JsonWriter& json, std::string_view key, const std::vector<doub
 
 void write_window(JsonWriter& json, const ConfigurationResult& c, const WindowStatistics& s, bool still) {
   json.open_object(name_of(s.window)).integer("first_frame", s.window.first).integer("frames", c.frames.measured);
-  json.number("mse_mean", s.mse.value).number("mse_standard_error", s.mse_error);
-  json.open_array("mse_interval95").number("", s.mse.interval.low).number("", s.mse.interval.high).close();
+  json.number("mse_mean", s.mse.mean).number("mse_standard_error", s.mse.standard_error);
+  json.estimate("mse_of_a_run", s.mse.typical).boolean("mse_heavy_tail", s.mse.heavy_tail);
   json.number("mse_median", s.mse_median);
-  json.number("relmse_mean", s.rel_mse.value).number("relmse_standard_error", s.rel_mse_error);
+  json.number("relmse_mean", s.rel_mse.mean).number("relmse_standard_error", s.rel_mse.standard_error);
+  json.estimate("relmse_of_a_run", s.rel_mse.typical);
   json.number("relmse_median", s.rel_mse_median).number("mse_median_pixel", s.median_pixel);
   json.number("top_share", s.top_share).number("bias", s.bias).number("bias_standard_error", s.bias_error);
   json.number("reference_variance", s.reference_variance);
@@ -173,9 +176,20 @@ std::string bench_table(const BenchResult& result, const BenchTitle& title) {
     add_running(out, result);
   else
     add_frames(out, result);
+  if (shape.runs < kFewestRuns)
+    out += fmt::format("\n{}: --repeats {}. Errors after +- are over {}.\n", too_few_runs(shape.runs), kFewestRuns,
+                       shape.runs == 1 ? "nothing yet: one run says nothing of how runs differ" : "runs");
+  for (const auto& c : result.configurations)
+    if (c.windows.back().mse.heavy_tail)
+      out += fmt::format(
+          "\nRare runs rule the mean MSE of {}: it is {:.4g}, a typical run's {:.4g} [{:.4g}, {:.4g}]. Gains are of "
+          "typical "
+          "runs.\n",
+          c.name, c.windows.back().mse.mean, c.windows.back().mse.typical.value,
+          c.windows.back().mse.typical.interval.low, c.windows.back().mse.typical.interval.high);
   for (const auto& c : result.configurations) {
     const WindowStatistics& s = c.windows.back();
-    if (s.reference_variance > 0.1 * s.mse.value) {
+    if (s.reference_variance > 0.1 * s.mse.mean) {
       out += fmt::format(
           "\nThe reference's variance is over a tenth of what is measured of {}: take more samples of it.\n", c.name);
     }

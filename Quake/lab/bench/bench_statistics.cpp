@@ -29,46 +29,54 @@ Columns columns(const Frames& frames, const Window& window) {
           column(frames, window, [](const FrameRecord& f) { return f.estimator_ms; })};
 }
 
-using Indices = std::span<const std::size_t>;
-
-double mean_at(const std::vector<double>& values, Indices indices) {
-  double sum = 0;
-  for (const std::size_t i : indices) sum += values[i];
-  return sum / static_cast<double>(indices.size());
+// A figure of each run: of its frames' values, which stand run after run.
+template <typename Figure>
+std::vector<double> of_runs(const std::vector<double>& frames, std::uint32_t runs, const Figure& figure) {
+  std::vector<double> values;
+  const std::size_t length = frames.size() / std::max(runs, 1u);
+  for (std::uint32_t run = 0; run < runs; ++run) {
+    const auto first = frames.begin() + static_cast<std::ptrdiff_t>(run * length);
+    values.push_back(figure(std::vector<double>(first, first + static_cast<std::ptrdiff_t>(length))));
+  }
+  return values;
 }
-double median_at(const std::vector<double>& values, Indices indices) {
-  std::vector<double> chosen;
-  chosen.reserve(indices.size());
-  for (const std::size_t i : indices) chosen.push_back(values[i]);
-  return median(std::move(chosen));
-}
+double mean_over(const std::vector<double>& values) { return mean(values); }
+double median_over(const std::vector<double>& values) { return median(values); }
 
-Estimate estimate(const Series& series, const Statistic& statistic) {
-  std::vector<std::size_t> all(series.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-  return {statistic(all), bootstrap_interval(series, statistic)};
+// Each run's MSE is above zero only where it has more than the reference's noise.
+std::vector<double> products(std::vector<double> a, const std::vector<double>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] *= b[i];
+  return a;
+}
+std::vector<double> ratios(std::vector<double> above, const std::vector<double>& below) {
+  for (std::size_t i = 0; i < above.size(); ++i)
+    above[i] = above[i] > 0 && below[i] > 0 ? above[i] / below[i] : std::numeric_limits<double>::quiet_NaN();
+  return above;
 }
 
 Gains gains_against(const Columns& base, std::uint32_t base_spp, const Columns& own, std::uint32_t own_spp,
-                    const Series& series) {
-  const double samples = static_cast<double>(base_spp) / own_spp;
-  const auto ratio = [](double above, double below) {
-    return above > 0 && below > 0 ? above / below : std::numeric_limits<double>::quiet_NaN();
+                    std::uint32_t runs) {
+  const auto over_runs = [&](auto figure, const std::vector<double> Columns::*column) {
+    return ratios(of_runs(base.*column, runs, figure), of_runs(own.*column, runs, figure));
   };
-  const auto mse_ratio = [&](Indices i) { return ratio(mean_at(base.mse, i), mean_at(own.mse, i)); };
-  const auto time_ratio = [&](Indices i) { return median_at(base.estimator_ms, i) / median_at(own.estimator_ms, i); };
-  std::vector<double> paired;
-  for (std::size_t i = 0; i < own.estimator_ms.size(); ++i)
-    paired.push_back(base.estimator_ms[i] / own.estimator_ms[i]);
+  const std::vector<double> mse = over_runs(mean_over, &Columns::mse),
+                            time = over_runs(median_over, &Columns::estimator_ms);
+  const std::vector<double> paired = of_runs(ratios(base.estimator_ms, own.estimator_ms), runs, median_over);
+  const double samples = static_cast<double>(base_spp) / own_spp;
   Gains gains;
-  gains.samples = estimate(series, [&](Indices i) { return mse_ratio(i) * samples; });
-  gains.time = estimate(series, [&](Indices i) { return mse_ratio(i) * time_ratio(i); });
-  gains.time_all = estimate(
-      series, [&](Indices i) { return mse_ratio(i) * ratio(median_at(base.gpu_ms, i), median_at(own.gpu_ms, i)); });
-  gains.time_paired = estimate(series, [&](Indices i) { return mse_ratio(i) * median_at(paired, i); });
-  gains.typical_time =
-      estimate(series, [&](Indices i) { return ratio(median_at(base.mse, i), median_at(own.mse, i)) * time_ratio(i); });
+  gains.samples = factor_over_runs(products(mse, std::vector<double>(mse.size(), samples)));
+  gains.time = factor_over_runs(products(mse, time));
+  gains.time_all = factor_over_runs(products(mse, over_runs(median_over, &Columns::gpu_ms)));
+  gains.time_paired = factor_over_runs(products(mse, paired));
+  gains.typical_time = factor_over_runs(products(over_runs(median_over, &Columns::mse), time));
   return gains;
+}
+
+// Of what runs come to; of one run alone nothing is known.
+Errored errored(const std::vector<double>& frames, std::uint32_t runs) {
+  const std::vector<double> of_run = of_runs(frames, runs, mean_over);
+  return {mean(of_run), runs > 1 ? standard_error(of_run) : std::numeric_limits<double>::quiet_NaN(),
+          factor_over_runs(of_run), has_heavy_tail(of_run)};
 }
 
 }  // namespace
@@ -76,20 +84,17 @@ Gains gains_against(const Columns& base, std::uint32_t base_spp, const Columns& 
 WindowStatistics window_statistics(const Frames& frames, const Window& window, const Frames* baseline) {
   FB_CHECK_EQ(frames.records.size(), std::size_t{frames.runs} * (frames.warmup + frames.measured));
   const Columns own = columns(frames, window);
-  const Series series{frames.runs, frames.measured};
   WindowStatistics s;
   s.window = window;
-  s.mse = estimate(series, [&](Indices i) { return mean_at(own.mse, i); });
-  s.mse_error = standard_error(own.mse);
+  s.mse = errored(own.mse, frames.runs);
   s.mse_median = median(own.mse);
-  s.rel_mse = estimate(series, [&](Indices i) { return mean_at(own.rel_mse, i); });
-  s.rel_mse_error = standard_error(own.rel_mse);
+  s.rel_mse = errored(own.rel_mse, frames.runs);
   s.rel_mse_median = median(own.rel_mse);
   const auto bias = column(frames, window, [](const FrameRecord& f) { return f.errors.bias; });
   const auto bias_of_reference =
       column(frames, window, [](const FrameRecord& f) { return f.errors.reference_bias_error; });
   s.bias = mean(bias);
-  s.bias_error = std::hypot(standard_error(bias), mean(bias_of_reference));
+  s.bias_error = std::hypot(errored(bias, frames.runs).standard_error, mean(bias_of_reference));
   s.median_pixel = mean(column(frames, window, [](const FrameRecord& f) { return f.errors.median_mse; }));
   s.reference_variance = mean(column(frames, window, [](const FrameRecord& f) { return f.errors.reference_variance; }));
   const double raw = mean(column(frames, window, [](const FrameRecord& f) { return f.errors.mse; }));
@@ -101,7 +106,7 @@ WindowStatistics window_statistics(const Frames& frames, const Window& window, c
   if (baseline != nullptr) {
     FB_CHECK(baseline->runs == frames.runs && baseline->warmup == frames.warmup &&
              baseline->measured == frames.measured);
-    s.gains = gains_against(columns(*baseline, window), baseline->spp, own, frames.spp, series);
+    s.gains = gains_against(columns(*baseline, window), baseline->spp, own, frames.spp, frames.runs);
   }
   return s;
 }

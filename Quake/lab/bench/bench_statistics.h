@@ -37,8 +37,8 @@ struct Window {
 };
 
 // (MSE of the baseline / own MSE) times a cost of the baseline over the own: samples a pixel, or median GPU time of the
-// estimator's passes or of all. Not a number where the reference's noise is all that was measured. Intervals here are
-// by bootstrap of blocks of frames.
+// estimator's passes or of all: the geometric mean over runs of each run's own gain. Not a number where the
+// reference's noise is all that a run measured.
 struct Gains {
   Estimate samples, time, time_all;
   // As `time`, but with the median of the frames' own ratios of time, which a busy machine hardly touches: both frames
@@ -46,14 +46,19 @@ struct Gains {
   Estimate time_paired;
   Estimate typical_time;  // as `time`, of the median frame's MSE
 };
+// An error over runs.
+struct Errored {
+  double mean = 0, standard_error = 0;  // the latter unknown (not a number) for one run
+  Estimate typical;                     // geometric mean over runs, with its interval
+  bool heavy_tail = false;              // rare runs rule the mean: it is beyond that interval
+};
 struct WindowStatistics {
   Window window;
-  Estimate mse;           // mean over frames of their corrected MSE
-  double mse_error = 0;   // its standard error over frames, as if independent
+  Errored mse;            // of frames, corrected
   double mse_median = 0;  // over frames
-  Estimate rel_mse;
-  double rel_mse_error = 0, rel_mse_median = 0;
-  double bias = 0, bias_error = 0;      // mean signed difference; error over frames and of the reference
+  Errored rel_mse;
+  double rel_mse_median = 0;
+  double bias = 0, bias_error = 0;      // mean signed difference; error over runs and of the reference
   double median_pixel = 0;              // mean over frames of the median pixel's squared error
   double top_share = 0;                 // of all squared error, what the worst 0.1% of each frame's pixels hold
   double reference_variance = 0;        // that was taken off, mean

@@ -43,7 +43,7 @@ Result<Loaded> load(const std::string& path) {
 
 void zero_what_is_not_finite(Picture& picture) {
   for (vec3& p : picture.pixels)
-    if (!std::isfinite(p.x + p.y + p.z)) p = vec3(0.0f);
+    if (!finite(p)) p = vec3(0.0f);
 }
 
 Picture at_exposure(Picture picture, double stops) {
@@ -137,14 +137,8 @@ void summarise(Comparison& c) {
   for (std::size_t f = 0; f < c.files.front().figures.size(); ++f) {
     std::vector<double> values;
     for (const ComparedFile& file : c.files) values.push_back(file.figures[f].value);
-    const auto mean_at = [&](std::span<const std::size_t> indices) {
-      double sum = 0;
-      for (const std::size_t i : indices) sum += values[i];
-      return sum / static_cast<double>(indices.size());
-    };
-    // Runs are independent: as many series of one.
-    c.spreads.push_back({c.files.front().figures[f].name, mean(values), t_interval(values),
-                         bootstrap_interval({values.size(), 1}, mean_at)});
+    const Estimate e = mean_over_runs(values);
+    c.spreads.push_back({c.files.front().figures[f].name, e.value, e.interval});
   }
 }
 
@@ -160,8 +154,7 @@ Result<Comparison> compare(const CompareJob& job) {
   if (!reference) return reference.error();
   const Picture& r = reference->stored.mean;
   for (const vec3& p : r.pixels) {
-    if (!std::isfinite(p.x + p.y + p.z))
-      return Error{fmt::format("{}: holds values that are not finite", job.reference)};
+    if (!finite(p)) return Error{fmt::format("{}: holds values that are not finite", job.reference)};
     c.reference_mean += (double{p.x} + p.y + p.z) / (3.0 * static_cast<double>(r.pixels.size()));
   }
   c.linear = reference->is_linear;
@@ -224,10 +217,12 @@ std::string comparison_table(const Comparison& c) {
     if (file.not_finite > 0) out += fmt::format("  {} pixels are not finite and counted as zero\n", file.not_finite);
   }
   if (c.spreads.empty()) return out;
-  out += fmt::format("\n{} files: mean, 95% intervals of it by Student's t and by bootstrap\n", c.files.size());
+  const bool enough = c.files.size() >= kFewestRuns;
+  out += fmt::format("\n{} files: mean{}\n", c.files.size(),
+                     enough ? ", 95% interval of it" : "; " + too_few_runs(c.files.size()));
   for (const Spread& s : c.spreads) {
-    out += fmt::format("  {:18} {:<12.6g} [{:.6g}, {:.6g}]  [{:.6g}, {:.6g}]\n", s.name, s.mean, s.t.low, s.t.high,
-                       s.bootstrap.low, s.bootstrap.high);
+    out += fmt::format("  {:18} {:.6g}", s.name, s.mean);
+    out += enough ? fmt::format(" [{:.6g}, {:.6g}]\n", s.interval.low, s.interval.high) : "\n";
   }
   if (c.variance) {
     out += fmt::format("  {:18} {:.6g}\n  {:18} {:.6g}\n", "variance", *c.variance, "bias_squared", *c.bias_squared);
@@ -260,15 +255,10 @@ std::string comparison_json(const Comparison& c) {
     json.close().close().close();
   }
   json.close();
-  const auto interval = [&](std::string_view key, const Interval& i) {
-    json.open_array(key).number("", i.low).number("", i.high).close();
-  };
   json.open_object("runs");
   for (const Spread& s : c.spreads) {
     json.open_object(s.name).number("mean", s.mean);
-    interval("t95", s.t);
-    interval("bootstrap95", s.bootstrap);
-    json.close();
+    json.open_array("interval95").number("", s.interval.low).number("", s.interval.high).close().close();
   }
   if (c.variance) json.number("variance", *c.variance).number("bias_squared", *c.bias_squared);
   return json.close().close().str();

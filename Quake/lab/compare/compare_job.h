@@ -39,8 +39,7 @@ struct ComparedFile {
 struct Spread {
   std::string name;
   double mean = 0;
-  Interval t;          // 95%, Student's t
-  Interval bootstrap;  // 95%, percentiles
+  Interval interval;  // 95%, Student's t over files; not a number where these are too few
 };
 struct Comparison {
   CompareJob job;

@@ -85,7 +85,7 @@ TEST_F(CompareTest, FlickerIsOfWhatDoesNotMoveWithThePicture) {
 TEST_F(CompareTest, RunsOfOneThing) {
   CompareJob job;
   job.reference = exr("reference.exr", 1.0f, 0.3f, 1, 0.03f);
-  for (int i = 0; i < 6; ++i)
+  for (int i = 0; i < 8; ++i)
     job.tests.push_back(exr("run" + std::to_string(i) + ".exr", 1.2f, 0.6f, 10 + static_cast<std::uint64_t>(i)));
   const auto c = compare(job);
   ASSERT_TRUE(c.ok()) << c.error().message;
@@ -98,18 +98,18 @@ TEST_F(CompareTest, RunsOfOneThing) {
   ASSERT_EQ(c->spreads.size(), c->files[0].figures.size());
   const Spread& mse = c->spreads[0];
   EXPECT_EQ(mse.name, "mse");
-  EXPECT_LT(mse.t.low, mse.mean);
-  EXPECT_GT(mse.t.high, mse.mean);
-  EXPECT_LT(mse.bootstrap.low, mse.mean);
-  EXPECT_GT(mse.bootstrap.high, mse.mean);
+  EXPECT_LT(mse.interval.low, mse.mean);
+  EXPECT_GT(mse.interval.high, mse.mean);
   EXPECT_NEAR(*c->variance, 0.12, 0.004);
   EXPECT_NEAR(*c->bias_squared, 0.04, 0.006);
   EXPECT_THAT(comparison_table(*c), HasSubstr("bias_squared"));
-  EXPECT_THAT(comparison_json(*c), HasSubstr("\"bootstrap95\""));
+  EXPECT_THAT(comparison_json(*c), HasSubstr("\"interval95\""));
   const std::string csv = comparison_csv(*c);
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 9);
   EXPECT_THAT(csv, HasSubstr("file,mse,mse_corrected,rmse,relmse,relmse_corrected,mape,smape,psnr,bias,"
                              "mse_median_pixel,top_share,ssim,ms_ssim,low_frequencies,flip_ldr,flip_hdr,not_finite\n"));
+  job.tests.pop_back();
+  EXPECT_THAT(comparison_table(*compare(job)), HasSubstr("7 files: mean; 95% intervals want 8 runs; there are 7"));
 }
 
 TEST_F(CompareTest, PngsAreComparedAsStored) {

@@ -20,7 +20,7 @@ std::string number(double value, double factor = 1) {
 }
 std::string with_interval(const Estimate& e, double factor = 1) {
   if (!std::isfinite(e.value)) return "-";
-  if (e.interval.low == e.interval.high) return number(e.value, factor);
+  if (!e.has_interval()) return number(e.value, factor);
   return fmt::format("{:.3g} [{:.3g}, {:.3g}]", factor * e.value, factor * e.interval.low, factor * e.interval.high);
 }
 

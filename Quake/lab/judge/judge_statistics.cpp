@@ -13,8 +13,8 @@ constexpr double kLeast = 1e-12;  // an exact picture's error, so that it has a 
 
 // The mean of logarithms as a factor.
 Estimate of_logs(const std::vector<double>& logs) {
-  const Interval interval = t_interval(logs);
-  return {std::exp(mean(logs)), {std::exp(interval.low), std::exp(interval.high)}};
+  const Estimate e = mean_over_runs(logs, kFewestSteadyRuns);
+  return {std::exp(e.value), {std::exp(e.interval.low), std::exp(e.interval.high)}};
 }
 
 double floor_of(JudgeFigure figure, const ReferenceFacts& reference) {
@@ -102,8 +102,7 @@ Estimate over_seeds(const LaneFigures& lane, JudgeFigure figure, double referenc
     for (double& v : values) v = std::log(v);
     return of_logs(values);
   }
-  const double center = mean(values);
-  const Interval seeds = t_interval(values);
+  const auto [center, seeds] = mean_over_runs(values, kFewestSteadyRuns);
   // The reference's error is normal: 1.96 of it are 95%. It is independent of the seeds.
   const double half = std::hypot(0.5 * (seeds.high - seeds.low), 1.96 * reference_error);
   return {center, {center - half, center + half}};
@@ -113,7 +112,7 @@ Estimate over_views(const std::vector<ViewFigures>& views, std::size_t lane, Jud
   const auto complete = complete_views(views, figure);
   if (complete.empty()) return {kUnknown, {kUnknown, kUnknown}};
   const std::vector<double> means = seed_means(complete, lane, figure);
-  return info(figure).multiplies ? of_logs(means) : Estimate{mean(means), t_interval(means)};
+  return info(figure).multiplies ? of_logs(means) : mean_over_runs(means, kFewestSteadyRuns);
 }
 
 JudgeGain gain_over_first(const std::vector<ViewFigures>& views, std::size_t lane,

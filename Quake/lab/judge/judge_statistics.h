@@ -46,7 +46,7 @@ struct LaneFigures {
   std::uint32_t most_dark = 0, most_bright = 0;  // in any frame of any seed
   std::uint64_t not_finite = 0;                  // pixels of linear radiance; they counted as zero
 };
-// One figure of a lane in a view; by Student's t over seeds, both ends are the value for one seed. `reference_error`:
+// One figure of a lane in a view; an interval from kFewestSteadyRuns seeds on. `reference_error`:
 // standard error that the reference gives to it, for the bias.
 Estimate over_seeds(const LaneFigures& lane, JudgeFigure figure, double reference_error = 0);
 

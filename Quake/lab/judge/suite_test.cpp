@@ -76,7 +76,7 @@ TEST_F(SuiteTest, RefusesInOneSentenceWithThePlace) {
   EXPECT_THAT(message(std::string(100000, '[')), HasSubstr("suite.json: "));
   const std::string whole = "{\"views\": [\n" + twice + "]}";
   ASSERT_EQ(message(whole), "");
-  EXPECT_THAT(message("{\"views\": [\n{name: 1}]}"), HasSubstr("parse error at line 2"));
+  EXPECT_THAT(message("{\"views\": [\n{name: 1}]}"), HasSubstr("json: parse error at line 2"));
   for (std::size_t cut = 0; cut < whole.size(); ++cut) EXPECT_NE(message(whole.substr(0, cut)), "") << cut;
   EXPECT_THAT(read_suite(directory_.file("none.json")).error().message, HasSubstr("none.json"));
 }

@@ -61,7 +61,7 @@ FrameFigures frame_figures(const TimedRun& run) {
 Estimate fps_over_runs(const TimedDemo& demo) {
   std::vector<double> rates;
   for (const TimedRun& run : demo.runs) rates.push_back(run.fps());
-  return {mean(rates), t_interval(rates)};
+  return factor_over_runs(rates, kFewestSteadyRuns);
 }
 
 std::vector<std::string> timedemo_lines(const Timedemos& timedemos) {
@@ -72,8 +72,10 @@ std::vector<std::string> timedemo_lines(const Timedemos& timedemos) {
     const Estimate fps = fps_over_runs(demo);
     std::string line = fmt::format("{}: {} run{}, {:.1f} fps", demo.name, demo.runs.size(),
                                    demo.runs.size() == 1 ? "" : "s", fps.value);
-    if (demo.runs.size() > 1) line += fmt::format(" [{:.1f}, {:.1f}]", fps.interval.low, fps.interval.high);
-    lines.push_back(line + fmt::format(", 1% low {:.1f}", mean(lows)));
+    if (fps.has_interval()) line += fmt::format(" [{:.1f}, {:.1f}]", fps.interval.low, fps.interval.high);
+    line += fmt::format(", 1% low {:.1f}", mean(lows));
+    if (!fps.has_interval()) line += "; " + too_few_runs(demo.runs.size(), kFewestSteadyRuns) + ": scr_timedemo_runs";
+    lines.push_back(line);
   }
   return lines;
 }

@@ -67,7 +67,7 @@ struct FrameFigures {
   std::vector<std::size_t> worst;  // the slowest frames, from the slowest on; no more than kWorstFrames
 };
 FrameFigures frame_figures(const TimedRun& run);
-// Of the frame rate over runs: the mean and Student's 95%; both ends are the mean for one run.
+// Of the frame rate: geometric mean over runs, which has an interval from kFewestSteadyRuns on.
 Estimate fps_over_runs(const TimedDemo& demo);
 // A line for each demo of several runs or of a list: "hub: 3 runs, 14.1 fps [13.8, 14.4], 1% low 9.9".
 std::vector<std::string> timedemo_lines(const Timedemos& timedemos);
@@ -76,9 +76,8 @@ std::string timedemos_json(const Timedemos& timedemos);
 // Fails with the file and what is wrong in it.
 Result<Timedemos> read_timedemos(const std::string& path);
 
-// B against A. Ratios are A's time over B's: above 1, B is faster. The interval (95%) is by a bootstrap in two levels:
-// runs of each file with replacement, each for itself, and blocks of frames, the same of both files. A single run says
-// nothing of how runs differ: then it holds for these runs alone.
+// B against A. Ratios are A's time over B's: above 1, B is faster. Intervals (95%) are over the runs of both files
+// (factor_between), from kFewestSteadyRuns of each on.
 struct DemoRatio {
   std::string name;
   int frames = 0;
@@ -89,6 +88,7 @@ struct DemoRatio {
 struct TimedemoComparison {
   std::vector<DemoRatio> demos;
   Estimate speed;                        // geometric mean over demos
+  std::size_t runs = 0;                  // of the file and demo that has the fewest
   std::vector<std::string> differences;  // of the manifests: "device: X and Y"
   std::string sentence;
 };

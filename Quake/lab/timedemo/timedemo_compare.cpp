@@ -5,79 +5,44 @@
 #include <cmath>
 #include <functional>
 
-#include "base/rng.h"
 #include "lab/json.h"
 #include "lab/timedemo/timedemo.h"
 
 namespace fb::lab {
 namespace {
 
-constexpr int kResamples = 1000;
-
-using Series2 = std::vector<std::vector<double>>;  // [run][frame], milliseconds
-
-Series2 whole_times(const TimedDemo& demo) {
-  Series2 all;
+// Mean time of a frame, milliseconds, of each run.
+std::vector<double> whole_times(const TimedDemo& demo) {
+  std::vector<double> of_runs;
   for (const TimedRun& run : demo.runs) {
-    auto& times = all.emplace_back();
+    std::vector<double> times;
     for (const TimedFrame& frame : run.times) times.push_back(frame.whole);
+    of_runs.push_back(mean(times));
   }
-  return all;
+  return of_runs;
 }
 
 // Empty where a run lacks the pass.
-Series2 pass_times(const TimedDemo& demo, const std::string& name) {
-  Series2 all;
+std::vector<double> pass_times(const TimedDemo& demo, const std::string& name) {
+  std::vector<double> of_runs;
   for (const TimedRun& run : demo.runs)
     for (const TimedPass& pass : run.passes)
-      if (pass.name == name) all.push_back(pass.milliseconds);
-  if (all.size() != demo.runs.size()) all.clear();
-  return all;
+      if (pass.name == name) of_runs.push_back(mean(pass.milliseconds));
+  if (of_runs.size() != demo.runs.size()) of_runs.clear();
+  return of_runs;
 }
 
-// What stands before each frame of each run, added up: a block's sum is a difference.
-Series2 prefix_sums(const Series2& times) {
-  Series2 sums;
-  for (const auto& run : times) {
-    auto& s = sums.emplace_back(1, 0.0);
-    for (const double t : run) s.push_back(s.back() + t);
-  }
-  return sums;
-}
-
-double total(const Series2& times) {
-  double sum = 0;
-  for (const auto& run : times) sum += mean(run);
-  return sum / static_cast<double>(times.size());
-}
-
-// Ratios under the two-level bootstrap, sorted by nobody: one a resample.
-std::vector<double> resampled(const Series2& a, const Series2& b, std::uint64_t seed) {
-  const Series2 sums_a = prefix_sums(a), sums_b = prefix_sums(b);
-  const auto frames = static_cast<std::uint32_t>(a.front().size());
-  const auto block = static_cast<std::uint32_t>(std::max(1.0, std::round(std::cbrt(frames))));
-  const std::uint32_t blocks = (frames + block - 1) / block;
-  Rng rng(seed);
-  std::vector<double> ratios;
-  std::vector<std::uint32_t> starts(blocks);
-  const auto draw = [&](const Series2& sums) {
+// Geometric means over demos, of each run: a slow minute may touch several demos of a round.
+std::vector<double> over_demos(const std::vector<std::vector<double>>& demos) {
+  std::size_t runs = demos.front().size();
+  for (const auto& demo : demos) runs = std::min(runs, demo.size());
+  std::vector<double> means;
+  for (std::size_t run = 0; run < runs; ++run) {
     double sum = 0;
-    for (std::size_t run = 0; run < sums.size(); ++run) {
-      const auto& s = sums[rng.below(static_cast<std::uint32_t>(sums.size()))];
-      for (const std::uint32_t start : starts) sum += s[start + block] - s[start];
-    }
-    return sum / static_cast<double>(sums.size());
-  };
-  for (int i = 0; i < kResamples; ++i) {
-    for (std::uint32_t& start : starts) start = rng.below(frames - block + 1);
-    const double time_a = draw(sums_a), time_b = draw(sums_b);
-    if (time_a > 0 && time_b > 0) ratios.push_back(time_a / time_b);
+    for (const auto& demo : demos) sum += std::log(demo[run]);
+    means.push_back(std::exp(sum / static_cast<double>(demos.size())));
   }
-  return ratios;
-}
-
-Estimate ratio_of(const Series2& a, const Series2& b, const std::vector<double>& ratios) {
-  return {total(a) / total(b), {quantile(ratios, 0.025), quantile(ratios, 0.975)}};
+  return means;
 }
 
 Status check_demo(const TimedDemo& a, const std::string& name_a, const TimedDemo& b, const std::string& name_b) {
@@ -123,6 +88,9 @@ std::vector<std::string> differences(const TimedManifest& a, const TimedManifest
 std::string judgement(const TimedemoComparison& c, const std::string& name_a, const std::string& name_b) {
   const auto& [value, interval] = c.speed;
   const std::string over = fmt::format("over {} demo{}", c.demos.size(), c.demos.size() == 1 ? "" : "s");
+  if (!c.speed.has_interval())
+    return fmt::format("{} draws {:.3f} times as fast as {} {}. {}: whether that is chance is not known.", name_b,
+                       value, name_a, over, too_few_runs(c.runs, kFewestSteadyRuns));
   if (interval.low <= 1 && interval.high >= 1)
     return fmt::format("No difference between {} and {} is shown {}: {:.3f} times as fast, 95% [{:.3f}, {:.3f}].",
                        name_a, name_b, over, value, interval.low, interval.high);
@@ -144,34 +112,33 @@ Result<TimedemoComparison> compare_timedemos(const Timedemos& a, const std::stri
     return Error{fmt::format("{} demos in {}, {} in {}", a.demos.size(), name_a, b.demos.size(), name_b)};
   TimedemoComparison c;
   c.differences = differences(ma, mb);
-  double log_speed = 0;
-  std::vector<double> log_ratios(kResamples, 0.0);
+  std::vector<std::vector<double>> all_a, all_b;
   for (const TimedDemo& demo : a.demos) {
     const auto other =
         std::find_if(b.demos.begin(), b.demos.end(), [&](const TimedDemo& d) { return d.name == demo.name; });
     if (other == b.demos.end()) return Error{fmt::format("{}: not in {}", demo.name, name_b)};
     if (auto status = check_demo(demo, name_a, *other, name_b); !status) return status.error();
-    const Series2 times_a = whole_times(demo), times_b = whole_times(*other);
-    const std::vector<double> ratios = resampled(times_a, times_b, c.demos.size() + 1);
-    if (ratios.size() != log_ratios.size()) return Error{fmt::format("{}: a run took no time", demo.name)};
+    all_a.push_back(whole_times(demo));
+    all_b.push_back(whole_times(*other));
+    for (const auto* times : {&all_a.back(), &all_b.back()})
+      if (std::ranges::any_of(*times, [](double t) { return !(t > 0); }))
+        return Error{fmt::format("{}: a run took no time", demo.name)};
     DemoRatio& ratio = c.demos.emplace_back(DemoRatio{demo.name,
                                                       demo.runs.front().frames,
                                                       demo.runs.size(),
                                                       other->runs.size(),
-                                                      ratio_of(times_a, times_b, ratios),
+                                                      factor_between(all_a.back(), all_b.back(), kFewestSteadyRuns),
                                                       {}});
-    for (std::size_t i = 0; i < ratios.size(); ++i) log_ratios[i] += std::log(ratios[i]);
-    log_speed += std::log(ratio.speed.value);
     for (const TimedPass& pass : demo.runs.front().passes) {
-      const Series2 pass_a = pass_times(demo, pass.name), pass_b = pass_times(*other, pass.name);
-      if (pass_a.empty() || pass_b.empty() || !(total(pass_a) > 0) || !(total(pass_b) > 0)) continue;
-      ratio.passes.emplace_back(pass.name, ratio_of(pass_a, pass_b, resampled(pass_a, pass_b, 1)));
+      const auto pass_a = pass_times(demo, pass.name), pass_b = pass_times(*other, pass.name);
+      const Estimate speed = factor_between(pass_a, pass_b, kFewestSteadyRuns);
+      if (!std::isnan(speed.value)) ratio.passes.emplace_back(pass.name, speed);
     }
   }
-  const double n = static_cast<double>(std::max<std::size_t>(c.demos.size(), 1));
   if (c.demos.empty()) return Error{fmt::format("{} and {} have no demo", name_a, name_b)};
-  for (double& v : log_ratios) v = std::exp(v / n);
-  c.speed = {std::exp(log_speed / n), {quantile(log_ratios, 0.025), quantile(log_ratios, 0.975)}};
+  const auto a_runs = over_demos(all_a), b_runs = over_demos(all_b);
+  c.runs = std::min(a_runs.size(), b_runs.size());
+  c.speed = factor_between(a_runs, b_runs, kFewestSteadyRuns);
   c.sentence = judgement(c, name_a, name_b);
   return c;
 }
@@ -181,14 +148,14 @@ std::string comparison_table(const TimedemoComparison& c) {
   for (const std::string& line : c.differences) out += line + '\n';
   for (const DemoRatio& d : c.demos) {
     const auto row = [&](std::string_view name, const Estimate& e) {
-      out += fmt::format("  {:24} {:.3f} [{:.3f}, {:.3f}]\n", name, e.value, e.interval.low, e.interval.high);
+      out += fmt::format("  {:24} {:.3f}", name, e.value);
+      if (e.has_interval()) out += fmt::format(" [{:.3f}, {:.3f}]", e.interval.low, e.interval.high);
+      out += '\n';
     };
     out += fmt::format("{}, {} frames, {} and {} runs; time of the first over the second's, 95%:\n", d.name, d.frames,
                        d.runs_a, d.runs_b);
     row("whole frame", d.speed);
     for (const auto& [name, e] : d.passes) row(name, e);
-    if (std::min(d.runs_a, d.runs_b) == 1)
-      out += "  One run of a side says nothing of how runs differ: the interval holds for these runs alone.\n";
   }
   return out + c.sentence + '\n';
 }

@@ -80,7 +80,7 @@ TEST(Timedemo, AFileKeepsWhatItWasGiven) {
 }
 
 TEST(Timedemo, ASpeedUpIsFoundAndItsIntervalHoldsIt) {
-  const auto c = compare_timedemos(file_of(1, 3, 1), "A", file_of(0.8, 4, 50), "B");
+  const auto c = compare_timedemos(file_of(1, 4, 1), "A", file_of(0.8, 5, 50), "B");
   ASSERT_TRUE(c) << c.error().message;
   EXPECT_NEAR(c->speed.value, 1.25, 0.01);
   EXPECT_LT(c->speed.interval.low, 1.25);
@@ -94,13 +94,33 @@ TEST(Timedemo, ASpeedUpIsFoundAndItsIntervalHoldsIt) {
 }
 
 TEST(Timedemo, EqualBuildsAreSeldomCalledDifferent) {
-  // 95% intervals: 100 pairs go wrong 5 times; a binomial of 100 and 0.05 exceeds 12 once in 700.
+  // 95% intervals, runs that are each faster or slower as a whole: 400 pairs go wrong 20 times, give or take three
+  // binomial standard errors.
   int wrong = 0;
-  for (std::uint64_t i = 0; i < 100; ++i) {
-    const auto c = compare_timedemos(file_of(1, 4, 1000 * i), "A", file_of(1, 4, 1000 * i + 500), "B");
+  Rng rng(3);
+  const auto noisy = [&](std::uint64_t seed) {
+    Timedemos t = file_of(1, 0, 0);
+    for (std::uint64_t i = 0; i < 4; ++i) {
+      const double whole = std::exp(0.1 * (rng.uniform() + rng.uniform() + rng.uniform() - 1.5));
+      t.demos.front().runs.push_back(run_of(40, whole, seed + i));
+    }
+    return t;
+  };
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    const auto c = compare_timedemos(noisy(1000 * i), "A", noisy(1000 * i + 500), "B");
     wrong += c->speed.interval.low > 1 || c->speed.interval.high < 1;
   }
-  EXPECT_LE(wrong, 12);
+  EXPECT_NEAR(wrong, 20, 13);
+}
+
+TEST(Timedemo, FewRunsSayNothingOfChance) {
+  const auto c = compare_timedemos(file_of(1, 2, 1), "A", file_of(0.8, 9, 50), "B");
+  ASSERT_TRUE(c);
+  EXPECT_FALSE(c->speed.has_interval());
+  EXPECT_NEAR(c->speed.value, 1.25, 0.01);
+  EXPECT_THAT(c->sentence, HasSubstr("95% intervals want 4 runs; there are 2"));
+  EXPECT_THAT(timedemo_lines(file_of(1, 2, 1)).front(), HasSubstr("want 4 runs; there are 2: scr_timedemo_runs"));
+  EXPECT_THAT(timedemo_lines(file_of(1, 4, 1)).front(), HasSubstr("["));
 }
 
 TEST(Timedemo, UnlikeFilesAreRefusedWithTheReason) {
