@@ -120,18 +120,22 @@ void GuidedTechnique::fill_constants(const TechniqueFrame& frame) {
   std::memcpy(uniform_.mapped(), &c, sizeof(c));
 }
 
-// Alber 2025: Table 1, Alg. 1 to 3 and Section 5, as far as they say. The probability of the BSDF is "low" there.
+// Alber 2025: Table 1, Alg. 1 to 3 and Section 5, as far as they say. What they do not say is as in the sources of
+// merian-quake, by the paper's author: the probability of the BSDF, "low" in the paper, the static grid's width, alpha.
 RenderSettings GuidedTechnique::adapt(RenderSettings settings) const {
   if (settings.mc_paper == 0) return settings;
   settings.mc_bucket = 1;
-  settings.mc_accesses = 5;
+  settings.mc_accesses = settings.mc_paper > 1 ? settings.mc_paper : 5;
   settings.mc_adaptive = 0.7f;
   settings.mc_wider = 1;
   settings.mc_jitter = 1;
   settings.mc_pixels = 0;
   settings.mc_radius = 1;
   settings.mc_learn_share = 0;
-  settings.mc_share = 0.9f;
+  settings.mc_share = 0.85f;
+  settings.mc_static_width = 25.3f;
+  settings.mc_alpha = 0.01f;
+  settings.mc_power = 1;
   settings.mc_share_score = 0;
   settings.mc_train = 1;
   settings.mc_in_world = 0;

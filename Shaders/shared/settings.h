@@ -88,7 +88,7 @@
 // Markov chain path guiding (shared/guide.h).
 #define FB_GUIDE_SETTINGS(X) \
   X(int, mc_fog, "r_mc_fog", 0, 0, 1, "guide paths that begin in fog also where lights are looked for (mcpg_nee): fewer than a seventh less variance for twice the time; mcpg always does") \
-  X(int, mc_paper, "r_mc_paper", 0, 0, 1, "path guiding: 1 the paper's own method and settings (Alber 2025), whatever the others say: cells of one state, five of them, both grids, a fixed probability of guiding") \
+  X(int, mc_paper, "r_mc_paper", 0, 0, 16, "path guiding: 1 the paper's own method and settings (Alber 2025), whatever the others say: cells of one state, five of them (more than 1: so many), both grids, a fixed probability of guiding") \
   X(int, mc_states, "r_mc_states", 1000000, 1024, 16777216, "path guiding: states in the hash table, 24 bytes each; rounded up to a power of two") \
   X(int, mc_cells, "r_mc_cells", 131072, 1024, 4194304, "path guiding: cells of the irradiance cache, 68 bytes each; rounded up to a power of two") \
   X(int, mc_accesses, "r_mc_accesses", 2, 1, 16, "path guiding: cells from which a vertex gathers states; times r_mc_bucket this is the paper's N_mc") \

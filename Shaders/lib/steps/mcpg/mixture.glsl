@@ -48,7 +48,8 @@ void load_mixture(Vertex v, inout Guidance g, inout uint group_rng, inout uint r
   g.choice = GuideChoice(VmfLobe(axis, 0.0, 0.0), 0.0, kNoIndex);
   float stratum = rng_uniform(group_rng);
   [[unroll]] for (uint a = 0u; a < GUIDE_ACCESSES; ++a) {
-    bool adaptive = float(a) + stratum < guide.mc_adaptive * float(GUIDE_ACCESSES);
+    bool adaptive = guide.mc_paper != 0 ? rng_uniform(group_rng) < guide.mc_adaptive
+                                        : float(a) + stratum < guide.mc_adaptive * float(GUIDE_ACCESSES);
     bool from_past = g.moved && (a + 1u == GUIDE_ACCESSES || guide.mc_paper != 0);
     GuideCell cell = guide_cell(from_past ? v.previous : v.position, v.scatter, adaptive, a, group_rng);
     g.cells[a] = cell;
@@ -61,8 +62,9 @@ void load_mixture(Vertex v, inout Guidance g, inout uint group_rng, inout uint r
       float d2 = dot(to_light, to_light);
       bool valid = s.check == cell.check && s.weight > 0.0 && d2 > 1e-6;
       GuideView view = view_state(s, valid ? to_light : axis, v.scatter);
-      float score = valid ? s.weight * view.scale : 0.0;
-      float part = scatters_to(v.scatter, view.direction) ? (g.last ? score * s.emissive : score) : 0.0;
+      bool scatters = scatters_to(v.scatter, view.direction), paper = guide.mc_paper != 0;
+      float score = valid && (scatters || !paper) ? s.weight * view.scale : 0.0;  // Alber 2025, Section 4, Step 1: left out
+      float part = scatters ? (g.last && !paper ? score * s.emissive : score) : 0.0;
       if (guide.mc_power != 1.0) part = part > 0.0 ? pow(part, guide.mc_power) : 0.0;
       g.lobes[i] = vmf_lobe(view.direction, vmf_kappa(view.spread));
       g.weights[i] = vec2(part, score);

@@ -3,7 +3,8 @@
 #define FB_MCPG_TRANSITION
 #include "lib/steps/mcpg/propose.glsl"
 
-const float kLeastOfWeight = 0.02;  // of what a state expects: less is nothing
+// Of what a state expects: less is nothing. The paper says "significantly smaller"; its is that of merian-quake's sources.
+const float kLeastOfWeight = 0.02, kLeastOfWeightPaper = 0.001;
 
 struct Transition {
   GuideState state;  // that learns
@@ -17,6 +18,7 @@ struct Transition {
 // Alber 2025, Section 5). `scale`: of the state as it is seen from the vertex.
 bool is_lost(Transition t, float scale) {
   uint lately = guide.mc_paper != 0 ? 0u : 1u;
-  return guide.mc_loss != 0 && t.matched && t.near && t.value < kLeastOfWeight * t.state.weight * scale && guide_age(t.state) > lately;
+  float least = guide.mc_paper != 0 ? kLeastOfWeightPaper : kLeastOfWeight;
+  return guide.mc_loss != 0 && t.matched && t.near && t.value < least * t.state.weight * scale && guide_age(t.state) > lately;
 }
 #endif
