@@ -210,7 +210,10 @@ void Game::report_timing() {
   if (timing && !was_timing_) {
     first_timed_ = true;
     pass_report_.clear();
-    timedemo_report_.begin();
+    if (const Status writable = timedemo_report_.begin(); !writable) {
+      engine_->console().fail_unless(writable);
+      engine_->console().insert("stopdemo\n");
+    }
   }
   if (!timing && was_timing_) {
     renderer_->finish();

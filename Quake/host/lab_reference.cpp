@@ -79,10 +79,12 @@ LabCommand add_reference_command(CLI::App& app) {
   add_stage_options(*reference, options->stage);
   add_number(*reference, "--frame", options->frame, std::uint64_t{0}, std::uint64_t{kMostFrames},
              "number of the frame, from 0");
-  add_number(
-      *reference, "--error", options->relative_error, 0.0, 10.0,
-      "end at this standard error of a pixel's luminance, relative to the mean luminance, --spp at most; 0: at --spp");
-  add_number(*reference, "--time", options->seconds, 0.0, 1e7, "end after so many seconds, --spp at most; 0: at --spp");
+  // Their defaults, 0, are for none: nothing reaches an error of 0.
+  add_number(*reference, "--error", options->relative_error, 1e-6, 10.0,
+             "end at this standard error of a pixel's luminance, relative to the mean luminance, --spp at most")
+      ->default_str("");
+  add_number(*reference, "--time", options->seconds, 0.001, 1e7, "end after so many seconds, --spp at most")
+      ->default_str("");
   add_number(*reference, "--warmup", options->warmup, 0u, kMostSamples,
              "samples per pixel discarded at the start of each block, from which an estimator learns");
   reference->add_option("--blocks", options->blocks,

@@ -15,6 +15,7 @@
 #include "host/base_game.h"
 #include "host/lab_numbers.h"
 #include "host/options.h"
+#include "lab/camera_source.h"
 #include "lab/client_source.h"
 #include "lab/lambert_source.h"
 #include "platform/program_directory.h"
@@ -49,12 +50,15 @@ Status set_cvars(con::Console& console, const StageOptions& o) {
 }
 
 Status open_source(Stage& stage, const StageOptions& o) {
+  const auto camera = parse_camera(o.camera);
+  if (!camera) return camera.error();
   if (!o.scene.empty()) {
     render::register_render_cvars(stage.own_console);
     if (auto status = set_cvars(stage.own_console, o); !status) return status;
     auto source = lab::code_scene(o.scene, o.fps);
     if (!source) return source.error();
     stage.source = std::move(*source);
+    if (*camera) stage.source = lab::camera_source(std::move(stage.source), **camera);
     stage.settings = render::read_render_settings(stage.own_console);
     return ok_status();
   }
@@ -66,8 +70,6 @@ Status open_source(Stage& stage, const StageOptions& o) {
   stage.engine = std::move(*engine);
   stage.engine->console().set("r_ambient", "0");  // only traced light is measured, unless --set asks for more
   if (auto status = set_cvars(stage.engine->console(), o); !status) return status;
-  auto camera = parse_camera(o.camera);
-  if (!camera) return camera.error();
   lab::ClientSourceOptions options;
   options.frames_per_second = o.fps;
   options.camera = *camera;

@@ -26,8 +26,13 @@
 namespace fb::host {
 namespace {
 
-// The suite with what the command line changes. Experiments that are not asked for are left out.
-Result<lab::ExperimentSuite> read_wanted(const SuiteOptions& o) {
+// The suite with what the command line changes, and which of its experiments are asked for.
+struct Wanted {
+  lab::ExperimentSuite suite;
+  std::vector<bool> chosen;
+};
+
+Result<Wanted> read_wanted(const SuiteOptions& o) {
   auto suite = lab::read_experiments(o.suite);
   if (!suite) return suite.error();
   std::vector<std::string> names;
@@ -38,9 +43,9 @@ Result<lab::ExperimentSuite> read_wanted(const SuiteOptions& o) {
     if (std::ranges::none_of(suite->experiments, is))
       return Error{fmt::format("--experiments {}: {} has no such experiment", name, o.suite)};
   }
-  if (!names.empty())
-    std::erase_if(suite->experiments,
-                  [&](const lab::Experiment& e) { return std::ranges::find(names, e.name) == names.end(); });
+  std::vector<bool> chosen;
+  for (const lab::Experiment& e : suite->experiments)
+    chosen.push_back(names.empty() || std::ranges::find(names, e.name) != names.end());
   std::optional<uvec2> size;
   if (!o.size.empty()) {
     const auto parsed = parse_size(o.size);
@@ -56,7 +61,23 @@ Result<lab::ExperimentSuite> read_wanted(const SuiteOptions& o) {
         !status && e.errors)
       return status.error();
   }
+  return Wanted{std::move(*suite), std::move(chosen)};
+}
+
+lab::ExperimentSuite only(lab::ExperimentSuite suite, const std::vector<bool>& chosen) {
+  std::vector<lab::Experiment> kept;
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    if (chosen[i]) kept.push_back(std::move(suite.experiments[i]));
+  suite.experiments = std::move(kept);
   return suite;
+}
+
+// Without the experiments of which nothing is asked for or there.
+lab::ExperimentSuite suite_of_results(const Wanted& wanted, const lab::SuiteFolder& folder) {
+  std::vector<bool> told = wanted.chosen;
+  for (const lab::Piece& piece : lab::pieces_of(wanted.suite))
+    if (folder.has(lab::piece_name(wanted.suite, piece))) told[piece.experiment] = true;
+  return only(wanted.suite, told);
 }
 
 double machine_load() {
@@ -135,8 +156,9 @@ Status measure(const lab::ExperimentSuite& suite, const std::vector<lab::Piece>&
 }
 
 int run_suite(SuiteOptions& o) {
-  auto suite = read_wanted(o);
-  if (!suite) return fail(suite.error());
+  const auto wanted = read_wanted(o);
+  if (!wanted) return fail(wanted.error());
+  const lab::ExperimentSuite* suite = &wanted->suite;
   const auto shard = parse_shard(o.shard);
   if (!shard) return fail(shard.error());
   if (o.references.empty()) o.references = o.out + "/references";
@@ -146,8 +168,9 @@ int run_suite(SuiteOptions& o) {
   auto folder = lab::SuiteFolder::open(o.out, *manifest);
   if (!folder) return fail(folder.error());
 
-  std::vector<bool> there(suite->experiments.size(), true);
+  std::vector<bool> there = wanted->chosen;
   for (std::size_t i = 0; i < suite->experiments.size(); ++i) {
+    if (!there[i]) continue;
     const std::string missing = place_of(suite->experiments[i].view, o.basedir, o.librequake).missing;
     if (missing.empty()) continue;
     there[i] = false;
@@ -157,7 +180,8 @@ int run_suite(SuiteOptions& o) {
   std::vector<lab::Piece> own;
   std::size_t number = 0;
   for (const lab::Piece& piece : lab::pieces_of(*suite))
-    if (number++ % shard->count == shard->index - 1 && there[piece.experiment]) own.push_back(piece);
+    if (wanted->chosen[piece.experiment] && number++ % shard->count == shard->index - 1 && there[piece.experiment])
+      own.push_back(piece);
   std::vector<lab::Piece> left;
   for (const lab::Piece& piece : own)
     if (!folder->has(lab::piece_name(*suite, piece))) left.push_back(piece);
@@ -165,7 +189,9 @@ int run_suite(SuiteOptions& o) {
     fmt::print(stderr, "{} of {} pieces are there already\n", own.size() - left.size(), own.size());
 
   if (auto status = measure(*suite, left, *folder, o); !status) return fail(status.error());
-  if (auto status = folder->write_results(*suite, command_of(o), machine_load()); !status) return fail(status.error());
+  // What an earlier run measured stays in the results.
+  if (auto status = folder->write_results(suite_of_results(*wanted, *folder), command_of(o), machine_load()); !status)
+    return fail(status.error());
   fmt::print("{}/results.json: {} pieces{}\n", o.out, own.size(),
              shard->count > 1 ? fmt::format(", shard {}; suite-merge joins them", o.shard) : "");
   return 0;
@@ -233,10 +259,11 @@ LabCommand add_suite_merge_command(CLI::App& app) {
       ->allow_extra_args(false);
   add_binaries(*command, o->suite.binaries, "as the shards were given it");
   return {command, [o] {
-            const auto suite = read_wanted(o->suite);
-            if (!suite) return fail(suite.error());
+            const auto wanted = read_wanted(o->suite);
+            if (!wanted) return fail(wanted.error());
+            const lab::ExperimentSuite suite = only(wanted->suite, wanted->chosen);
             const auto status =
-                lab::merge_shards(*suite, o->folders, o->suite.out, command_of(o->suite), overrides_of(o->suite));
+                lab::merge_shards(suite, o->folders, o->suite.out, command_of(o->suite), overrides_of(o->suite));
             return status ? 0 : fail(status.error());
           }};
 }

@@ -95,6 +95,9 @@ def resumes(lab, first):
     lab.measure("killed")
     assert all(piece.stat().st_mtime_ns == when for piece, when in made.items()), "a piece was measured again"
     assert lab.errors("killed")[0] == first
+    # One experiment again, in a folder that has more: the others stay in the results.
+    lab.measure("killed", "--experiments", "lights")
+    assert lab.errors("killed")[0] == first
 
 
 def merges(lab, first):

@@ -32,7 +32,23 @@ TimedemoReport::TimedemoReport(Engine& engine) : engine_(engine) {
                             "file in the player's folder that timedemo writes its times to, NAME.json; empty: none");
 }
 
-void TimedemoReport::begin() { run_ = {}; }
+Status TimedemoReport::begin() {
+  run_ = {};
+  refused_ = false;
+  if (engine_.console().cvar("scr_timedemo_json").string().empty()) return ok_status();
+  const auto found = path();
+  refused_ = !found;
+  return found ? ok_status() : Status(found.error());
+}
+
+// What a server says must not write over anything else: always NAME.json.
+Result<std::filesystem::path> TimedemoReport::path() const {
+  std::string name = engine_.console().cvar("scr_timedemo_json").string();
+  if (!name.ends_with(".json")) name += ".json";
+  auto path = engine_.files().write_path(name);
+  if (!path) return Error{"scr_timedemo_json: " + path.error().message};
+  return path;
+}
 
 void TimedemoReport::add(std::uint64_t message, double demo_seconds, const std::vector<render::PassTime>& passes,
                          const FrameTimes& times) {
@@ -43,6 +59,7 @@ void TimedemoReport::add(std::uint64_t message, double demo_seconds, const std::
 }
 
 Status TimedemoReport::end(const cl::TimeDemoResult& result, const gpu::DeviceReport& device, uvec2 size) {
+  if (refused_) return ok_status();  // that has been said
   if (result.index == 0) {
     all_ = {};
     all_.manifest.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
@@ -65,8 +82,6 @@ Status TimedemoReport::end(const cl::TimeDemoResult& result, const gpu::DeviceRe
 }
 
 Status TimedemoReport::write(const gpu::DeviceReport& device, uvec2 size) {
-  std::string name = engine_.console().cvar("scr_timedemo_json").string();
-  if (!name.ends_with(".json")) name += ".json";  // what a server says must not write over anything else
   lab::TimedManifest& m = all_.manifest;
   if (m.build.empty()) m.build = build_text();
   m.program = version_text();
@@ -76,11 +91,11 @@ Status TimedemoReport::write(const gpu::DeviceReport& device, uvec2 size) {
   m.height = size.y;
   m.processors = std::thread::hardware_concurrency();
   m.settings = changed_settings(engine_.console());
-  const auto path = engine_.files().write_path(name);
-  if (!path) return path.error();
+  const auto there = path();
+  if (!there) return there.error();
   const std::string text = lab::timedemos_json(all_);
-  const Status status = fs::write_text_atomically(*path, text);
-  if (status && all_.complete) log_info("wrote {}", path->string());
+  const Status status = fs::write_text_atomically(*there, text);
+  if (status && all_.complete) log_info("wrote {}", there->string());
   return status;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 #include "base/maths.h"
@@ -19,7 +20,8 @@ class TimedemoReport {
  public:
   explicit TimedemoReport(Engine& engine);  // registers the cvar
 
-  void begin();
+  // Fails if the file is wanted where it cannot be written: the run is in vain, and its end says nothing.
+  Status begin();
   void add(std::uint64_t message, double demo_seconds, const std::vector<render::PassTime>& passes,
            const FrameTimes& times);
   // The run has ended so; says what a list comes to once its last has ended. Fails if the file cannot be written.
@@ -27,10 +29,12 @@ class TimedemoReport {
 
  private:
   Status write(const gpu::DeviceReport& device, uvec2 size);
+  Result<std::filesystem::path> path() const;
 
   Engine& engine_;
   lab::Timedemos all_;
   lab::TimedRun run_;
+  bool refused_ = false;
   int next_ = 0;  // index of the run that is wanted next, if all before it ended
 };
 

@@ -42,15 +42,15 @@ class Timedemos(unittest.TestCase):
         return json.loads((self.user / "id1" / name).read_text())
 
     def test_a_list_is_played_so_often_and_its_frames_are_the_classic_count(self):
-        said = self.play("+scr_timedemo_json", "list", "+scr_timedemo_runs", "2", "+timedemo", "cbox", "plain", "+quit")
+        said = self.play("+scr_timedemo_json", "list", "+scr_timedemo_runs", "4", "+timedemo", "cbox", "plain", "+quit")
         self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
         lines = [int(n) for n in re.findall(r"^(\d+) frames .* fps$", said.stdout, re.M)]
-        self.assertEqual(lines, [84, 63, 84, 63])
-        self.assertRegex(said.stdout, r"cbox.dem: 2 runs, [\d.]+ fps \[")
+        self.assertEqual(lines, [84, 63] * 4)
+        self.assertRegex(said.stdout, r"cbox.dem: 4 runs, [\d.]+ fps \[")
         found = self.read("list.json")
         self.assertTrue(found["complete"])
         self.assertEqual({d["name"]: [r["frames"] for r in d["runs"]] for d in found["demos"]},
-                         {name: [count] * 2 for name, count in COUNTS.items()})
+                         {name: [count] * 4 for name, count in COUNTS.items()})
         self.assertEqual(found["manifest"]["settings"]["r_bounces"], "0")
         self.assertEqual(found["manifest"]["size"], [64, 36])
         for demo in found["demos"]:
@@ -98,6 +98,8 @@ class Timedemos(unittest.TestCase):
         outside = self.play("+scr_timedemo_json", "../../outside", "+timedemo", "plain", "+quit")
         self.assertEqual(outside.returncode, 1)
         self.assertFalse((self.user.parent / "outside.json").exists())
+        self.assertIn("scr_timedemo_json: ", outside.stdout + outside.stderr)
+        self.assertNotIn("63 frames", outside.stdout, "it is refused before the demo is played, not after")
 
 
 if __name__ == "__main__":

@@ -99,7 +99,9 @@ Result<JsonFile> JsonFile::parse(std::string_view text, std::string path) {
     file.json_ = std::make_shared<Json>(
         Json::parse(LineCounter(text.data(), &line), LineCounter(text.data() + text.size(), &line), watch));
   } catch (const Json::exception& error) {
-    return Error{fmt::format("{}: {}", file.path_, error.what())};
+    // The library's sentence stands behind its code, "[json.exception.parse_error.101] ".
+    const std::string_view sentence = error.what();
+    return Error{fmt::format("{}: {}", file.path_, sentence.substr(sentence.find("] ") + 2))};
   }
   if (!wrong.empty()) return Error{fmt::format("{}: {}", file.path_, wrong)};
   // The same walk again, over what was made.
@@ -177,7 +179,8 @@ std::uint64_t JsonReader::whole(const std::string& key, std::uint64_t low, std::
 
 double JsonReader::number_of(const Json& value, const std::string& key, double low, double high) {
   if (value.is_number() && value.get<double>() >= low && value.get<double>() <= high) return value.get<double>();
-  fail(key, fmt::format("\"{}\": a number from {} to {} is wanted", key, low, high));
+  fail(key, low == high ? fmt::format("\"{}\": it can only be {} here", key, low)
+                        : fmt::format("\"{}\": a number from {} to {} is wanted", key, low, high));
   return low;
 }
 

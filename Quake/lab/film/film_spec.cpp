@@ -52,7 +52,10 @@ void read_frames(JsonReader& reader, FilmSpec& film) {
   film.first = reader.whole_of((*frames)[0], "frames", kMostFilmFrame);
   film.last = reader.whole_of((*frames)[1], "frames", kMostFilmFrame);
   if (film.last < film.first) reader.fail("frames", "\"frames\": the last comes before the first");
-  film.warmup = static_cast<std::uint32_t>(reader.whole("warmup", 0, film.first, 0));
+  film.warmup = static_cast<std::uint32_t>(reader.whole("warmup", 0, kMostFilmFrame, 0));
+  if (film.warmup > film.first)
+    reader.fail("warmup", fmt::format("\"warmup\": {} frames are wanted, and {} come before \"frames\": [{}, {}]",
+                                      film.warmup, film.first, film.first, film.last));
   film.fps = reader.number("fps", 1, 1000, 30);
 }
 
