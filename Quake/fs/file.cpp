@@ -171,7 +171,8 @@ Status write_output(const std::filesystem::path& typed, std::string_view text) {
   if (!path) return path.error();
   std::error_code code;
   const auto type = std::filesystem::status(*path, code).type();
-  if (type != std::filesystem::file_type::character && type != std::filesystem::file_type::fifo)
+  if (type == std::filesystem::file_type::regular || type == std::filesystem::file_type::not_found ||
+      type == std::filesystem::file_type::directory)  // which is refused
     return write_text_atomically(*path, text);
   std::ofstream stream(typed, std::ios::binary);
   stream << text << std::flush;

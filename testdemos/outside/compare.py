@@ -60,8 +60,12 @@ VIEWS = {
 }
 
 
+# Blender's Python takes its modules from where the first python of PATH has them; the system's has numpy.
+SYSTEM_FIRST = os.environ | {"PATH": "/usr/bin:" + os.environ.get("PATH", "")}
+
+
 def run(command: list[str]) -> str:
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=SYSTEM_FIRST)
     if done.returncode != 0:
         raise RuntimeError(f"{' '.join(command)}: {done.stdout.strip()[-2000:]}")
     return done.stdout
@@ -145,6 +149,11 @@ def main() -> int:
         version = run([options.blender, "--version"]).splitlines()[0]
     except OSError:
         print("skipped: there is no Blender (Linux/install-deps.sh outside)")
+        return 77
+    try:
+        run([options.blender, "--background", "--factory-startup", "--python-exit-code", "1", "--python-expr", "import numpy"])
+    except RuntimeError:
+        print("skipped: Blender's Python has no numpy (Debian: python3-numpy)")
         return 77
     results, apart = {"blender": version, "samples": options.samples, "size": options.size, "views": {}}, []
     with tempfile.TemporaryDirectory() as folder:
