@@ -207,12 +207,26 @@ struct SoundFile {
   }
 };
 
+// The lanes with the one that sets the exposure of all before the others: the first that looks for lights, since rare
+// samples of great weight rule the exposure that the others find.
+std::vector<FilmLaneAtWork*> in_order(Film& film) {
+  std::vector<FilmLaneAtWork*> lanes;
+  for (FilmLaneAtWork& lane : film.lanes) lanes.push_back(&lane);
+  const auto meters = std::ranges::find_if(lanes, [](const FilmLaneAtWork* lane) {
+    const render::TechniqueInfo* technique = render::find_technique(lane->settings.estimator);
+    return lane->renderer && technique != nullptr && technique->wants_lights;
+  });
+  if (meters != lanes.end()) std::rotate(lanes.begin(), meters, meters + 1);
+  return lanes;
+}
+
 Status make_frames(Film& film, lab::FilmWriter& writer, GameSound* sound, bool quiet) {
   const lab::FilmSpec& spec = film.spec;
   ui::Atlas atlas;
   scene::FrameSnapshot snapshot;
   Progress progress("frame", spec.frames(), {.quiet = quiet});
   bool matched = !spec.equal_time;
+  const std::vector<FilmLaneAtWork*> lanes = in_order(film);
   for (std::uint64_t frame = spec.renders() ? 0 : spec.first; frame <= spec.last; ++frame) {
     if (spec.renders()) {
       const auto more = film.stage.source->next(snapshot);
@@ -235,7 +249,8 @@ Status make_frames(Film& film, lab::FilmWriter& writer, GameSound* sound, bool q
       reference = std::move(*made);
     }
     std::optional<float> exposure;
-    for (FilmLaneAtWork& lane : film.lanes) {
+    for (FilmLaneAtWork* each : lanes) {
+      FilmLaneAtWork& lane = *each;
       if (!shown && !lane.renderer) continue;
       const Status status = lane.renderer ? render_lane(lane, snapshot, exposure, reference ? &*reference : nullptr)
                                           : load_picture(spec, lane, number);

@@ -31,7 +31,7 @@ struct PictureOptions {
 void choose_quick(PictureOptions& o, const CLI::App& app) {
   if (!o.quick) return;
   if (app.count("--size") == 0) o.size = "160x90";
-  if (app.count("--seeds") == 0) o.seeds = 3;
+  if (app.count("--seeds") == 0) o.seeds = 4;
   if (app.count("--reference-spp") == 0) o.reference_spp = 512;
 }
 

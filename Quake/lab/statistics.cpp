@@ -122,9 +122,11 @@ Estimate factor_between(std::span<const double> above, std::span<const double> b
   return exponential({center, {center - half, center + half}});
 }
 
-bool has_heavy_tail(std::span<const double> runs) {
-  const Estimate typical = factor_over_runs(runs);
-  return typical.has_interval() && mean(runs) > typical.interval.high;
+bool rare_values_rule(std::span<const double> values) {
+  constexpr std::size_t kFewest = 20;
+  if (values.size() < kFewest) return false;
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return sum > 0 && *std::ranges::max_element(values) > 0.1 * sum;
 }
 
 std::string too_few_runs(std::size_t runs, std::size_t fewest) {

@@ -36,7 +36,8 @@ struct Estimate {
 // Intervals are Student's t over runs, whatever happens within one: frames of an estimator that learns depend on each
 // other, and frames of one run share what it has learnt. t holds where runs' values are near to normal. Those of errors
 // and times multiply, so it is taken of their logarithms; even these have long tails where rare samples rule, and with
-// few runs such a sample is missing more often than an interval allows for. So fewer than these tell none.
+// few runs such a sample is missing more often than an interval allows for. So fewer than these tell none,
+// and where rare values rule (rare_values_rule) even these promise too much.
 inline constexpr std::size_t kFewestRuns = 8;
 // Times of whole runs and figures of finished pictures, whose tails are short.
 inline constexpr std::size_t kFewestSteadyRuns = 4;
@@ -48,9 +49,9 @@ Estimate mean_over_runs(std::span<const double> runs, std::size_t fewest = kFewe
 Estimate factor_over_runs(std::span<const double> runs, std::size_t fewest = kFewestRuns);
 // The geometric mean of `above` over that of `below`, runs that are not paired (Welch 1947, of logarithms).
 Estimate factor_between(std::span<const double> above, std::span<const double> below, std::size_t fewest = kFewestRuns);
-// Whether one run rules the geometric mean's tail: the factor between the mean and it is beyond the interval, so that
-// what is told of a typical run does not hold for the mean over many.
-bool has_heavy_tail(std::span<const double> runs);
+// Whether rare values rule the sum: one of twenty or more holds over a tenth of it. What happens in fewer than a third
+// of eight runs is often in none of them, so that no interval of these knows of it.
+bool rare_values_rule(std::span<const double> values);
 // Why there is no interval: "95% intervals want 8 runs; there are 3".
 std::string too_few_runs(std::size_t runs, std::size_t fewest = kFewestRuns);
 

@@ -98,11 +98,22 @@ TEST(Statistics, WhatDoesNotMultiplyHasNoFactor) {
   EXPECT_TRUE(std::isnan(factor_between(std::vector<double>{1, 2}, std::vector<double>{1, NAN}).value));
 }
 
-TEST(Statistics, ARunThatRulesTheMeanIsToldOf) {
-  std::vector<double> runs{1, 1.1, 0.9, 1, 1.05, 0.95, 1, 1};
-  EXPECT_FALSE(has_heavy_tail(runs));
-  runs.back() = 1e6;  // the interval is as wide as that, and the mean still beyond it
-  EXPECT_TRUE(has_heavy_tail(runs));
+TEST(Statistics, RareValuesThatRuleAreToldOf) {
+  std::vector<double> values(128, 1.0);
+  EXPECT_FALSE(rare_values_rule(values));
+  values[5] = 10;
+  EXPECT_FALSE(rare_values_rule(values));
+  values[5] = 20;  // of 147
+  EXPECT_TRUE(rare_values_rule(values));
+  EXPECT_FALSE(rare_values_rule(std::vector<double>{1, 100})) << "of few, one always holds much";
+  // The frames of eight runs whose logarithms have a deviation of 1 are told of seldom.
+  Rng rng(3);
+  int told = 0;
+  for (int i = 0; i < 200; ++i) {
+    for (double& v : values) v = std::exp(normal(rng));
+    told += rare_values_rule(values);
+  }
+  EXPECT_LT(told, 40);
 }
 
 }  // namespace

@@ -59,7 +59,9 @@ vec2 jitter_at(std::uint32_t index) {
 void fill_jitter(shared::FrameConstants& c, const RenderSettings& settings, std::uint32_t frame, bool moving) {
   const bool asked = settings.jitter > 0, always = asked || (settings.jitter < 0 && moving);
   if (!always && (settings.jitter == 0 || c.accumulated_frames == 0)) return;
-  const std::uint32_t start = asked ? shared::hash_u32(static_cast<std::uint32_t>(settings.seed)) : 0;
+  const bool alone = settings.accumulate == 0;  // no frames that spread evenly together
+  const std::uint32_t start =
+      asked ? shared::hash_combine(static_cast<std::uint32_t>(settings.seed), alone ? frame : 0u) : 0;
   const vec2 jitter = jitter_at(start + (always ? frame : 0) + c.accumulated_frames);
   c.jitter_x = jitter.x;
   c.jitter_y = jitter.y;

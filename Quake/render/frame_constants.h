@@ -27,8 +27,8 @@ float half_pixel_tangent(const CameraFrame& camera, std::uint32_t height);
 // Points of a low-discrepancy sequence (Roberts 2018, R2) in [-1/2, 1/2)^2, where rays go through their pixels.
 vec2 jitter_at(std::uint32_t index);
 // The frame's, by r_jitter; `moving`: where it is left to itself, every frame has another. Asked for, the sequence
-// begins somewhere else for every seed, and pixels err independently, unless the denoiser or footprints count on a
-// jitter that all have. `c` is complete but for it.
+// begins somewhere else for every seed (and frame, where frames do not accumulate), and pixels err independently,
+// unless the denoiser or footprints count on a jitter that all have. `c` is complete but for it.
 void fill_jitter(shared::FrameConstants& c, const RenderSettings& settings, std::uint32_t frame, bool moving);
 
 // Camera, sky, suns, time, sizes. What depends on the renderer's history (accumulation, jitter, adaptation) is left to

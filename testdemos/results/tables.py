@@ -93,11 +93,11 @@ def gains_of(name: str, label: str) -> str:
     return rows_of([label, *(f"`{n}`" for n in names[1:])], rows) + "\n\n" + made_with(suite)
 
 
-def shown(entry: dict, name: str, factor: float = 1) -> str:
+def shown(entry: dict, name: str, factor: float = 1, enough: bool = True) -> str:
     figure = results.judged_figure(entry, name)
     if math.isnan(figure.value):
         return ""
-    interval = "" if math.isnan(figure.low) else f" ({factor * figure.low:.3g} to {factor * figure.high:.3g})"
+    interval = "" if math.isnan(figure.low) or not enough else f" ({factor * figure.low:.3g} to {factor * figure.high:.3g})"
     return f"{factor * figure.value:.3g}{interval}"
 
 
@@ -106,11 +106,13 @@ def judge(name: str) -> str:
     suite = stored(name)
     names = suite.experiments[0].configurations
     rows = []
+    seeds = min(len(e.chosen(names[0])) for e in suite.experiments if e.points)
+    enough = seeds >= results.FEWEST_STEADY_RUNS
     views = [(e.name, e.data["judged"], f"{e.data['truth']['flip']:.3f}") for e in suite.experiments if e.points]
     for title, judged, noise in [*views, ("all", suite.data["judged"], "")]:
         of = {entry["configuration"]: entry for entry in judged}
         game = of[names[-1]]
-        rows.append([title, *(shown(of[n], "flip") for n in names), noise, shown(game, "bias", 100), shown(game, "flicker").split(" ")[0],
+        rows.append([title, *(shown(of[n], "flip", 1, enough) for n in names), noise, shown(game, "bias", 100, enough), shown(game, "flicker").split(" ")[0],
                      *(f"{game[key]['value']:.3g} ({game['most'][key]})" for key in ("isolated_dark", "isolated_bright")),
                      " / ".join(shown(of[n], "all_ms").split(" ")[0] for n in names)])
     head = ["view", *(f"FLIP: `{n}`" if i == 0 else f"`{n}`" for i, n in enumerate(names)), "of noise", f"bias of `{names[-1]}`, %", "flicker", "isolated dark", "isolated bright", "ms"]

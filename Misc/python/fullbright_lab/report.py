@@ -176,7 +176,7 @@ def section(experiment: Experiment, lab: str | None) -> str:
     elif measured:
         drawings = []
         if experiment.curve(experiment.configurations[0], "running_rel_mse") is not None:
-            drawings += [figure(figures.over_frames(experiment, "samples"), "Error of the mean of the frames so far, over samples. Lines begin with nothing learnt, dashed ones after the warm-up. Bands are 95% over runs, where there are {results.FEWEST_RUNS} or more."),
+            drawings += [figure(figures.over_frames(experiment, "samples"), f"Error of the mean of the frames so far, over samples. Lines begin with nothing learnt, dashed ones after the warm-up. Bands are 95% over runs, where there are {results.FEWEST_RUNS} or more."),
                          figure(figures.over_frames(experiment, "time"), "The same over time.")]
         drawings.append(figure(figures.adaptation(experiment), "Adaptation: error of each frame alone."))
         parts.append(f"<div class='grid plots'>{''.join(drawings)}</div>{gains(experiment)}{errors_table(experiment)}")
@@ -194,8 +194,9 @@ def report(suite: Suite, lab: str | None) -> str:
     state = "" if suite.complete else "<p class=paper><b>Incomplete:</b> some pieces are not measured yet, or were skipped.</p>"
     body = "".join(section(experiment, lab) for experiment in suite.experiments)
     if "judged" in suite.data:
-        views = sum(experiment.judged and bool(experiment.points) for experiment in suite.experiments)
-        state += judged_table(suite.data["judged"], f"Final pictures of all {views} views: geometric means; bias and isolated pixels are plain means. Gains in relMSE over {suite.data['judged'][0]['configuration']}")
+        judged = [experiment for experiment in suite.experiments if experiment.judged and experiment.points]
+        views, few = len(judged), runs(judged[0], results.FEWEST_STEADY_RUNS)
+        state += judged_table(suite.data["judged"], f"Final pictures of all {views} views, {few}: geometric means; bias and isolated pixels are plain means. Gains in relMSE over {suite.data['judged'][0]['configuration']}")
     return page.html_page(suite.title, f"<nav><ol>{contents}</ol></nav>{state}{skipped}{body}<section><h2>Measured with</h2><dl>{manifest}</dl><p class=command>All of it: <code>{html.escape(suite.data['command'])}</code></p></section>")
 
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "lab/json.h"
@@ -12,14 +13,18 @@ namespace {
 
 std::string_view name_of(const Window& window) { return window.warm ? "warm" : "cold"; }
 
+std::string give_or_take(double error) { return std::isnan(error) ? "" : fmt::format("+- {:.2g}", error); }
+
 void add_gains(std::string& out, const std::string& name, const std::string& baseline, const Gains& g) {
   const auto line = [&](std::string_view what, const Estimate& e) {
-    out += fmt::format("    {:38} {:.3f}", what, e.value);
+    out += std::isnan(e.value) ? fmt::format("    {:38} none: the error is the reference's noise", what)
+                               : fmt::format("    {:38} {:.3f}", what, e.value);
     if (e.has_interval()) out += fmt::format(" [{:.3f}, {:.3f}]", e.interval.low, e.interval.high);
     out += '\n';
   };
   out += fmt::format("  gain of {} over {}{}\n", name, baseline, g.samples.has_interval() ? " [95%]" : "");
   line("equal samples", g.samples);
+  line("equal samples, of all frames' mean", {g.samples_of_means, {NAN, NAN}});
   line("equal time of the estimator", g.time);
   line("equal time of all passes", g.time_all);
   line("equal time, frames paired", g.time_paired);
@@ -38,10 +43,10 @@ void add_windows(std::string& out, const BenchResult& result) {
                        "mean relMSE", "med. pixel", "bias", "top 0.1%");
     for (const auto& c : result.configurations) {
       const WindowStatistics& s = c.windows[w];
-      out += fmt::format(
-          "  {:{}} {:>11.4g} +- {:<7.2g} {:>11.4g} {:>9.4g} +- {:<7.2g} {:>11.4g} {:>9.2g} +- {:<7.2g} {:>7.1f}%\n",
-          c.name, width, s.mse.mean, s.mse.standard_error, s.mse_median, s.rel_mse.mean, s.rel_mse.standard_error,
-          s.median_pixel, s.bias, s.bias_error, 100 * s.top_share);
+      out += fmt::format("  {:{}} {:>11.4g} {:10} {:>11.4g} {:>9.4g} {:10} {:>11.4g} {:>9.2g} {:10} {:>7.1f}%\n",
+                         c.name, width, s.mse.mean, give_or_take(s.mse.standard_error), s.mse_median, s.rel_mse.mean,
+                         give_or_take(s.rel_mse.standard_error), s.median_pixel, s.bias, give_or_take(s.bias_error),
+                         100 * s.top_share);
     }
     for (const auto& c : result.configurations)
       if (c.windows[w].gains) add_gains(out, c.name, first.name, *c.windows[w].gains);
@@ -58,7 +63,7 @@ void add_frames(std::string& out, const BenchResult& result) {
   }
   for (std::size_t i = 0; i < lists.front().size(); ++i) {
     out += fmt::format("\n  {:5}", result.first_frame + lists.front()[i].index);
-    for (const auto& list : lists) out += fmt::format(" {:>11.4g} +- {:<7.2g}", list[i].mse, list[i].mse_error);
+    for (const auto& list : lists) out += fmt::format(" {:>11.4g} {:10}", list[i].mse, give_or_take(list[i].mse_error));
   }
   out += '\n';
 }
@@ -95,7 +100,7 @@ void write_window(JsonWriter& json, const ConfigurationResult& c, const WindowSt
   json.number("gpu_ms_median", s.gpu_ms).number("estimator_gpu_ms_median", s.estimator_ms);
   if (s.gains) {
     json.open_object("gain");
-    json.estimate("equal_samples", s.gains->samples);
+    json.estimate("equal_samples", s.gains->samples).number("equal_samples_of_means", s.gains->samples_of_means);
     json.estimate("equal_time", s.gains->time);
     json.estimate("equal_time_all_passes", s.gains->time_all);
     json.estimate("equal_time_paired", s.gains->time_paired);
@@ -177,16 +182,15 @@ std::string bench_table(const BenchResult& result, const BenchTitle& title) {
   else
     add_frames(out, result);
   if (shape.runs < kFewestRuns)
-    out += fmt::format("\n{}: --repeats {}. Errors after +- are over {}.\n", too_few_runs(shape.runs), kFewestRuns,
-                       shape.runs == 1 ? "nothing yet: one run says nothing of how runs differ" : "runs");
+    out += fmt::format("\n{}: --repeats {}. Errors after +- are over runs.\n", too_few_runs(shape.runs), kFewestRuns);
   for (const auto& c : result.configurations)
-    if (c.windows.back().mse.heavy_tail)
-      out += fmt::format(
-          "\nRare runs rule the mean MSE of {}: it is {:.4g}, a typical run's {:.4g} [{:.4g}, {:.4g}]. Gains are of "
-          "typical "
-          "runs.\n",
-          c.name, c.windows.back().mse.mean, c.windows.back().mse.typical.value,
-          c.windows.back().mse.typical.interval.low, c.windows.back().mse.typical.interval.high);
+    for (const WindowStatistics& s : c.windows)
+      if (s.mse.heavy_tail)
+        out += fmt::format(
+            "\n{}, {}: rare samples rule the error (mean MSE {:.4g}, a typical run's {:.4g}); intervals know nothing "
+            "of "
+            "what fewer than a third of the runs meet.\n",
+            c.name, name_of(s.window), s.mse.mean, s.mse.typical.value);
   for (const auto& c : result.configurations) {
     const WindowStatistics& s = c.windows.back();
     if (s.reference_variance > 0.1 * s.mse.mean) {

@@ -65,6 +65,8 @@ Gains gains_against(const Columns& base, std::uint32_t base_spp, const Columns& 
   const double samples = static_cast<double>(base_spp) / own_spp;
   Gains gains;
   gains.samples = factor_over_runs(products(mse, std::vector<double>(mse.size(), samples)));
+  const double above = mean(base.mse), below = mean(own.mse);
+  gains.samples_of_means = above > 0 && below > 0 ? above / below * samples : std::numeric_limits<double>::quiet_NaN();
   gains.time = factor_over_runs(products(mse, time));
   gains.time_all = factor_over_runs(products(mse, over_runs(median_over, &Columns::gpu_ms)));
   gains.time_paired = factor_over_runs(products(mse, paired));
@@ -72,11 +74,16 @@ Gains gains_against(const Columns& base, std::uint32_t base_spp, const Columns& 
   return gains;
 }
 
-// Of what runs come to; of one run alone nothing is known.
+// Of one run alone nothing is known.
+double error_over_runs(const std::vector<double>& runs) {
+  return runs.size() > 1 ? standard_error(runs) : std::numeric_limits<double>::quiet_NaN();
+}
+
 Errored errored(const std::vector<double>& frames, std::uint32_t runs) {
   const std::vector<double> of_run = of_runs(frames, runs, mean_over);
-  return {mean(of_run), runs > 1 ? standard_error(of_run) : std::numeric_limits<double>::quiet_NaN(),
-          factor_over_runs(of_run), has_heavy_tail(of_run)};
+  const Estimate typical = factor_over_runs(of_run);
+  return {mean(of_run), error_over_runs(of_run), typical,
+          rare_values_rule(frames) || (runs > 1 && mean(of_run) > 1.1 * typical.value)};
 }
 
 }  // namespace
@@ -142,7 +149,7 @@ std::vector<FrameOverRuns> frames_over_runs(const Frames& frames) {
       rel_mse.push_back(f.errors.rel_mse_corrected());
       estimator_ms.push_back(f.estimator_ms);
     }
-    list.push_back({i, mean(mse), standard_error(mse), mean(rel_mse), median(estimator_ms)});
+    list.push_back({i, mean(mse), error_over_runs(mse), mean(rel_mse), median(estimator_ms)});
   }
   return list;
 }

@@ -41,6 +41,7 @@ struct Window {
 // reference's noise is all that a run measured.
 struct Gains {
   Estimate samples, time, time_all;
+  double samples_of_means = 0;  // as `samples`, of the mean MSE of all frames of all runs
   // As `time`, but with the median of the frames' own ratios of time, which a busy machine hardly touches: both frames
   // of a pair ran one after the other.
   Estimate time_paired;
@@ -50,7 +51,7 @@ struct Gains {
 struct Errored {
   double mean = 0, standard_error = 0;  // the latter unknown (not a number) for one run
   Estimate typical;                     // geometric mean over runs, with its interval
-  bool heavy_tail = false;              // rare runs rule the mean: it is beyond that interval
+  bool heavy_tail = false;              // rare frames rule it, or rare runs the mean: intervals promise too much
 };
 struct WindowStatistics {
   Window window;
@@ -72,7 +73,7 @@ WindowStatistics window_statistics(const Frames& frames, const Window& window, c
 // errors, in order; `index` counts from the first of the warm-up.
 struct FrameOverRuns {
   std::uint32_t index = 0;
-  double mse = 0, mse_error = 0, rel_mse = 0;  // means; standard error, 0 for one run
+  double mse = 0, mse_error = 0, rel_mse = 0;  // means; standard error, unknown (not a number) for one run
   double estimator_ms = 0;                     // median
 };
 std::vector<FrameOverRuns> frames_over_runs(const Frames& frames);

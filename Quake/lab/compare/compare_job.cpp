@@ -75,7 +75,8 @@ std::vector<Figure> error_figures(const Errors& e, const Loaded& reference, cons
   std::vector<Figure> figures;
   for (const Metric& metric : metrics())
     if (metric.holds(reference.is_linear, !reference.stored.variance.empty()))
-      figures.push_back({metric.name, metric.value != nullptr ? metric.value(e) : metric.of_pictures(pair)});
+      figures.push_back(
+          {metric.name, metric.value != nullptr ? metric.value(e) : metric.of_pictures(pair), metric.multiplies});
   return figures;
 }
 
@@ -137,8 +138,11 @@ void summarise(Comparison& c) {
   for (std::size_t f = 0; f < c.files.front().figures.size(); ++f) {
     std::vector<double> values;
     for (const ComparedFile& file : c.files) values.push_back(file.figures[f].value);
-    const Estimate e = mean_over_runs(values);
-    c.spreads.push_back({c.files.front().figures[f].name, e.value, e.interval});
+    const Figure& figure = c.files.front().figures[f];
+    // An error that is all noise of the reference may be negative, and has no logarithm.
+    const bool positive = std::ranges::all_of(values, [](double v) { return v > 0; });
+    c.spreads.push_back(
+        {figure.name, mean(values), figure.multiplies && positive ? factor_over_runs(values) : mean_over_runs(values)});
   }
 }
 
@@ -218,11 +222,14 @@ std::string comparison_table(const Comparison& c) {
   }
   if (c.spreads.empty()) return out;
   const bool enough = c.files.size() >= kFewestRuns;
-  out += fmt::format("\n{} files: mean{}\n", c.files.size(),
-                     enough ? ", 95% interval of it" : "; " + too_few_runs(c.files.size()));
+  out += fmt::format("\n{} files: mean; {}\n", c.files.size(),
+                     enough ? "what a typical one has, 95% interval" : too_few_runs(c.files.size()));
   for (const Spread& s : c.spreads) {
-    out += fmt::format("  {:18} {:.6g}", s.name, s.mean);
-    out += enough ? fmt::format(" [{:.6g}, {:.6g}]\n", s.interval.low, s.interval.high) : "\n";
+    out += fmt::format("  {:18} {:<12.6g}", s.name, s.mean);
+    if (s.typical.has_interval())
+      out +=
+          fmt::format(" {:<12.6g} [{:.6g}, {:.6g}]", s.typical.value, s.typical.interval.low, s.typical.interval.high);
+    out += '\n';
   }
   if (c.variance) {
     out += fmt::format("  {:18} {:.6g}\n  {:18} {:.6g}\n", "variance", *c.variance, "bias_squared", *c.bias_squared);
@@ -257,8 +264,7 @@ std::string comparison_json(const Comparison& c) {
   json.close();
   json.open_object("runs");
   for (const Spread& s : c.spreads) {
-    json.open_object(s.name).number("mean", s.mean);
-    json.open_array("interval95").number("", s.interval.low).number("", s.interval.high).close().close();
+    json.open_object(s.name).number("mean", s.mean).estimate("typical", s.typical).close();
   }
   if (c.variance) json.number("variance", *c.variance).number("bias_squared", *c.bias_squared);
   return json.close().close().str();

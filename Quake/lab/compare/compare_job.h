@@ -29,6 +29,7 @@ struct CompareJob {
 struct Figure {
   std::string name;
   double value = 0;
+  bool multiplies = false;  // Metric::multiplies
 };
 struct ComparedFile {
   std::string file;
@@ -39,7 +40,7 @@ struct ComparedFile {
 struct Spread {
   std::string name;
   double mean = 0;
-  Interval interval;  // 95%, Student's t over files; not a number where these are too few
+  Estimate typical;  // over files: of what multiplies the geometric mean, else the mean
 };
 struct Comparison {
   CompareJob job;

@@ -98,8 +98,8 @@ TEST_F(CompareTest, RunsOfOneThing) {
   ASSERT_EQ(c->spreads.size(), c->files[0].figures.size());
   const Spread& mse = c->spreads[0];
   EXPECT_EQ(mse.name, "mse");
-  EXPECT_LT(mse.interval.low, mse.mean);
-  EXPECT_GT(mse.interval.high, mse.mean);
+  EXPECT_LT(mse.typical.interval.low, mse.mean);
+  EXPECT_GT(mse.typical.interval.high, mse.mean);
   EXPECT_NEAR(*c->variance, 0.12, 0.004);
   EXPECT_NEAR(*c->bias_squared, 0.04, 0.006);
   EXPECT_THAT(comparison_table(*c), HasSubstr("bias_squared"));

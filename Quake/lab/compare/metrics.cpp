@@ -47,6 +47,7 @@ Errors measure(const Reference& reference, const Picture& test, const MetricOpti
   for (std::size_t i = 0; i < pixels; ++i) {
     const bool usable = finite(test.pixels[i]);
     e.not_finite += usable ? 0 : 1;
+    double deviation = 0;  // of a pixel's sum: its channels err together
     for (int c = 0; c < 3; ++c) {
       const double x = usable ? test.pixels[i][c] : 0.0, r = reference.mean.pixels[i][c];
       const double squared = (x - r) * (x - r), scale = r * r + options.epsilon;
@@ -57,9 +58,11 @@ Errors measure(const Reference& reference, const Picture& test, const MetricOpti
       pixel_errors[i] += squared / 3;
       if (reference.variance.empty()) continue;
       const double v = reference.variance[i][c];
-      variance_of_bias += v;
+      e.reference_variance += v;
       e.reference_rel_variance += v / scale;
+      deviation += std::sqrt(std::max(v, 0.0));
     }
+    variance_of_bias += deviation * deviation;
   }
   const double n = 3.0 * static_cast<double>(pixels);
   e.mse = std::accumulate(pixel_errors.begin(), pixel_errors.end(), 0.0) / static_cast<double>(pixels);
@@ -68,8 +71,8 @@ Errors measure(const Reference& reference, const Picture& test, const MetricOpti
   e.mape /= n;
   e.smape /= n;
   e.reference_rel_variance /= n;
-  e.reference_variance = variance_of_bias / n;
-  e.reference_bias_error = std::sqrt(variance_of_bias) / n;  // pixels and channels as if independent
+  e.reference_variance /= n;
+  e.reference_bias_error = std::sqrt(variance_of_bias) / n;  // pixels as if independent
   e.top_share = top_share(pixel_errors);
   e.median_mse = middle(pixel_errors);
   return e;
@@ -95,17 +98,21 @@ const std::vector<Metric>& metrics() {
   const auto of_pictures = [](const char* name, double (*value)(const PicturePair&)) {
     return Metric{name, nullptr, When::kAlways, false, value};
   };
+  const auto error = [](Metric metric) {
+    metric.multiplies = true;
+    return metric;
+  };
   static const std::vector<Metric> rows{
-      {"mse", [](const Errors& e) { return e.mse; }},
-      {"mse_corrected", [](const Errors& e) { return e.mse_corrected(); }, When::kKnownVariance},
-      {"rmse", [](const Errors& e) { return e.rmse(); }, When::kAlways, false},
-      {"relmse", [](const Errors& e) { return e.rel_mse; }, When::kLinear},
-      {"relmse_corrected", [](const Errors& e) { return e.rel_mse_corrected(); }, When::kLinearVariance},
-      {"mape", [](const Errors& e) { return e.mape; }, When::kLinear},
+      error({"mse", [](const Errors& e) { return e.mse; }}),
+      error({"mse_corrected", [](const Errors& e) { return e.mse_corrected(); }, When::kKnownVariance}),
+      error({"rmse", [](const Errors& e) { return e.rmse(); }, When::kAlways, false}),
+      error({"relmse", [](const Errors& e) { return e.rel_mse; }, When::kLinear}),
+      error({"relmse_corrected", [](const Errors& e) { return e.rel_mse_corrected(); }, When::kLinearVariance}),
+      error({"mape", [](const Errors& e) { return e.mape; }, When::kLinear}),
       {"smape", [](const Errors& e) { return e.smape; }, When::kLinear, false},
       {"psnr", [](const Errors& e) { return e.psnr(); }, When::kAlways, false},
       {"bias", [](const Errors& e) { return e.bias; }},
-      {"mse_median_pixel", [](const Errors& e) { return e.median_mse; }},
+      error({"mse_median_pixel", [](const Errors& e) { return e.median_mse; }}),
       {"top_share", [](const Errors& e) { return e.top_share; }},
       of_pictures("ssim", [](const PicturePair& p) { return ssim(p.shown_reference, p.shown_test); }),
       of_pictures("ms_ssim", [](const PicturePair& p) { return ms_ssim(p.shown_reference, p.shown_test); }),

@@ -62,6 +62,8 @@ struct Metric {
   When when = When::kAlways;
   bool of_frames = true;  // a column of bench's frames
   double (*of_pictures)(const PicturePair& pair) = nullptr;
+  // Errors multiply: over runs their logarithms are averaged (lab/statistics.h).
+  bool multiplies = false;
   // Whether it means something for such pictures.
   bool holds(bool linear, bool variance_known) const;
 };

@@ -31,7 +31,7 @@ struct FilmSpec {
   bool side_by_side = false;
   double sweep = 0;  // seconds in which the lines between lanes go to and fro once; 0: they stand
   bool equal_time = false;
-  bool own_exposure = false;  // each lane finds its own; else all that are rendered have the first one's
+  bool own_exposure = false;  // each lane finds its own; else all that are rendered have that of one
   bool sound = true;
   bool exr = false;                     // of frames in a folder
   std::uint32_t reference_samples = 0;  // 0: no error is measured

@@ -133,6 +133,7 @@ void write_summary(JsonWriter& json, const std::vector<JudgedView>& views, const
 std::string judge_heading(const JudgeJob& job, const JudgeTitle& title) {
   std::string out = fmt::format("{}, {}x{}, {} seeds; references: {}; {}\n", title.suite, job.width, job.height,
                                 job.seeds, title.references, title.device);
+  if (job.seeds < kFewestSteadyRuns) out += too_few_runs(job.seeds, kFewestSteadyRuns) + ": --seeds\n";
   for (const Lane& lane : job.lanes) {
     out += fmt::format("  {}: {} by {}, {} samples a pixel{}{}\n", lane.name, lane.estimator, lane.program.path,
                        lane.spp, lane.sets.empty() ? "" : ", ", fmt::join(lane.sets, ", "));

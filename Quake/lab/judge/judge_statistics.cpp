@@ -12,8 +12,8 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLeast = 1e-12;  // an exact picture's error, so that it has a logarithm
 
 // The mean of logarithms as a factor.
-Estimate of_logs(const std::vector<double>& logs) {
-  const Estimate e = mean_over_runs(logs, kFewestSteadyRuns);
+Estimate of_logs(const std::vector<double>& logs, std::size_t fewest) {
+  const Estimate e = mean_over_runs(logs, fewest);
   return {std::exp(e.value), {std::exp(e.interval.low), std::exp(e.interval.high)}};
 }
 
@@ -56,8 +56,8 @@ std::vector<double> seed_means(const std::vector<const ViewFigures*>& views, std
 const FigureInfo& info(JudgeFigure figure) {
   static constexpr std::array<FigureInfo, kFigureCount> rows{{{"flip", true},
                                                               {"flip_silhouettes", true},
-                                                              {"relmse", true},
-                                                              {"relmse_trimmed", true},
+                                                              {"relmse", true, kFewestRuns},
+                                                              {"relmse_trimmed", true, kFewestRuns},
                                                               {"bias", false},
                                                               {"flicker", true},
                                                               {"isolated_dark", false},
@@ -100,9 +100,9 @@ Estimate over_seeds(const LaneFigures& lane, JudgeFigure figure, double referenc
   const bool positive = std::all_of(values.begin(), values.end(), [](double v) { return v > 0; });
   if (info(figure).multiplies && positive) {
     for (double& v : values) v = std::log(v);
-    return of_logs(values);
+    return of_logs(values, info(figure).fewest);
   }
-  const auto [center, seeds] = mean_over_runs(values, kFewestSteadyRuns);
+  const auto [center, seeds] = mean_over_runs(values, info(figure).fewest);
   // The reference's error is normal: 1.96 of it are 95%. It is independent of the seeds.
   const double half = std::hypot(0.5 * (seeds.high - seeds.low), 1.96 * reference_error);
   return {center, {center - half, center + half}};
@@ -112,7 +112,7 @@ Estimate over_views(const std::vector<ViewFigures>& views, std::size_t lane, Jud
   const auto complete = complete_views(views, figure);
   if (complete.empty()) return {kUnknown, {kUnknown, kUnknown}};
   const std::vector<double> means = seed_means(complete, lane, figure);
-  return info(figure).multiplies ? of_logs(means) : mean_over_runs(means, kFewestSteadyRuns);
+  return info(figure).multiplies ? of_logs(means, info(figure).fewest) : mean_over_runs(means, info(figure).fewest);
 }
 
 JudgeGain gain_over_first(const std::vector<ViewFigures>& views, std::size_t lane,
@@ -130,11 +130,11 @@ JudgeGain gain_over_first(const std::vector<ViewFigures>& views, std::size_t lan
   std::vector<double> samples = ratio(errors, kRelMse), time = samples;
   const double cost = std::log(static_cast<double>(spp[0]) / static_cast<double>(spp[lane]));
   for (double& v : samples) v += cost;
-  gain.equal_samples = of_logs(samples);
+  gain.equal_samples = of_logs(samples, kFewestRuns);
   if (times.size() != errors.size()) return gain;
   const std::vector<double> costs = ratio(times, kAllMs);
   for (std::size_t s = 0; s < time.size(); ++s) time[s] += costs[s];
-  gain.equal_time = of_logs(time);
+  gain.equal_time = of_logs(time, kFewestRuns);
   return gain;
 }
 

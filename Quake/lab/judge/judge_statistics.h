@@ -33,6 +33,7 @@ struct FigureInfo {
   // mean logarithm. A seed whose fireflies make its error ten times larger then widens the interval both ways and
   // does not rule the mean. Others (bias, counts, shares) are averaged as they are.
   bool multiplies;
+  std::size_t fewest = kFewestSteadyRuns;  // seeds that an interval wants: more where fireflies rule
 };
 const FigureInfo& info(JudgeFigure figure);
 

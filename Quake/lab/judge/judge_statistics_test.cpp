@@ -29,12 +29,14 @@ TEST(JudgeStatistics, FramesAreAveragedWhereTheyAreKnown) {
 }
 
 TEST(JudgeStatistics, ErrorsOverSeedsAreGeometric) {
-  const Estimate e = over_seeds(lane(kRelMse, {1, 1, 100, 100}), kRelMse);
+  const Estimate e = over_seeds(lane(kFlip, {1, 1, 100, 100}), kFlip);
   EXPECT_NEAR(e.value, 10, 1e-9);
   // t of three degrees is 3.182; the logarithms' standard error is ln(10) / sqrt(3).
   EXPECT_NEAR(std::log(e.interval.high / e.value), 3.182 * std::log(10.0) / std::sqrt(3.0), 0.01);
   EXPECT_NEAR(e.interval.low * e.interval.high, 100, 1e-6);
   EXPECT_FALSE(over_seeds(lane(kFlip, {0.3, 0.3, 0.3}), kFlip).has_interval());
+  EXPECT_FALSE(over_seeds(lane(kRelMse, {1, 1, 2, 2, 3, 3, 4}), kRelMse).has_interval()) << "fireflies rule it: eight";
+  EXPECT_TRUE(over_seeds(lane(kRelMse, {1, 1, 2, 2, 3, 3, 4, 4}), kRelMse).has_interval());
   EXPECT_TRUE(std::isnan(over_seeds(lane(kFlip, {0.3, NAN}), kFlip).value));
 }
 
@@ -51,8 +53,11 @@ TEST(JudgeStatistics, ASuiteWeighsViewsAlike) {
   std::vector<ViewFigures> views;
   for (const double scale : {0.01, 1.0, 100.0}) {
     ViewFigures view;
-    view.lanes = {lane(kRelMse, {scale, 1.2 * scale, scale, 1.2 * scale}),
-                  lane(kRelMse, {0.5 * scale, 0.6 * scale, 0.5 * scale, 0.6 * scale})};
+    std::vector<double> errors;
+    for (int seed = 0; seed < 8; ++seed) errors.push_back(seed % 2 == 0 ? scale : 1.2 * scale);
+    std::vector<double> halves = errors;
+    for (double& error : halves) error *= 0.5;
+    view.lanes = {lane(kRelMse, errors), lane(kRelMse, halves)};
     for (Figures& f : view.lanes[0].seeds) f[kAllMs] = 10;
     for (Figures& f : view.lanes[1].seeds) f[kAllMs] = 20;
     views.push_back(view);

@@ -108,9 +108,7 @@ ExrImage render_guides(render::Renderer& renderer, const ReferenceSubject& subje
 Status write_picture(const std::string& path, const Reference& reference, ExrImage picture, const ReferenceManifest& m,
                      const ReferenceError& error) {
   picture.add_colors("", reference.mean.pixels);
-  // A single sample tells no variance.
-  picture.add_colors("variance.",
-                     reference.variance.empty() ? std::vector<vec3>(reference.mean.pixels.size()) : reference.variance);
+  if (!reference.variance.empty()) picture.add_colors("variance.", reference.variance);
   // What a comparison must do alike: where in a pixel its rays go.
   picture.set_text("fullbright.jitter", m.jitter ? "1" : "0");
   picture.set_text("fullbright.spp", fmt::format("{}", m.samples));
@@ -138,8 +136,10 @@ Result<std::string> only_folder_in(const std::string& folder) {
 
 std::uint64_t ReferenceSubject::key() const {
   const std::uint32_t shape[] = {width, height, warmup};
-  return hash_span(std::span<const std::uint32_t>(shape),
-                   content_key(snapshot) ^ settings_key(settings) ^ render::shader_hash(settings.estimator));
+  const std::string_view format = kReferenceFormat;  // how the samples are drawn
+  return hash_span(std::span<const std::uint32_t>(shape), content_key(snapshot) ^ settings_key(settings) ^
+                                                              render::shader_hash(settings.estimator) ^
+                                                              hash_bytes(format.data(), format.size()));
 }
 
 Result<ReferenceBlock> make_block(render::Renderer& renderer, const ReferenceSubject& subject, const BlockPlan& plan,
@@ -160,6 +160,7 @@ Result<ReferenceBlock> make_block(render::Renderer& renderer, const ReferenceSub
 
 Result<ReferenceSummary> render_reference(FrameSource& source, render::Renderer& renderer,
                                           render::RenderSettings settings, const ReferenceJob& job) {
+  if (job.spp < 2) return Error{"a reference wants two samples or more, whose scatter is its error"};
   ReferenceSubject subject{{}, std::move(settings), job.width, job.height, job.warmup};
   for (std::uint64_t frame = 0; frame <= job.frame; ++frame) {
     const auto more = source.next(subject.snapshot);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "shared/kinds.h"
 #include "shared/rng.h"
 
 namespace fb::lab {
@@ -55,6 +56,10 @@ Reference ReplicateSum::reference() const {
 Reference render_replicates(render::Renderer& renderer, render::RenderSettings settings, scene::FrameSnapshot snapshot,
                             std::uint32_t samples, const std::function<void(std::uint32_t)>& progress) {
   const auto seed = static_cast<std::uint32_t>(settings.seed);
+  // All pixels are sampled in every frame, of what the denoiser would have been given.
+  if (settings.denoise > 0 && settings.texture_filter < 0)
+    settings.texture_filter = static_cast<int>(shared::kFilterFootprint);
+  settings.denoise = 0;
   settings.spp = 1;
   settings.accumulate = 1;
   settings.jitter = settings.jitter != 0 ? 1 : 0;

@@ -74,7 +74,8 @@ std::vector<std::string> timedemo_lines(const Timedemos& timedemos) {
                                    demo.runs.size() == 1 ? "" : "s", fps.value);
     if (fps.has_interval()) line += fmt::format(" [{:.1f}, {:.1f}]", fps.interval.low, fps.interval.high);
     line += fmt::format(", 1% low {:.1f}", mean(lows));
-    if (!fps.has_interval()) line += "; " + too_few_runs(demo.runs.size(), kFewestSteadyRuns) + ": scr_timedemo_runs";
+    if (demo.runs.size() < kFewestSteadyRuns)
+      line += "; " + too_few_runs(demo.runs.size(), kFewestSteadyRuns) + ": scr_timedemo_runs";
     lines.push_back(line);
   }
   return lines;

@@ -89,8 +89,9 @@ std::string judgement(const TimedemoComparison& c, const std::string& name_a, co
   const auto& [value, interval] = c.speed;
   const std::string over = fmt::format("over {} demo{}", c.demos.size(), c.demos.size() == 1 ? "" : "s");
   if (!c.speed.has_interval())
-    return fmt::format("{} draws {:.3f} times as fast as {} {}. {}: whether that is chance is not known.", name_b,
-                       value, name_a, over, too_few_runs(c.runs, kFewestSteadyRuns));
+    return fmt::format(
+        "{} draws {:.3f} times as fast as {} {}. {} (scr_timedemo_runs): whether that is chance is not known.", name_b,
+        value, name_a, over, too_few_runs(c.runs, kFewestSteadyRuns));
   if (interval.low <= 1 && interval.high >= 1)
     return fmt::format("No difference between {} and {} is shown {}: {:.3f} times as fast, 95% [{:.3f}, {:.3f}].",
                        name_a, name_b, over, value, interval.low, interval.high);
@@ -152,8 +153,8 @@ std::string comparison_table(const TimedemoComparison& c) {
       if (e.has_interval()) out += fmt::format(" [{:.3f}, {:.3f}]", e.interval.low, e.interval.high);
       out += '\n';
     };
-    out += fmt::format("{}, {} frames, {} and {} runs; time of the first over the second's, 95%:\n", d.name, d.frames,
-                       d.runs_a, d.runs_b);
+    out += fmt::format("{}, {} frames, {} and {} runs; time of the first over the second's{}:\n", d.name, d.frames,
+                       d.runs_a, d.runs_b, d.speed.has_interval() ? ", 95%" : "");
     row("whole frame", d.speed);
     for (const auto& [name, e] : d.passes) row(name, e);
   }
