@@ -116,7 +116,7 @@ class Results(Made):
                 results.read(self.folder)
 
     def test_exr_reads_back_what_it_writes(self):
-        planes, header = exr.read(REFERENCE)
+        planes, header = exr.read(str(REFERENCE))
         exr.write(self.folder / "again.exr", planes, header)
         for name, plane in exr.read(self.folder / "again.exr")[0].items():
             np.testing.assert_array_equal(plane, planes[name])

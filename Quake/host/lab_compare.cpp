@@ -1,6 +1,9 @@
 // fullbright-lab compare: error of pictures against a reference.
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include "host/lab_numbers.h"
 #include "host/lab_stage.h"
 #include "lab/compare/compare_job.h"
@@ -15,7 +18,22 @@ struct CompareOptions {
   bool no_flip = false;
 };
 
+// Outputs must not take the place of what is compared.
+Status check_outputs(const CompareOptions& options) {
+  std::vector<std::string> inputs = options.job.tests;
+  inputs.push_back(options.job.reference);
+  inputs.insert(inputs.end(), options.former.begin(), options.former.end());
+  for (const std::string& output : {options.json, options.csv, options.job.flip_map})
+    for (const std::string& input : inputs) {
+      std::error_code ignored;
+      if (!output.empty() && std::filesystem::equivalent(output, input, ignored))
+        return Error{fmt::format("{}: it is compared, so nothing is written over it", output)};
+    }
+  return ok_status();
+}
+
 int run_compare(CompareOptions& options) {
+  if (auto status = check_outputs(options); !status) return fail(status.error());
   options.job.flip = !options.no_flip;
   if (!options.former.empty()) {
     options.job.former_reference = options.former[0];

@@ -230,6 +230,8 @@ for run in 1 2 3 4 5 6 7 8; do
 done
 check "compare takes a reference's variance off and gives intervals" grep -q '^  mse_corrected .* \[.*\]$' <<<"$(
   "$lab" compare "$scratch/r.exr" "$scratch"/run?/frame_000000.exr)"
+check "compare writes over nothing that it compares" fails_with "it is compared, so nothing is written over it" \
+  "$lab" compare "$scratch/r.exr" "$scratch/run1/frame_000000.exr" --json "$scratch/r.exr"
 check "compare's JSON" grep -q '"flip_hdr"' <<<"$("$lab" compare "$scratch/r.exr" "$scratch/run1/frame_000000.exr" --json -)"
 "$lab" bench --quiet --scene cbox --size 48x27 --frames 0:5 --warmup 2 --repeats 2 --reference-spp 64 --estimators pt \
   --config four:r_spp=4 --json "$scratch/bench.json" --csv "$scratch/bench.csv" >"$scratch/bench" 2>>"$scratch/log"

@@ -63,6 +63,12 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+std::string sentence_of(const std::exception& fault) {
+  const std::string_view what = fault.what();
+  const std::size_t end = what.starts_with('[') ? what.find("] ") : what.npos;
+  return std::string(end == what.npos ? what : what.substr(end + 2));
+}
+
 Result<JsonFile> JsonFile::read(const std::string& path) {
   const auto bytes = fs::read_whole_file(path);
   if (!bytes) return bytes.error();
@@ -99,9 +105,7 @@ Result<JsonFile> JsonFile::parse(std::string_view text, std::string path) {
     file.json_ = std::make_shared<Json>(
         Json::parse(LineCounter(text.data(), &line), LineCounter(text.data() + text.size(), &line), watch));
   } catch (const Json::exception& error) {
-    // The library's sentence stands behind its code, "[json.exception.parse_error.101] ".
-    const std::string_view sentence = error.what();
-    return Error{fmt::format("{}: {}", file.path_, sentence.substr(sentence.find("] ") + 2))};
+    return Error{fmt::format("{}: {}", file.path_, sentence_of(error))};
   }
   if (!wrong.empty()) return Error{fmt::format("{}: {}", file.path_, wrong)};
   // The same walk again, over what was made.

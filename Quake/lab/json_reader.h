@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -16,6 +17,9 @@
 namespace fb::lab {
 
 using Json = nlohmann::ordered_json;
+
+// What the library says of a fault, without its code, "[json.exception.parse_error.101] ".
+std::string sentence_of(const std::exception& fault);
 
 // A file's contents, and where in it each member stands.
 class JsonFile {

@@ -39,9 +39,9 @@ def _zip(data: bytes) -> bytes:
     return packed if len(packed) < len(data) else data
 
 
-def read(path: Path) -> tuple[dict[str, np.ndarray], dict[str, tuple[str, bytes]]]:
+def read(path: str | Path) -> tuple[dict[str, np.ndarray], dict[str, tuple[str, bytes]]]:
     """Channels (H, W) float32 by name, and the header's attributes as (type, bytes)."""
-    data = path.read_bytes()
+    data = Path(path).read_bytes()
     magic, version = struct.unpack_from("<II", data)
     if magic != MAGIC or version & ~(0xFF | LONG_NAMES):
         raise ValueError(f"{path}: no OpenEXR file of scan lines")

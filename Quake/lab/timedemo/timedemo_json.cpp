@@ -6,6 +6,7 @@
 
 #include "fs/file.h"
 #include "lab/json.h"
+#include "lab/json_reader.h"
 #include "lab/timedemo/timedemo.h"
 
 namespace fb::lab {
@@ -132,7 +133,7 @@ Result<Timedemos> read_timedemos(const std::string& path) {
     }
     return t;
   } catch (const TimesJson::exception& error) {
-    return Error{fmt::format("{}: {}", path, error.what())};
+    return Error{fmt::format("{}: {}", path, sentence_of(error))};
   }
 }
 

@@ -75,6 +75,8 @@ TEST(Timedemo, AFileKeepsWhatItWasGiven) {
   EXPECT_THAT(read_timedemos(path).error().message, HasSubstr("no file of scr_timedemo_json"));
   std::ofstream(path) << "{\"format\": \"fullbright timedemos 1\"}";
   EXPECT_THAT(read_timedemos(path).error().message, HasSubstr("complete"));
+  std::ofstream(path) << "{";
+  EXPECT_THAT(read_timedemos(path).error().message, HasSubstr("json: parse error at line 1")) << "and no code";
   std::filesystem::remove(path);
   EXPECT_THAT(read_timedemos(path).error().message, HasSubstr(path));
 }
