@@ -29,6 +29,7 @@ std::string view_text(const ReferenceOptions& o) {
 
 int run_reference(const ReferenceOptions& options, bool samples_given) {
   const StageOptions& o = options.stage;
+  if (!o.out.ends_with(".exr")) return fail(Error{fmt::format("--out {}: a reference is an .exr file", o.out)});
   const auto shard = parse_shard(options.shard);
   if (!shard) return fail(shard.error());
   const bool until = options.relative_error > 0 || options.seconds > 0;

@@ -225,8 +225,9 @@ Status set_cvar(con::Console& console, const std::string& assignment, const std:
   if (!cvar) return Error{fmt::format("{}: there is no cvar {}", option, name)};
   if (!cvar->has_effect()) return Error{fmt::format("{}: {}: {}", option, name, cvar->spec().help)};
   if ((cvar->spec().flags & con::kCvarRom) != 0) return Error{fmt::format("{}: {} is read-only", option, name)};
+  // What the cvar would be now is no matter: the program ends.
   if (const std::string sentence = cvar->set(value); !sentence.empty())
-    return Error{fmt::format("{}: {}", option, sentence)};
+    return Error{fmt::format("{}: {}", option, sentence.substr(0, sentence.find(", so it ")))};
   return ok_status();
 }
 

@@ -245,6 +245,8 @@ check "bench tells that two runs have no interval" grep -q '^95% intervals want 
 check "a scene in code is seen from --camera" test "$(for camera in 32,32,32,0,0,0 32,32,32,-60,90,0; do "$lab" render --quiet --scene cbox \
   --size 16x9 --estimator nee --camera $camera --hash --out "$scratch/camera" | sort -u; done | sort -u | wc -l)" -eq 2
 check "--camera is read for it, too" fails_with "--camera 0,0,0: six numbers" "$lab" render --scene cbox --camera 0,0,0
+check "a reference is an .exr file" fails_with "no.png: a reference is an .exr file" "$lab" reference --scene cbox --out "$scratch/no.png"
+check "what a setting would be is not told where it is refused" bash -c "! '$lab' render --scene cbox --set r_bounces=-1 2>&1 | grep 'so it is'"
 check "an error of 0 is refused" fails_with "--error 0: a number from 1e-06 to 10 is wanted" \
   "$lab" reference --scene cbox --error 0 --out "$scratch/no.exr"
 check "bench refuses a cvar that is not the renderer's" fails_with "no cvar" "$lab" bench --scene cbox --config a:b=1

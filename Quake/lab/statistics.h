@@ -36,8 +36,8 @@ struct Estimate {
 // Intervals are Student's t over runs, whatever happens within one: frames of an estimator that learns depend on each
 // other, and frames of one run share what it has learnt. t holds where runs' values are near to normal. Those of errors
 // and times multiply, so it is taken of their logarithms; even these have long tails where rare samples rule, and with
-// few runs such a sample is missing more often than an interval allows for. So fewer than these tell none,
-// and where rare values rule (rare_values_rule) even these promise too much.
+// few runs such a sample is missing more often than an interval allows for. So fewer than these tell none, and where
+// rare values rule (rare_values_rule) even these promise too much.
 inline constexpr std::size_t kFewestRuns = 8;
 // Times of whole runs and figures of finished pictures, whose tails are short.
 inline constexpr std::size_t kFewestSteadyRuns = 4;

@@ -95,7 +95,7 @@ void Server::Commands::add_game_commands() {
       [&server, &console](const con::Args& args) {
         if (!server.active()) return console.fail("sv_dump: no game runs here");
         const std::string text = server.dump();
-        if (args.size() < 2) return log_info("{}", text);
+        if (args.size() < 2 || args[1].empty()) return log_info("{}", text);
         if (!server.services_.write_file) {
           return console.fail(fmt::format("sv_dump {}: there is nowhere to write to", args[1]));
         }

@@ -67,7 +67,7 @@
 // What the host alone reads.
 #define FB_RENDERER_SETTINGS(X) \
   X(int, accumulate, "r_accumulate", 1, 0, 1, "while nothing in the view changes, show the mean of its frames") \
-  X(int, jitter, "r_jitter", -1, -1, 1, "sub-pixel jitter of camera rays: -1 while accumulating and with r_taa, 0 never, 1 always") \
+  X(int, jitter, "r_jitter", -1, -1, 1, "sub-pixel jitter of camera rays: -1 while accumulating and with r_taa, 0 never, 1 always, and elsewhere for every seed and (without denoiser) pixel") \
   X(float, scale, "r_scale", 1, 0.1f, 8, "rendered width and height, relative to the shown picture's, scaled up over time with r_taa; 2 and above, as in QuakeSpasm: 1 / 2 and so on") \
   X(int, water, "r_water", -1, -1, 1, "water and slime: 0 classic opaque or translucent surfaces that warp, 1 clear liquids that reflect, refract and absorb light; -1: 1 in the game on a GPU, else 0") \
   X(int, glass, "r_glass", 1, 0, 1, "what a .mat file names refractive: 1 a smooth interface of glass that reflects, refracts and absorbs light, 0 a surface like any other") \

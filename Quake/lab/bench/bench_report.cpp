@@ -187,9 +187,8 @@ std::string bench_table(const BenchResult& result, const BenchTitle& title) {
     for (const WindowStatistics& s : c.windows)
       if (s.mse.heavy_tail)
         out += fmt::format(
-            "\n{}, {}: rare samples rule the error (mean MSE {:.4g}, a typical run's {:.4g}); intervals know nothing "
-            "of "
-            "what fewer than a third of the runs meet.\n",
+            "\n{}, {}: rare samples rule the error (mean MSE {:.4g}, a typical run's {:.4g}); intervals "
+            "know nothing of what fewer than a third of the runs meet.\n",
             c.name, name_of(s.window), s.mse.mean, s.mse.typical.value);
   for (const auto& c : result.configurations) {
     const WindowStatistics& s = c.windows.back();

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 
+#include "base/hash.h"
 #include "lab/compare/flicker.h"
 #include "lab/image_io.h"
 #include "lab/json.h"
@@ -167,6 +169,7 @@ Result<Comparison> compare(const CompareJob& job) {
   if (c.linear && job.flip) c.exposures = flip::choose_exposures(r);
   const Picture shown_reference = displayed(r, c.linear, job.exposure);
   Runs runs;
+  std::map<std::uint64_t, std::string> seen;  // file by the hash of its pixels
   for (const std::string& file : job.tests) {
     auto test = load(file);
     if (!test) return test.error();
@@ -193,6 +196,11 @@ Result<Comparison> compare(const CompareJob& job) {
         if (auto status = write_heat_map(job.flip_map, c.width, c.height, map); !status) return status.error();
       }
     }
+    // The same picture again is no other run, and would make intervals narrow.
+    const auto [first, is_new] = seen.emplace(hash_span(std::span<const vec3>(t.pixels)), file);
+    if (!is_new && job.tests.size() > 1)
+      return Error{
+          fmt::format("{}: the same picture as {}: runs want seeds of their own (r_seed)", file, first->second)};
     runs.add(t);
   }
   if (c.files.size() > 1) {

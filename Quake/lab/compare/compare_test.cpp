@@ -108,6 +108,8 @@ TEST_F(CompareTest, RunsOfOneThing) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 9);
   EXPECT_THAT(csv, HasSubstr("file,mse,mse_corrected,rmse,relmse,relmse_corrected,mape,smape,psnr,bias,"
                              "mse_median_pixel,top_share,ssim,ms_ssim,low_frequencies,flip_ldr,flip_hdr,not_finite\n"));
+  job.tests.back() = job.tests.front();
+  EXPECT_THAT(compare(job).error().message, HasSubstr("the same picture as"));
   job.tests.pop_back();
   EXPECT_THAT(comparison_table(*compare(job)), HasSubstr("7 files: mean; 95% intervals want 8 runs; there are 7"));
 }
