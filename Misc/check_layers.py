@@ -45,6 +45,8 @@ SUBFOLDERS = {
     "progs": ["", "builtins"],
     "server": ["simulation", "clients", "builtins", ""],
     "scene": ["", "library", "in_code"],
+    "render": ["passes", "scene", "picture", "techniques", ""],
+    "host": ["", "game", "lab"],
     "ui": ["", "menu"],
     "client": ["effects", "session", "input", "sources", ""],
     "lab": ["", "gltf", "reference", "compare", "timedemo", "ztest", "bench", "judge", "film", "suite"],

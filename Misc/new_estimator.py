@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Begins a new estimator: writes its folder, Shaders/estimators/NAME (shader, proposal, page), and its row in
-Quake/render/techniques.cpp. What it writes builds, draws and is unbiased: change its proposal from there.
+Quake/render/techniques/techniques.cpp. What it writes builds, draws and is unbiased: change its proposal from there.
 
 Every estimator that its row calls unbiased is held to pt's mean by lab_test (UnbiasedTest, suite Every).
 """
@@ -92,7 +92,7 @@ def main() -> int:
               file=sys.stderr)
         return 2
     folder = options.root / "Shaders" / "estimators" / options.name
-    table = options.root / "Quake" / "render" / "techniques.cpp"
+    table = options.root / "Quake" / "render" / "techniques" / "techniques.cpp"
     rows = table.read_text()
     if folder.exists() or f'.name = "{options.name}"' in rows:
         print(f"new_estimator: there is an estimator {options.name} already", file=sys.stderr)

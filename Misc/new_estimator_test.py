@@ -51,8 +51,8 @@ def main() -> int:
         return 77
     with tempfile.TemporaryDirectory() as scratch:
         root = pathlib.Path(scratch)
-        (root / "Quake/render").mkdir(parents=True)
-        shutil.copy(source / "Quake/render/techniques.cpp", root / "Quake/render")
+        (root / "Quake/render/techniques").mkdir(parents=True)
+        shutil.copy(source / "Quake/render/techniques/techniques.cpp", root / "Quake/render/techniques")
         run(sys.executable, str(source / "Misc/new_estimator.py"), NAME, "--root", scratch, cwd=root)
 
         # The shader, in every variant; its folder is found before the sources' own.
@@ -70,12 +70,12 @@ def main() -> int:
         (root / "compiled_shaders.spv.h").write_text(table.replace("kCompiledShaders{\n", "kCompiledShaders{\n" + row, 1))
 
         objects = []
-        for name, path in (("techniques", root / "Quake/render/techniques.cpp"),
-                           ("shader_code", source / "Quake/render/shader_code.cpp")):
+        for name, path in (("techniques/techniques", root / "Quake/render/techniques/techniques.cpp"),
+                           ("passes/shader_code", source / "Quake/render/passes/shader_code.cpp")):
             words = command_of(build, f"Quake/render/CMakeFiles/fb_render.dir/{name}.cpp.o")
             words = [w for i, w in enumerate(words) if w != "-MD" and (i == 0 or words[i - 1] not in ("-MT", "-MF"))
                      and w not in ("-MT", "-MF")]
-            objects.append(str(root / f"{name}.o"))
+            objects.append(str(root / f"{pathlib.Path(name).name}.o"))
             words = replaced(replaced(words, "-o", objects[-1]), "-c", str(path))
             run(words[0], f"-I{root}", *words[1:], cwd=build)
         words = command_of(build, "fullbright-lab")

@@ -54,7 +54,7 @@ TEST_F(Game, ADisconnectEndsItAsTheEndDoes) {
 }
 
 // What stands in a demo, and the frames that timedemo of QuakeSpasm 0.95.1 counts for LibreQuake's demo1 and demo2 cut
-// and joined in this way (host/timedemo_test.py asks it anew): a demo's signon is of three messages there, too.
+// and joined in this way (host/tests/timedemo_test.py asks it anew): a demo's signon is of three messages there, too.
 struct Counted {
   const char* name;
   std::function<void(DemoBuilder&)> fill;

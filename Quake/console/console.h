@@ -118,7 +118,7 @@ class Console {
   // Completes the last word of the typed line: from names (first word) or by the command's own completer.
   Completion complete(std::string_view line) const;
 
-  // What messages say in the player's language; empty until somebody reads files into it (host/language.h).
+  // What messages say in the player's language; empty until somebody reads files into it (host/game/language.h).
   Localization& localization() { return localization_; }
   const Localization& localization() const { return localization_; }
 

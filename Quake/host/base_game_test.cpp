@@ -4,7 +4,7 @@
 
 #include "base/test_directory.h"
 #include "formats/test_models.h"
-#include "host/engine.h"
+#include "host/game/engine.h"
 #include "platform/program_directory.h"
 #include "scene/library/test_maps.h"
 

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "host/engine.h"
+#include "host/game/engine.h"
 #include "host/option_table.h"
 
 namespace fb::host {

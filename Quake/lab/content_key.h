@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "render/settings.h"
+#include "render/passes/settings.h"
 #include "scene/snapshot.h"
 
 namespace fb::lab {

@@ -14,8 +14,8 @@
 
 #include "console/console.h"
 #include "platform/input_event.h"
-#include "render/gpu_scene.h"
-#include "render/pass.h"
+#include "render/scene/gpu_scene.h"
+#include "render/passes/pass.h"
 #include "scene/draw_list.h"
 #include "scene/snapshot.h"
 #include "ui/atlas.h"

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "panel/panel.h"
-#include "render/debug_views.h"
-#include "render/settings.h"
+#include "render/passes/debug_views.h"
+#include "render/passes/settings.h"
 
 namespace fb::panel {
 namespace {

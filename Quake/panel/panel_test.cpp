@@ -12,7 +12,7 @@
 
 #include "panel/draw_data.h"
 #include "platform/keys.h"
-#include "render/settings.h"
+#include "render/passes/settings.h"
 #include "ui/test_raster.h"
 
 namespace fb::panel {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/frame_constants.h"
+#include "render/picture/frame_constants.h"
 #include "render/test_fog.h"
 #include "scene/in_code/code_scene_parts.h"
 #include "scene/in_code/scene_of_kinds.h"

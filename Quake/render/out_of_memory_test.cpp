@@ -13,7 +13,7 @@
 #include "base/log.h"
 #include "base/out_of_memory.h"
 #include "gpu/test_failures.h"
-#include "render/picture_size.h"
+#include "render/picture/picture_size.h"
 #include "render/renderer.h"
 #include "scene/in_code/scenes_in_code.h"
 

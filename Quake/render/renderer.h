@@ -12,12 +12,12 @@
 #include "base/result.h"
 #include "gpu/commands.h"
 #include "gpu/device.h"
-#include "render/denoiser.h"
-#include "render/gpu_scene.h"
-#include "render/pass.h"
-#include "render/readback.h"
-#include "render/settings.h"
-#include "render/technique.h"
+#include "render/picture/denoiser.h"
+#include "render/scene/gpu_scene.h"
+#include "render/passes/pass.h"
+#include "render/picture/readback.h"
+#include "render/passes/settings.h"
+#include "render/techniques/technique.h"
 #include "scene/draw_list.h"
 #include "scene/snapshot.h"
 
@@ -56,7 +56,7 @@ class Renderer {
   // Called some twenty times a second, on the caller's thread, while a frame waits for shaders that are compiled. It
   // must not call this renderer, nor throw.
   void set_waiting(std::function<void()> waiting);
-  // What ShaderSet says of them (render/shader_set.h). Off; a change is for shaders not made yet.
+  // What ShaderSet says of them (render/passes/shader_set.h). Off; a change is for shaders not made yet.
   void set_precompiles(bool precompiles);
   void set_hurries(bool hurries);
   // No shader is being made beside the frames: they take the time that they will take.

@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "base/hash.h"
-#include "render/frame_constants.h"
+#include "render/picture/frame_constants.h"
 #include "render/test_device.h"
 #include "render/test_image.h"
 #include "render/test_motion.h"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "render/denoiser.h"
+#include "render/picture/denoiser.h"
 #include "render/test_device.h"
 #include "scene/in_code/scenes_in_code.h"
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/technique.h"
+#include "render/techniques/technique.h"
 #include "render/test_device.h"
 #include "render/test_image.h"
 #include "shared/test_quadrature.h"

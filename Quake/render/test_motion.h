@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-#include "render/frame_constants.h"
+#include "render/picture/frame_constants.h"
 #include "render/renderer.h"
 #include "scene/shapes.h"
 

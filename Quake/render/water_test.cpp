@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/frame_constants.h"
+#include "render/picture/frame_constants.h"
 #include "render/renderer.h"
 #include "render/test_device.h"
 #include "render/test_image.h"

@@ -8,7 +8,7 @@
 // The technique writes the picture itself: a debug view of its own. A constant, since lavapipe runs both sides of a branch.
 layout(constant_id = kSpecShowView) const bool SHOW_VIEW = false;
 
-// A technique that learns traces a frame's paths in parts, each every so many rows of workgroups (render/technique.h).
+// A technique that learns traces a frame's paths in parts, each every so many rows of workgroups (render/techniques/technique.h).
 layout(push_constant) uniform Part {
   uint row_step, first_row;
 };

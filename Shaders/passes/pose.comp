@@ -9,7 +9,7 @@
 layout(local_size_x = 64) in;
 layout(constant_id = kSpecForQuery) const bool FOR_QUERY = false;
 
-const float kFlatTriangle = 1e-6;  // as on the host (render/gpu_scene_assets.cpp)
+const float kFlatTriangle = 1e-6;  // as on the host (render/scene/gpu_scene_assets.cpp)
 
 vec3 pose_position(uint job, uint vertex) {
   uint a = poses.at[copy_jobs.at[job].pose_a + vertex].x, b = poses.at[copy_jobs.at[job].pose_b + vertex].x;

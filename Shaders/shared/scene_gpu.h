@@ -1,5 +1,5 @@
-// The scene as the device holds it: one contract for render/gpu_scene.cpp, which fills it, and Shaders/lib, which reads
-// it. All structs are std430. Transforms are rows of a 3x4 matrix: row i is (m_i0, m_i1, m_i2, translation_i).
+// The scene as the device holds it: one contract for render/scene/gpu_scene.cpp, which fills it, and Shaders/lib, which
+// reads it. All structs are std430. Transforms are rows of a 3x4 matrix: row i is (m_i0, m_i1, m_i2, translation_i).
 #ifndef FB_SHARED_SCENE_GPU_H
 #define FB_SHARED_SCENE_GPU_H
 #include "shared/common.h"

@@ -3,9 +3,9 @@
 //
 //   X(type, field, cvar, default, lowest, highest, help)
 //
-// The host makes fields of RenderSettings and cvars of the rows (render/settings.h), the laboratory its --set, and the
-// manual its table (Misc/docs/settings.md, `make settings-page`). Shaders make uniform fields of the same rows, with
-// the type float or int: the struct of a group names it.
+// The host makes fields of RenderSettings and cvars of the rows (render/passes/settings.h), the laboratory its --set,
+// and the manual its table (Misc/docs/settings.md, `make settings-page`). Shaders make uniform fields of the same rows,
+// with the type float or int: the struct of a group names it.
 #ifndef FB_SHARED_SETTINGS_H
 #define FB_SHARED_SETTINGS_H
 

@@ -13,8 +13,8 @@
 
 #include "formats/image_write.h"
 #include "lab/gltf/gltf_document.h"
-#include "render/frame_constants.h"
-#include "render/gpu_scene_tables.h"
+#include "render/picture/frame_constants.h"
+#include "render/scene/gpu_scene_tables.h"
 #include "scene/library/asset_builder.h"
 #include "scene/shapes.h"
 #include "shared/packing.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "render/settings.h"
+#include "render/passes/settings.h"
 #include "scene/snapshot.h"
 
 namespace fb::lab {

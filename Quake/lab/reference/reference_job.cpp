@@ -18,7 +18,7 @@
 #include "lab/json.h"
 #include "lab/json_reader.h"
 #include "lab/reference/replicates.h"
-#include "render/shader_set.h"
+#include "render/passes/shader_set.h"
 #include "shared/packing.h"
 #include "shared/rng.h"
 

@@ -13,7 +13,7 @@
 #include <ostream>
 
 #include "lab/ztest/ztest_job.h"
-#include "render/technique.h"
+#include "render/techniques/technique.h"
 #include "render/test_device.h"
 
 namespace fb::lab {

@@ -11,7 +11,7 @@
 #include "gpu/device.h"
 #include "lab/frame_source.h"
 #include "lab/ztest/ztest.h"
-#include "render/settings.h"
+#include "render/passes/settings.h"
 
 namespace fb::lab {
 

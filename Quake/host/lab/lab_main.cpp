@@ -1,0 +1,51 @@
+// fullbright-lab: render | render-merge | reference | reference-merge | export | compare | ztest | bench | picture |
+// suite | suite-merge | report | film | timedemos | track | estimators | settings | commands.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+
+#include "base/stop.h"
+#include "host/guarded_main.h"
+#include "host/lab/lab_stage.h"
+#include "host/options.h"
+
+namespace {
+
+int run(int argc, char** argv) {
+  using namespace fb::host;
+  fb::stop_on_signals("fullbright-lab", fb::StopMode::kAtOnce);
+  CLI::App app("Renders and measures without a window: frames, references, errors, speed and bias.", "fullbright-lab");
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  const std::string command_line = fmt::format("{}", fmt::join(argv, argv + argc, " "));
+  const LabCommand commands[] = {add_render_command(app),
+                                 add_render_merge_command(app),
+                                 add_reference_command(app),
+                                 add_reference_merge_command(app),
+                                 add_export_command(app),
+                                 add_compare_command(app),
+                                 add_ztest_command(app),
+                                 add_bench_command(app, command_line),
+                                 add_picture_command(app, command_line),
+                                 add_suite_command(app),
+                                 add_suite_merge_command(app),
+                                 add_report_command(app),
+                                 add_film_command(app),
+                                 add_timedemos_command(app),
+                                 add_track_command(app),
+                                 add_estimators_command(app),
+                                 add_settings_command(app),
+                                 add_commands_command(app)};
+  CLI11_PARSE(app, argc, argv);
+  for (const LabCommand& command : commands)
+    if (*command.app) return command.run();
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return fb::host::guarded_main("fullbright-lab", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,83 @@
+// The renderer's settings. Shaders/shared/settings.h has the rows: the fields here, the console's cvars
+// (register_render_cvars) and the laboratory's --set come from them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "console/console.h"
+#include "scene/assets.h"
+#include "shared/settings.h"
+
+#define FB_PICTURE_SETTINGS(X) \
+  FB_FRAME_SETTINGS(X)         \
+  FB_RENDERER_SETTINGS(X)
+
+// A group of rows: its title for people, and its rows.
+#define FB_SETTING_GROUPS(G)                 \
+  G("The picture", FB_PICTURE_SETTINGS)      \
+  G("The denoiser", FB_DENOISER_SETTINGS)    \
+  G("Emission", FB_EMISSION_SETTINGS)        \
+  G("Sampling of lights", FB_LIGHT_SETTINGS) \
+  G("Path guiding", FB_GUIDE_SETTINGS)
+
+#define FB_RENDER_SETTINGS(X) \
+  FB_PICTURE_SETTINGS(X)      \
+  FB_DENOISER_SETTINGS(X)     \
+  FB_EMISSION_SETTINGS(X)     \
+  FB_LIGHT_SETTINGS(X)        \
+  FB_GUIDE_SETTINGS(X)
+
+namespace fb::render {
+
+enum class Intersector { kAuto, kQuery, kBvh };
+enum class ArrayAccess { kAuto, kBound, kAddress };
+enum class Lanes { kAuto, kProcessor, kGpu };
+
+struct RenderSettings {
+#define FB_FIELD(type, field, cvar, value, low, high, help) type field = value;
+  FB_RENDER_SETTINGS(FB_FIELD)
+#undef FB_FIELD
+  std::string estimator = "pt";
+  Intersector intersector = Intersector::kAuto;
+  ArrayAccess arrays = ArrayAccess::kAuto;
+  Lanes lanes = Lanes::kAuto;
+  bool operator==(const RenderSettings&) const = default;
+};
+
+// Copies each setting that a uniform block has a field for; what the block's reader resolves is its own to set after.
+template <typename Block>
+void copy_settings(const RenderSettings& settings, Block& block) {
+#define FB_COPY(type, field, cvar, value, low, high, help) \
+  if constexpr (requires { block.field; }) block.field = settings.field;
+  FB_RENDER_SETTINGS(FB_COPY)
+#undef FB_COPY
+}
+
+// Paths of a pixel in a frame, at most: with the denoiser a frame without a past has r_first_spp times as many.
+std::uint64_t most_samples(const RenderSettings& settings);
+
+// What emission of each kind is multiplied by (r_emit_*).
+using EmissionScales = std::array<float, static_cast<std::size_t>(scene::EmissionKind::kCount)>;
+EmissionScales emission_scales(const RenderSettings& settings);
+
+// Registers a cvar for every row, r_estimator, r_intersector, r_arrays and r_lanes.
+void register_render_cvars(con::Console& console);
+// The rows' cvars as the manual and the panel group them.
+struct SettingGroup {
+  std::string_view title;
+  std::vector<std::string_view> cvars;
+};
+const std::vector<SettingGroup>& setting_groups();
+// The manual's page of all rows and of the debug views, in Markdown.
+std::string settings_page();
+// The cvars' values now.
+RenderSettings read_render_settings(const con::Console& console);
+// What the game does where a setting leaves it to the program (-1): the denoiser, local exposure and bloom are on, and
+// water is where there is a GPU; where it is not, the picture in a liquid is distorted.
+RenderSettings as_in_game(RenderSettings settings, bool on_cpu);
+
+}  // namespace fb::render

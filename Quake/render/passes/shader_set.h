@@ -1,0 +1,85 @@
+// Pipelines, made when first asked for and kept: few variants, since each costs start-up time. Those of a frame are
+// made at once, on all processors; what a frame can do without is made beside the frames.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <map>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "gpu/pipeline.h"
+#include "gpu/precompiler.h"
+#include "render/passes/shader_code.h"
+#include "shared/kinds.h"
+
+namespace fb::render {
+
+// What a tracing pipeline is specialised for (shared/bindings.h, kSpec*).
+struct Variant {
+  bool ray_query = false;
+  bool candidates = false;  // alpha tests or translucency
+  bool specular = false;
+  std::uint32_t surfaces = shared::kFeaturesAll;
+  bool medium = false;                                             // there is one between surfaces
+  bool water = false;                                              // some surface is an interface of water or glass
+  bool one_bounce = false;                                         // paths have one reflection at most
+  bool small = false;                                              // it stands in while another is compiled
+  bool show_view = false;                                          // the technique draws its debug view
+  std::array<std::uint32_t, shared::kTechniqueSpecs> technique{};  // the technique's own
+  auto operator<=>(const Variant&) const = default;
+};
+
+class ShaderSet {
+ public:
+  ShaderSet(gpu::Device& device, const gpu::BindingTable& table, bool by_address, bool gpu_lanes);
+  // `name`: of a shader in Shaders/CMakeLists.txt. Passes that trace nothing have one variant. It stays where it is,
+  // and is to be used after make().
+  const gpu::ComputePipeline& get(std::string_view name, const Variant& variant = {});
+  // The same; a set that hurries gives `meanwhile`, which is smaller, while `variant` is made beside the frames.
+  const gpu::ComputePipeline& get(std::string_view name, const Variant& variant, const Variant& meanwhile);
+  // Makes what was asked for since. May throw OutOfMemory: then what is left is to be asked for again.
+  void make();
+
+  // What a driver would compile at the first dispatch is compiled in make(), on all processors (gpu/precompiler.h).
+  void set_precompiles(bool precompiles);
+  // Pictures soon rather than all alike: which variant draws one depends on time. Of no effect on a driver that would
+  // make the frames wait.
+  void set_hurries(bool hurries);
+  // Nothing is being made beside the frames.
+  bool settled() const { return late_.empty(); }
+  // Called some twenty times a second while make() waits.
+  void set_waiting(std::function<void()> waiting) { waiting_ = std::move(waiting); }
+
+ private:
+  using Key = std::tuple<std::string, Variant>;
+  // Of what is made beside the frames.
+  struct Late {
+    Key key;
+    gpu::ComputePipeline pipeline;  // none: there was no memory for it
+    std::atomic<bool> done{false};
+    std::jthread thread;
+  };
+  gpu::ShaderSource source(const Key& key) const;
+  gpu::ShaderSource first_dispatch() const;
+  gpu::ComputePipeline compile(const Key& key) const;
+  void make_late(Late& late) const;
+
+  gpu::Device& device_;
+  const gpu::BindingTable& table_;
+  bool by_address_, gpu_lanes_, precompiles_ = false, hurries_ = false;
+  int quiet_ = 0;  // make()s in a row that had nothing to make
+  std::map<Key, gpu::ComputePipeline> pipelines_;
+  std::vector<std::map<Key, gpu::ComputePipeline>::iterator> asked_;
+  std::list<Late> late_;
+  std::function<void()> waiting_;
+};
+
+}  // namespace fb::render

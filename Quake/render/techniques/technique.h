@@ -1,0 +1,111 @@
+// Technique: one way to estimate the light that a first vertex reflects; what r_estimator chooses. It has a shader that
+// traces paths (Shaders/estimators/NAME/NAME.comp) and whatever it keeps from frame to frame, in a descriptor set and a
+// uniform block of its own. techniques() lists them; a row registers one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/maths.h"
+#include "gpu/buffer.h"
+#include "gpu/commands.h"
+#include "gpu/pipeline.h"
+#include "render/passes/pass.h"
+#include "render/passes/settings.h"
+#include "render/passes/shader_set.h"
+#include "shared/bindings.h"
+#include "shared/debug_views.h"
+
+namespace fb::render {
+
+// What a technique is told of a frame, between submissions.
+struct TechniqueFrame {
+  const RenderSettings& settings;  // as Technique::adapt left them
+  uvec2 size;                      // pixels at which light is sampled
+  float pixel_tangent;             // tangent of the angle that a pixel subtends
+  double time;                     // of the scene, seconds
+  bool fog, turbid;                // paths begin in fog, too; in liquids or glass
+  bool medium() const { return fog || turbid; }
+};
+
+// What it adds its passes from.
+struct TechniquePasses {
+  PassList& list;
+  ShaderSet& shaders;
+  Variant variant;  // what the scene needs; the technique adds its own constants
+  uvec2 size;
+  AskedGroups medium;                    // of paths that begin in the medium
+  std::int32_t bounces, medium_bounces;  // most reflections of paths from surfaces, from the medium
+};
+
+class Technique {
+ public:
+  virtual ~Technique() = default;
+  // What the settings mean to it.
+  virtual RenderSettings adapt(RenderSettings settings) const { return settings; }
+  // Makes its buffers, fills its constants; called once a frame. May throw OutOfMemory: then the next call starts anew.
+  virtual void prepare(const TechniqueFrame& frame) = 0;
+  // Its passes, all of kind kEstimator: from the G-buffer to kBindRadiance. Called after prepare.
+  virtual void add_passes(const TechniquePasses& passes) = 0;
+  // Forgets at the next frame what it learnt.
+  virtual void forget() {}
+  // Mixed into the frame's random numbers; 0: they are the frame's own. Random numbers from which something was learnt
+  // must not come again while it is remembered.
+  virtual std::uint32_t salt() const { return 0; }
+  // Device memory of what it learns, bytes.
+  virtual std::uint64_t bytes() const { return 0; }
+};
+
+// What a technique is made with. The set kSetTechnique of the table is its own while it lives.
+struct TechniqueTools {
+  gpu::Device& device;
+  gpu::BindingTable& table;
+};
+
+enum class Bias { kUnbiased, kBiased };  // of paths of at most r_bounces reflections
+
+struct TechniqueInfo {
+  std::string_view name;  // of its folder and its shader, and what r_estimator says
+  std::string_view description;
+  Bias bias;
+  std::unique_ptr<Technique> (*make)(const TechniqueTools& tools, std::string_view name);
+  bool learns = false;                         // keeps what it learnt from frame to frame
+  bool wants_lights = false;                   // the list of lights (kBindLights)
+  bool wants_previous_gbuffer = false;         // kBindPreviousGBuffer
+  std::uint32_t views = shared::kViewOfFrame;  // the debug views that it draws itself: their owner
+
+  bool unbiased() const { return bias == Bias::kUnbiased; }
+};
+const std::vector<TechniqueInfo>& techniques();
+// Null: there is none of that name.
+const TechniqueInfo* find_technique(std::string_view name);
+
+// The techniques' constructors, for the rows of techniques().
+std::unique_ptr<Technique> make_path_technique(const TechniqueTools& tools, std::string_view name);
+std::unique_ptr<Technique> make_nee_technique(const TechniqueTools& tools, std::string_view name);
+std::unique_ptr<Technique> make_guided_technique(const TechniqueTools& tools, std::string_view name);
+std::unique_ptr<Technique> make_guided_tail_technique(const TechniqueTools& tools, std::string_view name);
+
+using TechniqueSpecs = std::array<std::uint32_t, shared::kTechniqueSpecs>;
+// Constants of the shaders that trace paths: from surfaces, those with which a smaller shader may stand in while theirs
+// is made, and from the medium.
+struct PathSpecs {
+  TechniqueSpecs surfaces{};
+  std::optional<TechniqueSpecs> meanwhile;
+  TechniqueSpecs medium{};
+  // Of a technique that learns: parts in which a frame's paths from surfaces are traced one after the other, the last
+  // of half of them, each before it of half of the rest. Where a device runs all paths at once none learns from
+  // another.
+  std::uint32_t parts = 1;
+  std::function<void(gpu::Commands&)> between_parts{};  // if any
+};
+// The passes that trace paths, of a technique's shader: from surfaces and, where there is one, from the medium.
+void add_paths_pass(const TechniquePasses& passes, std::string_view name, const PathSpecs& constants = {});
+
+}  // namespace fb::render
