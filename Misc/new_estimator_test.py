@@ -1,20 +1,21 @@
 #!/usr/bin/env python3
-"""new_estimator.py's estimator, built beside the sources, draws, and has pt's mean.
+"""new_estimator.py's estimators, built beside the sources, draw, and have pt's mean: one of a proposal alone, one with every
+part that the path loop and the renderer offer.
 
 usage: new_estimator_test.py BUILD
 
-Only what the new folder and row change is compiled, with the commands of BUILD (a finished Ninja build): the shader's
-variants, the table of techniques and the table of shaders. The laboratory is linked from these and BUILD's libraries.
+Only what the new files and rows change is compiled, with the commands of BUILD (a finished Ninja build). The laboratory is
+linked from that and BUILD's libraries, which know no new settings: parts `setting` and `view` are only compiled.
 """
 import pathlib
-import re
 import shlex
 import shutil
 import subprocess
 import sys
 import tempfile
 
-NAME = "toy_estimator"
+PLAIN, WHOLE, SEEN = "toy_estimator", "toy_whole", "toy_seen"
+PARTS = {PLAIN: [], WHOLE: ["lights", "control", "record", "memory", "pass"], SEEN: ["all"]}
 
 
 def run(*command: str, cwd: pathlib.Path) -> str:
@@ -43,6 +44,43 @@ def replaced(words: list[str], option: str, value: str) -> list[str]:
     return words[:at + 1] + [value] + words[at + 2:]
 
 
+def compile_shader(build: pathlib.Path, root: pathlib.Path, name: str, source: pathlib.Path, like: str, query: bool) -> str:
+    """Every variant of a shader, with the commands of another; its row in the table of shaders."""
+    for variant in ("bound", "address", "query") if query else ("bound", "address"):
+        words = command_of(build, f"shaders/{like}_{variant}.spv.h")
+        words = replaced(words, "-o", str(root / f"{name}_{variant}.spv.h"))
+        words = replaced(words, "--vn", f"{name}_{variant}_spv")
+        words = replaced(words, "--depfile", str(root / "depfile"))
+        words = [word for word in words if word not in ("-Os",)]  # as good, and sooner
+        words[-1] = str(source)
+        run(*words[:-1], f"-I{root}/Shaders", words[-1], cwd=build)
+    third = f"{name}_query_spv" if query else "{}"
+    return f'    CompiledShader{{"{name}", {name}_bound_spv, {name}_address_spv, {third}}},\n'
+
+
+def compile_source(build: pathlib.Path, root: pathlib.Path, path: pathlib.Path, like: str) -> str:
+    """An object file of a source, with the command of another of its library; headers of `root` come first."""
+    words = command_of(build, f"Quake/render/CMakeFiles/fb_render.dir/{like}.cpp.o")
+    words = [w for i, w in enumerate(words) if w != "-MD" and (i == 0 or words[i - 1] not in ("-MT", "-MF")) and w not in ("-MT", "-MF")]
+    out = str(root / f"{path.stem}.o")
+    words = replaced(replaced(words, "-o", out), "-c", str(path))
+    run(words[0], f"-I{root}", f"-I{root}/Shaders", *words[1:], cwd=build)
+    return out
+
+
+def write(source: pathlib.Path, root: pathlib.Path, name: str) -> None:
+    run(sys.executable, str(source / "Misc/new_estimator.py"), name, *PARTS[name], "--root", str(root), cwd=root)
+
+
+def begin(source: pathlib.Path, root: pathlib.Path) -> None:
+    """What new_estimator.py reads and changes."""
+    (root / "Quake/render/techniques").mkdir(parents=True)
+    shutil.copy(source / "Quake/render/techniques/techniques.cpp", root / "Quake/render/techniques")
+    shutil.copytree(source / "Shaders/estimators", root / "Shaders/estimators")
+    (root / "Shaders/shared").mkdir()
+    shutil.copy(source / "Shaders/shared/debug_views.h", root / "Shaders/shared")
+
+
 def main() -> int:
     build = pathlib.Path(sys.argv[1]).resolve()
     source = pathlib.Path(__file__).resolve().parent.parent
@@ -50,48 +88,46 @@ def main() -> int:
         print("skipped: this test needs a build by Ninja")
         return 77
     with tempfile.TemporaryDirectory() as scratch:
-        root = pathlib.Path(scratch)
-        (root / "Quake/render/techniques").mkdir(parents=True)
-        shutil.copy(source / "Quake/render/techniques/techniques.cpp", root / "Quake/render/techniques")
-        run(sys.executable, str(source / "Misc/new_estimator.py"), NAME, "--root", scratch, cwd=root)
-
-        # The shader, in every variant; its folder is found before the sources' own.
-        for variant in ("bound", "address", "query"):
-            words = command_of(build, f"shaders/pt_{variant}.spv.h")
-            words = replaced(words, "-o", str(root / f"{NAME}_{variant}.spv.h"))
-            words = replaced(words, "--vn", f"{NAME}_{variant}_spv")
-            words = replaced(words, "--depfile", str(root / "depfile"))
-            words[-1] = str(root / f"Shaders/estimators/{NAME}/{NAME}.comp")
-            run(*words, f"-I{root}/Shaders", cwd=build)
+        root = pathlib.Path(scratch) / "drawn"
+        begin(source, root)
+        rows = ""
+        for name in (PLAIN, WHOLE):
+            write(source, root, name)
+            rows += compile_shader(build, root, name, root / f"Shaders/estimators/{name}/{name}.comp", "pt", True)
+        rows += compile_shader(build, root, f"{WHOLE}_mean", root / f"Shaders/estimators/{WHOLE}/passes/mean.comp", "mcpg_fold_cache", False)
         table = (build / "shaders/compiled_shaders.spv.h").read_text()
-        includes = "".join(f'#include "{NAME}_{v}.spv.h"\n' for v in ("bound", "address", "query"))
-        row = f'    CompiledShader{{"{NAME}", {NAME}_bound_spv, {NAME}_address_spv, {NAME}_query_spv}},\n'
+        includes = "".join(f'#include "{path.name}"\n' for path in sorted(root.glob("*.spv.h")))
         table = table.replace("struct CompiledShader", includes + "\nstruct CompiledShader", 1)
-        (root / "compiled_shaders.spv.h").write_text(table.replace("kCompiledShaders{\n", "kCompiledShaders{\n" + row, 1))
+        (root / "compiled_shaders.spv.h").write_text(table.replace("kCompiledShaders{\n", "kCompiledShaders{\n" + rows, 1))
 
-        objects = []
-        for name, path in (("techniques/techniques", root / "Quake/render/techniques/techniques.cpp"),
-                           ("passes/shader_code", source / "Quake/render/passes/shader_code.cpp")):
-            words = command_of(build, f"Quake/render/CMakeFiles/fb_render.dir/{name}.cpp.o")
-            words = [w for i, w in enumerate(words) if w != "-MD" and (i == 0 or words[i - 1] not in ("-MT", "-MF"))
-                     and w not in ("-MT", "-MF")]
-            objects.append(str(root / f"{pathlib.Path(name).name}.o"))
-            words = replaced(replaced(words, "-o", objects[-1]), "-c", str(path))
-            run(words[0], f"-I{root}", *words[1:], cwd=build)
+        host = root / "Quake/render/techniques"
+        objects = [compile_source(build, root, host / f"{name}.cpp", "techniques/techniques") for name in (PLAIN, WHOLE, "techniques")]
+        objects.append(compile_source(build, root, source / "Quake/render/passes/shader_code.cpp", "passes/shader_code"))
         words = command_of(build, "fullbright-lab")
         lab = str(root / "fullbright-lab")
         words = replaced(words, "-o", lab)
         first_library = next(i for i, w in enumerate(words) if w.endswith("libfb_host.a"))
         run(*words[:first_library], *objects, *words[first_library:], cwd=build)
 
-        assert NAME in run(lab, "estimators", cwd=root)
-        hashes = re.findall(r"^\S*[0-9a-f]{16}\S*", run(
-            lab, "render", "--quiet", "--scene", "kinds", "--estimator", NAME, "--size", "64x48", "--frames", "0:1",
-            "--hash", "--out", str(root / "pictures"), cwd=root), re.MULTILINE)
-        assert (root / "pictures/frame_000001.png").stat().st_size > 1000, hashes
-        print(run(lab, "ztest", "--quiet", "--scene", "kinds", "--estimator", NAME, "--spp", "4", "--runs", "12", cwd=root))
-        print(run(lab, "render", "--quiet", "--validation", "--scene", "kinds", "--estimator", NAME, "--size", "16x16",
-                  cwd=root))
+        listed = run(lab, "estimators", cwd=root)
+        for name in (PLAIN, WHOLE):
+            assert name in listed, listed
+            run(lab, "render", "--quiet", "--scene", "kinds", "--estimator", name, "--size", "64x48", "--frames", "0:1",
+                "--out", str(root / name), cwd=root)
+            assert (root / name / "frame_000001.png").stat().st_size > 1000
+            print(run(lab, "ztest", "--quiet", "--scene", "kinds", "--estimator", name, "--spp", "4", "--runs", "12", cwd=root))
+            print(run(lab, "render", "--quiet", "--validation", "--scene", "kinds", "--estimator", name, "--size", "16x16", cwd=root))
+
+        # Settings and views change what every file of the host includes.
+        root = pathlib.Path(scratch) / "compiled"
+        begin(source, root)
+        write(source, root, SEEN)
+        folder = root / f"Shaders/estimators/{SEEN}"
+        compile_shader(build, root, SEEN, folder / f"{SEEN}.comp", "pt", False)
+        compile_shader(build, root, f"{SEEN}_mean", folder / "passes/mean.comp", "mcpg_fold_cache", False)
+        for path in (root / f"Quake/render/techniques/{SEEN}.cpp", root / "Quake/render/techniques/techniques.cpp",
+                     source / "Quake/render/passes/settings.cpp", source / "Quake/render/passes/debug_views.cpp"):
+            compile_source(build, root, path, "techniques/techniques")
     return 0
 
 

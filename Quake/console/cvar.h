@@ -36,6 +36,7 @@ struct CvarSpec {
   std::optional<float> least_above_zero = std::nullopt;
   // Words that stand for numbers of the range; the cvar holds the number.
   std::vector<std::pair<std::string, float>> words = {};
+  std::string group = {};  // under which menus list it; empty: by its name
 };
 
 // Lives as long as its Console and does not move: keep a reference and read it every frame.

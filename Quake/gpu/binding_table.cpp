@@ -18,10 +18,16 @@ namespace {
 
 using namespace shared;
 
-constexpr std::array<std::uint32_t, kSetCount> kArrays{kSceneArrays, kFrameArrays, kTechniqueArrays};
-constexpr std::array<std::uint32_t, kSetCount> kFirstAddress{kFirstSceneAddress, kFirstFrameAddress,
-                                                             kFirstTechniqueAddress};
-static_assert(kAddresses <= 32);  // storage buffers a stage
+constexpr std::array<std::uint32_t, kSetCount> kArrays{kSceneArrays, kFrameArrays, kTechniqueArrays, kPoseArrays,
+                                                       kDrawArrays};
+constexpr std::array<std::uint32_t, kSetCount> kFirstAddress{
+    kFirstSceneAddress, kFirstFrameAddress, kFirstTechniqueAddress, kFirstPoseAddress, kFirstDrawAddress};
+static_assert(kArraysInPlace <= 32);  // storage buffers a stage
+static_assert(kPoseArrays <= kTechniqueArrays && kDrawArrays <= kTechniqueArrays);
+static_assert(kTexelsTechnique + kTechniqueArrays == kTexelBuffers);
+
+// Where shaders see a set.
+constexpr std::uint32_t place_of(std::uint32_t set) { return std::min(set, kSetTechnique); }
 constexpr std::uint32_t kLargestUniform = 16384;
 
 struct Slot {
@@ -42,7 +48,7 @@ struct UniformPlace {
   std::uint32_t set, binding;
 };
 constexpr std::array kUniforms{UniformPlace{kSetScene, kBindFrameConstants},
-                               UniformPlace{kSetTechnique, kBindTechniqueConstants},
+                               UniformPlace{kSetScene, kBindTechniqueConstants},
                                UniformPlace{kSetScene, kBindAddresses}};
 constexpr std::size_t kAddressUniform = 2;
 
@@ -55,7 +61,7 @@ VkDescriptorSetLayoutBinding compute_binding(std::uint32_t binding, VkDescriptor
   return info;
 }
 
-VkDescriptorSetLayout make_set_layout(VkDevice device, std::uint32_t set, bool has_tlas) {
+VkDescriptorSetLayout make_place_layout(VkDevice device, std::uint32_t set, bool has_tlas) {
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   for (std::uint32_t i = 0; i < kArrays[set]; ++i)
     bindings.push_back(compute_binding(i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER));
@@ -96,7 +102,7 @@ struct BindingTable::Impl {
   std::array<VkBufferView, kTexelBuffers> views{};
   VkAccelerationStructureKHR tlas = VK_NULL_HANDLE;
   bool tlas_dirty = false, dirty = true;
-  std::array<VkDescriptorSetLayout, kSetCount> set_layouts{};
+  std::array<VkDescriptorSetLayout, kSetPlaces> place_layouts{};
   VkPipelineLayout layout = VK_NULL_HANDLE;
   VkDescriptorPool pool = VK_NULL_HANDLE;
   std::array<VkDescriptorSet, kSetCount> sets{};
@@ -107,24 +113,27 @@ BindingTable::Impl::~Impl() {
   for (VkBufferView view : views) vkDestroyBufferView(handle, view, nullptr);
   vkDestroyDescriptorPool(handle, pool, nullptr);
   vkDestroyPipelineLayout(handle, layout, nullptr);
-  for (VkDescriptorSetLayout set_layout : set_layouts) vkDestroyDescriptorSetLayout(handle, set_layout, nullptr);
+  for (VkDescriptorSetLayout place_layout : place_layouts) vkDestroyDescriptorSetLayout(handle, place_layout, nullptr);
 }
 
 void BindingTable::Impl::make_layout() {
-  for (std::uint32_t set = 0; set < kSetCount; ++set)
-    set_layouts[set] = make_set_layout(device.handle(), set, device.has_ray_query());
+  for (std::uint32_t place = 0; place < kSetPlaces; ++place)
+    place_layouts[place] = make_place_layout(device.handle(), place, device.has_ray_query());
   VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, kPushConstantBytes};
   auto info = vk_struct<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
-  info.setLayoutCount = kSetCount;
-  info.pSetLayouts = set_layouts.data();
+  info.setLayoutCount = kSetPlaces;
+  info.pSetLayouts = place_layouts.data();
   info.pushConstantRangeCount = 1;
   info.pPushConstantRanges = &push;
   FB_VK(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout));
 }
 
 void BindingTable::Impl::make_sets() {
+  constexpr std::uint32_t kInThirdPlace = kSetCount - kSetTechnique;
+  std::array<VkDescriptorSetLayout, kSetCount> set_layouts;
+  for (std::uint32_t set = 0; set < kSetCount; ++set) set_layouts[set] = place_layouts[place_of(set)];
   const VkDescriptorPoolSize sizes[] = {
-      {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, kAddresses},
+      {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, kSceneArrays + kFrameArrays + kInThirdPlace * kTechniqueArrays},
       {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, static_cast<std::uint32_t>(kUniforms.size())},
       {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, kTexelBuffers},
       {VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, 1}};
@@ -192,11 +201,11 @@ void BindingTable::set_array(std::uint32_t set, std::uint32_t binding, const Buf
                                   memory_text(device.limits().max_storage_buffer_range)));
   impl_->dirty |=
       impl_->arrays[set][binding].set(buffer ? buffer.handle() : impl_->unset_storage.handle(), buffer.serial());
-  if (set == kSetTechnique && binding < kTechniqueTexels) set_texels(kTexelsTechnique + binding, buffer);
+  if (set == kSetTechnique) set_texels(kTexelsTechnique + binding, buffer);
 }
 
 void BindingTable::set_uniform(std::uint32_t set, const Buffer& buffer) {
-  FB_CHECK(set == kSetScene || set == kSetTechnique);
+  FB_CHECK(set == kSetScene || set == kSetTechnique);  // of the frame, of the technique
   Slot& slot = impl_->uniforms[set == kSetScene ? 0 : 1];
   impl_->dirty |= slot.set(buffer ? buffer.handle() : impl_->unset_uniform.handle(), buffer.serial());
 }

@@ -24,10 +24,10 @@ class BindingTable {
   ~BindingTable();
   BindingTable(const BindingTable&) = delete;
   BindingTable& operator=(const BindingTable&) = delete;
-  // Storage array `binding` of `set`. Throws OutOfMemory if the device binds no buffer so large. The first arrays of
-  // kSetTechnique are texel buffers as well (kTexelsTechnique); their use is kStorage.
+  // Storage array `binding` of `set`. Throws OutOfMemory if the device binds no buffer so large. Those of kSetTechnique
+  // are texel buffers as well (kTexelsTechnique); their use is kStorage.
   void set_array(std::uint32_t set, std::uint32_t binding, const Buffer& buffer);
-  // kBindFrameConstants of kSetScene, or kBindTechniqueConstants of kSetTechnique.
+  // kBindFrameConstants for kSetScene, kBindTechniqueConstants for kSetTechnique.
   void set_uniform(std::uint32_t set, const Buffer& buffer);
   // Binding kBindTexelBuffers + index; the buffer's use is kStorage.
   void set_texels(std::uint32_t index, const Buffer& buffer);

@@ -12,9 +12,15 @@ namespace fb::gpu {
 void Commands::bind(const BindingTable& table) {
   table.flush();
   layout_ = table.layout();
-  const auto& sets = table.sets();
-  vkCmdBindDescriptorSets(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, static_cast<std::uint32_t>(sets.size()),
-                          sets.data(), 0, nullptr);
+  vkCmdBindDescriptorSets(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, shared::kSetPlaces, table.sets().data(), 0,
+                          nullptr);
+}
+
+void Commands::bind_third(const BindingTable& table, std::uint32_t set) {
+  FB_CHECK(layout_ == table.layout());
+  FB_CHECK(set >= shared::kSetTechnique && set < shared::kSetCount);
+  vkCmdBindDescriptorSets(cmd_, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, shared::kSetTechnique, 1, &table.sets()[set],
+                          0, nullptr);
 }
 
 void Commands::push_bytes(const void* data, std::uint32_t bytes) {

@@ -42,7 +42,9 @@ class Commands {
   VkCommandBuffer handle() const { return cmd_; }
   Device& device() { return device_; }
 
-  void bind(const BindingTable& table);  // all sets, once a recording
+  void bind(const BindingTable& table);  // scene, frame and technique, once a recording
+  // In the technique's place the arrays of one pass (kSetPose, kSetDraw), or kSetTechnique again.
+  void bind_third(const BindingTable& table, std::uint32_t set);
   template <typename T>
   void push(const T& constants) {
     static_assert(sizeof(T) <= kPushConstantBytes);

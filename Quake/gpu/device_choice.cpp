@@ -135,7 +135,7 @@ PhysicalDevice examine(VkPhysicalDevice handle, const DeviceOptions& options) {
     report.lacks.push_back(std::move(why) + ": unusable");
   };
   const VkPhysicalDeviceLimits& limits = properties.limits;
-  constexpr std::uint32_t kStorageBuffers = shared::kAddresses;
+  constexpr std::uint32_t kStorageBuffers = shared::kArraysInPlace;
   if (limits.maxPerStageDescriptorStorageBuffers < kStorageBuffers)
     unusable(fmt::format("{} storage buffers a shader, {} are needed", limits.maxPerStageDescriptorStorageBuffers,
                          kStorageBuffers));

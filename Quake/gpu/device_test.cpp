@@ -156,7 +156,7 @@ void expect_bindings_follow_changes(Device& device) {
   table.set_uniform(shared::kSetScene, factors);
   for (int pass = 0; pass < 4; ++pass) {
     Buffer target(device, BufferUse::kStorage, kCount * 4 << pass, "target");
-    table.set_array(shared::kSetFrame, 13, target);
+    table.set_array(shared::kSetFrame, 10, target);
     table.flush();
     device.run([&](Commands& commands) {
       commands.bind(table);
@@ -227,7 +227,7 @@ TEST_F(GpuTest, PassesAreTimed) {
   Buffer factors(*device_, BufferUse::kUniform, sizeof(Factors), "factors");
   factors.mapped_as<Factors>()[0] = {3, 5, kCount, 2000};
   table.set_array(shared::kSetScene, 3, source);
-  table.set_array(shared::kSetFrame, 13, target);
+  table.set_array(shared::kSetFrame, 10, target);
   table.set_uniform(shared::kSetScene, factors);
   PassTimer timer(*device_, 4);
   for (int frame = 0; frame < 2; ++frame) {

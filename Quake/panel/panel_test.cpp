@@ -151,7 +151,7 @@ TEST_F(PanelTest, ShowsThePassesOfTheLatestFrames) {
 TEST_F(PanelTest, SettingsChangeThroughIt) {
   open();
   click(find("Settings"));
-  EXPECT_TRUE(shows("The denoiser"));
+  EXPECT_TRUE(shows("Denoiser"));
   EXPECT_FALSE(shows("r_taa")) << "groups are closed";
   click(find("search") - vec2(40.0f, 0.0f));
   EXPECT_TRUE(panel.typing());

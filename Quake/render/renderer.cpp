@@ -25,12 +25,9 @@
 #include "shared/work.h"
 
 namespace fb::render {
-namespace {
 
 using gpu::Buffer;
 using gpu::BufferUse;
-
-}  // namespace
 
 struct Renderer::Impl {
   Impl(gpu::Device& d, const GpuSceneOptions& options)
@@ -69,7 +66,7 @@ struct Renderer::Impl {
   void choose_technique(const std::string& name);
   void choose_features(const scene::FrameSnapshot& snapshot, const RenderSettings& settings);
   void swap_gbuffers(std::uint32_t debug_view);
-  void fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings);
+  void fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings, std::uint64_t scene);
   // Bytes of kBindRadiance.
   VkDeviceSize radiance_bytes(const RenderSettings& settings, uvec2 render) const;
   VkDeviceSize second_radiance(const RenderSettings& settings, uvec2 render) const;
@@ -101,8 +98,8 @@ struct Renderer::Impl {
   bool swap_red_blue = false;
 
   std::uint64_t key = 0, last_scene = 0;
-  std::uint64_t generation = 0;
-  std::uint32_t accumulated = 0;  // frames in the mean after the last render
+  std::uint64_t generation = 0, number = 0;  // of the assets; of the next frame
+  std::uint32_t accumulated = 0;             // frames in the mean after the last render
   bool restart = true;
   double last_time = 0;
   SceneFeatures features;
@@ -259,12 +256,14 @@ void Renderer::Impl::swap_gbuffers(std::uint32_t debug_view) {
   table.set_array(shared::kSetFrame, shared::kBindPreviousGBuffer, previous_gbuffer);
 }
 
-void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings) {
-  const std::uint64_t scene = scene_key(snapshot), now = view_key(scene, settings);
+void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
+                                    std::uint64_t scene) {
+  const std::uint64_t now = view_key(scene, settings);
   const bool same_view = now == key && !restart && settings.accumulate != 0;
   const bool first_frame = key == 0;
   if (!same_view) accumulated = 0;
 
+  const shared::FrameConstants former = constants;
   constants = frame_constants(snapshot, settings, render_size, output_size);
   const scene::Area place = shown();
   constants.picture_x = place.min.x;
@@ -297,6 +296,9 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.work_parity = work_parity ^= 1u;
   denoiser.fill(constants, snapshot, settings, scene == last_scene);
   constants.spp *= static_cast<int>(constants.history_gain);
+  constants.former_light_x = former.light_x;
+  constants.former_light_y = former.light_y;
+  constants.former_light_block = former.light_block;
   distances.fill(constants, snapshot.cut);
   const uvec2 smooth = Denoiser::smooth_size(render_size, place.size, settings);
   constants.smooth_width = smooth.x;
@@ -352,7 +354,7 @@ PassList Renderer::Impl::list_passes() {
   const uvec2 smooth(constants.smooth_width, constants.smooth_height);
   const char* over_time = smooth == render_size ? "temporal_antialias" : "temporal_upscale";
   frame("antialias", shaders.get(constants.taa != 0 ? over_time : "antialias"), groups_over(smooth, 8));
-  frame("present", shaders.get(warps ? "present_warped" : "present"), groups_over(output_size, 8));
+  overlay.add_present(list, shaders.get(warps ? "present_warped" : "present"), output_size);
   return list;
 }
 
@@ -428,10 +430,12 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   generation = snapshot.assets->generation;
   const CameraFrame camera = view_frame(snapshot, settings, render_size);
   const uvec2 lit = Denoiser::light_size(render_size, denoiser.light_block(settings));
-  technique->prepare({settings, lit, 2 * half_pixel_tangent(camera, render_size.y), snapshot.time,
-                      snapshot.medium.scatters(), scene.features().turbid});
+  const std::uint64_t scene_now = scene_key(snapshot);
+  const bool cut = key == 0 || restart || snapshot.cut || new_scene;
+  technique->prepare({snapshot, settings, render_size, lit, 2 * half_pixel_tangent(camera, render_size.y), number++,
+                      cut, !cut && scene_now == last_scene, snapshot.medium.scatters(), scene.features().turbid});
   overlay.prepare(draw, output_size.x, output_size.y);
-  fill_constants(snapshot, settings);
+  fill_constants(snapshot, settings, scene_now);
   table.flush();
 
   passes = list_passes();

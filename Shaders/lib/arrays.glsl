@@ -25,4 +25,9 @@ layout(set = kSetScene, binding = kBindAddresses, std140) uniform AddressBlock {
   FB_ARRAY(kSetFrame, kFirstFrameAddress, binding_, align_, access_, Block, element_, name_)
 #define FB_TECHNIQUE_ARRAY(binding_, align_, access_, Block, element_, name_) \
   FB_ARRAY(kSetTechnique, kFirstTechniqueAddress, binding_, align_, access_, Block, element_, name_)
+// Arrays of one pass, in the technique's place.
+#define FB_POSE_ARRAY(binding_, align_, access_, Block, element_, name_) \
+  FB_ARRAY(kSetTechnique, kFirstPoseAddress, binding_, align_, access_, Block, element_, name_)
+#define FB_DRAW_ARRAY(binding_, align_, access_, Block, element_, name_) \
+  FB_ARRAY(kSetTechnique, kFirstDrawAddress, binding_, align_, access_, Block, element_, name_)
 #endif

@@ -13,9 +13,6 @@ FB_FRAME_ARRAY(kBindLdr, 4, , LdrArray, uint, ldr)
 FB_FRAME_ARRAY(kBindSmooth, 4, , SmoothArray, uint, smoothed)
 FB_FRAME_ARRAY(kBindOutput, 4, , OutputArray, uint, output_pixels)
 FB_FRAME_ARRAY(kBindExposure, 16, , ExposureArray, ExposureBuffer, exposure_buffer)
-FB_FRAME_ARRAY(kBindQuads, 16, readonly, QuadArray, GpuQuad, quads)
-FB_FRAME_ARRAY(kBindTiles, 4, readonly, TileArray, uint, tiles)
-FB_FRAME_ARRAY(kBindAtlas, 4, readonly, AtlasArray, uint, atlas)
 FB_FRAME_ARRAY(kBindCounters, 4, , CounterArray, uint, counters)
 
 // Factor from radiance to what the tone curve takes.

@@ -18,9 +18,13 @@ GpuLight light_at(uint index) {
   return GpuLight(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w);
 }
 
-GpuLamp lamp_at(uint number) {
+uvec2 lamp_words(uint number) {
   uvec4 two = texelFetch(light_texels, int(frame.lamp_first + (number >> 1u)));
-  return (number & 1u) != 0u ? GpuLamp(two.z, two.w) : GpuLamp(two.x, two.y);
+  return (number & 1u) != 0u ? two.zw : two.xy;
+}
+GpuLamp lamp_at(uint number) {
+  uvec2 words = lamp_words(number);
+  return GpuLamp(words.x & ~kLampIsNew, words.y);
 }
 
 float light_probability(GpuLight light) { return float(light.probability) / float(kLightRange); }

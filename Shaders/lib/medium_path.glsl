@@ -4,10 +4,9 @@
 // each path's density is of it alone.
 #ifndef FB_LIB_MEDIUM_PATH
 #define FB_LIB_MEDIUM_PATH
-#include "lib/first_vertex.glsl"
 #include "lib/medium_distances.glsl"
 #include "lib/path.glsl"
-#include "lib/water_texel.glsl"
+#include "lib/store_light.glsl"
 #include "shared/color.h"
 
 // Where the ray of a pixel ends: at its surface.
@@ -45,7 +44,9 @@ MediumPiece piece_of(LiquidPiece p, vec3 ray) {
 }
 
 // Into the second section of `radiance`.
-void light_in_medium(uint at, uvec2 block, uint number, uvec2 pixel) {
+void light_in_medium(PathPixel p) {
+  uint at = p.at;
+  uvec2 pixel = p.pixel;
   vec3 ray = normalize(camera_direction(vec2(pixel) + 0.5 + jitter_of(pixel)));
   GBufferTexel g = gbuffer_at(at);
   float reach = medium_reach(g);
@@ -62,7 +63,7 @@ void light_in_medium(uint at, uvec2 block, uint number, uvec2 pixel) {
   radiance.at[frame.width * frame.height + at] = vec4(0.0);
   bool guides = kLearns && frame.fog_guided > 0.0;
   if (of_liquid == 0.0 && frame.camera_fog == 0.0) {
-    if (guides) learn_distances(block, Distances(0.0, 0.0, 0.0, 0.0), vec3(0.0));
+    if (guides) learn_distances(p.block, Distances(0.0, 0.0, 0.0, 0.0), vec3(0.0));
     return;
   }
   Distances known = Distances(0.0, 0.0, 0.0, 0.0);
@@ -88,17 +89,15 @@ void light_in_medium(uint at, uvec2 block, uint number, uvec2 pixel) {
     if (guides) distances = guided_by(known, distances, piece.start);
     float distance = sample_distance(distances, rng_uniform(rng));
     Vertex v = medium_vertex(piece.origin + piece.direction * distance, -piece.direction, piece.liquid);
-    vec3 estimate = trace_path(v, begin_path(block, number + i, i), rng);
-    if (any(isnan(estimate)) || any(isinf(estimate))) {
-      atomicAdd(counters.at[kCounterNan], 1u);
-      estimate = vec3(0.0);
-    }
+    Path path = path_of(p, i);
+    vec3 estimate = trace_path(v, path, rng);
+    take_finite(estimate);
     estimate *= piece.scattered * transmittance(piece.extinction, distance) / max(pdf_distance(distances, distance) * chance, 1e-30);
     sum += estimate;
     float far = piece.start + distance;
     met += luminance(estimate) * vec3(1.0, far, far * far);
   } while (++i < frame.spp);
   radiance.at[frame.width * frame.height + at] = vec4(sum / float(frame.spp), 0.0);
-  if (guides) learn_distances(block, known, met / float(frame.spp));
+  if (guides) learn_distances(p.block, known, met / float(frame.spp));
 }
 #endif

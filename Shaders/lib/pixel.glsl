@@ -16,6 +16,11 @@ uvec2 invocation_pixel() {
 // The pixel of a block at which light is sampled in this frame; at the picture's edge perhaps beyond it.
 uvec2 light_pixel(uvec2 block) { return block * frame.light_block + uvec2(frame.light_x, frame.light_y); }
 
+// The place of a pixel's block among all, for arrays of one element a lit pixel (ArrayRow::Per::kPixel).
+uint lit_index(uvec2 pixel) {
+  return pixel.y / frame.light_block * frame.light_width + pixel.x / frame.light_block;
+}
+
 uvec2 medium_pixel(uvec2 block) { return block * frame.medium_block + uvec2(frame.medium_x, frame.medium_y); }
 
 // Where in its pixel a camera ray goes through, from the middle.

@@ -16,10 +16,7 @@ FB_SCENE_ARRAY(kBindTriangles, 16, SCENE_ACCESS, TriangleArray, GpuTriangle, tri
 FB_SCENE_ARRAY(kBindAttributes, 16, readonly, AttributeArray, GpuAttribute, attributes)
 FB_SCENE_ARRAY(kBindPoses, 8, readonly, PoseArray, uvec2, poses)
 FB_SCENE_ARRAY(kBindNormals, 4, readonly, NormalArray, uint, normals)
-FB_SCENE_ARRAY(kBindLevels, 4, readonly, LevelArray, uint, levels)
 FB_SCENE_ARRAY(kBindTexels, 4, readonly, TexelArray, uint, texels)
-FB_SCENE_ARRAY(kBindCopyJobs, 16, readonly, CopyJobArray, GpuCopyJob, copy_jobs)
-FB_SCENE_ARRAY(kBindVertices, 4, SCENE_ACCESS, VertexArray, float, posed_vertices)
 
 #if INTERSECTOR_QUERY
 layout(set = kSetScene, binding = kBindTlas) uniform accelerationStructureEXT scene_tlas;

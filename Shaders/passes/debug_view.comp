@@ -2,6 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/exposure.glsl"
+#include "lib/former.glsl"
 #include "lib/pixel.glsl"
 #include "lib/shown.glsl"
 #include "shared/packing.h"
@@ -35,14 +36,10 @@ vec3 lost_color(uint at) {
   return estimate.w > 0.0 ? vec3(1.0, 0.0, 0.0) : 0.5 * srgb_from_linear(filmic(vec3(luminance(estimate.rgb) * exposure_now())));
 }
 
-// A point is known if the former frame's texel at its place shows the same instance at its depth.
 vec3 former_color(GBufferTexel g) {
   if (g.position_t.w == 0.0 || frame.previous_gbuffer == 0u) return vec3(0.0);
-  vec2 point = vec2(invocation_pixel()) + 0.5 + g.motion.xy;
-  bool inside = all(greaterThanEqual(point, vec2(0.0))) && all(lessThan(point, vec2(frame.width, frame.height)));
-  GBufferTexel former = previous_gbuffer_at(inside ? uint(point.y) * frame.width + uint(point.x) : 0u);
-  bool known = inside && former.id == g.id && abs(former.motion.z - g.motion.w) < 0.05 * g.motion.w;
-  return known ? srgb_from_linear(former.albedo_roughness.rgb) : vec3(1.0, 0.0, 0.0);
+  FormerTexel former = former_texel(g, invocation_pixel());
+  return former.known ? srgb_from_linear(former.texel.albedo_roughness.rgb) : vec3(1.0, 0.0, 0.0);
 }
 
 vec3 debug_color(uint at) {

@@ -6,6 +6,10 @@
 #define SCENE_ACCESS coherent
 #include "lib/scene_bindings.glsl"
 
+FB_POSE_ARRAY(kBindLevels, 4, readonly, LevelArray, uint, levels)
+FB_POSE_ARRAY(kBindCopyJobs, 16, readonly, CopyJobArray, GpuCopyJob, copy_jobs)
+FB_POSE_ARRAY(kBindVertices, 4, coherent, VertexArray, float, posed_vertices)
+
 layout(local_size_x = 64) in;
 layout(constant_id = kSpecForQuery) const bool FOR_QUERY = false;
 

@@ -5,6 +5,10 @@
 #include "lib/pixel.glsl"
 #include "shared/picture_warp.h"
 
+FB_DRAW_ARRAY(kBindQuads, 16, readonly, QuadArray, GpuQuad, quads)
+FB_DRAW_ARRAY(kBindTiles, 4, readonly, TileArray, uint, tiles)
+FB_DRAW_ARRAY(kBindAtlas, 4, readonly, AtlasArray, uint, atlas)
+
 vec3 smoothed_at(ivec2 p) {
   p = clamp(p, ivec2(0), ivec2(frame.smooth_width, frame.smooth_height) - 1);
   return unpackUnorm4x8(smoothed.at[uint(p.y) * frame.smooth_width + uint(p.x)]).rgb;

@@ -73,15 +73,10 @@ struct FrameConstants {
   uint distances_former, distances_now;  // halves of what is known of distances: the former frame's, kNoIndex: there is
                                          // none; this one's
   uint work_parity;                      // of this frame's words in shared/work.h
+  // Which pixel of a block was lit in the former frame.
+  uint former_light_x, former_light_y, former_light_block;
   FB_FRAME_SETTINGS(FB_UNIFORM_FIELD)
   FB_DENOISER_SETTINGS(FB_UNIFORM_FIELD)
-};
-
-// The uniform block of techniques that look for lights and guide nothing (estimators/nee).
-struct NeeConstants {
-  FB_LIGHT_SETTINGS(FB_UNIFORM_FIELD)
-  uint seen_stride;  // of this many shadow rays one is remembered; a power of two
-  uint seen_ways;    // the table of ways that is read, 0 or 1
 };
 
 // Of GBufferTexel::material_metalness.

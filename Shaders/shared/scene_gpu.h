@@ -108,8 +108,9 @@ struct GpuLight {                    // 32 bytes
   uint lamp;  // high half: probability within its lamp, times kLampRange; low half: the lamp's number + 1, 0: of none
 };
 struct GpuLamp {      // 8 bytes
-  uint first, count;  // its first light; lights that it has, 0: it has gone out
+  uint first, count;  // its first light, and kLampIsNew; lights that it has, 0: it has gone out
 };
+FB_CONST uint kLampIsNew = 0x80000000u;  // it did not shine in the former frame
 FB_CONST uint kLightRange = 0x80000000u;
 FB_CONST uint kLampRange = 0x8000u;
 FB_CONST uint kMostLamps = 65534u;  // that have a number

@@ -4,13 +4,13 @@
 // factor on it (the idea of learnt visibility: Vevoda 2018). Any positive factor leaves the estimate right.
 #ifndef FB_SHARED_SEEN_GRID_H
 #define FB_SHARED_SEEN_GRID_H
+#include "shared/bindings.h"
 #include "shared/hash_grid.h"
 FB_NAMESPACE_BEGIN
 
-FB_CONST uint kBindSeen = 3u;  // uvec4[kSeenCells] in the technique's set: x, y: fold_seen of suns and of the list;
-                               // z, w: this frame's rays, kSeenRay each, kSeenMet more for those that arrived
-                               // Then uvec4[kSeenCells][2]: lamps that rays found, SeenLamps; then uint[kSeenCells]:
-                               // one that a ray found in this frame, lamp_found. Then two tables of kSeenWays, below
+// kBindSeen: uvec4[kSeenCells]: x, y: fold_seen of suns and of the list; z, w: this frame's rays, kSeenRay each,
+// kSeenMet more for those that arrived. Then uvec4[kSeenCells][2]: lamps that rays found, SeenLamps; then
+// uint[kSeenCells]: one that a ray found in this frame, lamp_found. Then two tables of kSeenWays, below.
 FB_CONST uint kSeenCells = 32768u;
 FB_CONST float kSeenWidth = 64.0f;  // of a cell, units
 FB_CONST uint kSeenMet = 1u, kSeenRay = 65536u;

@@ -3,9 +3,10 @@
 //
 //   X(type, field, cvar, default, lowest, highest, help)
 //
-// The host makes fields of RenderSettings and cvars of the rows (render/passes/settings.h), the laboratory its --set,
-// and the manual its table (Misc/docs/settings.md, `make settings-page`). Shaders make uniform fields of the same rows,
-// with the type float or int: the struct of a group names it.
+// The host makes fields of RenderSettings and cvars of the rows (render/passes/settings.h), of these and of the
+// techniques' (estimators/techniques.h), the laboratory its --set, and the manual its table (Misc/docs/settings.md,
+// `make settings-page`). Shaders make uniform fields of the same rows, with the type float or int: the struct of a
+// group names it.
 #ifndef FB_SHARED_SETTINGS_H
 #define FB_SHARED_SETTINGS_H
 
@@ -33,7 +34,7 @@
   X(float, gamma, "gamma", 1, 0.25f, 4, "exponent of the finished picture with all that is drawn over it; below 1 is brighter") \
   X(float, contrast, "contrast", 1, 1, 2, "factor on the finished picture, before gamma") \
   X(int, fxaa, "r_fxaa", 1, 0, 1, "anti-alias the finished picture by FXAA (unless r_taa does)") \
-  X(int, debug_view, "r_debug", 0, 0, 32, "show a buffer in the place of the picture, by name or number; Misc/docs/settings.md lists them")
+  X(int, debug_view, "r_debug", 0, 0, last_debug_view(), "show a buffer in the place of the picture, by name or number; Misc/docs/settings.md lists them")
 
 // Rows of FrameConstants, for the denoiser's passes.
 #define FB_DENOISER_SETTINGS(X) \
@@ -84,43 +85,6 @@
   X(int, nee_candidates, "r_nee_candidates", 8, 1, 256, "next-event estimation: light samples a vertex draws of the list, of which (and of a sun) it chooses one to trace a shadow ray to") \
   X(int, nee_remembered, "r_nee_remembered", 4, 0, 256, "next-event estimation: how many of r_nee_candidates are drawn of the lamps that rays from hereabouts found in past frames, not of all; 0: light is chosen without memory of single lamps") \
   X(int, nee_visibility, "r_nee_visibility", 1, 0, 1, "next-event estimation: candidates are weighed by how many rays between the same two places arrived in past frames")
-
-// Markov chain path guiding (shared/guide.h).
-#define FB_GUIDE_SETTINGS(X) \
-  X(int, mc_fog, "r_mc_fog", 0, 0, 1, "guide paths that begin in fog also where lights are looked for (mcpg_nee): fewer than a seventh less variance for twice the time; mcpg always does") \
-  X(int, mc_paper, "r_mc_paper", 0, 0, 16, "path guiding: 1 the paper's own method and settings (Alber 2025), whatever the others say: cells of one state, five of them (more than 1: so many), both grids, a fixed probability of guiding") \
-  X(int, mc_states, "r_mc_states", 1000000, 1024, 16777216, "path guiding: states in the hash table, 24 bytes each; rounded up to a power of two") \
-  X(int, mc_cells, "r_mc_cells", 131072, 1024, 4194304, "path guiding: cells of the irradiance cache, 68 bytes each; rounded up to a power of two") \
-  X(int, mc_accesses, "r_mc_accesses", 2, 1, 16, "path guiding: cells from which a vertex gathers states; times r_mc_bucket this is the paper's N_mc") \
-  X(int, mc_bucket, "r_mc_bucket", 8, 1, 16, "path guiding: states in a cell, a power of two; 1 is the paper's table") \
-  X(float, mc_adaptive, "r_mc_adaptive", 0, 0, 1, "path guiding: probability of gathering from the adaptive grid; the rest is from the static grid") \
-  X(float, mc_angle, "r_mc_angle", 0.6f, 0.01f, 45, "path guiding: angle that an adaptive cell subtends at the camera, degrees") \
-  X(float, mc_pixels, "r_mc_pixels", 4, 0, 256, "path guiding: least width of an adaptive cell, pixels") \
-  X(float, mc_static_width, "r_mc_static", 64, 1, 4096, "path guiding: width of the first static cell that a vertex gathers from, units") \
-  X(float, mc_wider, "r_mc_wider", 4, 1, 64, "path guiding: width of each further static cell over that of the one before") \
-  X(float, mc_coarser, "r_mc_coarser", 0.3f, 0, 0.95f, "path guiding: probability of gathering one adaptive level coarser, applied again at each level") \
-  X(float, mc_jitter, "r_mc_jitter", 0.4f, 0, 1, "path guiding: how far from its own cell a vertex may gather, at random, in halves of a cell's width: 1 as in the paper, where no border between cells shows; less, and cells know better what is seen where") \
-  X(int, mc_parts, "r_mc_parts", 0, 0, 4, "path guiding: number of parts that a frame's paths are traced in, one after the other, so that each uses what those before it learnt; the last part has half of the paths. 0: 4 with r_deterministic, 2 on a GPU, 1 on a processor, which runs few paths at once anyway") \
-  X(float, mc_share, "r_mc_share", 0.5f, 0, 1, "path guiding: probability of guiding (1 - p_bsdf), where it is not learnt") \
-  X(int, mc_learn_share, "r_mc_learn_share", 1, 0, 1, "path guiding: learn the probability of guiding, from second moments of the estimate") \
-  X(float, mc_share_min, "r_mc_share_min", 0, 0, 1, "path guiding: lower bound of the learnt probability of guiding") \
-  X(float, mc_share_max, "r_mc_share_max", 0.5f, 0, 1, "path guiding: upper bound of the learnt probability of guiding") \
-  X(float, mc_alpha, "r_mc_alpha", 0.03f, 0.0001f, 1, "path guiding: least weight of a new sample in a state's moving averages (alpha_min)") \
-  X(int, mc_count, "r_mc_count", 255, 1, 255, "path guiding: upper bound of a state's sample count (N_max)") \
-  X(float, mc_radius, "r_mc_radius", 32, 0.01f, 1024, "path guiding: radius of a light before samples show it (the prior of a lobe's width), units") \
-  X(float, mc_power, "r_mc_power", 1, 0, 4, "path guiding: exponent of states' scores in the mixture's weights") \
-  X(int, mc_share_score, "r_mc_score", 1, 0, 1, "path guiding: 1 a state's score is its lobe's share of the light; 0 the whole estimate, as in the paper") \
-  X(int, mc_in_world, "r_mc_world", 1, 0, 1, "path guiding: 1 states keep the light's own extent and strength; 0 as seen from the point that learnt them, as in the paper") \
-  X(int, mc_cache, "r_mc_cache", 1, 0, 1, "path guiding: learn from reflected light too, which the irradiance cache estimates") \
-  X(float, mc_cache_alpha, "r_mc_cache_alpha", 0.15f, 0.001f, 1, "path guiding: least weight of a new frame in the irradiance cache; larger adapts faster, smaller is smoother") \
-  X(float, mc_cache_pixels, "r_mc_cache_pixels", 8, 0, 256, "path guiding: least width of a cell of the irradiance cache, pixels") \
-  X(int, mc_train, "r_mc_train", 2, 1, 64, "path guiding: where the irradiance cache is well sampled, one in this many paths trains the states; light that no lobe explains is always learnt") \
-  X(int, mc_tail_train, "r_mc_tail_train", 8, 1, 64, "path guiding: with mcpg_tail, one in this many paths is traced one reflection further, to train the irradiance cache out of the camera's sight") \
-  X(int, mc_loss, "r_mc_loss", 1, 0, 1, "path guiding: discard states whose light is gone") \
-  X(int, mc_predict, "r_mc_predict", 1, 0, 1, "path guiding: extrapolate targets by the velocity of their light") \
-  X(int, mc_apparent, "r_mc_apparent", 1, 0, 1, "path guiding: 1 the target of light that an interface of water bent is where it appears to be (Ruppert 2020), 0 where it is") \
-  X(int, mc_previous, "r_mc_previous", 1, 0, 1, "path guiding: on moving surfaces, gather also where the point was in the previous frame")
-
 // clang-format on
 
 #endif

@@ -3,7 +3,7 @@
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 3, std430) readonly buffer Source { uint source[]; };
 layout(set = 0, binding = 16, std140) uniform Factors { uint a, b, count, rounds; };
-layout(set = 1, binding = 13, std430) buffer Target { uint target[]; };
+layout(set = 1, binding = 10, std430) buffer Target { uint target[]; };
 
 void main() {
   const uint i = gl_GlobalInvocationID.x;

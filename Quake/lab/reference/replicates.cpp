@@ -67,10 +67,13 @@ Reference render_replicates(render::Renderer& renderer, render::RenderSettings s
   snapshot.cut = true;
   ReplicateSum sum;
   std::uint32_t done = 0;
+  const render::TechniqueInfo* technique = render::find_technique(settings.estimator);
+  const bool restarts = technique != nullptr && technique->frames == render::Frames::kCorrelated;
   const std::vector<std::uint32_t> plan = plan_replicates(samples);
   for (std::uint32_t i = 0; i < plan.size(); ++i) {
     settings.seed = static_cast<int>(shared::hash_combine(seed, i));
     renderer.restart_accumulation();
+    if (restarts) renderer.reset_learning();
     for (std::uint32_t k = 0; k < plan[i]; ++k) {
       renderer.render(snapshot, nullptr, settings);
       if (progress) progress(++done);

@@ -21,9 +21,9 @@ bool shows_the_same(const scene::FrameSnapshot& a, const scene::FrameSnapshot& b
   return a.time == b.time && hash(a) == hash(b);
 }
 
-bool learns(const std::string& estimator) {
+render::Frames frames_of(const std::string& estimator) {
   const render::TechniqueInfo* technique = render::find_technique(estimator);
-  return technique != nullptr && technique->learns;
+  return technique != nullptr ? technique->frames : render::Frames::kIndependent;
 }
 
 // Plays a film for an estimator, frame after frame.
@@ -51,7 +51,8 @@ class Player {
   }
   void pass_over(std::uint32_t frames) {
     for (std::uint32_t i = 0; i < frames; ++i, ++next_)
-      if (learns(settings_.estimator)) renderer_->render(frame(), nullptr, settings_);
+      if (frames_of(settings_.estimator) != render::Frames::kIndependent)
+        renderer_->render(frame(), nullptr, settings_);
   }
   Picture average(std::uint32_t frames) {
     const std::size_t pixels = std::size_t{sampling_.plan.width} * sampling_.plan.height;
@@ -116,8 +117,10 @@ Result<SampledRuns> render_runs(gpu::Device& device, const Film& film, const Sam
                              plan.frames)};
   SampledRuns result{BlockRuns(plan.width, plan.height, plan.block)};
   Player player(device, film, sampling);
+  // What a frame took from those before it would make one sequence of all runs.
+  const bool restarts = plan.fresh || moves || frames_of(sampling.settings.estimator) == render::Frames::kCorrelated;
   for (std::uint32_t run = 0; run < plan.runs; ++run) {
-    if (run == 0 || plan.fresh || moves) {
+    if (run == 0 || restarts) {
       if (auto status = player.restart(run); !status) return status.error();
       player.pass_over(plan.skip);
     }

@@ -25,8 +25,9 @@ struct RunPlan {
   std::uint32_t runs = 24;
   std::uint32_t frames = 4;  // averaged in a run
   std::uint32_t skip = 0;    // frames before them: what an estimator learns from, not measured
-  // Every run starts with nothing learnt; else a run goes on where the one before it ended, and `skip` comes once. A
-  // film of several frames is always played from its start.
+  // Every run starts with nothing learnt; else a run goes on where the one before it ended, and `skip` comes once. So
+  // do always the runs of a film of several frames, which is played from its start, and of an estimator whose frames
+  // are correlated (render::Frames).
   bool fresh = false;
 };
 

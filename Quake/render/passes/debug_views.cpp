@@ -1,5 +1,6 @@
 #include "render/passes/debug_views.h"
 
+#include <algorithm>
 #include <array>
 
 namespace fb::render {
@@ -10,6 +11,8 @@ std::span<const DebugView> debug_views() {
 #undef FB_ROW
   return kViews;
 }
+
+std::uint32_t last_debug_view() { return std::ranges::max(debug_views(), {}, &DebugView::number).number; }
 
 std::uint32_t view_owner(std::uint32_t number) {
   for (const DebugView& view : debug_views())

@@ -11,9 +11,11 @@ namespace {
 
 constexpr float kLocalExposure = 0.35f, kBloom = 0.04f;  // in the game
 
-con::CvarSpec number_spec(const char* name, float value, float low, float high, bool integer, const char* help) {
+con::CvarSpec number_spec(const char* group, const char* name, float value, float low, float high, bool integer,
+                          const char* help) {
   con::CvarSpec spec;
   spec.name = name;
+  spec.group = group;
   spec.default_value = con::number_text(value);
   spec.help = help;
   spec.flags = con::kCvarArchive;
@@ -36,10 +38,15 @@ T read_number(const con::Console& console, std::string_view name) {
 }  // namespace
 
 void register_render_cvars(con::Console& console) {
-#define FB_REGISTER(type, field, cvar, value, low, high, help)                                                     \
-  console.add_cvar(number_spec(cvar, static_cast<float>(value), static_cast<float>(low), static_cast<float>(high), \
-                               std::is_same_v<type, int>, help));
-  FB_RENDER_SETTINGS(FB_REGISTER)
+  const char* group = "";
+#define FB_REGISTER(type, field, cvar, value, low, high, help)                                  \
+  console.add_cvar(number_spec(group, cvar, static_cast<float>(value), static_cast<float>(low), \
+                               static_cast<float>(high), std::is_same_v<type, int>, help));
+#define FB_REGISTER_GROUP(title, rows, X) \
+  group = title;                          \
+  rows(X)
+  FB_SETTING_GROUPS(FB_REGISTER_GROUP, FB_REGISTER)
+#undef FB_REGISTER_GROUP
 #undef FB_REGISTER
   console.add_cvar("r_estimator", "mcpg_nee", "light transport estimator, one of: fullbright-lab estimators",
                    con::kCvarArchive);
@@ -60,8 +67,8 @@ void register_render_cvars(con::Console& console) {
 
 const std::vector<SettingGroup>& setting_groups() {
 #define FB_NAME(type, field, cvar, value, low, high, help) cvar,
-#define FB_GROUP(title, rows) {title, {rows(FB_NAME)}},
-  static const std::vector<SettingGroup> groups = {FB_SETTING_GROUPS(FB_GROUP)};
+#define FB_GROUP(title, rows, X) {title, {rows(X)}},
+  static const std::vector<SettingGroup> groups = {FB_SETTING_GROUPS(FB_GROUP, FB_NAME)};
 #undef FB_GROUP
 #undef FB_NAME
   return groups;

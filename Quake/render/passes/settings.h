@@ -10,26 +10,23 @@
 
 #include "console/console.h"
 #include "scene/assets.h"
+#include "estimators/techniques.h"
 #include "shared/settings.h"
 
 #define FB_PICTURE_SETTINGS(X) \
   FB_FRAME_SETTINGS(X)         \
   FB_RENDERER_SETTINGS(X)
 
-// A group of rows: its title for people, and its rows.
-#define FB_SETTING_GROUPS(G)                 \
-  G("The picture", FB_PICTURE_SETTINGS)      \
-  G("The denoiser", FB_DENOISER_SETTINGS)    \
-  G("Emission", FB_EMISSION_SETTINGS)        \
-  G("Sampling of lights", FB_LIGHT_SETTINGS) \
-  G("Path guiding", FB_GUIDE_SETTINGS)
+// Groups of rows, for manual, panel and menu: G(title, rows, X), X being what is made of each row.
+#define FB_SETTING_GROUPS(G, X)                 \
+  G("Picture", FB_PICTURE_SETTINGS, X)          \
+  G("Denoiser", FB_DENOISER_SETTINGS, X)        \
+  G("Emission", FB_EMISSION_SETTINGS, X)        \
+  G("Sampling of lights", FB_LIGHT_SETTINGS, X) \
+  FB_TECHNIQUE_SETTINGS(G, X)
 
-#define FB_RENDER_SETTINGS(X) \
-  FB_PICTURE_SETTINGS(X)      \
-  FB_DENOISER_SETTINGS(X)     \
-  FB_EMISSION_SETTINGS(X)     \
-  FB_LIGHT_SETTINGS(X)        \
-  FB_GUIDE_SETTINGS(X)
+#define FB_ROWS_OF_GROUP(title, rows, X) rows(X)
+#define FB_RENDER_SETTINGS(X) FB_SETTING_GROUPS(FB_ROWS_OF_GROUP, X)
 
 namespace fb::render {
 
@@ -66,7 +63,7 @@ EmissionScales emission_scales(const RenderSettings& settings);
 
 // Registers a cvar for every row, r_estimator, r_intersector, r_arrays and r_lanes.
 void register_render_cvars(con::Console& console);
-// The rows' cvars as the manual and the panel group them.
+// The rows' cvars in their groups.
 struct SettingGroup {
   std::string_view title;
   std::vector<std::string_view> cvars;

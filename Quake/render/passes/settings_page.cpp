@@ -27,15 +27,14 @@ void begin_table(std::string& page, std::string_view title) {
 std::string settings_page() {
   std::string page =
       "# Settings of the renderer\n\n"
-      "Written by `make settings-page` from `Shaders/shared/settings.h` and `Shaders/shared/debug_views.h`; a test "
-      "holds "
-      "them equal.\n"
+      "Written by `make settings-page` from `Shaders/shared/settings.h`, `Shaders/shared/debug_views.h` and the "
+      "techniques' headers (`Shaders/estimators/`); a test holds them equal.\n"
       "A setting is a cvar of the game, and `--set NAME=VALUE` in the laboratory.\n";
 #define FB_ROW(type, field, cvar, value, low, high, help) add_row<type>(page, cvar, value, low, high, help);
-#define FB_GROUP(title, rows) \
-  begin_table(page, title);   \
-  rows(FB_ROW)
-  FB_SETTING_GROUPS(FB_GROUP)
+#define FB_GROUP(title, rows, X) \
+  begin_table(page, title);      \
+  rows(X)
+  FB_SETTING_GROUPS(FB_GROUP, FB_ROW)
 #undef FB_GROUP
 #undef FB_ROW
   page +=

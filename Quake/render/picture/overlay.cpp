@@ -34,9 +34,9 @@ Overlay::Overlay(gpu::Device& device, gpu::BindingTable& table) : device_(device
 }
 
 void Overlay::bind() {
-  table_.set_array(shared::kSetFrame, shared::kBindQuads, quads_);
-  table_.set_array(shared::kSetFrame, shared::kBindTiles, tiles_);
-  table_.set_array(shared::kSetFrame, shared::kBindAtlas, atlas_);
+  table_.set_array(shared::kSetDraw, shared::kBindQuads, quads_);
+  table_.set_array(shared::kSetDraw, shared::kBindTiles, tiles_);
+  table_.set_array(shared::kSetDraw, shared::kBindAtlas, atlas_);
 }
 
 // From the top down: what is above the rest is the console and the menu.
@@ -105,6 +105,14 @@ void Overlay::prepare(const scene::DrawList* list, std::uint32_t width, std::uin
                         q.color};
   }
   bind();
+}
+
+void Overlay::add_present(PassList& list, const gpu::ComputePipeline& present, uvec2 output) {
+  list.add("present", PassKind::kFrame, [this, &present, groups = groups_over(output, 8)](gpu::Commands& commands) {
+    commands.bind_third(table_, shared::kSetDraw);
+    commands.dispatch(present, groups.x, groups.y);
+    commands.barrier();
+  });
 }
 
 }  // namespace fb::render

@@ -3,6 +3,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/pipeline.h"
+#include "render/passes/pass.h"
 #include "scene/draw_list.h"
 
 namespace fb::render {
@@ -12,6 +13,8 @@ class Overlay {
   Overlay(gpu::Device& device, gpu::BindingTable& table);
   // Between submissions. `list` may be null. Of more than the device's buffers hold, what is at the bottom is left out.
   void prepare(const scene::DrawList* list, std::uint32_t width, std::uint32_t height);
+  // The frame's last pass, which draws the 2D over the picture.
+  void add_present(PassList& list, const gpu::ComputePipeline& present, uvec2 output);
   bool empty() const { return empty_; }
   std::uint32_t tiles_x() const { return tiles_x_; }
   std::uint32_t atlas_width() const { return atlas_width_; }

@@ -359,13 +359,13 @@ void GpuScene::Impl::bind() {
   table.set_array(shared::kSetScene, shared::kBindPoses, assets.poses());
   table.set_array(shared::kSetScene, shared::kBindNormals, assets.normals());
   table.set_array(shared::kSetScene, shared::kBindInstances, instances.buffer());
-  table.set_array(shared::kSetScene, shared::kBindLevels, assets.levels());
+  table.set_array(shared::kSetPose, shared::kBindLevels, assets.levels());
   table.set_array(shared::kSetScene, shared::kBindMaterials, materials.buffer());
   table.set_array(shared::kSetScene, shared::kBindImages, assets.images());
   table.set_array(shared::kSetScene, shared::kBindTexels, assets.texels());
   table.set_array(shared::kSetScene, shared::kBindPalette, assets.palette());
-  table.set_array(shared::kSetScene, shared::kBindCopyJobs, jobs.buffer());
-  table.set_array(shared::kSetScene, shared::kBindVertices, assets.vertices().buffer());
+  table.set_array(shared::kSetPose, shared::kBindCopyJobs, jobs.buffer());
+  table.set_array(shared::kSetPose, shared::kBindVertices, assets.vertices().buffer());
   table.set_array(shared::kSetScene, shared::kBindLights, lights.buffer());
 }
 
@@ -374,8 +374,10 @@ void GpuScene::Impl::record_tables(gpu::Commands& commands) {
   commands.barrier();
   // Where there is nothing to do, too: drivers may compile code of its own for the first dispatch of a frame, and it is
   // to be this one's always (gpu/precompiler.h).
+  commands.bind_third(table, shared::kSetPose);
   commands.dispatch(pose, static_cast<std::uint32_t>(job_table.size()));
   commands.barrier();
+  commands.bind_third(table, shared::kSetTechnique);
 }
 
 void GpuScene::Impl::record_rays(gpu::Commands& commands) {

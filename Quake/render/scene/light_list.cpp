@@ -234,7 +234,23 @@ void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::s
   made_anew_ = others || first_lights_.size() != sources.size() || glow != glow_ || glowing != glowing_;
   glow_ = std::move(glow);
   glowing_ = std::move(glowing);
-  if (made_anew_) list_triangles(assets, sources);
+  if (made_anew_) {
+    const std::vector<shared::GpuLamp> former = others ? std::vector<shared::GpuLamp>() : lamps_;
+    list_triangles(assets, sources);
+    mark_new_lamps(former);
+  } else if (std::exchange(any_new_, false)) {
+    for (shared::GpuLamp& lamp : lamps_) lamp.first &= ~shared::kLampIsNew;
+    made_anew_ = true;
+  }
+}
+
+void LightList::mark_new_lamps(std::span<const shared::GpuLamp> former) {
+  any_new_ = false;
+  for (std::size_t i = 0; i < lamps_.size(); ++i) {
+    if (lamps_[i].count == 0 || (i < former.size() && former[i].count > 0)) continue;
+    lamps_[i].first |= shared::kLampIsNew;
+    any_new_ = true;
+  }
 }
 
 }  // namespace fb::render

@@ -31,7 +31,7 @@ class LightList {
   // As Shaders/shared/scene_gpu.h has them.
   const std::vector<std::uint32_t>& first_lights() const { return first_lights_; }  // of each instance
   const std::vector<shared::GpuLight>& lights() const { return lights_; }
-  const std::vector<shared::GpuLamp>& lamps() const { return lamps_; }
+  const std::vector<shared::GpuLamp>& lamps() const { return lamps_; }  // those that are new say so for one build()
   float power() const { return power_; }         // of all: area times mean radiance, sum of the channels
   bool made_anew() const { return made_anew_; }  // by the last build(): not the former list
 
@@ -55,6 +55,7 @@ class LightList {
   void list_triangles(const scene::Assets& assets, std::span<const Source> sources);
   std::vector<std::vector<std::uint32_t>> find_lamps(std::uint32_t instance) const;
   void list_lamps();
+  void mark_new_lamps(std::span<const shared::GpuLamp> former);
   std::vector<std::uint32_t> lamp_shares(std::span<const std::uint32_t> members) const;
   const std::vector<float>& areas(const scene::Assets& assets, const Source& source);
   float radiance(const scene::Assets& assets, const shared::GpuMaterial& material, float sky);
@@ -67,7 +68,7 @@ class LightList {
   std::vector<shared::GpuLamp> lamps_;
   LampNumbers numbers_;
   float power_ = 0;
-  bool made_anew_ = false;
+  bool made_anew_ = false, any_new_ = false;  // any_new_: lamps that say kLampIsNew
   std::vector<Glowing> glowing_;
   std::vector<float> glow_;  // of the materials: radiance, sum of the channels
   // Twice the area of each triangle of an instance in the world, in the order of leaves, while it stays where it is.

@@ -132,7 +132,8 @@ TEST(LightList, LampsHaveEachLightOnceAndDrawItExactly) {
   const auto& lights = listed.list.lights();
   std::size_t drawn = 0, scattered = 0;
   for (std::uint32_t n = 0; n < listed.list.lamps().size(); ++n) {
-    const shared::GpuLamp& lamp = listed.list.lamps()[n];
+    shared::GpuLamp lamp = listed.list.lamps()[n];
+    lamp.first &= ~shared::kLampIsNew;
     ASSERT_LE(lamp.count, shared::kLampLights);
     const auto draws = draws_of(listed.list, lamp);
     ASSERT_EQ(draws.size(), lamp.count);
@@ -278,6 +279,7 @@ TEST(LightList, IsMadeAnewWhereWhatGlowsHasChangedAndOnlyThere) {
       EXPECT_EQ(a.lamp >> 16, b.lamp >> 16) << what;
     }
   };
+  expect_as_new(true, "lamps are new no more");
   expect_as_new(false, "nothing");
   std::size_t dark = 0, glows = 0;
   for (std::size_t i = 0; i < s.instances.size(); ++i) (kept.of_instance(s, i) > 0 ? glows : dark) = i;
@@ -291,6 +293,7 @@ TEST(LightList, IsMadeAnewWhereWhatGlowsHasChangedAndOnlyThere) {
   s.instances[glows].flags |= scene::kInstanceColor;
   s.instances[glows].emission = vec3(3, 1, 1);
   expect_as_new(true, "it was painted");
+  expect_as_new(false, "it stays painted");
   s.instances[glows].emission = vec3(0);
   expect_as_new(true, "it went out");
   s.instances.push_back(s.instances[dark]);
@@ -298,6 +301,41 @@ TEST(LightList, IsMadeAnewWhereWhatGlowsHasChangedAndOnlyThere) {
   expect_as_new(true, "something came");
   s.instances.pop_back();
   expect_as_new(true, "it went");
+}
+
+// Which lamps a technique that reuses the former frame's samples may look for there.
+TEST(LightList, LampsSayInOneFrameThatTheyAreNew) {
+  scene::FrameSnapshot s = scene::light_of_every_kind();
+  Listed kept(s);
+  const auto news = [&] {
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t i = 0; i < kept.list.lamps().size(); ++i)
+      if ((kept.list.lamps()[i].first & shared::kLampIsNew) != 0) numbers.push_back(i);
+    return numbers;
+  };
+  const std::size_t all = news().size();
+  EXPECT_GT(all, 1u) << "in the first frame all are";
+  kept.build(s);
+  EXPECT_TRUE(news().empty());
+  const vec3 emission = s.instances[4].emission;
+  s.instances[4].emission = vec3(0);
+  kept.build(s);
+  EXPECT_TRUE(news().empty()) << "one went out";
+  s.instances[4].emission = emission;
+  kept.build(s);
+  const auto lit = news();
+  EXPECT_FALSE(lit.empty()) << "it shines again";
+  EXPECT_LT(lit.size(), all);
+  for (const std::uint32_t lamp : lit)
+    for (const shared::GpuLight& light : kept.list.lights())
+      if ((light.lamp & 0xffffu) == lamp + 1) {
+        EXPECT_EQ(light.instance, 4u);
+      }
+  kept.build(s);
+  EXPECT_TRUE(news().empty());
+  s.instances[4].transform[3].x += 1;
+  kept.build(s);
+  EXPECT_TRUE(news().empty()) << "what moves is not new";
 }
 
 // What a device's buffer cannot hold: the rest is drawn as ever.

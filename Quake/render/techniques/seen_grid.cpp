@@ -8,14 +8,22 @@
 
 namespace fb::render {
 
-SeenGrid::SeenGrid(const TechniqueTools& tools)
-    : cells_(tools.device, gpu::BufferUse::kStorage, shared::kSeenBytes, "what shadow rays reach") {
-  tools.table.set_array(shared::kSetTechnique, shared::kBindSeen, cells_);
+namespace {
+
+constexpr ArrayRow kSeenRows[]{
+    {shared::kBindSeen, "what shadow rays reach", ArrayRow::Per::kTable, shared::kSeenBytes}};
+
+}  // namespace
+
+SeenGrid::SeenGrid(const TechniqueTools& tools) : memory_(tools.device, tools.table, kSeenRows, "seen reset") {
+  memory_.set_count(shared::kBindSeen, 1);
+  memory_.make(0);
 }
 
 // Epochs of 1, 2, 4, 8 frames, then of 16: what is known is soon of use, then of many rays, and never old.
 std::uint32_t SeenGrid::begin_frame() {
-  if (forget_) epoch_ = left_ = 0;
+  fresh_ = memory_.begin_frame(0);
+  if (fresh_) epoch_ = left_ = 0;
   new_epoch_ = left_ == 0;
   if (new_epoch_) left_ = 1u << std::min(epoch_++, 4u);
   --left_;
@@ -24,19 +32,17 @@ std::uint32_t SeenGrid::begin_frame() {
 
 void SeenGrid::add_reset(PassList& list) {
   constexpr std::uint64_t kTable = shared::kSeenWays * sizeof(uvec2);
-  const bool forget = std::exchange(forget_, false);
-  if (!forget && !std::exchange(new_epoch_, false)) return;
-  list.add("seen reset", PassKind::kEstimator, [this, forget, counted = 1 - epoch_ % 2](gpu::Commands& commands) {
-    if (forget)
-      commands.fill(cells_, 0);
-    else
-      commands.fill(cells_, 0, shared::kSeenWaysWords * sizeof(std::uint32_t) + counted * kTable, kTable);
+  memory_.add_reset(list);
+  if (fresh_ || !std::exchange(new_epoch_, false)) return;
+  list.add("seen reset", PassKind::kEstimator, [this, counted = 1 - epoch_ % 2](gpu::Commands& commands) {
+    commands.fill(memory_.buffer(shared::kBindSeen), 0,
+                  shared::kSeenWaysWords * sizeof(std::uint32_t) + counted * kTable, kTable);
     commands.barrier();
   });
 }
 
 void SeenGrid::add_fold(PassList& list, ShaderSet& shaders) {
-  list.dispatch("seen", PassKind::kEstimator, shaders.get("seen_fold"), {shared::kSeenCells / 64, 1});
+  list.dispatch("seen", PassKind::kEstimator, shaders.get("fold_seen"), {shared::kSeenCells / 64, 1});
 }
 
 std::uint32_t seen_stride(uvec2 size, const RenderSettings& settings, bool medium) {

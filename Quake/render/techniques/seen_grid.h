@@ -2,24 +2,25 @@
 #pragma once
 
 #include "render/techniques/technique.h"
+#include "render/techniques/technique_memory.h"
 
 namespace fb::render {
 
 class SeenGrid {
  public:
   explicit SeenGrid(const TechniqueTools& tools);
-  // Begins a frame. The table of ways that it reads (GuideConstants::seen_ways).
+  // Begins a frame. The table of ways that it reads (seen_ways of the technique's constants).
   std::uint32_t begin_frame();
   // Before the paths' pass, and after it.
   void add_reset(PassList& list);
   void add_fold(PassList& list, ShaderSet& shaders);
-  void forget() { forget_ = true; }
-  bool fresh() const { return forget_; }  // nothing is remembered
-  std::uint64_t bytes() const { return cells_.size(); }
+  void forget() { memory_.forget(); }
+  bool fresh() const { return fresh_; }  // nothing is remembered in this frame
+  std::uint64_t bytes() const { return memory_.bytes(); }
 
  private:
-  gpu::Buffer cells_;
-  bool forget_ = true;
+  TechniqueMemory memory_;
+  bool fresh_ = true;
   std::uint32_t epoch_ = 0, left_ = 0;  // of ways: that is counted now, and its frames still to come
   bool new_epoch_ = false;
 };

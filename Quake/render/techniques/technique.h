@@ -1,6 +1,7 @@
 // Technique: one way to estimate the light that a first vertex reflects; what r_estimator chooses. It has a shader that
-// traces paths (Shaders/estimators/NAME/NAME.comp) and whatever it keeps from frame to frame, in a descriptor set and a
-// uniform block of its own. techniques() lists them; a row registers one.
+// traces paths (Shaders/estimators/FOLDER/NAME.comp), other passes if it wants, and whatever it keeps from frame to
+// frame (render/techniques/technique_memory.h), in a descriptor set and a uniform block of its own. techniques() lists
+// them; a row registers one.
 #pragma once
 
 #include <array>
@@ -19,6 +20,7 @@
 #include "render/passes/pass.h"
 #include "render/passes/settings.h"
 #include "render/passes/shader_set.h"
+#include "scene/snapshot.h"
 #include "shared/bindings.h"
 #include "shared/debug_views.h"
 
@@ -26,10 +28,14 @@ namespace fb::render {
 
 // What a technique is told of a frame, between submissions.
 struct TechniqueFrame {
+  const scene::FrameSnapshot& snapshot;
   const RenderSettings& settings;  // as Technique::adapt left them
-  uvec2 size;                      // pixels at which light is sampled
+  uvec2 render;                    // rendered pixels
+  uvec2 lit;                       // blocks of which one pixel is lit: pixels at which light is sampled
   float pixel_tangent;             // tangent of the angle that a pixel subtends
-  double time;                     // of the scene, seconds
+  std::uint64_t number;            // of frames since the renderer was made
+  bool cut;                        // nothing of the former frame is of use: there is none, or the view has jumped
+  bool still;                      // the former frame's snapshot again: nothing has moved
   bool fog, turbid;                // paths begin in fog, too; in liquids or glass
   bool medium() const { return fog || turbid; }
 };
@@ -70,27 +76,32 @@ struct TechniqueTools {
 
 enum class Bias { kUnbiased, kBiased };  // of paths of at most r_bounces reflections
 
+// How a technique's frames hang on each other, by which tests and references take their samples.
+enum class Frames {
+  kIndependent,  // not at all
+  kLearning,     // what a frame samples is of densities that former frames taught: errors are uncorrelated
+  kCorrelated    // a frame uses former frames' samples: only runs that begin with nothing are independent
+};
+
 struct TechniqueInfo {
   std::string_view name;  // of its folder and its shader, and what r_estimator says
   std::string_view description;
   Bias bias;
   std::unique_ptr<Technique> (*make)(const TechniqueTools& tools, std::string_view name);
-  bool learns = false;                         // keeps what it learnt from frame to frame
+  Frames frames = Frames::kIndependent;
   bool wants_lights = false;                   // the list of lights (kBindLights)
   bool wants_previous_gbuffer = false;         // kBindPreviousGBuffer
   std::uint32_t views = shared::kViewOfFrame;  // the debug views that it draws itself: their owner
 
   bool unbiased() const { return bias == Bias::kUnbiased; }
+  bool learns() const { return frames != Frames::kIndependent; }  // keeps something from frame to frame
 };
 const std::vector<TechniqueInfo>& techniques();
 // Null: there is none of that name.
 const TechniqueInfo* find_technique(std::string_view name);
 
-// The techniques' constructors, for the rows of techniques().
+// Of techniques that keep nothing, for their rows.
 std::unique_ptr<Technique> make_path_technique(const TechniqueTools& tools, std::string_view name);
-std::unique_ptr<Technique> make_nee_technique(const TechniqueTools& tools, std::string_view name);
-std::unique_ptr<Technique> make_guided_technique(const TechniqueTools& tools, std::string_view name);
-std::unique_ptr<Technique> make_guided_tail_technique(const TechniqueTools& tools, std::string_view name);
 
 using TechniqueSpecs = std::array<std::uint32_t, shared::kTechniqueSpecs>;
 // Constants of the shaders that trace paths: from surfaces, those with which a smaller shader may stand in while theirs

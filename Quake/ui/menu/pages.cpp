@@ -1,31 +1,81 @@
 #include "ui/menu/pages.h"
 
 #include <algorithm>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
 
 namespace fb::ui::menu {
 namespace {
 
-constexpr const char* kGroups[] = {"Controls", "Game pads", "Screen",   "Window and speed",
-                                   "Picture",  "Light",     "Denoiser", "Guiding",
-                                   "Sound",    "Game",      "Others",   "Other engines"};
+// Groups of cvars that name none of their own, in the menu's order; those that name one stand after kBeforeOwn.
+constexpr std::string_view kControls = "Controls", kPads = "Game pads", kScreen = "Screen",
+                           kWindow = "Window and speed", kPicture = "Picture", kEmission = "Emission", kSound = "Sound",
+                           kGame = "Game", kOthers = "Others", kOtherEngines = "Other engines";
+constexpr std::string_view kGroups[] = {kControls, kPads, kScreen, kWindow,      kPicture,
+                                        kSound,    kGame, kOthers, kOtherEngines};
+constexpr std::string_view kBeforeOwn = kPicture;
 
 // The first row whose words begin the cvar's name says where it belongs.
 struct Prefix {
-  std::string_view begins;
-  int group;  // in kGroups
+  std::string_view begins, group;
 };
-constexpr Prefix kPrefixes[] = {
-    {"joy_", 1},    {"cl_alwaysrun", 0}, {"cl_max", 0},    {"cl_min", 0},   {"cl_forward", 0},  {"cl_back", 0},
-    {"look", 0},    {"m_", 0},           {"in_", 0},       {"sens", 0},     {"fov", 2},         {"view", 2},
-    {"scr_", 2},    {"con_", 2},         {"cross", 2},     {"cl_bob", 2},   {"cl_roll", 2},     {"v_", 2},
-    {"chase_", 2},  {"gl_cshift", 2},    {"vid_", 3},      {"host_", 3},    {"r_cpu", 3},       {"r_frames", 3},
-    {"r_scale", 3}, {"sys_", 3},         {"r_mc_", 7},     {"r_guide", 7},  {"r_svgf", 6},      {"r_denoise", 6},
-    {"r_acc", 6},   {"r_taa", 6},        {"r_fxaa", 6},    {"r_emit", 5},   {"r_entlights", 5}, {"r_ambient", 5},
-    {"r_light", 5}, {"r_nee", 5},        {"r_bounces", 5}, {"r_spp", 5},    {"r_first_spp", 5}, {"r_estim", 5},
-    {"r_", 4},      {"gl_", 4},          {"gamma", 4},     {"contrast", 4}, {"volume", 8},      {"bgm", 8},
-    {"snd_", 8},    {"_snd", 8},         {"ambient_", 8},  {"nosound", 8},  {"s_", 8},          {"sv_", 9},
-    {"_cl_", 9},    {"cl_", 9},          {"host", 9},      {"net_", 9},     {"coop", 9},        {"death", 9}};
-constexpr int kOthers = 10, kOtherEngines = 11;
+constexpr Prefix kPrefixes[] = {{"joy_", kPads},
+                                {"cl_alwaysrun", kControls},
+                                {"cl_max", kControls},
+                                {"cl_min", kControls},
+                                {"cl_forward", kControls},
+                                {"cl_back", kControls},
+                                {"look", kControls},
+                                {"m_", kControls},
+                                {"in_", kControls},
+                                {"sens", kControls},
+                                {"fov", kScreen},
+                                {"view", kScreen},
+                                {"scr_", kScreen},
+                                {"con_", kScreen},
+                                {"cross", kScreen},
+                                {"cl_bob", kScreen},
+                                {"cl_roll", kScreen},
+                                {"v_", kScreen},
+                                {"chase_", kScreen},
+                                {"gl_cshift", kScreen},
+                                {"vid_", kWindow},
+                                {"host_", kWindow},
+                                {"r_cpu", kWindow},
+                                {"r_frames", kWindow},
+                                {"sys_", kWindow},
+                                {"r_entlights", kEmission},
+                                {"r_ambient", kEmission},
+                                {"r_light", kEmission},
+                                {"r_", kPicture},
+                                {"gl_", kPicture},
+                                {"volume", kSound},
+                                {"bgm", kSound},
+                                {"snd_", kSound},
+                                {"_snd", kSound},
+                                {"ambient_", kSound},
+                                {"nosound", kSound},
+                                {"s_", kSound},
+                                {"sv_", kGame},
+                                {"_cl_", kGame},
+                                {"cl_", kGame},
+                                {"host", kGame},
+                                {"net_", kGame},
+                                {"coop", kGame},
+                                {"death", kGame}};
+
+Page group_page(const Sources& sources, const std::string& group) {
+  Page page;
+  page.title = group;
+  page.plaque = false;
+  page.searchable = true;
+  page.value_column = 0.56f;
+  page.rows = setting_rows(sources.console, group);
+  page.empty = "There are no such settings.";
+  return page;
+}
 
 std::vector<PageInfo> make_list() {
   std::vector<PageInfo> list = {
@@ -53,20 +103,6 @@ std::vector<PageInfo> make_list() {
       {"credits", "main", "menu_credits", credits_page},
       {"quit", "main", "menu_quit", quit_page},
   };
-  static std::vector<std::string> names;  // PageInfo only points
-  names.reserve(std::size(kGroups));
-  for (const char* group : kGroups) {
-    names.push_back(std::string("settings/") + group);
-    list.push_back({names.back().c_str(), "settings", "", [group](const Sources& sources) {
-                      Page page;
-                      page.title = group;
-                      page.plaque = false;
-                      page.searchable = true;
-                      page.value_column = 0.56f;
-                      page.rows = setting_rows(sources.console, group);
-                      return page;
-                    }});
-  }
   return list;
 }
 
@@ -86,23 +122,39 @@ const std::vector<PageInfo>& page_list() {
 
 const PageInfo* find_page(std::string_view name) {
   const auto found = std::ranges::find_if(page_list(), [&](const PageInfo& info) { return name == info.name; });
-  return found == page_list().end() ? nullptr : &*found;
+  if (found != page_list().end()) return &*found;
+  constexpr std::string_view kOfGroups = "settings/";
+  if (!name.starts_with(kOfGroups)) return nullptr;
+  static std::map<std::string, PageInfo, std::less<>> groups;  // as they are asked for
+  const auto [page, is_new] = groups.try_emplace(std::string(name));
+  if (is_new)
+    page->second = {page->first.c_str(), "settings", "",
+                    [group = std::string(name.substr(kOfGroups.size()))](const Sources& sources) {
+                      return group_page(sources, group);
+                    }};
+  return &page->second;
 }
 
 std::string_view setting_group(const con::Cvar& cvar) {
-  if (!cvar.has_effect()) return kGroups[kOtherEngines];
+  if (!cvar.has_effect()) return kOtherEngines;
+  if (!cvar.spec().group.empty()) return cvar.spec().group;
   for (const Prefix& prefix : kPrefixes) {
-    if (con::name_starts_with(cvar.name(), prefix.begins)) return kGroups[prefix.group];
+    if (con::name_starts_with(cvar.name(), prefix.begins)) return prefix.group;
   }
-  return kGroups[kOthers];
+  return kOthers;
 }
 
 std::vector<std::string> setting_groups(const con::Console& console) {
-  std::vector<std::string> groups;
   const auto cvars = archived(console);
+  std::vector<std::string> groups;
+  const auto add = [&](std::string_view group) {
+    if (std::ranges::find(groups, group) == groups.end()) groups.emplace_back(group);
+  };
   for (const std::string_view group : kGroups) {
-    if (std::ranges::any_of(cvars, [&](const con::Cvar* cvar) { return setting_group(*cvar) == group; }))
-      groups.emplace_back(group);
+    if (std::ranges::any_of(cvars, [&](const con::Cvar* cvar) { return setting_group(*cvar) == group; })) add(group);
+    if (group != kBeforeOwn) continue;
+    for (const con::Cvar* cvar : cvars)
+      if (!cvar->spec().group.empty() && cvar->has_effect()) add(cvar->spec().group);
   }
   return groups;
 }
@@ -126,7 +178,7 @@ Row setting_row(const con::Cvar& cvar, std::string label) {
 std::vector<Row> setting_rows(const con::Console& console, std::string_view group) {
   std::vector<Row> rows;
   const auto cvars = archived(console);
-  for (const std::string_view name : kGroups) {
+  for (const std::string& name : setting_groups(console)) {
     if (!group.empty() && group != name) continue;
     bool first = group.empty();
     for (const con::Cvar* cvar : cvars) {

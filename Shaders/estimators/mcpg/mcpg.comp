@@ -7,8 +7,10 @@
 #extension GL_EXT_ray_query : require
 #endif
 const bool kEndsInField = false;
-#include "lib/steps/mcpg/all.glsl"
+#include "estimators/mcpg/steps/all.glsl"
 #include "lib/steps/no_direct.glsl"
-#include "lib/steps/mcpg/views.glsl"
+#include "lib/steps/no_control.glsl"
+#include "lib/steps/no_record.glsl"
+#include "estimators/mcpg/steps/views.glsl"
 
 #include "lib/paths_main.glsl"

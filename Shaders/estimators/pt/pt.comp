@@ -10,7 +10,9 @@
 #include "lib/steps/no_field.glsl"
 #include "lib/steps/propose_scatter.glsl"
 #include "lib/steps/no_direct.glsl"
+#include "lib/steps/no_control.glsl"
 #include "lib/steps/no_learning.glsl"
+#include "lib/steps/no_record.glsl"
 #include "lib/steps/no_views.glsl"
 
 #include "lib/paths_main.glsl"

@@ -90,7 +90,7 @@ float met_share_of(Vertex v, Segment way, Proposal p, vec3 emission, Turns turns
   return all > 0.0 ? p.pdf / all : 1.0;
 }
 
-float met_share(Vertex v, Segment way, Proposal p, vec3 emission) { return met_share_of(v, way, p, emission, kBoth); }
+float met_share(Vertex v, Segment way, Proposal p, vec3 emission, Path path) { return met_share_of(v, way, p, emission, kBoth); }
 
 // For this share of the rays what is known chooses the kind of light, for the others each kind has half: neither has less than
 // a tenth of the rays. A cell that is new has half and half, too: a sun outshines all lights, also where walls hide it.
@@ -208,9 +208,9 @@ Direct direct_light(Vertex v, vec3 direction, vec3 f, vec3 light) {
   return Direct(f * light, light * (max(scatter_cosine(v.scatter, direction), 0.0) / kPiShared));
 }
 
-Direct look_for_light(Vertex v, Guidance g, inout uint rng) {
+Direct look_for_light(Vertex v, Guidance g, Path path, inout uint rng) {
   Aim aim = aim_at_light(v, kBoth, rng);
-  float proposed = proposal_pdf(g, aim.direction, aim.bsdf_pdf);
+  float proposed = proposal_pdf(v, g, aim.direction, aim.bsdf_pdf);
   Segment way = segment_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, aim.turn, rng);
   float weight = found(aim, way, rng) ? shared_weight(aim, way, proposed, kBoth) : 0.0;
   vec3 emission = weight > 0.0 ? light_emission(way.hit, way.direction, aim.turn == kTurnNowhere) * way.left : vec3(0.0);
@@ -218,7 +218,7 @@ Direct look_for_light(Vertex v, Guidance g, inout uint rng) {
   return direct_light(v, aim.direction, aim.f, emission * weight);
 }
 
-Direct last_light(Vertex v, inout uint rng) {
+Direct last_light(Vertex v, Path path, inout uint rng) {
   Proposal p = propose_scattered(v, rng);
   Turns turns = turns_of_one(v);
   Aim aim = aim_at_light(v, turns, rng);

@@ -9,4 +9,4 @@ struct Field {
 };
 Field field_at(Vertex v, inout Path path) { return Field(0u); }
 vec3 field_reflection(Field there, Field here, Vertex v) { return vec3(0.0); }
-bool field_suffices(Field there, Field here) { return false; }
+bool field_suffices(Field there, Field here, Path path) { return false; }

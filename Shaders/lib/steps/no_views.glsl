@@ -1,8 +1,7 @@
-// Step `views` of a technique without debug views of its own.
-#include "lib/path_state.glsl"
+// Step `views` of a technique without debug views of its own. Of others draw_view writes a pixel of the picture (ldr) and, where its
+// view is of light, the pixel's radiance; `lit`: the pixel shows a surface that reflects, `v`.
+#include "lib/pixel_start.glsl"
 
-bool shows_directions() { return false; }
-bool measures_moments() { return false; }
-vec3 view_color(Vertex v, Path path, uint rng) { return vec3(0.0); }
-vec3 view_of_directions(uvec2 block, uint number, uvec2 pixel) { return vec3(0.0); }
-vec3 view_of_moments(Vertex v, Path path, uint rng) { return vec3(0.0); }
+const bool kHasViews = false;
+
+void draw_view(PathPixel p, bool lit, Vertex v) {}

@@ -1,4 +1,10 @@
-// Step `begin` of a technique that does not learn.
+// Step `begin` of a technique whose paths carry nothing of their own.
+#ifndef FB_LIB_STEPS_ONE_PATH
+#define FB_LIB_STEPS_ONE_PATH
+struct PathOwn {
+  uint none;
+};
 #include "lib/path_state.glsl"
 
-Path begin_path(uvec2 block, uint number, uint i) { return Path(number, 0u, false, false, false, 0u); }
+void begin_path(inout Path path, uvec2 block, uint i) { path.own.none = 0u; }
+#endif

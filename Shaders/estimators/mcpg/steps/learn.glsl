@@ -4,9 +4,9 @@
 // passed by.
 #ifndef FB_MCPG_LEARN
 #define FB_MCPG_LEARN
-#include "lib/steps/mcpg/train_cache.glsl"
-#include "lib/steps/mcpg/transition_buckets.glsl"
-#include "lib/steps/mcpg/transition_paper.glsl"
+#include "estimators/mcpg/steps/train_cache.glsl"
+#include "estimators/mcpg/steps/transition_buckets.glsl"
+#include "estimators/mcpg/steps/transition_paper.glsl"
 
 const bool kLearns = true;
 const bool kFollowsMotion = true;
@@ -17,7 +17,7 @@ const uint kManyPaths = 16u;  // of a pixel: a share of them is enough, and a ce
 // Little is known at the vertex yet, or it is this path's turn.
 bool trains_here(Guidance g, Path path) {
   if (!GUIDES) return false;
-  return path.trains || (frame.spp <= kManyPaths && (g.cache.entry == kNoIndex || g.cache_frames < kYoungFrames));
+  return path.own.trains || (frame.spp <= kManyPaths && (g.cache.entry == kNoIndex || g.cache_frames < kYoungFrames));
 }
 
 // Light that was looked for goes into the cell; the sample is counted where the path's own direction trains it.
@@ -31,7 +31,7 @@ void learn_direct(Guidance g, Direct direct, Path path, inout uint rng) {
 void learn_last(Field here, Direct direct, Path path, inout uint rng) {
   if (!GUIDES) return;
   uint entry = here.cell.entry;
-  if (!path.trains && (frame.spp > kManyPaths || (entry != kNoIndex && cache_frames(entry) >= kYoungFrames))) return;
+  if (!path.own.trains && (frame.spp > kManyPaths || (entry != kNoIndex && cache_frames(entry) >= kYoungFrames))) return;
   if (entry == kNoIndex) {
     claim_cache(here.cell);
     return;
@@ -106,8 +106,8 @@ void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout 
 
   Transition t;
   bool accepted;
-  if (GUIDE_BUCKET == 1u) accepted = paper_transition(v, g, p.direction, score, path.group_rng, rng, t);
+  if (GUIDE_BUCKET == 1u) accepted = paper_transition(v, g, p.direction, score, path.own.group_rng, rng, t);
   else accepted = bucket_transition(v, g, position, score, emitted, rng, t);
-  if (accepted) update_state(v, t, position, velocity, incident.way.bent, score, emitted, path.vertex);
+  if (accepted) update_state(v, t, position, velocity, incident.way.bent, score, emitted, vertex_number(path));
 }
 #endif

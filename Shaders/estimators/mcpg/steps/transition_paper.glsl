@@ -2,7 +2,7 @@
 // cells of one state.
 #ifndef FB_MCPG_TRANSITION_PAPER
 #define FB_MCPG_TRANSITION_PAPER
-#include "lib/steps/mcpg/transition.glsl"
+#include "estimators/mcpg/steps/transition.glsl"
 
 bool paper_transition(Vertex v, Guidance g, vec3 direction, float score, inout uint group_rng, inout uint rng, out Transition t) {
   bool guided = g.choice.state != kNoIndex;

@@ -1,7 +1,7 @@
 // What a transition of the Markov chain decides: which state learns from a sample, of what score, and where it is stored.
 #ifndef FB_MCPG_TRANSITION
 #define FB_MCPG_TRANSITION
-#include "lib/steps/mcpg/propose.glsl"
+#include "estimators/mcpg/steps/propose.glsl"
 
 // Of what a state expects: less is nothing. The paper says "significantly smaller"; its is that of merian-quake's sources.
 const float kLeastOfWeight = 0.02, kLeastOfWeightPaper = 0.001;

@@ -1,7 +1,7 @@
 // Writes the states that this frame's paths proposed: of all proposals for a slot, the one of highest rank.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/steps/mcpg/cache.glsl"
+#include "estimators/mcpg/steps/cache.glsl"
 
 layout(local_size_x = 64) in;
 

@@ -1,7 +1,7 @@
 // Folds this frame's samples into the cells of the irradiance cache that were touched, and gives claimed cells away.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/steps/mcpg/cache.glsl"
+#include "estimators/mcpg/steps/cache.glsl"
 
 layout(local_size_x = 64) in;
 

@@ -6,17 +6,17 @@
 // samples give the same cache in any order.
 #ifndef FB_MCPG_CACHE
 #define FB_MCPG_CACHE
+#include "estimators/mcpg/mcpg.h"
 #include "lib/frame_bindings.glsl"
 #include "shared/color.h"
-#include "shared/guide.h"
 #include "shared/scene_gpu.h"
 
 layout(constant_id = kSpecGuides) const bool GUIDES = true;  // vertices take states from cells and teach them
 
-layout(set = kSetTechnique, binding = kBindTechniqueConstants, std140) uniform GuideBlock { GuideConstants guide; };
-FB_TECHNIQUE_ARRAY(kBindGuideStates, 16, , GuideStateArray, uvec4, guide_states)
-FB_TECHNIQUE_ARRAY(kBindGuideProposals, 16, , GuideProposalArray, uvec4, guide_proposals)
-FB_TECHNIQUE_ARRAY(kBindGuideCache, 4, , GuideCacheArray, uint, guide_cache)
+layout(set = kSetScene, binding = kBindTechniqueConstants, std140) uniform GuideBlock { GuideConstants guide; };
+FB_TECHNIQUE_ARRAY(kGuideStates, 16, , GuideStateArray, uvec4, guide_states)
+FB_TECHNIQUE_ARRAY(kGuideProposals, 16, , GuideProposalArray, uvec4, guide_proposals)
+FB_TECHNIQUE_ARRAY(kGuideCache, 4, , GuideCacheArray, uint, guide_cache)
 
 // Motions lie after the states, two in a word of four.
 void store_guide_motion(uint at, uvec2 motion) {
@@ -51,7 +51,7 @@ struct CacheCell {
   uint check;  // for the claim
 };
 
-layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTechnique + kBindGuideCache) uniform usamplerBuffer cache_texels;
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTechnique + kGuideCache) uniform usamplerBuffer cache_texels;
 
 // Four words of an entry, from a multiple of four on.
 uvec4 cache_quad(uint word) { return texelFetch(cache_texels, int(word >> 2u)); }

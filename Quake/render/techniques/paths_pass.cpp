@@ -1,55 +1,11 @@
-// Techniques of one pass that traces paths, which remember nothing or only what shadow rays reached.
+// The passes that trace paths, of every technique.
 #include <array>
-#include <cstring>
 #include <string>
 
-#include "render/techniques/seen_grid.h"
 #include "render/techniques/technique.h"
-#include "shared/frame.h"
 
 namespace fb::render {
 namespace {
-
-class PathTechnique : public Technique {
- public:
-  explicit PathTechnique(std::string_view name) : name_(name) {}
-  void prepare(const TechniqueFrame&) override {}
-  void add_passes(const TechniquePasses& passes) override { add_paths_pass(passes, name_); }
-
- private:
-  std::string name_;
-};
-
-class NeeTechnique : public PathTechnique {
- public:
-  NeeTechnique(const TechniqueTools& tools, std::string_view name)
-      : PathTechnique(name),
-        uniform_(tools.device, gpu::BufferUse::kUniform, sizeof(shared::NeeConstants), "constants of nee"),
-        seen_(tools) {
-    tools.table.set_uniform(shared::kSetTechnique, uniform_);
-  }
-  void prepare(const TechniqueFrame& frame) override {
-    shared::NeeConstants constants{};
-    copy_settings(frame.settings, constants);
-    constants.seen_stride = seen_stride(frame.size, frame.settings, frame.medium());
-    constants.seen_ways = seen_.begin_frame();
-    std::memcpy(uniform_.mapped(), &constants, sizeof(constants));
-    frame_ = seen_.fresh() ? 1 : frame_ + 1;
-  }
-  void add_passes(const TechniquePasses& passes) override {
-    seen_.add_reset(passes.list);
-    PathTechnique::add_passes(passes);
-    seen_.add_fold(passes.list, passes.shaders);
-  }
-  void forget() override { seen_.forget(); }
-  std::uint32_t salt() const override { return frame_; }
-  std::uint64_t bytes() const override { return seen_.bytes(); }
-
- private:
-  gpu::Buffer uniform_;
-  SeenGrid seen_;
-  std::uint32_t frame_ = 0;  // since it forgot
-};
 
 // Of workgroups: every `step`-th from `first`.
 struct Rows {
@@ -91,13 +47,6 @@ void add_paths_pass(const TechniquePasses& passes, std::string_view name, const 
   variant.show_view = false;
   passes.list.dispatch("fog", PassKind::kEstimator, passes.shaders.get(std::string(name) + "_medium", variant),
                        passes.medium);
-}
-
-std::unique_ptr<Technique> make_path_technique(const TechniqueTools&, std::string_view name) {
-  return std::make_unique<PathTechnique>(name);
-}
-std::unique_ptr<Technique> make_nee_technique(const TechniqueTools& tools, std::string_view name) {
-  return std::make_unique<NeeTechnique>(tools, name);
 }
 
 }  // namespace fb::render

@@ -1,6 +1,6 @@
-// shared/guide.h: what packing keeps, updates against the same recurrence in long double (which carries a bound of the
-// error that float may have), and whatever is fed to it, finite states within their limits.
-#include "shared/guide.h"
+// estimators/mcpg/guide.h: what packing keeps, updates against the same recurrence in long double (which carries a
+// bound of the error that float may have), and whatever is fed to it, finite states within their limits.
+#include "estimators/mcpg/guide.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 // Beyond the paper: how often the lobes are sampled is learnt (r_mc_learn_share 0: fixed, as there).
 #ifndef FB_MCPG_PROPOSE
 #define FB_MCPG_PROPOSE
-#include "lib/steps/mcpg/field.glsl"
-#include "lib/steps/mcpg/mixture.glsl"
+#include "estimators/mcpg/steps/field.glsl"
+#include "estimators/mcpg/steps/mixture.glsl"
 
 const float kLeastUseful = 0.06;
 const float kShareFrames = 16.0;  // after which a cell's own moments count as much as those of all
@@ -45,7 +45,7 @@ void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance
   g.share = g.total = g.all = 0.0;
   g.choice.state = kNoIndex;
   if (!GUIDES) return;
-  load_mixture(v, g, path.group_rng, rng);
+  load_mixture(v, g, path.own.group_rng, rng);
   // A flame's own texels are lit by the flame, in whatever direction: the BSDF has no variance there, and their cell knows nothing of it.
   bool guided = g.total > 0.0 && (!v.glows || guide.mc_paper != 0);
   g.share = guided ? learnt_share(g.cache, g.cache_frames) : 0.0;
@@ -58,27 +58,25 @@ float share_pdf(Guidance g, float guided_pdf, float bsdf_pdf) {
 Proposal propose(Vertex v, inout Guidance g, inout uint rng) {
   bool guided = rng_uniform(rng) < g.share;
   vec3 u = vec3(rng_uniform(rng), rng_uniform(rng), rng_uniform(rng));
-  Proposal p;
-  p.flags = 0u;
+  vec3 direction;
+  uint flags = 0u;
   if (guided) {
-    p.direction = vmf_sample(g.choice.lobe.mu, g.choice.lobe.kappa, u.xy);
+    direction = vmf_sample(g.choice.lobe.mu, g.choice.lobe.kappa, u.xy);
   } else {
     g.choice.state = kNoIndex;
     ScatterSample s = scatter_sample(v.scatter, v.view, u);
-    p.direction = s.direction;
-    p.flags = s.flags;
+    direction = s.direction;
+    flags = s.flags;
   }
   g.home = g.moved ? 0u : min(uint(rng_uniform(rng) * float(GUIDE_ACCESSES)), GUIDE_ACCESSES - 1u);
-  g.guided_pdf = GUIDES ? mixture_pdf(g, p.direction, g.slot) : 0.0;
-  vec3 f = scatter_eval(v.scatter, v.view, p.direction, g.bsdf_pdf);
+  g.guided_pdf = GUIDES ? mixture_pdf(g, direction, g.slot) : 0.0;
+  vec3 f = scatter_eval(v.scatter, v.view, direction, g.bsdf_pdf);
   g.pdf = share_pdf(g, g.guided_pdf, g.bsdf_pdf);
-  g.below = !scatters_to(v.scatter, p.direction);
-  p.weight = g.pdf > 0.0 ? f / g.pdf : vec3(0.0);
-  p.pdf = g.pdf;
-  return p;
+  g.below = !scatters_to(v.scatter, direction);
+  return proposed(direction, f, g.pdf, flags);
 }
 
-float proposal_pdf(Guidance g, vec3 direction, float bsdf_pdf) {
+float proposal_pdf(Vertex v, Guidance g, vec3 direction, float bsdf_pdf) {
   if (!GUIDES) return bsdf_pdf;
   GuideSlot slot;
   return g.share > 0.0 ? share_pdf(g, mixture_pdf(g, direction, slot), bsdf_pdf) : bsdf_pdf;

@@ -1,7 +1,7 @@
 // What a vertex's sample teaches the irradiance cache's cell, and the second moments there of every probability of guiding.
 #ifndef FB_MCPG_TRAIN_CACHE
 #define FB_MCPG_TRAIN_CACHE
-#include "lib/steps/mcpg/propose.glsl"
+#include "estimators/mcpg/steps/propose.glsl"
 #include "lib/incident.glsl"
 
 const float kLeastMean = 0.25;  // of all cells' mean

@@ -1,21 +1,10 @@
 // States of Markov chain path guiding (Alber 2025): what a state holds, the vMF lobe that it stands for as seen from a
 // point, how a sample updates it, and how all of it is packed.
-#ifndef FB_SHARED_GUIDE_H
-#define FB_SHARED_GUIDE_H
-#include "shared/bindings.h"
+#ifndef FB_MCPG_GUIDE_H
+#define FB_MCPG_GUIDE_H
 #include "shared/hash_grid.h"
-#include "shared/settings.h"
 #include "shared/vmf.h"
 FB_NAMESPACE_BEGIN
-
-// The guide's arrays in the technique's set, and its specialisation constants.
-FB_CONST uint kBindGuideStates = 0u;  // uvec4[]: a state is one and a half of them; its motion lies behind all states
-FB_CONST uint kBindGuideCache = 1u;   // uint[]: the irradiance cache and its list of touched cells
-FB_CONST uint kBindGuideProposals = 2u;  // uvec4[]: what a frame's paths want to store, where it is resolved after it
-FB_CONST uint kSpecResolve = kSpecTechnique;        // store proposals, which a pass resolves in a fixed order
-FB_CONST uint kSpecAccesses = kSpecTechnique + 1u;  // cells that a vertex takes states from
-FB_CONST uint kSpecBucket = kSpecTechnique + 2u;    // states in a cell
-FB_CONST uint kSpecGuides = kSpecTechnique + 3u;    // vertices take states from cells and teach them
 
 // Alber 2025, Table 1. Weighted sums are kept divided by their weight, so that nothing overflows; 24 bytes packed.
 struct GuideState {
@@ -165,7 +154,7 @@ FB_FN GuideState update_guide_state(GuideState s, vec3 position, vec3 target, fl
   return s;
 }
 
-// --- the irradiance cache and what is learnt beside it: words of an entry in kBindGuideCache ---
+// --- the irradiance cache and what is learnt beside it: words of an entry in kGuideCache ---
 FB_CONST uint kCacheWords = 16u;
 FB_CONST uint kCacheCheck = 0u;    // 0: empty
 FB_CONST uint kCacheMean = 1u;     // three floats: mean of cos L / (pi pdf): what a white surface there reflects
@@ -192,7 +181,7 @@ FB_CONST float kCacheLargest = 64.0f;         // radiance that a sample may brin
 FB_CONST float kMomentFixed = 8.0f;           // steps a unit of relative second moment
 FB_CONST float kMomentLargest = 60000.0f;
 
-// Probabilities of guiding whose second moments are compared (lib/steps/mcpg/propose.glsl).
+// Probabilities of guiding whose second moments are compared (steps/propose.glsl).
 FB_FN vec4 guide_shares() { return vec4(0.0f, 0.3f, 0.6f, 0.85f); }
 
 // Moments of these shares, not negative, none above `largest`. All are cut or none: what guiding misses costs the more
@@ -204,21 +193,6 @@ FB_FN vec4 bound_moments(vec4 m, float largest) {
 
 FB_CONST uint kPastFrames = 32u;    // whose times are known
 FB_CONST uint kTrustedFrames = 8u;  // for which a light is thought to keep its velocity
-
-// The technique's uniform block. Settings as they hold in this frame: sizes are powers of two, probabilities of guiding
-// leave room for the BSDF, and the shares that train grow with the samples of a pixel.
-struct GuideConstants {
-  vec4 elapsed[kPastFrames / 4u];  // seconds since the frame that is so many frames old
-  FB_GUIDE_SETTINGS(FB_UNIFORM_FIELD)
-  FB_LIGHT_SETTINGS(FB_UNIFORM_FIELD)
-  float adaptive_angle;  // tangent of the angle that an adaptive cell subtends
-  float cache_angle;     // the same of a cell of the irradiance cache
-  float prior_extent;    // radius of the prior, squared
-  uint frame_number;     // frames since the guide forgot, from 1
-  uint seen_stride;      // of this many shadow rays one is remembered; a power of two
-  uint seen_ways;        // the table of ways that is read, 0 or 1
-  uint vertices;         // of this frame's paths: as many proposals
-};
 
 FB_NAMESPACE_END
 #endif

@@ -1,5 +1,6 @@
-// Markov chain path guiding: what it remembers from frame to frame (the table of states, the irradiance cache) and,
-// where frames must not depend on the order of threads, the proposals of a frame. Layouts: Shaders/shared/guide.h.
+// Markov chain path guiding (`mcpg`, `mcpg_nee`, `mcpg_tail`): what it remembers from frame to frame (the table of
+// states, the irradiance cache) and, where frames must not depend on the order of threads, the proposals of a frame.
+// Layouts: Shaders/estimators/mcpg/.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -10,14 +11,15 @@
 #include <utility>
 
 #include "base/log.h"
+#include "estimators/mcpg/mcpg.h"
 #include "render/techniques/seen_grid.h"
 #include "render/techniques/technique.h"
-#include "shared/guide.h"
+#include "render/techniques/technique_memory.h"
 
 namespace fb::render {
 namespace {
 
-constexpr std::uint64_t kStateBytes = 24, kProposalBytes = 32;
+constexpr ArrayRow kMcpgRows[]{FB_MCPG_ARRAYS(FB_ARRAY_ROW)};
 constexpr float kMostShare = 0.98f;  // of guided samples: without any of the BSDF's, what no lobe covers would be lost
 constexpr std::uint32_t kFoldGroups = 64;    // of 64 invocations, which walk the list of touched cells
 constexpr std::uint32_t kGroupsWide = 4096;  // of the two-dimensional dispatch over proposals
@@ -31,6 +33,7 @@ class GuidedTechnique : public Technique {
       : device_(tools.device),
         table_(tools.table),
         name_(name),
+        memory_(tools.device, tools.table, kMcpgRows, "guide reset"),
         uniform_(tools.device, gpu::BufferUse::kUniform, sizeof(shared::GuideConstants), "constants of path guiding") {
     table_.set_uniform(shared::kSetTechnique, uniform_);
     if (find_technique(name)->wants_lights) seen_.emplace(tools);
@@ -39,21 +42,19 @@ class GuidedTechnique : public Technique {
   RenderSettings adapt(RenderSettings settings) const override;
   void prepare(const TechniqueFrame& frame) override;
   void add_passes(const TechniquePasses& passes) override;
-  void forget() override { forget_ = true; }
+  void forget() override { memory_.forget(); }
   std::uint32_t salt() const override { return frame_; }
-  std::uint64_t bytes() const override {
-    return states_.size() + proposals_.size() + cache_.size() + (seen_ ? seen_->bytes() : 0);
-  }
+  std::uint64_t bytes() const override { return memory_.bytes() + (seen_ ? seen_->bytes() : 0); }
 
  private:
-  void make(gpu::Buffer& buffer, std::uint32_t binding, std::uint64_t bytes, const char* name);
-  void make_buffers(const RenderSettings& settings);
+  void choose_sizes(const RenderSettings& settings);
   void fill_constants(const TechniqueFrame& frame);
 
   gpu::Device& device_;
   gpu::BindingTable& table_;
   std::string name_;
-  gpu::Buffer uniform_, states_, proposals_, cache_;
+  TechniqueMemory memory_;
+  gpu::Buffer uniform_;
   std::optional<SeenGrid> seen_;  // where it looks for light, too
   std::uint32_t state_count_ = 0, cell_count_ = 0;
   std::uint64_t vertices_ = 0;                       // of paths, a frame
@@ -61,43 +62,37 @@ class GuidedTechnique : public Technique {
   std::uint32_t frame_ = 0;                          // since it forgot
   std::array<double, shared::kPastFrames> times_{};  // of the last frames, by their numbers
   std::uint32_t parts_ = 1;                          // of a frame's paths
-  bool resolve_ = false, guides_fog_ = true;
-  bool forget_ = true;
+  bool resolve_ = false, guides_fog_ = true, said_size_ = false;
 };
 
-void GuidedTechnique::make(gpu::Buffer& buffer, std::uint32_t binding, std::uint64_t bytes, const char* name) {
-  buffer = gpu::Buffer();  // the old one's memory goes first
-  table_.set_array(shared::kSetTechnique, binding, buffer);
-  buffer = gpu::Buffer(device_, gpu::BufferUse::kStorage, bytes, name);
-  table_.set_array(shared::kSetTechnique, binding, buffer);
-  forget_ = true;
-}
-
-// Nothing learnt survives a change of size.
-void GuidedTechnique::make_buffers(const RenderSettings& settings) {
-  const std::uint32_t states = power_of_two(settings.mc_states), cells = power_of_two(settings.mc_cells);
-  if (states != state_count_ || cells != cell_count_) {
-    state_count_ = cell_count_ = 0;  // until both are there
-    make(states_, shared::kBindGuideStates, states * kStateBytes, "guide states");
-    // Entries, the list of touched ones, sums and means of all, and the winning proposal of every state.
-    make(cache_, shared::kBindGuideCache,
-         (std::uint64_t{cells} * (shared::kCacheWords + 1) + shared::kTailWords + states) * 4, "guide cache");
-    state_count_ = states;
-    cell_count_ = cells;
-    log_info("path guiding: {} states and {} cached cells in {} MB", states, cells, bytes() >> 20);
-  }
-  const std::uint64_t proposals = resolve_ ? vertices_ * kProposalBytes : 16;
-  if (!proposals_ || proposals_.size() != std::max<std::uint64_t>(proposals, 16))
-    make(proposals_, shared::kBindGuideProposals, proposals, "guide proposals");
+// Tables of the powers of two that are asked for, or the largest that the device binds.
+void GuidedTechnique::choose_sizes(const RenderSettings& settings) {
+  const auto table = [&](int wanted, std::uint32_t binding, std::uint64_t extra) {
+    const std::uint64_t most = std::bit_floor(memory_.most_elements(binding, extra));
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(power_of_two(wanted), most));
+  };
+  const std::uint32_t states = table(settings.mc_states, shared::kGuideStates, 0);
+  const std::uint64_t behind = (std::uint64_t{shared::kTailWords} + states) * 4;
+  const std::uint32_t cells = table(settings.mc_cells, shared::kGuideCache, behind);
+  memory_.set_count(shared::kGuideStates, states);
+  memory_.set_count(shared::kGuideCache, cells, behind);
+  memory_.set_count(shared::kGuideProposals, resolve_ ? vertices_ : 0);
+  if (states == state_count_ && cells == cell_count_) return;
+  if (states < power_of_two(settings.mc_states) || cells < power_of_two(settings.mc_cells))
+    log_warning("r_mc_states {}, r_mc_cells {}: the device has room for {} and {}", settings.mc_states,
+                settings.mc_cells, states, cells);
+  state_count_ = states;
+  cell_count_ = cells;
+  said_size_ = false;
 }
 
 void GuidedTechnique::fill_constants(const TechniqueFrame& frame) {
   const RenderSettings& s = frame.settings;
   shared::GuideConstants c{};
   copy_settings(s, c);
-  times_[frame_ % shared::kPastFrames] = frame.time;
+  times_[frame_ % shared::kPastFrames] = frame.snapshot.time;
   for (std::uint32_t age = 0; age < std::min(frame_, shared::kPastFrames); ++age) {
-    const double elapsed = frame.time - times_[(frame_ - age) % shared::kPastFrames];
+    const double elapsed = frame.snapshot.time - times_[(frame_ - age) % shared::kPastFrames];
     c.elapsed[age / 4][static_cast<int>(age % 4)] = static_cast<float>(std::clamp(elapsed, 0.0, 1.0));
   }
   const float angle = std::tan(radians(s.mc_angle));
@@ -115,7 +110,7 @@ void GuidedTechnique::fill_constants(const TechniqueFrame& frame) {
   c.mc_tail_train = std::max(s.mc_tail_train, least_train);
   c.frame_number = frame_;
   c.vertices = static_cast<std::uint32_t>(vertices_);
-  c.seen_stride = seen_stride(frame.size, s, frame.medium());
+  c.seen_stride = seen_stride(frame.lit, s, frame.medium());
   if (seen_) c.seen_ways = seen_->begin_frame();
   std::memcpy(uniform_.mapped(), &c, sizeof(c));
 }
@@ -153,22 +148,21 @@ void GuidedTechnique::prepare(const TechniqueFrame& frame) {
   guides_fog_ = !seen_ || s.mc_fog != 0 || frame.turbid;  // no straight ray finds what lights a liquid from above
   bucket_ = std::bit_floor(static_cast<std::uint32_t>(s.mc_bucket));
   accesses_ = std::min(static_cast<std::uint32_t>(s.mc_accesses), kMaxLobes / bucket_);
-  vertices_ = static_cast<std::uint64_t>(frame.size.x) * frame.size.y * most_samples(s) *
+  vertices_ = static_cast<std::uint64_t>(frame.lit.x) * frame.lit.y * most_samples(s) *
               static_cast<std::uint64_t>(s.bounces + (frame.medium() ? s.medium_bounces : 0));
-  make_buffers(s);
-  if (forget_) frame_ = 0;
-  if (forget_ && seen_) seen_->forget();
+  choose_sizes(s);
+  if (memory_.begin_frame(0)) {
+    frame_ = 0;
+    if (seen_) seen_->forget();
+  }
+  if (!std::exchange(said_size_, true))
+    log_info("path guiding: {} states and {} cached cells in {} MB", state_count_, cell_count_, bytes() >> 20);
   ++frame_;
   fill_constants(frame);
 }
 
 void GuidedTechnique::add_passes(const TechniquePasses& passes) {
-  if (std::exchange(forget_, false)) {
-    passes.list.add("guide reset", PassKind::kEstimator, [this](gpu::Commands& commands) {
-      for (const gpu::Buffer* buffer : {&states_, &cache_, &proposals_}) commands.fill(*buffer, 0);
-      commands.barrier();
-    });
-  }
+  memory_.add_reset(passes.list);
   if (seen_) seen_->add_reset(passes.list);
   PathSpecs specs{{resolve_, accesses_, bucket_, 1}, {}, {resolve_, accesses_, bucket_, guides_fog_}};
   // Paths that look for light alone are nearly as good.
@@ -176,7 +170,7 @@ void GuidedTechnique::add_passes(const TechniquePasses& passes) {
   specs.parts = parts_;
   std::function<void(gpu::Commands&)> resolve;
   if (resolve_) {
-    resolve = [&pipeline = passes.shaders.get("guide_states"),
+    resolve = [&pipeline = passes.shaders.get("mcpg_resolve_states"),
                groups = static_cast<std::uint32_t>((vertices_ + 63) / 64)](gpu::Commands& commands) {
       commands.dispatch(pipeline, std::min(groups, kGroupsWide), (groups + kGroupsWide - 1) / kGroupsWide);
       commands.barrier();
@@ -186,7 +180,7 @@ void GuidedTechnique::add_passes(const TechniquePasses& passes) {
   add_paths_pass(passes, name_, specs);
   if (seen_) seen_->add_fold(passes.list, passes.shaders);
   if (resolve) passes.list.add("guide states", PassKind::kEstimator, resolve);
-  passes.list.dispatch("guide cache", PassKind::kEstimator, passes.shaders.get("guide_cache"), {kFoldGroups, 1});
+  passes.list.dispatch("guide cache", PassKind::kEstimator, passes.shaders.get("mcpg_fold_cache"), {kFoldGroups, 1});
 }
 
 // Paths end in the irradiance cache: one reflection, and one more on paths that go on (r_bounces counts both). A tail
@@ -202,13 +196,37 @@ class GuidedTailTechnique : public GuidedTechnique {
   }
 };
 
+template <typename T>
+std::unique_ptr<Technique> make(const TechniqueTools& tools, std::string_view name) {
+  return std::make_unique<T>(tools, name);
+}
+
 }  // namespace
 
-std::unique_ptr<Technique> make_guided_technique(const TechniqueTools& tools, std::string_view name) {
-  return std::make_unique<GuidedTechnique>(tools, name);
-}
-std::unique_ptr<Technique> make_guided_tail_technique(const TechniqueTools& tools, std::string_view name) {
-  return std::make_unique<GuidedTailTechnique>(tools, name);
-}
+extern constinit const TechniqueInfo kMcpg{
+    .name = "mcpg",
+    .description = "Markov chain path guiding (Alber 2025); unbiased for paths of at most r_bounces reflections",
+    .bias = Bias::kUnbiased,
+    .make = make<GuidedTechnique>,
+    .frames = Frames::kLearning,
+    .views = shared::kViewOfMcpg};
+extern constinit const TechniqueInfo kMcpgNee{
+    .name = "mcpg_nee",
+    .description = "mcpg that looks for lights as nee does, and learns what this leaves; unbiased like both",
+    .bias = Bias::kUnbiased,
+    .make = make<GuidedTechnique>,
+    .frames = Frames::kLearning,
+    .wants_lights = true,
+    .views = shared::kViewOfMcpg};
+extern constinit const TechniqueInfo kMcpgTail{
+    .name = "mcpg_tail",
+    .description =
+        "mcpg with one reflection traced (r_bounces says no more than whether there is any) and the "
+        "irradiance cache beyond it: a Lambertian tail of any number of reflections, averaged over cells, "
+        "some frames late",
+    .bias = Bias::kBiased,
+    .make = make<GuidedTailTechnique>,
+    .frames = Frames::kLearning,
+    .views = shared::kViewOfMcpg};
 
 }  // namespace fb::render

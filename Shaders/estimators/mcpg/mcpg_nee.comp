@@ -7,13 +7,15 @@
 #extension GL_EXT_ray_query : require
 #endif
 const bool kEndsInField = false;
-#include "lib/steps/mcpg/all.glsl"
+#include "estimators/mcpg/steps/all.glsl"
 #include "lib/steps/direct_list.glsl"
 uint light_candidates() { return uint(guide.nee_candidates); }
 uint remembered_candidates() { return uint(guide.nee_remembered); }
 uint light_seen_stride() { return guide.seen_stride; }
 bool knows_ways() { return guide.nee_visibility != 0; }
 uint known_ways() { return guide.seen_ways; }
-#include "lib/steps/mcpg/views.glsl"
+#include "lib/steps/no_control.glsl"
+#include "lib/steps/no_record.glsl"
+#include "estimators/mcpg/steps/views.glsl"
 
 #include "lib/paths_main.glsl"

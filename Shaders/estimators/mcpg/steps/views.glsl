@@ -1,9 +1,9 @@
 // Step `views`: what is known at the first vertex, as colours (shared/debug_views.h, kViewOfGuide).
-#ifndef FB_MCPG_VIEWS
-#define FB_MCPG_VIEWS
-#include "lib/first_vertex.glsl"
+#ifndef FB_MCPG_STEPS_VIEWS
+#define FB_MCPG_STEPS_VIEWS
 #include "lib/incident.glsl"
-#include "lib/steps/mcpg/propose.glsl"
+#include "lib/store_light.glsl"
+#include "estimators/mcpg/steps/propose.glsl"
 #include "shared/tone.h"
 
 vec3 heat(float x) { return clamp(vec3(1.5 - abs(4.0 * x - 3.0), 1.5 - abs(4.0 * x - 2.0), 1.5 - abs(4.0 * x - 1.0)), 0.0, 1.0); }
@@ -28,39 +28,40 @@ GuideState strongest_state(Vertex v, GuideCell cell, out bool collides) {
 vec3 light_met(Vertex v, Field here, Proposal p, Path path, inout uint rng) {
   Segment way = segment_from(v, p.direction, kRayEnd, kTurnByChance, rng);
   Surface s = load_surface(way.hit, way.direction, kFilterNearest, false);
-  if (kLooksForLight) s.emission *= met_share(v, way, p, s.emission);
-  if (way.hit.instance == kNoIndex || path_bounces() <= 1u) return s.emission * way.left;
+  if (kLooksForLight) s.emission *= met_share(v, way, p, s.emission, path);
+  if (way.hit.instance == kNoIndex || most_reflections() <= 1u) return s.emission * way.left;
   Vertex next = end_of_segment(way, s);
   return (s.emission + field_reflection(field_at(next, path), here, next)) * way.left;
 }
+
+const bool kHasViews = true;
 
 bool shows_directions() { return frame.debug_view == kViewGuideIncident; }
 bool measures_moments() { return frame.debug_view == kViewGuideCover; }
 
 // All directions above the surface in the picture's middle, twice, the surface's normal in the middle of a disc of equal areas:
 // to the left the light that comes from there, to the right the density that it is sampled with, logarithmic.
-vec3 view_of_directions(uvec2 block, uint number, uvec2 pixel) {
+vec3 view_of_directions(PathPixel pixel_of) {
+  uvec2 pixel = pixel_of.pixel;
   GBufferTexel g = gbuffer_at((frame.height / 2u) * frame.width + frame.width / 2u);
-  if (!shows_directions() || g.position_t.w == 0.0) return vec3(0.0);
+  if (g.position_t.w == 0.0) return vec3(0.0);
   float half_width = 0.5 * float(frame.width), radius = 0.48 * min(half_width, float(frame.height));
   bool right = float(pixel.x) + 0.5 > half_width;
   vec2 at = (vec2(pixel) + 0.5 - vec2(right ? 1.5 * half_width : 0.5 * half_width, 0.5 * float(frame.height))) / radius;
   float r2 = dot(at, at);
   Vertex v = first_vertex(g, uvec2(frame.width / 2u, frame.height / 2u));
   float z = 1.0 - r2, spread = sqrt(max(2.0 - r2, 0.0));  // equal areas (Lambert's azimuthal projection)
-  Path path = begin_path(block, number, 0u);
-  path.group_rng = rng_seed(0u, frame.frame, 1u, frame.seed);  // the same cells for the whole picture
-  path.last = path_bounces() <= 1u;
+  Path path = path_of(pixel_of, 0u);
+  path.own.group_rng = rng_seed(0u, frame.frame, 1u, frame.seed);  // the same cells for the whole picture
+  path.last = most_reflections() <= 1u;
   uint rng = rng_seed(pixel.y * frame.width + pixel.x, frame.frame, 0u, frame.seed);
   Field here = field_at(v, path);
   Guidance g2;
   prepare(v, here, path, rng, g2);
-  Proposal p;
-  p.direction = frame_about(v.scatter.normal) * vec3(at.x * spread, -at.y * spread, z);
+  vec3 direction = frame_about(v.scatter.normal) * vec3(at.x * spread, -at.y * spread, z);
   float bsdf;
-  p.weight = scatter_eval(v.scatter, v.view, p.direction, bsdf);
-  p.pdf = proposal_pdf(g2, p.direction, bsdf);
-  p.flags = 0u;
+  vec3 f = scatter_eval(v.scatter, v.view, direction, bsdf);
+  Proposal p = proposed(direction, f, proposal_pdf(v, g2, direction, bsdf), 0u);
   if (r2 > 1.0) return vec3(0.02);
   if (right) return heat(clamp(log2(max(p.pdf, 1e-6)) / 16.0 + 0.4, 0.0, 1.0));
   return srgb_from_linear(filmic(light_met(v, here, p, path, rng) * exposure_now()));
@@ -70,8 +71,7 @@ vec3 view_of_directions(uvec2 block, uint number, uvec2 pixel) {
 // tenth of the BSDF's density, that of all, and the estimate itself, so that means over frames say how
 // much of the variance is of light that no lobe stands for.
 vec3 view_of_moments(Vertex v, Path path, uint rng) {
-  if (!measures_moments()) return vec3(0.0);
-  path.last = path_bounces() <= 1u;
+  path.last = most_reflections() <= 1u;
   Field here = field_at(v, path);
   Guidance g;
   prepare(v, here, path, rng, g);
@@ -94,7 +94,7 @@ vec3 view_color(Vertex v, Path path, uint rng) {
   vec3 to_target = s.target - v.position;
   bool known = s.weight > 0.0 && dot(to_target, to_target) > 1e-6;
   GuideView view = view_state(s, known ? to_target : axis, v.scatter);
-  CacheCell cached = find_cache_cell(v.position, axis, kCacheTag, path.group_rng);
+  CacheCell cached = find_cache_cell(v.position, axis, kCacheTag, path.own.group_rng);
   bool has_cache = cached.entry != kNoIndex;
   switch (frame.debug_view) {
     case kViewGuideDirection: return known ? view.direction * 0.5 + 0.5 : vec3(0.0);
@@ -110,7 +110,7 @@ vec3 view_color(Vertex v, Path path, uint rng) {
     }
     case kViewGuideCover:
     case kViewGuideSampler: {
-      path.last = path_bounces() <= 1u;
+      path.last = most_reflections() <= 1u;
       Guidance g;
       prepare(v, field_at(v, path), path, rng, g);
       propose(v, g, rng);
@@ -119,5 +119,20 @@ vec3 view_color(Vertex v, Path path, uint rng) {
     default:
       return heat(learnt_share(cached, has_cache ? cache_frames(cached.entry) : 0u));
   }
+}
+
+void draw_view(PathPixel p, bool lit, Vertex v) {
+  vec3 color = vec3(0.0);
+  if (shows_directions()) {
+    color = view_of_directions(p);
+  } else if (lit) {
+    Path path = path_of(p, 0u);
+    path.own.group_rng = rng_seed(p.at, frame.frame, 1u, frame.seed);  // each pixel looks for itself
+    color = view_color(v, path, rng_seed(p.at, frame.frame, 0u, frame.seed));
+  }
+  ldr.at[p.at] = packUnorm4x8(vec4(color, 1.0));
+  if (!measures_moments()) return;
+  vec3 moments = lit ? view_of_moments(v, path_of(p, 0u), rng_seed(p.at, frame.frame, frame.spp, frame.seed)) : vec3(0.0);
+  radiance.at[p.at].rgb = moments;
 }
 #endif

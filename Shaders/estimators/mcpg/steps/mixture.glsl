@@ -2,7 +2,7 @@
 // eq. 6).
 #ifndef FB_MCPG_MIXTURE
 #define FB_MCPG_MIXTURE
-#include "lib/steps/mcpg/states.glsl"
+#include "estimators/mcpg/steps/states.glsl"
 
 // One lobe of it, chosen by its weight.
 struct GuideChoice {

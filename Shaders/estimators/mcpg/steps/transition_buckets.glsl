@@ -2,7 +2,7 @@
 // lobe of the cell that explains it, or else takes the least one's place; a score is a lobe's share of the energy.
 #ifndef FB_MCPG_TRANSITION_BUCKETS
 #define FB_MCPG_TRANSITION_BUCKETS
-#include "lib/steps/mcpg/transition.glsl"
+#include "estimators/mcpg/steps/transition.glsl"
 
 // Where guiding does not pay now a state's score still says what its lobe could bring: at a share of zero it would be zero, and
 // the cell would lose what it knows.

@@ -3,8 +3,8 @@
 // includer says whether paths may end in the irradiance cache (kEndsInField) and includes a step `direct`.
 #ifndef FB_MCPG_ALL
 #define FB_MCPG_ALL
-#include "lib/steps/mcpg/begin.glsl"
-#include "lib/steps/mcpg/field.glsl"
-#include "lib/steps/mcpg/propose.glsl"
-#include "lib/steps/mcpg/learn.glsl"
+#include "estimators/mcpg/steps/begin.glsl"
+#include "estimators/mcpg/steps/field.glsl"
+#include "estimators/mcpg/steps/propose.glsl"
+#include "estimators/mcpg/steps/learn.glsl"
 #endif

@@ -1,8 +1,7 @@
 // Step `field`: the irradiance cache. For training; where kEndsInField (mcpg_tail, biased) it also ends paths.
 #ifndef FB_MCPG_FIELD
 #define FB_MCPG_FIELD
-#include "lib/steps/mcpg/cache.glsl"
-#include "lib/path_state.glsl"
+#include "estimators/mcpg/steps/begin.glsl"
 
 const bool kHasField = true;
 const uint kTailFrames = 4u;  // that must have trained a cell before a path may end in it
@@ -13,7 +12,7 @@ struct Field {
 
 Field field_at(Vertex v, inout Path path) {
   if (!GUIDES) return Field(CacheCell(kNoIndex, kNoIndex, 0u));
-  return Field(find_cache_cell(v.position, scatter_axis(v.scatter), in_medium(v.scatter) ? kMediumTag : kCacheTag, path.group_rng));
+  return Field(find_cache_cell(v.position, scatter_axis(v.scatter), in_medium(v.scatter) ? kMediumTag : kCacheTag, path.own.group_rng));
 }
 
 // A path that ends in the field must not lack light (nor must the cache, which learns from such paths): a place of which
@@ -25,7 +24,8 @@ vec3 field_reflection(Field there, Field here, Vertex v) {
   return known ? scatter_albedo(v.scatter) * cached_reflection(entry) : vec3(0.0);
 }
 
-bool field_suffices(Field there, Field here) {
+bool field_suffices(Field there, Field here, Path path) {
+  if (path.own.goes_on) return false;
   uint a = there.cell.entry, b = here.cell.entry;
   return (a != kNoIndex && cache_frames(a) >= kTailFrames) || (b != kNoIndex && cache_frames(b) >= kTailFrames);
 }

@@ -2,8 +2,7 @@
 // paper's: one).
 #ifndef FB_MCPG_STATES
 #define FB_MCPG_STATES
-#include "lib/steps/mcpg/cache.glsl"
-#include "lib/path_state.glsl"
+#include "estimators/mcpg/steps/begin.glsl"
 
 layout(constant_id = kSpecResolve) const bool GUIDE_RESOLVE = false;  // store proposals, which a pass resolves in a fixed order
 layout(constant_id = kSpecAccesses) const uint GUIDE_ACCESSES = 2u;    // cells that are looked at
@@ -40,7 +39,7 @@ GuideCell guide_cell(vec3 p, Scatter s, bool adaptive, uint a, inout uint group_
   return GuideCell((key.hash & (buckets - 1u)) * GUIDE_BUCKET, key.check);
 }
 
-layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTechnique + kBindGuideStates) uniform usamplerBuffer state_texels;
+layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTechnique + kGuideStates) uniform usamplerBuffer state_texels;
 
 uvec4 guide_quad(uint at) { return texelFetch(state_texels, int(at)); }
 uvec2 load_guide_motion(uint at) {

@@ -1,0 +1,13 @@
+// The techniques' headers, for the host: what can be set of them, and what they show. A folder whose techniques have
+// settings or debug views of their own has rows here.
+#ifndef FB_ESTIMATORS_TECHNIQUES_H
+#define FB_ESTIMATORS_TECHNIQUES_H
+#include "estimators/mcpg/mcpg.h"
+
+// Groups of settings: G(title, rows, X), X being what is made of each row (shared/settings.h).
+#define FB_TECHNIQUE_SETTINGS(G, X) G("Path guiding", FB_MCPG_SETTINGS, X)
+
+// Debug views.
+#define FB_TECHNIQUE_VIEWS(X) FB_MCPG_VIEWS(X)
+
+#endif

@@ -1,0 +1,43 @@
+// How the paths of a pixel end: their mean, with what the surface emits and what fog leaves of the light, in the arrays that the
+// frame's passes read. What is not finite counts as zero, and is counted.
+#ifndef FB_LIB_STORE_LIGHT
+#define FB_LIB_STORE_LIGHT
+#include "lib/pixel_start.glsl"
+#include "lib/water_texel.glsl"
+
+// Of the samples of a pixel so far.
+struct PixelLight {
+  vec3 sum;
+  vec4 second;  // of those of a second surface, seen by way of water; w: their number
+  float lost;   // samples that were not finite
+};
+PixelLight no_light() { return PixelLight(vec3(0.0), vec4(0.0), 0.0); }
+
+// Zero in the place of what is not finite; true: it was.
+bool take_finite(inout vec3 estimate) {
+  if (!any(isnan(estimate)) && !any(isinf(estimate))) return false;
+  atomicAdd(counters.at[kCounterNan], 1u);
+  estimate = vec3(0.0);
+  return true;
+}
+
+void add_sample(inout PixelLight light, vec3 estimate, bool second) {
+  if (take_finite(estimate)) light.lost += 1.0;
+  light.sum += estimate;
+  if (FEATURE_WATER) light.second += second ? vec4(estimate, 1.0) : vec4(0.0);
+}
+
+// Of a pixel that reflects nothing.
+void store_emission(PathPixel p, GBufferTexel g) {
+  radiance.at[p.at] = vec4(g.emission_specular.rgb, 0.0);
+  if (FEATURE_WATER) radiance.at[second_radiance_at(p.at)] = vec4(0.0);
+}
+
+// The mean of so many samples.
+void store_light(PathPixel p, GBufferTexel g, PixelLight light, float samples) {
+  float left = FEATURE_MEDIUM ? transmittance(frame.camera_fog, g.position_t.w) : 1.0;
+  if (FEATURE_MEDIUM) light.sum *= left;
+  if (FEATURE_WATER) radiance.at[second_radiance_at(p.at)] = vec4(light.second.rgb * left, light.second.w) / samples;
+  radiance.at[p.at] = vec4(g.emission_specular.rgb + light.sum / samples, light.lost);
+}
+#endif
