@@ -3,8 +3,9 @@
 
 A module may use the modules in its row of MAY_INCLUDE and, through them, those that they may use. Tests, benchmarks and
 fuzzers may also use every module that is built before theirs. Subfolders of a module have an order of their own
-(SUBFOLDERS), and shaders have layers of their own. Only platform may use SDL, only gpu and the modules above it Vulkan's
-headers, only the panel Dear ImGui, and only benchmarks Embree.
+(SUBFOLDERS), and shaders have layers of their own. A library is one module's (FENCED): SDL is platform's, Dear ImGui the
+panel's, libpng formats', libsndfile and libopenmpt audio's, OpenEXR, FFTW and the JSON library lab's, CLI11 host's; Vulkan's
+headers are for gpu and modules above it, and Embree for benchmarks.
 
     Misc/check_layers.py [--root DIR]    prints each violation as file:line: sentence; exit status 1 if there is one
     Misc/check_layers.py --self-test     tests the checks themselves on a small tree that breaks every rule
@@ -66,6 +67,12 @@ FENCED = [
     (re.compile(r"^vulkan/"), {"gpu", "render", "platform", "lab", "host"}, True),
     (re.compile(r"^embree"), set(), True),
     (re.compile(r"^imgui"), {"panel"}, False),
+    (re.compile(r"^png(conf)?\.h"), {"formats"}, False),
+    (re.compile(r"^sndfile\.h|^libopenmpt/"), {"audio"}, False),
+    (re.compile(r"^(OpenEXR/|Imath/|Imf|Imath|half\.h$)"), {"lab"}, False),
+    (re.compile(r"^fftw3"), {"lab"}, False),
+    (re.compile(r"^nlohmann/"), {"lab"}, False),
+    (re.compile(r"^CLI/|^CLI11"), {"host"}, False),
 ]
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 TEST_FILE = re.compile(r"(_test|_bench|_fuzz|make_seed_corpus)\.(cpp|h)$|(^|/)(test|fuzz|bench)_[^/]*$")
@@ -220,6 +227,16 @@ SELF_TEST = {  # file: (text, lines that break a rule)
     "Shaders/estimators/techniques.h": ('#include "estimators/pt/pt.h"\n#include "estimators/nee/nee.h"\n', []),
     "Quake/scene/a.h": ("#include <SDL.h>\n  #  include <vulkan/vulkan.h>\n", [1, 2]),
     "Quake/platform/a.cpp": ("#include <SDL2/SDL.h>\n", []),
+    "Quake/fs/a.cpp": (
+        "#include <png.h>\n#include <sndfile.h>\n#include <libopenmpt/libopenmpt.hpp>\n#include <OpenEXR/ImfHeader.h>\n"
+        "#include <ImfHeader.h>\n#include <Imath/ImathVec.h>\n#include <fftw3.h>\n#include <nlohmann/json.hpp>\n"
+        "#include <CLI/CLI.hpp>\n#include <half.hpp>\n",
+        [1, 2, 3, 4, 5, 6, 7, 8, 9],
+    ),
+    "Quake/host/a.cpp": ("#include <CLI/CLI.hpp>\n#include <nlohmann/json.hpp>\n#include <png.h>\n", [2, 3]),
+    "Quake/lab/a_test.cpp": ("#include <nlohmann/json.hpp>\n#include <fftw3.h>\n#include <sndfile.h>\n", [3]),
+    "Quake/formats/a_test.cpp": ("#include <png.h>\n#include <OpenEXR/ImfHeader.h>\n", [2]),
+    "Quake/audio/a_bench.cpp": ("#include <sndfile.h>\n#include <libopenmpt/libopenmpt.hpp>\n#include <fftw3.h>\n", [3]),
     "Quake/extra/a.cpp": ("", [1]),
     "Quake/server/server.cpp": ('#include "server/clients/c.h"\n#include "server/attic/a.h"\n', [2]),
     "Quake/server/clients/c.h": ('#include "server/simulation/s.h"\n#include "server/clients/d.h"\n', []),
