@@ -55,7 +55,7 @@ def compile_shader(build: pathlib.Path, root: pathlib.Path, name: str, source: p
         words[-1] = str(source)
         run(*words[:-1], f"-I{root}/Shaders", words[-1], cwd=build)
     third = f"{name}_query_spv" if query else "{}"
-    return f'    CompiledShader{{"{name}", {name}_bound_spv, {name}_address_spv, {third}}},\n'
+    return f'    fb::render::CompiledShader{{"{name}", {name}_bound_spv, {name}_address_spv, {third}}},\n'
 
 
 def compile_source(build: pathlib.Path, root: pathlib.Path, path: pathlib.Path, like: str) -> str:
@@ -97,7 +97,7 @@ def main() -> int:
         rows += compile_shader(build, root, f"{WHOLE}_mean", root / f"Shaders/estimators/{WHOLE}/passes/mean.comp", "mcpg_fold_cache", False)
         table = (build / "shaders/compiled_shaders.spv.h").read_text()
         includes = "".join(f'#include "{path.name}"\n' for path in sorted(root.glob("*.spv.h")))
-        table = table.replace("struct CompiledShader", includes + "\nstruct CompiledShader", 1)
+        table = table.replace("inline const", includes + "\ninline const", 1)
         (root / "compiled_shaders.spv.h").write_text(table.replace("kCompiledShaders{\n", "kCompiledShaders{\n" + rows, 1))
 
         host = root / "Quake/render/techniques"

@@ -62,7 +62,7 @@ function(fb_shader name source)
   set_property(GLOBAL APPEND_STRING PROPERTY FB_SHADER_INCLUDES
                "#include \"${name}_address.spv.h\"\n#include \"${name}_bound.spv.h\"\n")
   set_property(GLOBAL APPEND_STRING PROPERTY FB_SHADER_ROWS
-               "    CompiledShader{\"${name}\", ${name}_bound_spv, ${name}_address_spv, ${query}},\n")
+               "    fb::render::CompiledShader{\"${name}\", ${name}_bound_spv, ${name}_address_spv, ${query}},\n")
 endfunction()
 
 function(fb_shader_table file)
@@ -71,17 +71,10 @@ function(fb_shader_table file)
   file(CONFIGURE OUTPUT ${FB_SHADER_DIR}/${file} @ONLY CONTENT
 "// Written by CMake from Shaders/CMakeLists.txt: every shader of the renderer. Include it once.
 #include <array>
-#include <cstdint>
-#include <span>
-#include <string_view>
+
+#include \"render/passes/shader_code.h\"
 
 @includes@
-struct CompiledShader {
-  std::string_view name;
-  std::span<const std::uint32_t> bound;    // arrays through descriptors
-  std::span<const std::uint32_t> address;  // arrays by device address
-  std::span<const std::uint32_t> query;    // by device address, rays through ray query; empty: traces nothing
-};
 inline const std::array kCompiledShaders{
 @rows@};
 ")

@@ -75,13 +75,4 @@ std::uint64_t content_key(const scene::FrameSnapshot& s) {
   return hash_value(s.time, hash_bytes(&s.ambient, sizeof s.ambient, key));
 }
 
-std::uint64_t settings_key(const render::RenderSettings& s) {
-  const float numbers[] = {
-#define FB_NUMBER(type, field, cvar, value, low, high, help) static_cast<float>(s.field),
-      FB_RENDER_SETTINGS(FB_NUMBER)
-#undef FB_NUMBER
-  };
-  return hash_span(std::span<const float>(numbers), hash_bytes(s.estimator.data(), s.estimator.size()));
-}
-
 }  // namespace fb::lab

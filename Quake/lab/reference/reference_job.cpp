@@ -18,7 +18,8 @@
 #include "lab/json.h"
 #include "lab/json_reader.h"
 #include "lab/reference/replicates.h"
-#include "render/passes/shader_set.h"
+#include "render/passes/frame_keys.h"
+#include "render/techniques/radiance_hash.h"
 #include "shared/packing.h"
 #include "shared/rng.h"
 
@@ -135,11 +136,12 @@ Result<std::string> only_folder_in(const std::string& folder) {
 }  // namespace
 
 std::uint64_t ReferenceSubject::key() const {
-  const std::uint32_t shape[] = {width, height, warmup};
-  const std::string_view format = kReferenceFormat;  // how the samples are drawn
-  return hash_span(std::span<const std::uint32_t>(shape), content_key(snapshot) ^ settings_key(settings) ^
-                                                              render::shader_hash(settings.estimator) ^
-                                                              hash_bytes(format.data(), format.size()));
+  const std::uint32_t how[] = {width, height, warmup, kSamplingVersion};
+  const std::string_view format = kReferenceFormat;
+  std::uint64_t key = hash_bytes(format.data(), format.size(), content_key(snapshot));
+  key = hash_span(std::span<const std::uint32_t>(how), key);
+  key ^= render::radiance_hash(settings.estimator);
+  return render::settings_key(settings, key);
 }
 
 Result<ReferenceBlock> make_block(render::Renderer& renderer, const ReferenceSubject& subject, const BlockPlan& plan,

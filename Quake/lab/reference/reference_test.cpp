@@ -291,6 +291,15 @@ TEST_F(StatedErrorTest, OfAnEdgeIsThatOfItsPositions) {
   EXPECT_LT(s.true_square / by_chance, 1 - uncertain) << "positions are spread evenly";
 }
 
+TEST(ReferenceSubject, SeedsBeyondTheWholeNumbersOfFloatsAreTwoKeys) {
+  ReferenceSubject first, second;
+  first.settings.seed = 16777216;
+  second.settings.seed = 16777217;
+  EXPECT_EQ(float(first.settings.seed), float(second.settings.seed)) << "the case that is meant";
+  EXPECT_NE(first.key(), second.key());
+  EXPECT_EQ(first.key(), ReferenceSubject(first).key());
+}
+
 TEST(Replicates, TakeEverySampleOnceInEqualParts) {
   for (const std::uint32_t samples : {0u, 1u, 7u, 8u, 9u, 256u, 388u}) {
     const auto plan = plan_replicates(samples);

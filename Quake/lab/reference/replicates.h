@@ -14,6 +14,10 @@
 
 namespace fb::lab {
 
+// Raised when the same settings and number of samples give other samples than before: replicates, blocks, their seeds,
+// positions in the pixel. References made before are not taken for the same.
+constexpr std::uint32_t kSamplingVersion = 1;
+
 // The samples of each replicate, in order: as many replicates as there are samples, at most eight, which differ by one
 // sample at most.
 std::vector<std::uint32_t> plan_replicates(std::uint32_t samples);

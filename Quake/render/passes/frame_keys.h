@@ -1,4 +1,4 @@
-// When two frames are of the same thing.
+// When two frames are of the same thing, and are made in the same way.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,10 @@ namespace fb::render {
 // A hash of everything in a snapshot that may move: equal, nothing has.
 std::uint64_t scene_key(const scene::FrameSnapshot& snapshot);
 
-// The same with the settings: frames of equal keys may be averaged.
+// Of every row of the settings, each in its own type with its cvar's name, and of the estimator's name.
+std::uint64_t settings_key(const RenderSettings& settings, std::uint64_t seed = 0);
+
+// The scene's with that of the settings: frames of equal keys may be averaged.
 std::uint64_t view_key(std::uint64_t scene, const RenderSettings& settings);
 
 }  // namespace fb::render

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string>
-#include <vector>
 
 #include "base/check.h"
-#include "base/hash.h"
 #include "compiled_shaders.spv.h"
 
 namespace fb::render {
@@ -28,6 +26,8 @@ int lavapipe_version(const gpu::Device& device) {
 
 }  // namespace
 
+std::span<const CompiledShader> compiled_shaders() { return kCompiledShaders; }
+
 bool arrays_by_address(const gpu::Device& device, std::optional<bool> asked) {
   // Before Mesa 24, lavapipe loads lane by lane; since, a load by address is one gather instruction, and one through a
   // descriptor a bounds check and a branch a lane.
@@ -48,13 +48,6 @@ gpu::ComputePipeline make_pipeline(gpu::Device& device, const gpu::BindingTable&
                                    bool ray_query, bool by_address,
                                    std::span<const gpu::SpecializationConstant> constants) {
   return {device, table, shader_code(name, ray_query, by_address), std::string(name), constants};
-}
-
-std::uint64_t shader_hash(std::string_view estimator) {
-  std::uint64_t hash = 0;
-  for (const CompiledShader& shader : kCompiledShaders)
-    if (shader.name == estimator || shader.name == "gbuffer") hash = hash_span(shader.bound, hash);
-  return hash;
 }
 
 }  // namespace fb::render

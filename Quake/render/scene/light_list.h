@@ -16,6 +16,10 @@
 
 namespace fb::render {
 
+// Raised when lists of the same scene come out otherwise than before (triangles, their powers, lamps, alias tables):
+// pictures that look for lights differ then, and references made before are not taken for them.
+constexpr std::uint32_t kLightListVersion = 1;
+
 class LightList {
  public:
   // An instance in the order of the table that shaders see.

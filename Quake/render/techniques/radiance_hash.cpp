@@ -1,0 +1,65 @@
+#include "render/techniques/radiance_hash.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/hash.h"
+#include "render/techniques/technique.h"
+
+namespace fb::render {
+namespace {
+
+// What runs behind the mean radiance.
+constexpr std::string_view kDisplayShaders[] = {
+    "antialias",
+    "bloom_small",
+    "bloom_x",
+    "bloom_y",
+    "debug_view",
+    "denoise_light",
+    "denoise_mean",
+    "denoise_medium",
+    "denoise_medium_temporal",
+    "denoise_second",
+    "denoise_second_temporal",
+    "denoise_temporal",
+    "denoise_temporal_sparse",
+    "denoise_wavelet",
+    "denoise_wavelet_first",
+    "denoise_wavelet_last",
+    "exposure",
+    "exposure_histogram",
+    "local_exposure",
+    "present",
+    "present_warped",
+    "temporal_antialias",
+    "temporal_upscale",
+    "tonemap",
+    "tonemap_lens",
+};
+
+// Another technique's paths, or a pass of another folder's (FOLDER_PASS; a folder is named as its first technique).
+bool is_of_another(std::string_view shader, std::string_view estimator) {
+  return std::ranges::any_of(techniques(), [&](const TechniqueInfo& t) {
+    if (t.name == estimator) return false;
+    const std::string begins = std::string(t.name) + "_";
+    return shader == t.name || shader == begins + "medium" ||
+           (shader.starts_with(begins) && !estimator.starts_with(begins));
+  });
+}
+
+}  // namespace
+
+std::span<const std::string_view> display_shaders() { return kDisplayShaders; }
+
+std::uint64_t radiance_hash(std::string_view estimator, const RadianceCode& code) {
+  std::uint64_t hash = code.light_list;
+  for (const CompiledShader& shader : code.shaders) {
+    if (std::ranges::count(kDisplayShaders, shader.name) > 0 || is_of_another(shader.name, estimator)) continue;
+    hash = hash_bytes(shader.name.data(), shader.name.size(), hash);
+    for (const auto variant : {shader.bound, shader.address, shader.query}) hash = hash_span(variant, hash);
+  }
+  return hash;
+}
+
+}  // namespace fb::render
