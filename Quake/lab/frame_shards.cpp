@@ -72,11 +72,9 @@ void begin_shard(const std::string& folder) {
 }
 
 Status tell_shard(const std::string& folder, const ShardOfFrames& shard) {
-  JsonWriter json;
-  json.open_object().text("format", kShardFormat).text("of", shard.of).integer("first", shard.first);
-  json.integer("last", shard.last).integer("shard", shard.index).integer("shards", shard.count).close();
-  const std::string& text = json.str();
-  return fs::write_text_atomically(shard_path(folder), text);
+  const Json json{{"format", kShardFormat}, {"of", shard.of},       {"first", shard.first},
+                  {"last", shard.last},     {"shard", shard.index}, {"shards", shard.count}};
+  return fs::write_text_atomically(shard_path(folder), json_text(json));
 }
 
 Result<std::uint64_t> merge_frames(const std::vector<std::string>& folders, const std::string& to) {

@@ -6,17 +6,15 @@
 #include <exception>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/result.h"
+#include "lab/json.h"
 
 namespace fb::lab {
-
-using Json = nlohmann::ordered_json;
 
 // What the library says of a fault, without its code, "[json.exception.parse_error.101] ".
 std::string sentence_of(const std::exception& fault);

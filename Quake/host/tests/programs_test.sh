@@ -233,6 +233,11 @@ check "compare takes a reference's variance off and gives intervals" grep -q '^ 
 check "compare writes over nothing that it compares" fails_with "it is compared, so nothing is written over it" \
   "$lab" compare "$scratch/r.exr" "$scratch/run1/frame_000000.exr" --json "$scratch/r.exr"
 check "compare's JSON" grep -q '"flip_hdr"' <<<"$("$lab" compare "$scratch/r.exr" "$scratch/run1/frame_000000.exr" --json -)"
+latin=$scratch/$'caf\xe9.exr'
+cp "$scratch/r.exr" "$latin"
+"$lab" compare "$latin" "$scratch/run1/frame_000000.exr" --no-flip --json "$scratch/latin.json" >>"$scratch/log"
+check "JSON that names a file in Latin-1 is UTF-8" python3 -c "import json, sys; \
+  assert json.load(open(sys.argv[1], encoding='utf-8'))['reference'].endswith('caf\ufffd.exr')" "$scratch/latin.json"
 "$lab" bench --quiet --scene cbox --size 48x27 --frames 0:5 --warmup 2 --repeats 2 --reference-spp 64 --estimators pt \
   --config four:r_spp=4 --json "$scratch/bench.json" --csv "$scratch/bench.csv" >"$scratch/bench" 2>>"$scratch/log"
 check "bench's exit status" test $? -eq 0

@@ -81,77 +81,77 @@ void add_running(std::string& out, const BenchResult& result) {
   }
 }
 
-void write_series(JsonWriter& json, std::string_view key, const std::vector<double>& values) {
-  json.open_array(key);
-  for (const double v : values) json.number("", v);
-  json.close();
+Json window_of(const ConfigurationResult& c, const WindowStatistics& s, bool still) {
+  Json json{{"first_frame", s.window.first},
+            {"frames", c.frames.measured},
+            {"mse_mean", s.mse.mean},
+            {"mse_standard_error", s.mse.standard_error},
+            {"mse_of_a_run", json_of(s.mse.typical)},
+            {"mse_heavy_tail", s.mse.heavy_tail},
+            {"mse_median", s.mse_median},
+            {"relmse_mean", s.rel_mse.mean},
+            {"relmse_standard_error", s.rel_mse.standard_error},
+            {"relmse_of_a_run", json_of(s.rel_mse.typical)},
+            {"relmse_median", s.rel_mse_median},
+            {"mse_median_pixel", s.median_pixel},
+            {"top_share", s.top_share},
+            {"bias", s.bias},
+            {"bias_standard_error", s.bias_error},
+            {"reference_variance", s.reference_variance},
+            {"gpu_ms_median", s.gpu_ms},
+            {"estimator_gpu_ms_median", s.estimator_ms}};
+  if (s.gains)
+    json["gain"] = {{"equal_samples", json_of(s.gains->samples)},
+                    {"equal_samples_of_means", s.gains->samples_of_means},
+                    {"equal_time", json_of(s.gains->time)},
+                    {"equal_time_all_passes", json_of(s.gains->time_all)},
+                    {"equal_time_paired", json_of(s.gains->time_paired)},
+                    {"equal_time_median_frame", json_of(s.gains->typical_time)}};
+  if (!still) return json;
+  const Curve curve = running_curve(c.frames, s.window);
+  json["running_average"] = {{"mse", curve.mse},
+                             {"relmse", curve.rel_mse},
+                             {"gpu_ms", curve.gpu_ms},
+                             {"estimator_gpu_ms", curve.estimator_ms}};
+  return json;
 }
 
-void write_window(JsonWriter& json, const ConfigurationResult& c, const WindowStatistics& s, bool still) {
-  json.open_object(name_of(s.window)).integer("first_frame", s.window.first).integer("frames", c.frames.measured);
-  json.number("mse_mean", s.mse.mean).number("mse_standard_error", s.mse.standard_error);
-  json.estimate("mse_of_a_run", s.mse.typical).boolean("mse_heavy_tail", s.mse.heavy_tail);
-  json.number("mse_median", s.mse_median);
-  json.number("relmse_mean", s.rel_mse.mean).number("relmse_standard_error", s.rel_mse.standard_error);
-  json.estimate("relmse_of_a_run", s.rel_mse.typical);
-  json.number("relmse_median", s.rel_mse_median).number("mse_median_pixel", s.median_pixel);
-  json.number("top_share", s.top_share).number("bias", s.bias).number("bias_standard_error", s.bias_error);
-  json.number("reference_variance", s.reference_variance);
-  json.number("gpu_ms_median", s.gpu_ms).number("estimator_gpu_ms_median", s.estimator_ms);
-  if (s.gains) {
-    json.open_object("gain");
-    json.estimate("equal_samples", s.gains->samples).number("equal_samples_of_means", s.gains->samples_of_means);
-    json.estimate("equal_time", s.gains->time);
-    json.estimate("equal_time_all_passes", s.gains->time_all);
-    json.estimate("equal_time_paired", s.gains->time_paired);
-    json.estimate("equal_time_median_frame", s.gains->typical_time);
-    json.close();
-  }
-  if (still) {
-    const Curve curve = running_curve(c.frames, s.window);
-    json.open_object("running_average");
-    write_series(json, "mse", curve.mse);
-    write_series(json, "relmse", curve.rel_mse);
-    write_series(json, "gpu_ms", curve.gpu_ms);
-    write_series(json, "estimator_gpu_ms", curve.estimator_ms);
-    json.close();
-  }
-  json.close();
-}
-
-void write_frames(JsonWriter& json, const Frames& frames, std::uint64_t first_frame) {
-  std::vector<double> index, mse, mse_error, rel_mse, estimator_ms;
+Json single_frames_of(const Frames& frames, std::uint64_t first_frame) {
+  Json json;
+  for (const char* column : {"frame", "mse", "mse_standard_error", "relmse", "estimator_gpu_ms"})
+    json[column] = Json::array();
   for (const FrameOverRuns& f : frames_over_runs(frames)) {
-    index.push_back(static_cast<double>(first_frame + f.index));
-    mse.push_back(f.mse);
-    mse_error.push_back(f.mse_error);
-    rel_mse.push_back(f.rel_mse);
-    estimator_ms.push_back(f.estimator_ms);
+    json["frame"].push_back(first_frame + f.index);
+    json["mse"].push_back(f.mse);
+    json["mse_standard_error"].push_back(f.mse_error);
+    json["relmse"].push_back(f.rel_mse);
+    json["estimator_gpu_ms"].push_back(f.estimator_ms);
   }
-  json.open_object("single_frames");
-  write_series(json, "frame", index);
-  write_series(json, "mse", mse);
-  write_series(json, "mse_standard_error", mse_error);
-  write_series(json, "relmse", rel_mse);
-  write_series(json, "estimator_gpu_ms", estimator_ms);
-  json.close();
+  return json;
 }
 
-void write_configuration(JsonWriter& json, const ConfigurationResult& c, bool still, std::uint64_t first_frame) {
-  json.open_object().text("name", c.name).text("estimator", c.estimator).integer("spp", c.frames.spp);
-  json.number("gpu_ms_median", c.all.median).number("gpu_ms_p10", c.all.p10).number("gpu_ms_p90", c.all.p90);
-  json.number("estimator_gpu_ms_median", c.estimator_passes.median);
-  json.number("estimator_gpu_ms_p10", c.estimator_passes.p10).number("estimator_gpu_ms_p90", c.estimator_passes.p90);
-  json.open_array("passes");
-  for (const auto& pass : c.passes) {
-    json.open_object().text("name", pass.name).number("gpu_ms_median", pass.median);
-    json.number("gpu_ms_p10", pass.p10).number("gpu_ms_p90", pass.p90).close();
+Json configuration_of(const ConfigurationResult& c, bool still, std::uint64_t first_frame) {
+  Json json{{"name", c.name},
+            {"estimator", c.estimator},
+            {"spp", c.frames.spp},
+            {"gpu_ms_median", c.all.median},
+            {"gpu_ms_p10", c.all.p10},
+            {"gpu_ms_p90", c.all.p90},
+            {"estimator_gpu_ms_median", c.estimator_passes.median},
+            {"estimator_gpu_ms_p10", c.estimator_passes.p10},
+            {"estimator_gpu_ms_p90", c.estimator_passes.p90},
+            {"passes", Json::array()}};
+  for (const auto& pass : c.passes)
+    json["passes"].push_back(
+        {{"name", pass.name}, {"gpu_ms_median", pass.median}, {"gpu_ms_p10", pass.p10}, {"gpu_ms_p90", pass.p90}});
+  json["samples_not_finite"] = c.not_finite;
+  if (still) {
+    json["variance"] = c.variance;
+    json["bias_squared"] = c.bias_squared;
   }
-  json.close().integer("samples_not_finite", c.not_finite);
-  if (still) json.number("variance", c.variance).number("bias_squared", c.bias_squared);
-  for (const WindowStatistics& s : c.windows) write_window(json, c, s, still);
-  write_frames(json, c.frames, first_frame);
-  json.close();
+  for (const WindowStatistics& s : c.windows) json[std::string(name_of(s.window))] = window_of(c, s, still);
+  json["single_frames"] = single_frames_of(c.frames, first_frame);
+  return json;
 }
 
 }  // namespace
@@ -202,16 +202,25 @@ std::string bench_table(const BenchResult& result, const BenchTitle& title) {
 
 std::string bench_json(const BenchResult& result, const BenchTitle& title) {
   const Frames& shape = result.configurations.front().frames;
-  JsonWriter json;
-  json.open_object().text("command", title.command).text("view", title.view).boolean("still", result.still);
-  json.integer("width", result.width).integer("height", result.height);
-  json.text("device", result.device).text("intersector", result.intersector);
-  json.integer("runs", shape.runs).integer("warmup", shape.warmup).integer("frames", shape.measured);
-  json.open_object("reference").text("from", title.reference).number("mean", result.reference_mean);
-  json.boolean("variance_known", result.reference_variance_known).number("variance", result.reference_variance).close();
-  json.open_array("configurations");
-  for (const auto& c : result.configurations) write_configuration(json, c, result.still, result.first_frame);
-  return json.close().close().str();
+  Json json{{"command", title.command},
+            {"view", title.view},
+            {"still", result.still},
+            {"width", result.width},
+            {"height", result.height},
+            {"device", result.device},
+            {"intersector", result.intersector},
+            {"runs", shape.runs},
+            {"warmup", shape.warmup},
+            {"frames", shape.measured},
+            {"reference",
+             {{"from", title.reference},
+              {"mean", result.reference_mean},
+              {"variance_known", result.reference_variance_known},
+              {"variance", result.reference_variance}}},
+            {"configurations", Json::array()}};
+  for (const auto& c : result.configurations)
+    json["configurations"].push_back(configuration_of(c, result.still, result.first_frame));
+  return json_text(json);
 }
 
 std::string bench_csv(const BenchResult& result) {

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <string_view>
 
 #include "base/hash.h"
 #include "lab/compare/flicker.h"
@@ -246,36 +247,36 @@ std::string comparison_table(const Comparison& c) {
 }
 
 std::string comparison_json(const Comparison& c) {
-  JsonWriter json;
-  json.open_object().text("reference", c.job.reference).boolean("linear", c.linear);
-  json.integer("width", c.width).integer("height", c.height).number("reference_mean", c.reference_mean);
-  if (c.reference_variance) json.number("reference_variance", *c.reference_variance);
-  if (c.linear) json.number("epsilon", c.job.metrics.epsilon);
-  json.number("peak", c.peak);
-  if (c.job.flip) json.number("pixels_per_degree", c.job.pixels_per_degree);
-  if (c.exposures) {
-    json.open_object("hdr_flip_exposures").number("start", c.exposures->start).number("stop", c.exposures->stop);
-    json.integer("count", c.exposures->count).close();
+  Json json{{"reference", c.job.reference},
+            {"linear", c.linear},
+            {"width", c.width},
+            {"height", c.height},
+            {"reference_mean", c.reference_mean}};
+  if (c.reference_variance) json["reference_variance"] = *c.reference_variance;
+  if (c.linear) json["epsilon"] = c.job.metrics.epsilon;
+  json["peak"] = c.peak;
+  if (c.job.flip) json["pixels_per_degree"] = c.job.pixels_per_degree;
+  if (c.exposures)
+    json["hdr_flip_exposures"] = {
+        {"start", c.exposures->start}, {"stop", c.exposures->stop}, {"count", c.exposures->count}};
+  std::vector<double> frequencies;
+  for (std::size_t i = 1; i <= kSpectrumBins; ++i) frequencies.push_back(static_cast<double>(i) / (2 * kSpectrumBins));
+  json["files"] = Json::array();
+  for (const ComparedFile& compared : c.files) {
+    Json& file = json["files"].emplace_back(Json{{"file", compared.file}});
+    for (const Figure& f : compared.figures) file[f.name] = f.value;
+    file["not_finite"] = compared.not_finite;
+    file["error_spectrum"] = {{"low_frequencies_of_white_noise", compared.spectrum.white},
+                              {"cycles_per_pixel_up_to", frequencies},
+                              {"power", compared.spectrum.power}};
   }
-  json.open_array("files");
-  for (const ComparedFile& file : c.files) {
-    json.open_object().text("file", file.file);
-    for (const Figure& f : file.figures) json.number(f.name, f.value);
-    json.integer("not_finite", file.not_finite).open_object("error_spectrum");
-    json.number("low_frequencies_of_white_noise", file.spectrum.white);
-    json.open_array("cycles_per_pixel_up_to");
-    for (std::size_t i = 1; i <= kSpectrumBins; ++i) json.number("", static_cast<double>(i) / (2 * kSpectrumBins));
-    json.close().open_array("power");
-    for (const double p : file.spectrum.power) json.number("", p);
-    json.close().close().close();
+  Json& runs = json["runs"] = Json::object();
+  for (const Spread& s : c.spreads) runs[s.name] = {{"mean", s.mean}, {"typical", json_of(s.typical)}};
+  if (c.variance) {
+    runs["variance"] = *c.variance;
+    runs["bias_squared"] = *c.bias_squared;
   }
-  json.close();
-  json.open_object("runs");
-  for (const Spread& s : c.spreads) {
-    json.open_object(s.name).number("mean", s.mean).estimate("typical", s.typical).close();
-  }
-  if (c.variance) json.number("variance", *c.variance).number("bias_squared", *c.bias_squared);
-  return json.close().close().str();
+  return json_text(json);
 }
 
 std::string comparison_csv(const Comparison& c) {

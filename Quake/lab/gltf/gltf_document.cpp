@@ -35,13 +35,27 @@ struct Binaries {
   std::filesystem::path next, former;  // `former` is empty where there is none
 };
 
+// Its name as a relative reference (RFC 3986, 2.1): other bytes than unreserved ones as %XX, whatever their encoding
+// is.
+std::string uri_of(const std::filesystem::path& file) {
+  std::string uri;
+  for (const char c : file.filename().string()) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (letter || std::string_view("-._~").find(c) != std::string_view::npos)
+      uri += c;
+    else
+      uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return uri;
+}
+
 Binaries binaries_of(const std::filesystem::path& file) {
   std::filesystem::path first = file, second = file;
   first.replace_extension(".bin");
   second.replace_filename(file.stem().string() + "-2.bin");
   const auto text = fs::read_whole_file(file);
   const auto named = [&](const std::filesystem::path& binary) {
-    return text && text->text().find(Json(binary.filename().string()).dump()) != std::string_view::npos;
+    return text && text->text().find(json_text(uri_of(binary), -1)) != std::string_view::npos;
   };
   if (named(first)) return {second, first};
   return {first, named(second) ? second : std::filesystem::path()};
@@ -100,7 +114,7 @@ Status GltfDocument::write(const std::string& path) const {
   Json root = root_;
   root["buffers"] = {{{"byteLength", bytes_.size()}}};
   if (file.extension() == ".glb") {
-    std::string text = root.dump();
+    std::string text = json_text(root, -1);
     text.resize((text.size() + 3) & ~std::size_t{3}, ' ');
     Bytes whole;
     append_words(whole, {kGlbMagic, kGlbVersion, static_cast<std::uint32_t>(28 + text.size() + bytes_.size()),
@@ -111,9 +125,9 @@ Status GltfDocument::write(const std::string& path) const {
     return fs::write_file_atomically(file, whole);
   }
   const Binaries binaries = binaries_of(file);
-  root["buffers"][0]["uri"] = binaries.next.filename().string();
+  root["buffers"][0]["uri"] = uri_of(binaries.next);
   if (auto status = fs::write_file_atomically(binaries.next, bytes_); !status) return status;
-  const std::string text = root.dump(1) + "\n";
+  const std::string text = json_text(root, 1);
   if (auto status = fs::write_text_atomically(file, text); !status) return status;
   std::error_code ignored;
   if (!binaries.former.empty()) std::filesystem::remove(binaries.former, ignored);

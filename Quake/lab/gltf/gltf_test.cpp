@@ -89,6 +89,20 @@ TEST_F(GltfTest, TheFormerFileKeepsItsBytes) {
   }
 }
 
+// References are of ASCII letters (RFC 3986), and the text is UTF-8 whatever the names of files and materials are.
+TEST_F(GltfTest, NamesInOtherEncodingsGiveValidText) {
+  const std::string file = path("caf\xe9 1.gltf");
+  for (int times = 0; times < 2; ++times) {
+    GltfDocument document("caf\xe9");
+    document.add_vec3(std::vector<vec3>(1));
+    ASSERT_TRUE(document.write(file));
+    const Json gltf = Json::parse(bytes(file), nullptr, false);
+    ASSERT_FALSE(gltf.is_discarded());
+    EXPECT_EQ(gltf["buffers"][0]["uri"], times == 0 ? "caf%E9%201.bin" : "caf%E9%201-2.bin");
+  }
+  EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(path(""))), 2) << "the former bytes are gone";
+}
+
 TEST_F(GltfTest, SaysWhatTheCornellBoxReflectsAndHowItGlows) {
   const Json gltf = exported(scene::cornell_box());
   EXPECT_EQ(gltf["asset"]["version"], "2.0");

@@ -81,51 +81,57 @@ std::vector<std::uint32_t> samples_of(const JudgeJob& job) {
   return spp;
 }
 
-void write_lane(JsonWriter& json, const Lane& lane, const LaneFigures& figures, const ReferenceFacts& reference) {
-  json.open_object().text("configuration", lane.name);
+Json lane_of(const Lane& lane, const LaneFigures& figures, const ReferenceFacts& reference) {
+  Json json{{"configuration", lane.name}};
   for (std::size_t f = 0; f < kFigureCount; ++f) {
     const auto figure = static_cast<JudgeFigure>(f);
-    json.estimate(info(figure).key, over_seeds(figures, figure, f == kBias ? reference.bias_error : 0));
+    json[info(figure).key] = json_of(over_seeds(figures, figure, f == kBias ? reference.bias_error : 0));
   }
-  json.integer("isolated_dark_most", figures.most_dark).integer("isolated_bright_most", figures.most_bright);
-  json.integer("pixels_not_finite", figures.not_finite);
-  json.open_array("seeds");
-  for (const Figures& seed : figures.seeds) {
-    json.open_object();
-    for (std::size_t f = 0; f < kFigureCount; ++f) json.number(info(static_cast<JudgeFigure>(f)).key, seed[f]);
-    json.close();
+  json["isolated_dark_most"] = figures.most_dark;
+  json["isolated_bright_most"] = figures.most_bright;
+  json["pixels_not_finite"] = figures.not_finite;
+  json["seeds"] = Json::array();
+  for (const Figures& figures_of_seed : figures.seeds) {
+    Json& seed = json["seeds"].emplace_back();
+    for (std::size_t f = 0; f < kFigureCount; ++f) seed[info(static_cast<JudgeFigure>(f)).key] = figures_of_seed[f];
   }
-  json.close().close();
+  return json;
 }
 
-void write_view(JsonWriter& json, const JudgedView& view, const JudgeJob& job) {
-  json.open_object().text("name", view.view.name).text("title", view_title(view.view));
-  json.integer("first_frame", view.view.first).integer("last_frame", view.view.last);
-  json.integer("warmup", view.view.warmup).number("exposure", view.exposure);
+Json view_of(const JudgedView& view, const JudgeJob& job) {
   const ReferenceFacts& r = view.figures.reference;
-  json.open_object("reference")
-      .number("interior_share", r.interior)
-      .number("mean", r.mean)
-      .number("epsilon", r.epsilon);
-  json.number("relmse_taken_off", r.rel_variance).number("bias_standard_error", r.bias_error).number("flip", r.flip);
-  json.close().open_array("configurations");
-  for (std::size_t i = 0; i < job.lanes.size(); ++i) write_lane(json, job.lanes[i], view.figures.lanes[i], r);
-  json.close().close();
+  Json json{{"name", view.view.name},
+            {"title", view_title(view.view)},
+            {"first_frame", view.view.first},
+            {"last_frame", view.view.last},
+            {"warmup", view.view.warmup},
+            {"exposure", view.exposure},
+            {"reference",
+             {{"interior_share", r.interior},
+              {"mean", r.mean},
+              {"epsilon", r.epsilon},
+              {"relmse_taken_off", r.rel_variance},
+              {"bias_standard_error", r.bias_error},
+              {"flip", r.flip}}},
+            {"configurations", Json::array()}};
+  for (std::size_t i = 0; i < job.lanes.size(); ++i)
+    json["configurations"].push_back(lane_of(job.lanes[i], view.figures.lanes[i], r));
+  return json;
 }
 
-void write_summary(JsonWriter& json, const std::vector<JudgedView>& views, const JudgeJob& job) {
+Json summary_of(const std::vector<JudgedView>& views, const JudgeJob& job) {
   const auto figures = figures_of(views);
-  json.open_array("summary");
+  Json list = Json::array();
   for (std::size_t i = 0; i < job.lanes.size(); ++i) {
-    json.open_object().text("configuration", job.lanes[i].name);
+    Json json{{"configuration", job.lanes[i].name}};
     for (std::size_t f = 0; f < kFigureCount; ++f)
-      json.estimate(info(static_cast<JudgeFigure>(f)).key, over_views(figures, i, static_cast<JudgeFigure>(f)));
+      json[info(static_cast<JudgeFigure>(f)).key] = json_of(over_views(figures, i, static_cast<JudgeFigure>(f)));
     const JudgeGain gain = gain_over_first(figures, i, samples_of(job));
-    json.estimate("gain_equal_samples", gain.equal_samples);
-    json.estimate("gain_equal_time", gain.equal_time);
-    json.close();
+    json["gain_equal_samples"] = json_of(gain.equal_samples);
+    json["gain_equal_time"] = json_of(gain.equal_time);
+    list.push_back(std::move(json));
   }
-  json.close();
+  return list;
 }
 
 }  // namespace
@@ -195,30 +201,28 @@ std::string summary_table(const std::vector<JudgedView>& views, const JudgeJob& 
 }
 
 std::string judge_json(const std::vector<JudgedView>& views, const JudgeJob& job, const JudgeTitle& title) {
-  JsonWriter json;
-  json.open_object().text("command", title.command).text("suite", title.suite).text("references", title.references);
-  json.text("device", title.device);
-  json.integer("width", job.width).integer("height", job.height).integer("seeds", job.seeds);
-  json.number("pixels_per_degree", job.pixels_per_degree).number("isolated_threshold", double{kIsolated});
-  const auto write_lines = [&](std::string_view key, const std::vector<std::string>& lines) {
-    json.open_array(key);
-    for (const std::string& line : lines) json.text("", line);
-    json.close();
-  };
-  write_lines("skipped", title.skipped);
-  write_lines("other_tone_curves", title.other_curves);
-  json.open_array("configurations");
-  for (const Lane& lane : job.lanes) {
-    json.open_object().text("name", lane.name).text("program", lane.program.path).text("estimator", lane.estimator);
-    json.integer("spp", lane.spp);
-    write_lines("set", lane.sets);
-    json.close();
-  }
-  json.close().open_array("views");
-  for (const JudgedView& view : views) write_view(json, view, job);
-  json.close();
-  write_summary(json, views, job);
-  return json.close().str();
+  Json json{{"command", title.command},
+            {"suite", title.suite},
+            {"references", title.references},
+            {"device", title.device},
+            {"width", job.width},
+            {"height", job.height},
+            {"seeds", job.seeds},
+            {"pixels_per_degree", job.pixels_per_degree},
+            {"isolated_threshold", kIsolated},
+            {"skipped", title.skipped},
+            {"other_tone_curves", title.other_curves},
+            {"configurations", Json::array()},
+            {"views", Json::array()}};
+  for (const Lane& lane : job.lanes)
+    json["configurations"].push_back({{"name", lane.name},
+                                      {"program", lane.program.path},
+                                      {"estimator", lane.estimator},
+                                      {"spp", lane.spp},
+                                      {"set", lane.sets}});
+  for (const JudgedView& view : views) json["views"].push_back(view_of(view, job));
+  json["summary"] = summary_of(views, job);
+  return json_text(json);
 }
 
 }  // namespace fb::lab

@@ -43,18 +43,14 @@ struct ReferenceManifest {
 std::string manifest_path(const std::string& folder) { return folder + "/manifest.json"; }
 
 Status write_reference_manifest(const std::string& folder, const ReferenceManifest& m, const ReferenceError* error) {
-  JsonWriter json;
-  json.open_object()
-      .text("format", kReferenceFormat)
-      .text("key", m.key)
-      .text("view", m.view)
-      .text("program", m.program);
-  json.text("estimator", m.estimator).integer("width", m.width).integer("height", m.height).boolean("jitter", m.jitter);
-  json.integer("wanted_samples", m.spp).integer("samples", m.samples);
-  if (error != nullptr) json.number("mean_luminance", error->mean_luminance).number("relative_error", error->relative);
-  json.close();
-  const std::string& text = json.str();
-  return fs::write_text_atomically(manifest_path(folder), text);
+  Json json{{"format", kReferenceFormat}, {"key", m.key},        {"view", m.view},     {"program", m.program},
+            {"estimator", m.estimator},   {"width", m.width},    {"height", m.height}, {"jitter", m.jitter},
+            {"wanted_samples", m.spp},    {"samples", m.samples}};
+  if (error != nullptr) {
+    json["mean_luminance"] = error->mean_luminance;
+    json["relative_error"] = error->relative;
+  }
+  return fs::write_text_atomically(manifest_path(folder), json_text(json));
 }
 
 Result<ReferenceManifest> read_reference_manifest(const std::string& folder) {

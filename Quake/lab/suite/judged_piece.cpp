@@ -21,11 +21,6 @@ bool is_time(JudgeFigure figure) {
   return std::any_of(kTimes.begin(), kTimes.end(), [&](const auto& time) { return time.first == figure; });
 }
 
-// What is unknown or endless is null.
-Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-Json json_of(const Estimate& e) {
-  return {{"value", json_of(e.value)}, {"interval95", {json_of(e.interval.low), json_of(e.interval.high)}}};
-}
 double number_of(const Json& json) {
   return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }

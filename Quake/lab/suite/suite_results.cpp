@@ -33,7 +33,7 @@ Json json_of(const Manifest& manifest) {
 }
 
 Status write_json(const std::string& path, const Json& json) {
-  return fs::write_text_atomically(path, json.dump(1) + "\n");
+  return fs::write_text_atomically(path, json_text(json, 1));
 }
 
 Result<Manifest> read_manifest(const std::string& path) {

@@ -162,21 +162,18 @@ std::string comparison_table(const TimedemoComparison& c) {
 }
 
 std::string comparison_json(const TimedemoComparison& c) {
-  JsonWriter json;
-  json.open_object().text("sentence", c.sentence);
-  json.estimate("speed", c.speed);
-  json.open_array("differences");
-  for (const std::string& line : c.differences) json.text("", line);
-  json.close().open_array("demos");
+  Json json{
+      {"sentence", c.sentence}, {"speed", json_of(c.speed)}, {"differences", c.differences}, {"demos", Json::array()}};
   for (const DemoRatio& d : c.demos) {
-    json.open_object().text("name", d.name).integer("frames", d.frames);
-    json.open_array("runs").integer("", d.runs_a).integer("", d.runs_b).close();
-    json.estimate("speed", d.speed);
-    json.open_object("passes");
-    for (const auto& [name, e] : d.passes) json.estimate(name, e);
-    json.close().close();
+    Json passes = Json::object();
+    for (const auto& [name, e] : d.passes) passes[name] = json_of(e);
+    json["demos"].push_back({{"name", d.name},
+                             {"frames", d.frames},
+                             {"runs", {d.runs_a, d.runs_b}},
+                             {"speed", json_of(d.speed)},
+                             {"passes", std::move(passes)}});
   }
-  return json.close().close().str();
+  return json_text(json);
 }
 
 }  // namespace fb::lab

@@ -25,40 +25,43 @@ constexpr Column kColumns[] = {{"demo_seconds", &TimedFrame::time},
                                {"waited_ms", &TimedFrame::waited},
                                {"latency_ms", &TimedFrame::latency}};
 
-void write_figures(JsonWriter& json, const TimedRun& run) {
+Json run_of(const TimedRun& run) {
   const FrameFigures f = frame_figures(run);
-  json.open_object("frame_ms").number("mean", f.mean).number("p1", f.p1).number("p5", f.p5).number("p50", f.p50);
-  json.number("p95", f.p95).number("p99", f.p99).number("p99.9", f.p999).close();
-  json.number("low_1_percent_fps", f.low_1).number("low_0.1_percent_fps", f.low_01);
-  json.open_array("worst");
+  Json json{{"frames", run.frames},
+            {"seconds", run.seconds},
+            {"fps", run.fps()},
+            {"frame_ms",
+             {{"mean", f.mean},
+              {"p1", f.p1},
+              {"p5", f.p5},
+              {"p50", f.p50},
+              {"p95", f.p95},
+              {"p99", f.p99},
+              {"p99.9", f.p999}}},
+            {"low_1_percent_fps", f.low_1},
+            {"low_0.1_percent_fps", f.low_01},
+            {"worst", Json::array()}};
   for (const std::size_t i : f.worst) {
     const TimedFrame& frame = run.times[i];
-    json.open_object().integer("frame", i).integer("message", frame.message).number("demo_seconds", frame.time);
-    json.number("frame_ms", frame.whole).close();
+    json["worst"].push_back(
+        {{"frame", i}, {"message", frame.message}, {"demo_seconds", frame.time}, {"frame_ms", frame.whole}});
   }
-  json.close();
-}
-
-void write_run(JsonWriter& json, const TimedRun& run) {
-  json.open_object().integer("frames", run.frames).number("seconds", run.seconds).number("fps", run.fps());
-  write_figures(json, run);
-  json.open_object("each_frame").open_array("message");
-  for (const TimedFrame& frame : run.times) json.integer("", frame.message);
-  json.close();
+  Json& frames = json["each_frame"];
+  frames["message"] = Json::array();
+  for (const TimedFrame& frame : run.times) frames["message"].push_back(frame.message);
   for (const Column& column : kColumns) {
-    json.open_array(column.name);
-    for (const TimedFrame& frame : run.times) json.number("", frame.*column.value);
-    json.close();
+    Json& values = frames[column.name] = Json::array();
+    for (const TimedFrame& frame : run.times) values.push_back(frame.*column.value);
   }
-  json.close().open_array("passes");
-  for (const TimedPass& pass : run.passes) {
-    json.open_object().text("name", pass.name).text("kind", pass.of_estimator ? "estimator" : "frame");
-    json.number("mean_ms", mean(pass.milliseconds)).number("p50_ms", median(pass.milliseconds));
-    json.number("p99_ms", quantile(pass.milliseconds, 0.99)).open_array("ms");
-    for (const double ms : pass.milliseconds) json.number("", ms);
-    json.close().close();
-  }
-  json.close().close();
+  json["passes"] = Json::array();
+  for (const TimedPass& pass : run.passes)
+    json["passes"].push_back({{"name", pass.name},
+                              {"kind", pass.of_estimator ? "estimator" : "frame"},
+                              {"mean_ms", mean(pass.milliseconds)},
+                              {"p50_ms", median(pass.milliseconds)},
+                              {"p99_ms", quantile(pass.milliseconds, 0.99)},
+                              {"ms", pass.milliseconds}});
+  return json;
 }
 
 TimedManifest read_manifest(const TimesJson& json) {
@@ -98,22 +101,30 @@ TimedRun read_run(const TimesJson& json) {
 
 std::string timedemos_json(const Timedemos& t) {
   const TimedManifest& m = t.manifest;
-  JsonWriter json;
-  json.open_object().text("format", kTimedemosFormat).boolean("complete", t.complete);
-  json.open_object("manifest").text("program", m.program).text("build", m.build).text("device", m.device);
-  json.text("driver", m.driver).text("started", m.started).integer("processors", m.processors);
-  json.open_array("size").integer("", m.width).integer("", m.height).close().open_object("settings");
-  for (const auto& [name, value] : m.settings) json.text(name, value);
-  json.close().close().open_array("demos");
+  Json json{{"format", kTimedemosFormat},
+            {"complete", t.complete},
+            {"manifest",
+             {{"program", m.program},
+              {"build", m.build},
+              {"device", m.device},
+              {"driver", m.driver},
+              {"started", m.started},
+              {"processors", m.processors},
+              {"size", {m.width, m.height}},
+              {"settings", Json::object()}}},
+            {"demos", Json::array()}};
+  for (const auto& [name, value] : m.settings) json["manifest"]["settings"][name] = value;
   for (const TimedDemo& demo : t.demos) {
     const Estimate fps = fps_over_runs(demo);
-    json.open_object().text("name", demo.name).text("hash", demo.hash).number("fps", fps.value);
-    json.open_array("fps_interval95").number("", fps.interval.low).number("", fps.interval.high).close();
-    json.open_array("runs");
-    for (const TimedRun& run : demo.runs) write_run(json, run);
-    json.close().close();
+    Json runs = Json::array();
+    for (const TimedRun& run : demo.runs) runs.push_back(run_of(run));
+    json["demos"].push_back({{"name", demo.name},
+                             {"hash", demo.hash},
+                             {"fps", fps.value},
+                             {"fps_interval95", {fps.interval.low, fps.interval.high}},
+                             {"runs", std::move(runs)}});
   }
-  return json.close().close().str();
+  return json_text(json);
 }
 
 Result<Timedemos> read_timedemos(const std::string& path) {
