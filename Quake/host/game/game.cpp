@@ -147,8 +147,8 @@ void Game::register_commands() {
   complete_file_names(console, engine_->files());
   console.add_command(
       "screenshot", "screenshot [name]: save the picture as screenshots/NAME.png", [this](const con::Args& args) {
-        engine_->console().fail_unless(
-            write_screenshot(args.size() > 1 ? args[1] + ".png" : free_screenshot_name(engine_->files())));
+        engine_->console().fail_unless(write_screenshot(args.size() > 1 ? typed_screenshot_name(args[1])
+                                                                        : free_screenshot_name(engine_->files())));
       });
 }
 

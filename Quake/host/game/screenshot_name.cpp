@@ -16,4 +16,6 @@ std::string free_screenshot_name(const fs::FileSystem& files) {
   }
 }
 
+std::string typed_screenshot_name(const std::string& name) { return name.ends_with(".png") ? name : name + ".png"; }
+
 }  // namespace fb::host

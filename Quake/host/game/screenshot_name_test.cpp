@@ -21,5 +21,13 @@ TEST(ScreenshotName, IsTheFirstThatIsFree) {
   EXPECT_EQ(free_screenshot_name(*files), "fullbright0002.png");
 }
 
+TEST(ScreenshotName, ThatIsTypedHasItsEndingOnce) {
+  EXPECT_EQ(typed_screenshot_name("s"), "s.png");
+  EXPECT_EQ(typed_screenshot_name("s.png"), "s.png");
+  EXPECT_EQ(typed_screenshot_name("a.b"), "a.b.png");
+  EXPECT_EQ(typed_screenshot_name("config.cfg"), "config.cfg.png")
+      << "a server may say it, and writes over nothing else";
+}
+
 }  // namespace
 }  // namespace fb::host

@@ -24,7 +24,7 @@ namespace fb::host {
 namespace {
 
 Result<std::optional<scene::Camera>> parse_camera(const std::string& text) {
-  constexpr double kFarthest = 1e6;  // as far as a map's vertices may be
+  constexpr int kFarthest = 1000000;  // as far as a map's vertices may be
   if (text.empty()) return std::optional<scene::Camera>();
   scene::Camera camera;
   float* parts[] = {&camera.position.x, &camera.position.y, &camera.position.z,
@@ -34,7 +34,8 @@ Result<std::optional<scene::Camera>> parse_camera(const std::string& text) {
     const std::size_t end = i < 5 ? text.find(',', begin) : text.size();
     const auto number = end == std::string::npos ? std::nullopt : parse_number(text.substr(begin, end - begin));
     if (!number || std::abs(*number) > kFarthest)
-      return Error{fmt::format("--camera {}: six numbers x,y,z,pitch,yaw,roll are wanted", text)};
+      return Error{fmt::format("--camera {}: six numbers x,y,z,pitch,yaw,roll are wanted, each from {} to {}", text,
+                               -kFarthest, kFarthest)};
     *parts[i] = static_cast<float>(*number);
     begin = end + 1;
   }
@@ -276,7 +277,9 @@ Result<std::pair<std::uint64_t, std::uint64_t>> parse_frames(const std::string& 
   const auto first = parse_whole_number_unsigned(std::string_view(text).substr(0, colon));
   const auto last =
       colon == std::string::npos ? first : parse_whole_number_unsigned(std::string_view(text).substr(colon + 1));
-  if (!first || !last || *last < *first || *last > kMostFrames)
+  if (first && last && *last < *first)
+    return Error{fmt::format("--frames {}: the last comes before the first; FIRST:LAST is wanted", text)};
+  if (!first || !last || *last > kMostFrames)
     return Error{fmt::format("--frames {}: FIRST:LAST is wanted, whole numbers from 0 to {}", text, kMostFrames)};
   return std::pair(*first, *last);
 }

@@ -26,6 +26,8 @@
 namespace fb::host {
 namespace {
 
+constexpr const char* kOfTheSuite = "as the suite says";  // the default of what changes it
+
 // The suite with what the command line changes, and which of its experiments are asked for.
 struct Wanted {
   lab::ExperimentSuite suite;
@@ -217,9 +219,9 @@ LabCommand add_suite_command(CLI::App& app) {
   command->add_option("--out", o->out, "folder for the results")->required();
   command->add_option("--experiments", o->experiments, "only these, by their names: cbox,start");
   command->add_option("--size", o->size, "WIDTHxHEIGHT, in the place of the suite's");
-  add_number(*command, "--repeats", o->repeats, 0u, 1000u, "runs of each measurement; 0: as the suite says");
-  add_number(*command, "--reference-samples", o->reference_samples, 0u, kMostSamples,
-             "samples per pixel of references; 0: as the suite says");
+  add_number(*command, "--repeats", o->repeats, 1u, 1000u, "runs of each measurement")->default_str(kOfTheSuite);
+  add_number(*command, "--reference-samples", o->reference_samples, 1u, kMostSamples, "samples per pixel of references")
+      ->default_str(kOfTheSuite);
   command->add_option("--references", o->references,
                       "folder in which references are kept (default: references in --out)");
   command->add_option("--set", o->sets, "cvar=value, for all; may be repeated")
@@ -249,10 +251,12 @@ LabCommand add_suite_merge_command(CLI::App& app) {
   command->add_option("FOLDERS", o->folders, "the shards' folders")->required();
   command->add_option("--out", o->suite.out, "folder for the joined results")->required();
   command->add_option("--experiments", o->suite.experiments, "as the shards were given it");
-  add_number(*command, "--repeats", o->suite.repeats, 0u, 1000u, "as the shards were given it");
+  add_number(*command, "--repeats", o->suite.repeats, 1u, 1000u, "as the shards were given it")
+      ->default_str(kOfTheSuite);
   command->add_option("--size", o->suite.size, "as the shards were given it");
-  add_number(*command, "--reference-samples", o->suite.reference_samples, 0u, kMostSamples,
-             "as the shards were given it");
+  add_number(*command, "--reference-samples", o->suite.reference_samples, 1u, kMostSamples,
+             "as the shards were given it")
+      ->default_str(kOfTheSuite);
   command->add_option("--set", o->suite.sets, "as the shards were given it")
       ->expected(1)
       ->take_all()

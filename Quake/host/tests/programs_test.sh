@@ -28,6 +28,12 @@ for wrong in abc nan inf 0 -1 1e9 0x10; do
     "$build/fullbright-lab" render --scene cbox --spp "$wrong"
 done
 check "--fps nan is refused" fails_with "--fps nan: a number from 0.1 to 10000 is wanted" "$build/fullbright-lab" render --scene cbox --fps nan
+check "a span of frames that ends before it begins is told" fails_with "--frames 3:1: the last comes before the first" \
+  "$build/fullbright-lab" render --scene cbox --frames 3:1
+check "a camera that is nowhere is told how far it may be" fails_with "each from -1000000 to 1000000" \
+  "$build/fullbright-lab" render --scene cbox --camera 1e30,0,0,0,0,0
+check "no runs are refused" fails_with "--repeats 0: a whole number from 1 to 1000 is wanted" \
+  "$build/fullbright-lab" suite nothing.json --out "$scratch/nothing" --repeats 0
 check "a cvar's wrong value is refused with its reason" fails_with '--set r_spp=abc: r_spp: "abc" is not a number' \
   "$build/fullbright-lab" render --scene cbox --set r_spp=abc
 check "an unknown scene names those there are" fails_with cbox "$build/fullbright-lab" render --scene nowhere

@@ -149,6 +149,9 @@ void summarise(Comparison& c) {
   }
 }
 
+// What a picture has none of, as a small one has no ms_ssim, is a dash.
+std::string figure_text(double value) { return std::isnan(value) ? "-" : fmt::format("{:.6g}", value); }
+
 }  // namespace
 
 Result<Comparison> compare(const CompareJob& job) {
@@ -226,7 +229,7 @@ std::string comparison_table(const Comparison& c) {
   }
   for (const ComparedFile& file : c.files) {
     out += fmt::format("\n{}\n", file.file);
-    for (const Figure& f : file.figures) out += fmt::format("  {:18} {:.6g}\n", f.name, f.value);
+    for (const Figure& f : file.figures) out += fmt::format("  {:18} {}\n", f.name, figure_text(f.value));
     if (file.not_finite > 0) out += fmt::format("  {} pixels are not finite and counted as zero\n", file.not_finite);
   }
   if (c.spreads.empty()) return out;
@@ -234,7 +237,7 @@ std::string comparison_table(const Comparison& c) {
   out += fmt::format("\n{} files: mean; {}\n", c.files.size(),
                      enough ? "what a typical one has, 95% interval" : too_few_runs(c.files.size()));
   for (const Spread& s : c.spreads) {
-    out += fmt::format("  {:18} {:<12.6g}", s.name, s.mean);
+    out += fmt::format("  {:18} {:<12}", s.name, figure_text(s.mean));
     if (s.typical.has_interval())
       out +=
           fmt::format(" {:<12.6g} [{:.6g}, {:.6g}]", s.typical.value, s.typical.interval.low, s.typical.interval.high);

@@ -103,6 +103,8 @@ TEST_F(CompareTest, RunsOfOneThing) {
   EXPECT_NEAR(*c->variance, 0.12, 0.004);
   EXPECT_NEAR(*c->bias_squared, 0.04, 0.006);
   EXPECT_THAT(comparison_table(*c), HasSubstr("bias_squared"));
+  EXPECT_THAT(comparison_table(*c), HasSubstr("  ms_ssim            -\n")) << "too small a picture";
+  EXPECT_THAT(comparison_table(*c), testing::Not(HasSubstr("nan")));
   EXPECT_THAT(comparison_json(*c), HasSubstr("\"interval95\""));
   const std::string csv = comparison_csv(*c);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 9);
