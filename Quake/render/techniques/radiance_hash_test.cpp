@@ -37,16 +37,18 @@ TEST(RadianceHash, HoldsWhatMakesTheLinearPicture) {
     const std::string name(technique.name);
     for (const std::string& shader :
          {name, name + "_medium", std::string("gbuffer"), std::string("gbuffer_water"), std::string("accumulate"),
-          std::string("accumulate_medium"), std::string("pose"), std::string("guide_cache"),
-          std::string("guide_states"), std::string("seen_fold")})
+          std::string("accumulate_medium"), std::string("pose"), std::string("fold_seen")})
       EXPECT_TRUE(counts(name, shader)) << name << ' ' << shader;
   }
+  for (const char* name : {"mcpg", "mcpg_nee", "mcpg_tail"})
+    for (const char* shader : {"mcpg_fold_cache", "mcpg_resolve_states"})
+      EXPECT_TRUE(counts(name, shader)) << name << ' ' << shader << ", a pass of its folder";
   for (const VariantOfShader variant : {&CompiledShader::bound, &CompiledShader::address, &CompiledShader::query})
     EXPECT_TRUE(counts("nee", "nee", variant));
 }
 
 TEST(RadianceHash, LeavesOutOtherTechniquesAndTheDisplay) {
-  for (const char* shader : {"pt", "pt_medium", "mcpg", "mcpg_nee", "mcpg_nee_medium", "mcpg_tail"})
+  for (const char* shader : {"pt", "pt_medium", "mcpg", "mcpg_nee", "mcpg_nee_medium", "mcpg_tail", "mcpg_fold_cache"})
     EXPECT_FALSE(counts("nee", shader)) << shader;
   for (const std::string_view shader : display_shaders()) EXPECT_FALSE(counts("nee", shader)) << shader;
 }
