@@ -40,7 +40,7 @@ vec3 checked_irradiance(vec3 x) {
     atomicAdd(counters.at[kCounterHistory], 1u);
     return vec3(0.0);
   }
-  return clamp(x, vec3(0.0), vec3(kMaxIrradiance));
+  return clamp(x, vec3(-kMaxIrradiance), vec3(kMaxIrradiance));
 }
 
 float luminance_of(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }

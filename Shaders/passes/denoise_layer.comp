@@ -120,7 +120,7 @@ void main() {
   float weight_of_frame = max(1.0 / max(c.frames, 1.0), frame.svgf_alpha);
   float deviation = sqrt(spread / pooled * weight_of_frame), y = luminance_of(c.light);
   // The first frame counts as several, which say nothing of their spread.
-  float scale = c.frames >= 4.0 && frame.history_age >= 3u ? 1.0 / (frame.sigma_luminance * deviation + 1e-4 + 0.02 * y) : 0.0;
+  float scale = c.frames >= 4.0 && frame.history_age >= 3u ? 1.0 / (frame.sigma_luminance * deviation + 1e-4 + 0.02 * abs(y)) : 0.0;
   // A block that has nothing is filled by those about it: some pixel of it may have more than the one that was asked.
   bool empty = c.frames == 0.0;
   vec3 sum = c.light;

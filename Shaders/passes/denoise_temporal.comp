@@ -139,8 +139,7 @@ void main() {
   float spread = weight;  // of the mean over that of a sample
   if (!reflects) weight = moments_weight = 0.0;
   if (frame.firefly > 0.0 && h.frames >= 4.0 && !young) {
-    float limit = h.mean + frame.firefly * sqrt(max(h.mean_square - h.mean * h.mean, 0.0)) + 0.1 * h.mean;
-    float cut = min(1.0, limit / max(y, 1e-12));
+    float cut = firefly_cut(y, h.mean, h.mean_square, frame.firefly);
     x *= cut;
     y *= cut;
   }

@@ -50,13 +50,6 @@ vec3 reflected_color(uint at, vec3 irradiance, vec3 ray) {
   Reflector r = reflector(at, words, ray);
   return r.emission + irradiance * r.factor;
 }
-
-// How much of the history is to be kept. Where recent frames are brighter or darker than what was gathered by more than their
-// noise, the light has changed, and the next frames get more weight. Both are means over the wavelet's footprint, so that a
-// pixel's own noise does not decide.
-float trust(float luminance, float deviation, float ahead) {
-  return clamp(2.0 - abs(ahead) / (4.0 * deviation + 0.1 * luminance + 1e-6), 0.0, 1.0);
-}
 #endif
 
 const int kTaps = 4;
@@ -117,8 +110,8 @@ void main() {
   vec3 color = reflected_color(at, irradiance, ray);
   if (WITH_MEDIUM) color += layer_color(medium_layer(), medium_there(at, ray), pixel, vec3(0.0));
   if (WITH_SECOND_SURFACES) color += layer_color(second_layer(), second_there(at, ray), pixel, irradiance);
-  color = min(color, vec3(kMaxHalf));
-  uint kept = uint(255.0 * trust(luminance_of(irradiance), deviation, ahead) + 0.5);
+  color = clamp(color, vec3(-kMaxHalf), vec3(kMaxHalf));
+  uint kept = uint(255.0 * history_trust(luminance_of(irradiance), deviation, ahead) + 0.5);
   uint to = section(kSectionPicture) * 4u + 2u * at;
   history_words.at[to] = packHalf2x16(color.rg);
   history_words.at[to + 1u] = packHalf2x16(vec2(color.b, 0.0)) | (kept << 16u);

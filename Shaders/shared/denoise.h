@@ -22,14 +22,15 @@ FB_FN uint history_shown(uint pixels, uint shown, uint parity) {
 FB_CONST uint kLayerSlots = 4u;
 FB_FN uint first_layer(uint pixels, uint shown) { return (history_shown(pixels, shown, 2u) + 3u) / 4u; }
 
-// HistoryTexel: x: half2 irradiance r, g; y: half irradiance b, frames (8 bits), id (8 bits); z: half2 mean of
-// luminance and root of its mean square; w: pack_surface of the geometric normal. FilterTexel: x: irradiance,
-// pack_rgb9e5; y: half2 standard deviation of its luminance, what recent frames' mean luminance is above its; z:
-// pack_surface of the shading normal, 0: nothing to filter; w: frames (8 bits), id (8 bits), pack_coarse_normal of the
-// geometric normal, kFilterLiquid. PictureTexel: x: half2 denoised radiance r, g; y: half b, above it how much of the
-// history is to be kept, of 255. LightTexel: x, y as of HistoryTexel, without frames; z: pack_surface of the geometric
-// normal, 0: no sample; w: 1 where the light is a guess. LayerTexel: x: half2 light r, g; y: half b, frames above it;
-// z: pack_surface of where the light comes from; w: half2 mean of luminance and root of its mean square.
+// Light may be below zero wherever it is stored. HistoryTexel: x: half2 irradiance r, g; y: half irradiance b, frames
+// (8 bits), id (8 bits); z: half2 mean of luminance and root of its mean square; w: pack_surface of the geometric
+// normal. FilterTexel: x: irradiance, pack_rgb9e5; y: half2 standard deviation of its luminance, what recent frames'
+// mean luminance is above its; z: pack_surface of the shading normal, 0: nothing to filter; w: frames (8 bits), id (8
+// bits), pack_coarse_normal of the geometric normal, kFilterLiquid. PictureTexel: x: half2 denoised radiance r, g; y:
+// half b, above it how much of the history is to be kept, of 255. LightTexel: x, y as of HistoryTexel, without frames;
+// z: pack_surface of the geometric normal, 0: no sample; w: 1 where the light is a guess. LayerTexel: x: half2 light r,
+// g; y: half b, frames above it; z: pack_surface of where the light comes from; w: half2 mean of luminance and root of
+// its mean square.
 
 FB_CONST uint kFilterLiquid = 0x80000000u;  // in FilterTexel.w: the surface of a liquid
 FB_CONST float kMaxIrradiance = 60000.0f;   // of a half, with room
@@ -66,19 +67,54 @@ FB_FN vec3 demodulate(vec3 reflected, vec3 factor) {
   return x + (vec3(1.0f) - known) * mean;
 }
 
+// --- samples and history ---
+// What estimates with control variates find may be below zero; their mean is right only if nothing on its way cuts at
+// zero. So bounds are on both sides, the same from the mean.
+
+// Factor on a sample of luminance y, which brings it to its history's mean within so many standard deviations and a
+// tenth of the mean. As a factor it keeps the sign: from zero up to the mean it is 1, and what is below zero where the
+// mean is far above becomes zero.
+FB_FN float firefly_cut(float y, float mean, float mean_square, float deviations) {
+  float side = y < 0.0f ? -mean : mean;
+  float limit = side + deviations * sqrt(max(mean_square - mean * mean, 0.0f)) + 0.1f * abs(mean);
+  return clamp(limit / max(abs(y), 1e-12f), 0.0f, 1.0f);
+}
+
+// How much of the history is to be kept. Where recent frames are brighter or darker than what was gathered by more than
+// their noise, the light has changed, and the next frames get more weight. `ahead`: by how much they are brighter; all
+// three are means over the wavelet's footprint, so that a pixel's own noise does not decide.
+FB_FN float history_trust(float luminance, float deviation, float ahead) {
+  return clamp(2.0f - abs(ahead) / (4.0f * deviation + 0.1f * abs(luminance) + 1e-6f), 0.0f, 1.0f);
+}
+
 // --- packing ---
-// Three numbers from 0 to 65,000 of 9 bits under one exponent. `round` 0.5 rounds to nearest; a random number in [0, 1)
-// rounds without bias, so that small steps add up.
+// Three numbers from -65,000 to 65,000 under one exponent: of 9 bits where none is below zero, else of 7 and a sign.
+// `round` 0.5 rounds to nearest; a random number in [0, 1) rounds without bias, so that small steps add up.
+//
+// With signs a channel holds kSignedZero more than it has steps, which are four times as long. Such a word has no
+// channel above kSignedMost and an exponent above the least, which a word without signs never has both: its largest
+// channel is 255 at least, unless its exponent is the least. So signs need no bit, and words without them no change.
+FB_CONST float kSignedZero = 127.0f, kSignedMost = 254.0f;
+FB_FN uint pack_signed_rgb(vec3 c, float round) {
+  float largest = max(max(abs(c.x), max(abs(c.y), abs(c.z))) * 1.008f, 0.0f);  // at most 127 steps
+  uint biased = clamp(floatBitsToUint(largest) >> 23u, 112u, 142u);
+  float scale = uintBitsToFloat((260u - biased) << 23u), zero = kSignedZero + round;
+  uint r = uint(clamp(c.x * scale + zero, 0.0f, kSignedMost)), g = uint(clamp(c.y * scale + zero, 0.0f, kSignedMost));
+  return r | (g << 9u) | (uint(clamp(c.z * scale + zero, 0.0f, kSignedMost)) << 18u) | ((biased - 111u) << 27u);
+}
 FB_FN uint pack_rgb9e5(vec3 c, float round) {
-  float largest = max(c.x, max(c.y, c.z)) * 1.002f;  // room for rounding up
-  uint biased = clamp(floatBitsToUint(largest) >> 23u, 111u, 142u);
-  float scale = uintBitsToFloat((262u - biased) << 23u);  // 2^(8 - exponent)
+  if (min(c.x, min(c.y, c.z)) < 0.0f) return pack_signed_rgb(c, round);
+  float largest = max(c.x, max(c.y, c.z)) * 1.002f;                                  // room for rounding up
+  uint biased = clamp((floatBitsToUint(largest) & 0x7fffffffu) >> 23u, 111u, 142u);  // of -0 as of 0
+  float scale = uintBitsToFloat((262u - biased) << 23u);                             // 2^(8 - exponent)
   uint r = uint(min(c.x * scale + round, 511.0f)), g = uint(min(c.y * scale + round, 511.0f));
   return r | (g << 9u) | (uint(min(c.z * scale + round, 511.0f)) << 18u) | ((biased - 111u) << 27u);
 }
 FB_FN vec3 unpack_rgb9e5(uint u) {
-  float scale = uintBitsToFloat(((u >> 27u) + 103u) << 23u);
-  return vec3(float(u & 511u), float((u >> 9u) & 511u), float((u >> 18u) & 511u)) * scale;
+  // No channel has its ninth bit, not even with one step more.
+  bool has_signs = ((u | (u + 0x00040201u)) & 0x04020100u) == 0u && u >= 0x08000000u;
+  float scale = uintBitsToFloat(((u >> 27u) + (has_signs ? 105u : 103u)) << 23u), zero = has_signs ? kSignedZero : 0.0f;
+  return vec3(float(u & 511u) - zero, float((u >> 9u) & 511u) - zero, float((u >> 18u) & 511u) - zero) * scale;
 }
 
 // 15 bits, not renormalised after unpacking: equal normals unpack equal.

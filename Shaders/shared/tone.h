@@ -24,8 +24,9 @@ const float kWhitening = 0.02f;
 
 // Half of it is the curve of each channel by itself, as film has it: it turns bright fire yellow, but makes browns
 // orange and every lamp white. In the other half the curve is the brightest channel's, and the others keep their ratio
-// to it.
+// to it. Below zero is black: means of estimates that may be negative end here.
 FB_FN vec3 filmic(vec3 c) {
+  c = max(c, vec3(0.0f));
   float peak = max(max(c.x, c.y), c.z), shown = filmic_curve(peak), scale = peak > 0.0f ? shown / peak : 0.0f;
   float white = kWhitening * peak / (1.0f + kWhitening * peak);
   vec3 kept = mix(c * scale, vec3(shown), white);

@@ -24,6 +24,15 @@ TEST(Tone, GreyFollowsTheCurve) {
   EXPECT_EQ(filmic_curve(1e4f), 1.0f);
 }
 
+// The curve itself rises again there.
+TEST(Tone, BelowZeroIsBlack) {
+  for (const float x : {-1e-4f, -0.05f, -1.0f, -1e4f}) {
+    EXPECT_EQ(filmic(vec3(x)), vec3(0)) << x;
+    EXPECT_EQ(filmic(vec3(x, 0.5f, 0.2f)), filmic(vec3(0, 0.5f, 0.2f))) << x;
+    EXPECT_EQ(srgb_from_linear(vec3(x)), vec3(0)) << x;
+  }
+}
+
 TEST(Tone, ColoursAreTruerThanEachChannelsCurve) {
   const vec3 brown(1.0f, 0.6f, 0.3f);
   for (const float scale : {0.003f, 0.03f, 0.3f, 1.0f, 3.0f}) {
