@@ -25,7 +25,6 @@ void store_guide_motion(uint at, uvec2 motion) {
   else guide_states.at[word].zw = motion;
 }
 
-const uint kCacheTries = 4u;  // two places for a cell, then two for a coarser one
 const uint kCacheStale = 120u;  // frames after which another cell may take an entry
 
 uint guide_list_at() { return guide.mc_cells * kCacheWords; }
@@ -59,28 +58,15 @@ uvec4 cache_quad(uint word) { return texelFetch(cache_texels, int(word >> 2u)); 
 uint cache_frames(uint entry) { return cache_quad(entry + kCacheCount).x & 0xffffu; }
 uint cache_age(uint entry) { return (guide.frame_number - (cache_quad(entry + kCacheCount).x >> 16u)) & 0xffffu; }
 
-// The cell about a point, of surfaces (kCacheTag) or of the medium (kMediumTag); where its entry holds another cell, a coarser one. Lanes that run together choose alike, so that
-// they share memory.
+uint cell_check(uint slot) { return cache_quad(slot * kCacheWords + kCacheCheck).x; }
+uint cell_age(uint slot) { return cache_age(slot * kCacheWords); }
+#include "lib/cells.glsl"
+
+// The cell about a point, of surfaces (kCacheTag) or of the medium (kMediumTag).
 CacheCell find_cache_cell(vec3 p, vec3 n, uint kind, inout uint group_rng) {
-  CacheCell cell = CacheCell(kNoIndex, kNoIndex, 0u);
-  vec3 u = vec3(rng_uniform(group_rng), rng_uniform(group_rng), rng_uniform(group_rng));
-  uint level = grid_level(distance(p, frame.camera_position.xyz), guide.cache_angle, rng_uniform(group_rng));
-  uint i = 0u;
-  do {
-    uint at = min(level + (i >> 1u), kGridLevels - 1u);
-    GridKey key = grid_vertex(p, exp2(float(at)), kind + adaptive_tag(at, n), u);
-    uint entry = ((key.hash & (guide.mc_cells - 1u)) ^ (i & 1u)) * kCacheWords;
-    uint check = cache_quad(entry + kCacheCheck).x;
-    if (check == key.check) {
-      cell.entry = entry;
-      break;
-    }
-    if (cell.claim == kNoIndex && (check == 0u || cache_age(entry) > kCacheStale)) {
-      cell.claim = entry;
-      cell.check = key.check;
-    }
-  } while (++i < kCacheTries);
-  return cell;
+  CellPlace place = find_cell(p, n, kind, guide.cache_angle, guide.mc_cells, kCacheStale, group_rng);
+  return CacheCell(place.slot == kNoIndex ? kNoIndex : place.slot * kCacheWords,
+                   place.claim == kNoIndex ? kNoIndex : place.claim * kCacheWords, place.check);
 }
 
 vec3 cached_reflection(uint entry) {
