@@ -9,6 +9,8 @@ export FUZZ_SECONDS QUAKE_DIR JOBS
 .DEFAULT_GOAL := all
 .PHONY: all deps test demo play bench fuzz asan coverage settings-page check platforms tidy format clean help
 
+# Tests run one more at a time than there are processors: some of them wait. `make test` leaves that to run_tests.py.
+#
 # Arguments: preset, its folder, options of the build. Configuring is silent unless it fails. A first build compiles sources in
 # groups, which halves its time; a folder that is configured already keeps what it says.
 define configure_and_build
@@ -43,13 +45,13 @@ fuzz: ## run each parser's fuzzer for FUZZ_SECONDS (60)
 asan: ## build with the address and undefined-behaviour sanitizers and run every test
 	@$(DEPS) test fuzz
 	$(call configure_and_build,asan-ubsan,build-asan)
-	@Misc/with_display.sh Misc/sanitized.sh ctest --test-dir build-asan --output-on-failure
+	@Misc/with_display.sh Misc/sanitized.sh ctest --test-dir build-asan --parallel $$(($(JOBS) + 1)) --output-on-failure
 
 coverage: ## measure the tests' line coverage: build-coverage/coverage.html
 	@$(DEPS) coverage
 	$(call configure_and_build,coverage,build-coverage)
 	@find build-coverage -name '*.gcda' -delete
-	Misc/with_display.sh ctest --test-dir build-coverage --output-on-failure
+	Misc/with_display.sh ctest --test-dir build-coverage --parallel $$(($(JOBS) + 1)) --output-on-failure
 	@merge=; if gcovr --help | grep -q merge-mode-functions; then merge=--merge-mode-functions=separate; fi; \
 	gcovr --root . --filter Quake/ --filter Shaders/ --exclude '.*_test\.cpp' --exclude '.*_bench\.cpp' $$merge \
 	  --print-summary --html-details build-coverage/coverage.html build-coverage
