@@ -11,10 +11,10 @@ export FUZZ_SECONDS QUAKE_DIR JOBS
 
 # Tests run one more at a time than there are processors: some of them wait. `make test` leaves that to run_tests.py.
 #
-# Arguments: preset, its folder, options of the build. Configuring is silent unless it fails. A first build compiles sources in
+# Arguments: preset, its folder, options of the build, options of CMake. Configuring is silent unless it fails. A first build compiles sources in
 # groups, which halves its time; a folder that is configured already keeps what it says.
 define configure_and_build
-@mkdir -p $(2) && cmake --preset $(1) $(if $(wildcard $(2)/CMakeCache.txt),,-DFULLBRIGHT_QUICK_BUILD=ON) >$(2)/configure.log 2>&1 || { cat $(2)/configure.log; exit 1; }
+@mkdir -p $(2) && cmake --preset $(1) $(if $(wildcard $(2)/CMakeCache.txt),,-DFULLBRIGHT_QUICK_BUILD=ON) $(4) >$(2)/configure.log 2>&1 || { cat $(2)/configure.log; exit 1; }
 @cmake --build --preset $(1) --parallel $(JOBS) $(3)
 endef
 
@@ -44,7 +44,7 @@ fuzz: ## run each parser's fuzzer for FUZZ_SECONDS (60)
 
 asan: ## build with the address and undefined-behaviour sanitizers and run every test
 	@$(DEPS) test fuzz
-	$(call configure_and_build,asan-ubsan,build-asan)
+	$(call configure_and_build,asan-ubsan,build-asan,,-DFULLBRIGHT_ALL_TESTS=ON)
 	@Misc/with_display.sh Misc/sanitized.sh ctest --test-dir build-asan --parallel $$(($(JOBS) + 1)) --output-on-failure
 
 coverage: ## measure the tests' line coverage: build-coverage/coverage.html

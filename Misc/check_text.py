@@ -2,8 +2,9 @@
 """Checks the repository's text for faults that reviews would otherwise have to point out.
 
 Errors: trailing blanks, tabs and carriage returns in sources, a file that does not end with one newline, marks of
-unfinished work, absolute paths of somebody's machine, network addresses of private hosts, disabled code. A source of
-more than 500 lines gets a warning: it may hold a second idea.
+unfinished work, absolute paths of somebody's machine, network addresses of private hosts, disabled code, a suite of tests
+whose name disagrees with its file's about whether it is statistical (Misc/cmake/module.cmake goes by both). A source of more
+than 500 lines gets a warning: it may hold a second idea.
 
     Misc/check_text.py [--root DIR]    checks the files that git would track
     Misc/check_text.py --self-test     tests the checks themselves on texts that break every rule
@@ -31,6 +32,7 @@ PRIVATE_HOST = re.compile(
     r"|\b[\w-]+\.(?:internal|corp|lan)\b(?!\()"
 )
 DISABLED = re.compile(r"^\s*#\s*if\s+0\b")
+SUITE = re.compile(r"^\s*(?:TYPED_)?TEST(?:_F|_P)?\(\s*(\w+)")
 
 
 def errors_of(name, text, checkout="/nowhere/" + "else/"):
@@ -59,6 +61,9 @@ def errors_of(name, text, checkout="/nowhere/" + "else/"):
             yield number, f"{PRIVATE_HOST.search(line).group(0)} is a host that only some can reach"
         if is_code and DISABLED.search(line):
             yield number, "disabled code; delete it"
+        suite = SUITE.match(line) if name.endswith("_test.cpp") else None
+        if suite and suite[1].endswith("Statistics") != name.endswith("_statistics_test.cpp"):
+            yield number, f"{suite[1]}: suites that end in Statistics are those of the files x_statistics_test.cpp, and no others"
 
 
 def files_of(root):
@@ -118,6 +123,9 @@ def self_test():
         ("a.txt", "a\tb\n", []),
         ("a_test.cpp", 'open("/ho' + 'me/ranger/quake");\n', []),
         ("a.txt", "see /nowhere/" + "else/quake\n", [1]),
+        ("a/b_statistics_test.cpp", "TEST_F(BStatistics, C) {}\nTEST(B, C) {}\n", [2]),
+        ("a/b_test.cpp", "TEST_P(B, C) {}\n  TYPED_TEST(BStatistics, C) {}\n", [2]),
+        ("a/statistics_test.cpp", "TEST(Sums, C) {}\nTEST(Statistics, C) {}\n", [2]),
     ]
     passed = True
     for name, text, lines in cases:

@@ -14,7 +14,7 @@ A part is what the loop of paths (Shaders/lib/path.glsl) or the renderer offers 
     setting  a cvar r_NAME_... and its field in the uniform block
     view     a debug view
 
-Every estimator that its row calls unbiased is held to pt's mean by lab_test (UnbiasedTest, suite Every).
+Every estimator that its row calls unbiased is held to pt's mean by lab_test (UnbiasedStatistics, suite Every).
 """
 import argparse
 import pathlib

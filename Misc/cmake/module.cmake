@@ -2,13 +2,18 @@
 #           [BENCHMARKS b.cpp ...] [BENCHMARK_LINKS ...] [FUZZERS fuzz_x.cpp ...])
 # makes the library fb_NAME, the test program NAME_test, the benchmark NAME_bench and one fuzzer for each file.
 #
-# The test program runs as test NAME. Filters of GoogleTest move tests of it out, to tests of their own with a label:
-#   STATISTICAL "A*:B*"  NAME_statistical: hypothesis tests over many frames, whose host code other tests run, too
-#   INTERSECTOR "C*"     NAME_intersector: what another driver may do otherwise; "*" labels the whole program,
-#                        else label repeats, too: the host code is run by NAME already
-#   SHARDS n             each of these in n parts, which may run side by side
+# The test program runs as test NAME, without what tests of their own with a label run:
+#   statistical: NAME_statistical. Hypothesis tests over many frames, whose host code other tests run, too: files
+#     x_statistics_test.cpp, whose suites end in Statistics (Misc/check_text.py holds each to the other). A sanitized build
+#     leaves these files out unless FULLBRIGHT_ALL_TESTS is set.
+#   intersector: NAME_intersector, which runs INTERSECTOR, a filter of GoogleTest ("A*:B*"). What another driver may do
+#     otherwise; "*" labels the whole program, else label repeats, too: the host code is run by NAME already.
+# SHARDS n: each of these in n parts, which may run side by side.
 # COST n: about how many seconds the longest of them take on two cores under the sanitizers; ctest begins with those, so
 # that none is left running alone at the end.
+option(FULLBRIGHT_ALL_TESTS "Build the statistical tests under the sanitizers, too" OFF)
+set(FB_STATISTICAL_SUITES "*Statistics.*:*Statistics/*")
+
 function(fb_add_gtest name program filter label shards cost)
   foreach(shard RANGE 1 ${shards})
     set(test ${name})
@@ -26,7 +31,7 @@ function(fb_add_gtest name program filter label shards cost)
 endfunction()
 
 function(fb_module name)
-  cmake_parse_arguments(M "" "STATISTICAL;INTERSECTOR;SHARDS;COST" "SOURCES;LINKS;PRIVATE_LINKS;TESTS;TEST_LINKS;BENCHMARKS;BENCHMARK_LINKS;FUZZERS" ${ARGN})
+  cmake_parse_arguments(M "" "INTERSECTOR;SHARDS;COST" "SOURCES;LINKS;PRIVATE_LINKS;TESTS;TEST_LINKS;BENCHMARKS;BENCHMARK_LINKS;FUZZERS" ${ARGN})
   if(M_SOURCES)
     add_library(fb_${name} STATIC ${M_SOURCES})
     target_link_libraries(fb_${name} PUBLIC fb_options ${M_LINKS} PRIVATE ${M_PRIVATE_LINKS})
@@ -35,6 +40,12 @@ function(fb_module name)
     target_link_libraries(fb_${name} INTERFACE fb_options ${M_LINKS})
   endif()
   if(M_TESTS AND FULLBRIGHT_TESTS)
+    set(statistical ${M_TESTS})
+    list(FILTER statistical INCLUDE REGEX "_statistics_test\\.cpp$")
+    if(statistical AND FULLBRIGHT_SANITIZE AND NOT FULLBRIGHT_ALL_TESTS)
+      list(REMOVE_ITEM M_TESTS ${statistical})
+      set(statistical)
+    endif()
     add_executable(${name}_test ${M_TESTS})
     target_link_libraries(${name}_test PRIVATE fb_${name} ${M_TEST_LINKS} GTest::gmock GTest::gtest_main)
     fb_quick_test(${name}_test fb_${name} ${M_LINKS} ${M_PRIVATE_LINKS})
@@ -44,20 +55,23 @@ function(fb_module name)
     if(NOT M_COST)
       set(M_COST 0)
     endif()
-    if(M_INTERSECTOR STREQUAL "*")
-      fb_add_gtest(${name} ${name}_test "*" intersector 1 ${M_COST})
-    elseif(M_STATISTICAL OR M_INTERSECTOR)
-      string(JOIN ":" moved ${M_STATISTICAL} ${M_INTERSECTOR})
-      fb_add_gtest(${name} ${name}_test "-${moved}" "" 1 ${M_COST})
-      if(M_STATISTICAL)
-        fb_add_gtest(${name}_statistical ${name}_test "${M_STATISTICAL}" statistical ${M_SHARDS} ${M_COST})
-      endif()
-      if(M_INTERSECTOR)
-        fb_add_gtest(${name}_intersector ${name}_test "${M_INTERSECTOR}" "intersector;repeats" ${M_SHARDS} ${M_COST})
-      endif()
-    else()
-      fb_add_gtest(${name} ${name}_test "*" "" 1 ${M_COST})
+    set(filter "*")
+    set(label "")
+    if(statistical)
+      list(APPEND moved "${FB_STATISTICAL_SUITES}")
+      fb_add_gtest(${name}_statistical ${name}_test "${FB_STATISTICAL_SUITES}" statistical ${M_SHARDS} ${M_COST})
     endif()
+    if(M_INTERSECTOR STREQUAL "*")
+      set(label intersector)
+    elseif(M_INTERSECTOR)
+      list(APPEND moved "${M_INTERSECTOR}")
+      fb_add_gtest(${name}_intersector ${name}_test "${M_INTERSECTOR}" "intersector;repeats" ${M_SHARDS} ${M_COST})
+    endif()
+    if(moved)
+      string(JOIN ":" moved ${moved})
+      set(filter "-${moved}")
+    endif()
+    fb_add_gtest(${name} ${name}_test "${filter}" "${label}" 1 ${M_COST})
   endif()
   if(M_BENCHMARKS AND FULLBRIGHT_BENCHMARKS AND benchmark_FOUND)
     add_executable(${name}_bench ${M_BENCHMARKS})

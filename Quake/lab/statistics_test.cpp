@@ -14,7 +14,7 @@ double normal(Rng& rng) {  // Box and Muller
   return std::sqrt(-2 * std::log(1.0 - rng.uniform())) * std::cos(2 * M_PI * rng.uniform());
 }
 
-TEST(Statistics, OfFourNumbers) {
+TEST(StatisticsOfRuns, OfFourNumbers) {
   const std::vector<double> values{1, 2, 3, 6};
   EXPECT_DOUBLE_EQ(mean(values), 3);
   EXPECT_DOUBLE_EQ(standard_deviation(values), std::sqrt(14.0 / 3));
@@ -26,7 +26,7 @@ TEST(Statistics, OfFourNumbers) {
   EXPECT_DOUBLE_EQ(standard_deviation(std::vector<double>{7}), 0);
 }
 
-TEST(Statistics, StudentsTOfTheTables) {
+TEST(StatisticsOfRuns, StudentsTOfTheTables) {
   EXPECT_NEAR(student_t_quantile(0.95, 1), 12.706, 1e-3);
   EXPECT_NEAR(student_t_quantile(0.95, 2), 4.303, 1e-3);
   EXPECT_NEAR(student_t_quantile(0.95, 9), 2.262, 1e-3);
@@ -47,7 +47,7 @@ double coverage(int trials, double truth, const Draw& draw) {
   return held / static_cast<double>(trials);
 }
 
-TEST(Statistics, IntervalsCoverTheTruthAsOftenAsTheySay) {
+TEST(StatisticsOfRuns, IntervalsCoverTheTruthAsOftenAsTheySay) {
   // 2000 trials: three binomial standard errors are 1.5%. Errors of runs are the exponential of normal numbers; two
   // sides that are unequally many and unequally noisy, as Welch allows for.
   constexpr int kTrials = 2000;
@@ -79,7 +79,7 @@ TEST(Statistics, IntervalsCoverTheTruthAsOftenAsTheySay) {
       << "Welch's degrees of freedom are approximate";
 }
 
-TEST(Statistics, FewRunsHaveNoInterval) {
+TEST(StatisticsOfRuns, FewRunsHaveNoInterval) {
   const std::vector<double> seven{1, 2, 1, 2, 1, 2, 1}, eight{1, 2, 1, 2, 1, 2, 1, 2};
   EXPECT_FALSE(mean_over_runs(seven).has_interval());
   EXPECT_FALSE(factor_over_runs(seven).has_interval());
@@ -92,13 +92,13 @@ TEST(Statistics, FewRunsHaveNoInterval) {
   EXPECT_EQ(too_few_runs(1, kFewestSteadyRuns), "95% intervals want 4 runs; there is 1");
 }
 
-TEST(Statistics, WhatDoesNotMultiplyHasNoFactor) {
+TEST(StatisticsOfRuns, WhatDoesNotMultiplyHasNoFactor) {
   EXPECT_TRUE(std::isnan(factor_over_runs(std::vector<double>{1, 0, 1}).value));
   EXPECT_TRUE(std::isnan(factor_over_runs({}).value));
   EXPECT_TRUE(std::isnan(factor_between(std::vector<double>{1, 2}, std::vector<double>{1, NAN}).value));
 }
 
-TEST(Statistics, RareValuesThatRuleAreToldOf) {
+TEST(StatisticsOfRuns, RareValuesThatRuleAreToldOf) {
   std::vector<double> values(128, 1.0);
   EXPECT_FALSE(rare_values_rule(values));
   values[5] = 10;

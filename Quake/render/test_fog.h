@@ -11,6 +11,7 @@
 #include "render/techniques/technique.h"
 #include "render/test_device.h"
 #include "render/test_image.h"
+#include "scene/in_code/scenes_in_code.h"
 #include "shared/test_quadrature.h"
 
 namespace fb::render {
@@ -33,6 +34,16 @@ class FogTest : public DeviceTest {
     for (const TechniqueInfo& technique : techniques())
       if (technique.unbiased()) names.emplace_back(technique.name);
     return names;
+  }
+  // Walls 29,440 units away on all sides.
+  static scene::FrameSnapshot wide_furnace() {
+    scene::FrameSnapshot snapshot = scene::furnace(0.6f, 0.7f);
+    for (scene::Instance& instance : snapshot.instances)
+      for (int axis = 0; axis < 3; ++axis) {
+        instance.transform[axis] *= 230.0f;
+        instance.prev_transform[axis] *= 230.0f;
+      }
+    return snapshot;
   }
   static void draw(Renderer& renderer, const scene::FrameSnapshot& snapshot, const RenderSettings& s, int frames) {
     for (int i = 0; i < frames; ++i) renderer.render(snapshot, nullptr, s);

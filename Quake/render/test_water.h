@@ -18,6 +18,15 @@ class WaterDeviceTest : public DeviceTest {
     s.water = 1;
     return s;
   }
+  static RenderSettings denoised_water_settings(float light_scale) {
+    RenderSettings s = water_settings("pt", 1);
+    s.denoise = 1;
+    s.light_scale = light_scale;
+    s.accumulate = 0;
+    s.local_exposure = 0;
+    s.bloom = 0;
+    return s;
+  }
 };
 
 inline constexpr float kIndex = 1.33f;

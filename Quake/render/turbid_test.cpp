@@ -1,4 +1,5 @@
-// Liquids that scatter light, against fog, whose integrals fog_test.cpp has, and against a closed form of their own.
+// Liquids that scatter light, against fog, whose integrals fog_statistics_test.cpp has, and against a closed form of
+// their own.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -5,93 +5,14 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <iterator>
 
 #include "base/test_directory.h"
 #include "lab/bench/bench_report.h"
-#include "render/test_device.h"
+#include "lab/bench/test_bench.h"
 
 namespace fb::lab {
 namespace {
-
-constexpr std::uint32_t kWidth = 32, kHeight = 24;
-
-class BenchTest : public render::DeviceTest {
- protected:
-  static View view_of(const std::string& scene, const ViewOptions& options) {
-    auto source = code_scene(scene, 60);
-    EXPECT_TRUE(source.ok());
-    auto view = collect_view(**source, options);
-    EXPECT_TRUE(view.ok()) << (view ? "" : view.error().message);
-    return std::move(*view);
-  }
-  static Configuration configuration(const std::string& name, int spp) {
-    Configuration c{name, {}};
-    c.settings.spp = spp;
-    c.settings.jitter = 0;
-    return c;
-  }
-  static std::vector<Reference> references_of(const View& view, std::uint32_t spp, const std::string& folder = "") {
-    render::RenderSettings settings;
-    settings.jitter = 0;
-    auto made = make_references(view, *device_, settings, {"pt", spp, kWidth, kHeight, folder, true});
-    EXPECT_TRUE(made.ok());
-    return std::move(*made);
-  }
-  static BenchResult run(const View& view, const std::vector<Reference>& references,
-                         const std::vector<Configuration>& configurations, std::uint32_t runs) {
-    BenchJob job;
-    job.configurations = configurations;
-    job.width = kWidth;
-    job.height = kHeight;
-    job.runs = runs;
-    job.quiet = true;
-    auto result = run_bench(*device_, view, references, job);
-    EXPECT_TRUE(result.ok()) << (result ? "" : result.error().message);
-    return std::move(*result);
-  }
-};
-
-TEST_F(BenchTest, ErrorIsVarianceAndFallsWithSamplesAndFrames) {
-  const View view = view_of("cbox", {0, 11, 4});
-  ASSERT_TRUE(view.still);
-  const auto references = references_of(view, 8192);
-  const BenchResult result = run(view, references, {configuration("one", 1), configuration("four", 4)}, 8);
-  ASSERT_EQ(result.configurations.size(), 2u);
-  const auto &one = result.configurations[0], &four = result.configurations[1];
-  ASSERT_EQ(one.windows.size(), 2u) << "cold and warm";
-  ASSERT_EQ(one.frames.records.size(), 8u * 16);
-  EXPECT_EQ(one.not_finite, 0u);
-
-  // pt is unbiased: all of the error is variance, and the two are measured apart.
-  const WindowStatistics& warm = one.windows[1];
-  EXPECT_NEAR(warm.mse.mean, one.variance, 4 * warm.mse.standard_error);
-  // What is left of it in the mean of 96 frames: 2304 values with heavy tails, known to well under 30%.
-  EXPECT_LT(std::abs(one.bias_squared), 0.3 * (one.variance / 96 + warm.reference_variance));
-  EXPECT_LT(std::abs(warm.bias), 5 * warm.bias_error);
-
-  // Equal samples: no gain by definition. Its own interval, twice as wide, holds 1.
-  const Estimate gain = four.windows[1].gains->samples;
-  EXPECT_NEAR(gain.value, 1, gain.interval.high - gain.interval.low);
-  EXPECT_NEAR(one.windows[1].mse.mean / four.windows[1].mse.mean, 4, 4 * (gain.interval.high - gain.interval.low));
-
-  // The mean of 16 frames has a 16th of a frame's error.
-  const Curve curve = running_curve(one.frames, one.windows[0].window);
-  ASSERT_EQ(curve.mse.size(), 16u);
-  EXPECT_NEAR(curve.mse.back() * 16 / warm.mse.mean, 1, 0.3);
-  double first = 0;
-  for (std::uint32_t r = 0; r < 8; ++r) first += one.frames.at(r, 0).errors.mse_corrected() / 8;
-  EXPECT_NEAR(curve.mse.front(), first, 1e-12 * first);
-  EXPECT_NE(one.frames.at(0, 0).errors.mse, one.frames.at(1, 0).errors.mse) << "runs have seeds of their own";
-
-  const BenchTitle title{"command", "scene cbox", "pt"};
-  EXPECT_THAT(bench_table(result, title), testing::HasSubstr("gain of four over one"));
-  EXPECT_THAT(bench_json(result, title), testing::HasSubstr("\"gpu_ms_median\""));
-  const std::string csv = bench_csv(result);
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 8 * 16);
-}
 
 TEST_F(BenchTest, RepeatsToTheBit) {
   const View view = view_of("cbox", {0, 3, 0});

@@ -1,79 +1,22 @@
-// The z-test itself: its distributions against closed forms, how often it cries wolf, and what it finds.
+// The z-test itself: its distributions against closed forms, and what it finds. How often it cries wolf:
+// ztest_statistics_test.cpp.
 #include "lab/ztest/ztest.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <algorithm>
 
 #include "base/probability.h"
 #include "base/rng.h"
+#include "lab/ztest/test_ztest.h"
 
 namespace fb::lab {
 namespace {
 
-constexpr std::uint32_t kWidth = 48, kHeight = 36, kBlock = 8, kRuns = 16;
-
-// A pixel that is lit now and then, as by path tracing: how often a run (so rare samples make heavy tails), and by how
-// much in all.
-struct Light {
-  double hits = 0.5;  // a pixel and run, on average
-  double mean = 1.0;
-};
-using Scene = std::function<Light(std::uint32_t x, std::uint32_t y)>;
-
-double exponential(Rng& rng) { return -std::log(1.0 - static_cast<double>(rng.uniform())); }
-
-double pixel(const Light& light, Rng& rng) {
-  double sum = 0;  // of as many exponential values as a Poisson process has events in a time of `hits`
-  for (double t = exponential(rng); t < light.hits; t += exponential(rng)) sum += exponential(rng);
-  return sum * light.mean / light.hits;
-}
-
-BlockRuns make_runs(const Scene& scene, Rng& rng, std::uint32_t runs = kRuns) {
-  BlockRuns result(kWidth, kHeight, kBlock);
-  for (std::uint32_t run = 0; run < runs; ++run) {
-    Picture picture{kWidth, kHeight, {}};
-    for (std::uint32_t y = 0; y < kHeight; ++y)
-      for (std::uint32_t x = 0; x < kWidth; ++x)
-        picture.pixels.emplace_back(vec3(static_cast<float>(pixel(scene(x, y), rng))));
-    result.add(picture);
-  }
-  return result;
-}
-
-// Drawn one after the other: the order of a call's arguments is the compiler's.
-ZTest compare(const Scene& reference, const Scene& test, Rng& rng, std::uint32_t runs = kRuns) {
-  const BlockRuns tested = make_runs(test, rng, runs);
-  return z_test(make_runs(reference, rng, runs), tested);
-}
-
-// A picture with a bright and a dim half, as rooms have.
-Light room(std::uint32_t x, std::uint32_t) { return {x < kWidth / 2 ? 2.0 : 0.6, x < kWidth / 2 ? 3.0 : 0.2}; }
-
-struct Alarms {
-  int any = 0, block = 0, spread = 0, energy = 0, relative = 0, normal = 0;
-};
-Alarms count_alarms(const Scene& reference, const Scene& test, double alpha, int repetitions, std::uint64_t seed) {
-  Alarms alarms;
-  Rng rng(seed);
-  for (int i = 0; i < repetitions; ++i) {
-    const ZTest r = compare(reference, test, rng);
-    alarms.any += r.p < alpha;
-    alarms.block += r.p_block < alpha;
-    alarms.spread += r.p_spread < alpha;
-    alarms.energy += r.p_energy < alpha;
-    alarms.relative += r.p_relative < alpha;
-    alarms.normal += r.p_kolmogorov < alpha;
-  }
-  return alarms;
-}
-
-// The most that a binomial count exceeds once in 10,000 times, by the normal approximation and a half.
-double most(int repetitions, double p) { return p * repetitions + 3.72 * std::sqrt(p * (1 - p) * repetitions) + 0.5; }
+using namespace made_up;
 
 TEST(ZTestMaths, ZHasTheTailOfT) {
   for (const int runs : {6, 9, 17, 33}) {  // n runs against ones that never vary: n - 1 degrees of freedom
@@ -113,35 +56,6 @@ TEST(ZTestMaths, KolmogorovKnowsNormalValues) {
     at_distance.push_back(low);
   }
   EXPECT_NEAR(kolmogorov_p(at_distance), 0.05, 0.006);
-}
-
-TEST(ZTest, SeldomCriesWolf) {
-  const Scene guided = [](std::uint32_t x, std::uint32_t y) {  // the same mean, found three times as often
-    return Light{3 * room(x, y).hits, room(x, y).mean};
-  };
-  const Scene outliers = [](std::uint32_t x, std::uint32_t y) {  // the same mean, from fewer and larger samples
-    return Light{0.4 * room(x, y).hits, room(x, y).mean};
-  };
-  int pair = 0;
-  for (const Scene& test : {Scene(room), guided, outliers}) {
-    const int n = 200;
-    const Alarms a = count_alarms(room, test, 0.05, n, 10 + static_cast<std::uint64_t>(pair));
-    for (const int alarms : {a.any, a.block, a.spread, a.energy, a.relative, a.normal})
-      EXPECT_LE(alarms, most(n, 0.05)) << pair;
-    for (const int alarms : {a.block, a.spread, a.energy, a.relative})
-      EXPECT_GE(alarms, 2) << "it never speaks " << pair;
-    ++pair;
-  }
-  const Alarms rare = count_alarms(room, guided, 1e-3, 300, 5);
-  EXPECT_LE(rare.any, most(300, 1e-3));
-}
-
-TEST(ZTest, IsNotLedAstrayByWhichBlocksHoldEnough) {
-  // Every block's error is about what is enough: to choose those whose error came out small would blow up their z.
-  const Scene dim = [](std::uint32_t, std::uint32_t) { return Light{0.17, 1.0}; };
-  const int n = 400;
-  const Alarms a = count_alarms(dim, dim, 0.02, n, 7);
-  for (const int alarms : {a.any, a.block, a.spread, a.energy, a.relative}) EXPECT_LE(alarms, most(n, 0.02));
 }
 
 TEST(ZTest, FindsTwoPercentEverywhere) {

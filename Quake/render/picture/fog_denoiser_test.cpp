@@ -1,81 +1,14 @@
-// Fog in the denoised picture: its energy, its error, what a still view converges to, fog that comes and goes.
+// Fog in the denoised picture: its first frame, what a still view converges to, fog that comes and goes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <memory>
 #include <vector>
 
-#include "render/test_denoiser.h"
-#include "scene/in_code/scenes_in_code.h"
+#include "render/picture/test_fog_denoiser.h"
 #include "scene/in_code/scenes_of_fog.h"
 
 namespace fb::render {
 namespace {
-
-using FogDenoiserTest = DeviceTest;
-
-// The same assets always.
-const scene::FrameSnapshot& clear_box() {
-  static const scene::FrameSnapshot snapshot = scene::cornell_box();
-  return snapshot;
-}
-scene::FrameSnapshot foggy_box() {
-  scene::FrameSnapshot snapshot = clear_box();
-  snapshot.medium = {1.0f / 900, vec3(0.9f, 0.8f, 0.7f), 0.3f, 0.0f, 1.0f};
-  return snapshot;
-}
-
-RenderSettings denoising_fog(float light_scale, float fog_scale) {
-  RenderSettings s = denoising();
-  s.estimator = "nee";
-  s.jitter = 0;
-  s.light_scale = light_scale;
-  s.fog_scale = fog_scale;
-  return s;
-}
-
-using Maker = std::function<std::unique_ptr<Renderer>(const RenderSettings&)>;
-std::vector<vec4> foggy_reference(const Maker& make) {
-  RenderSettings s;
-  s.intersector = Intersector::kBvh;
-  s.estimator = "nee";
-  s.spp = 64;
-  s.jitter = 0;
-  s.seed = 99;
-  auto renderer = make(s);
-  for (int i = 0; i < 16; ++i) renderer->render(foggy_box(), nullptr, s);
-  return renderer->read().linear();
-}
-
-TEST_F(FogDenoiserTest, DenoisedItKeepsItsEnergyAndLosesItsNoise) {
-  const uvec2 size(96, 96);
-  const std::vector<vec4> reference =
-      foggy_reference([&](const RenderSettings& r) { return make_renderer(r, size.x, size.y); });
-  for (const vec2 scales : {vec2(1, 0.5f), vec2(0.5f, 0.5f)}) {
-    const RenderSettings s = denoising_fog(scales.x, scales.y);
-    auto renderer = make_renderer(s, size.x, size.y);
-    double mean = 0, error = 0, raw = 0;
-    for (int frame = 0; frame < 40; ++frame) {
-      renderer->render(at_time(foggy_box(), frame), nullptr, s);
-      if (frame < 24) continue;
-      const std::vector<vec4> picture = renderer->read().denoised();
-      mean += mean_luminance(picture) / 16;
-      error += mean_square_difference(picture, reference) / 16;
-    }
-    RenderSettings noisy = s;
-    noisy.denoise = 0;
-    auto other = make_renderer(noisy, size.x, size.y);
-    other->render(at_time(foggy_box(), 0), nullptr, noisy);
-    raw = mean_square_difference(other->read().linear(), reference);
-    // Light at half of the resolution loses some at edges.
-    const bool whole = scales.x == 1.0f;
-    EXPECT_NEAR(mean / mean_luminance(reference), 1.0, whole ? 0.015 : 0.05) << scales.x << " " << scales.y;
-    EXPECT_LT(error, raw / (whole ? 5 : 3)) << scales.x << " " << scales.y;
-    EXPECT_EQ(renderer->read().counters().not_finite + renderer->read().counters().history_not_finite, 0u);
-  }
-}
 
 TEST_F(FogDenoiserTest, AStillViewConvergesToTheRawMean) {
   RenderSettings s = denoising_fog(0.5f, 0.5f);

@@ -11,7 +11,7 @@
 namespace fb::render {
 namespace {
 
-using PathTailTest = DeviceTest;
+using PathTailStatistics = DeviceTest;
 
 RenderSettings settings_of(const char* estimator, int spp, int bounces) {
   RenderSettings s;
@@ -41,7 +41,7 @@ double mean_after(Renderer& renderer, const scene::FrameSnapshot& snapshot, cons
 // Any number of reflections in a closed room of albedo a and emission e: e / (1 - a). What the cache lacks of it
 // shrinks by a share of r_mc_cache_alpha (1 - a) at most each time that a cell is trained; cells out of sight are
 // trained seldom, so that the brighter room needs every path to go on.
-TEST_F(PathTailTest, FurnaceGivesTheSumOfAllReflections) {
+TEST_F(PathTailStatistics, FurnaceGivesTheSumOfAllReflections) {
   for (const bool objects : {false, true}) {
     for (const float albedo : {0.3f, 0.7f}) {
       const float emission = 0.7f;
@@ -58,7 +58,7 @@ TEST_F(PathTailTest, FurnaceGivesTheSumOfAllReflections) {
 }
 
 // Nothing is known yet: paths go on, and no pixel lacks the second reflection.
-TEST_F(PathTailTest, FirstFrameHasNoHoles) {
+TEST_F(PathTailStatistics, FirstFrameHasNoHoles) {
   const float albedo = 0.5f;
   const RenderSettings s = settings_of("mcpg_tail", 4, 2);
   auto renderer = make_renderer(s, 48, 32);
@@ -69,14 +69,14 @@ TEST_F(PathTailTest, FirstFrameHasNoHoles) {
   }
 }
 
-TEST_F(PathTailTest, NoReflectionIsNoReflection) {
+TEST_F(PathTailStatistics, NoReflectionIsNoReflection) {
   const RenderSettings s = settings_of("mcpg_tail", 1, 0);
   auto renderer = make_renderer(s, 16, 16);
   renderer->render(scene::furnace(0.5f, 1.0f), nullptr, s);
   EXPECT_NEAR(image_mean(renderer->read().linear()), 1.0, 1e-4);
 }
 
-TEST_F(PathTailTest, CornellBoxIsNearAllReflections) {
+TEST_F(PathTailStatistics, CornellBoxIsNearAllReflections) {
   const scene::FrameSnapshot box = scene::cornell_box();
   const auto of = [&](const RenderSettings& s, int warm, int frames) {
     auto renderer = make_renderer(s, 64, 64);

@@ -16,6 +16,7 @@ namespace fb::render {
 namespace {
 
 using glm::dvec3;
+using FogFurnaceStatistics = FogTest;
 
 // scene::furnace of albedo and emission about a medium, seen by one ray along x.
 struct FoggyFurnace {
@@ -91,7 +92,7 @@ scene::FrameSnapshot foggy_furnace() {
 // T(d) (e + a E) + albedo * integral of sigma T(s) * (mean over directions, weighted by the phase function, of what
 // comes from the walls), where E is a wall's irradiance over pi. Paths of the surface have r_bounces reflections, those
 // of the fog r_fog_bounces rays, and neither scatters a second time.
-TEST_F(FogTest, AGlowingRoomFullOfItHasItsQuadrature) {
+TEST_F(FogFurnaceStatistics, AGlowingRoomFullOfItHasItsQuadrature) {
   FoggyFurnace room{0.006, 0.5, 0.8, 0.6, 0.7};
   room.tabulate();
   const scene::FrameSnapshot snapshot = foggy_furnace();
@@ -116,10 +117,10 @@ TEST_F(FogTest, AGlowingRoomFullOfItHasItsQuadrature) {
 }
 
 // mcpg_tail: whatever r_fog_bounces says, the cache of the wall that a path from the fog meets stands for all that this
-// wall reflects, as it does for a surface's paths. Biased, so held to a share of the whole, path_tail_test's: a wall of
-// which nothing is known is thought to be lit like the fog that sees it, from all sides. The fog's own tail is 9%, what
-// all walls reflect a second time and on 3%.
-TEST_F(FogTest, PathsFromItThatEndInTheCacheHaveAllReflections) {
+// wall reflects, as it does for a surface's paths. Biased, so held to a share of the whole,
+// path_tail_statistics_test's: a wall of which nothing is known is thought to be lit like the fog that sees it, from
+// all sides. The fog's own tail is 9%, what all walls reflect a second time and on 3%.
+TEST_F(FogFurnaceStatistics, PathsFromItThatEndInTheCacheHaveAllReflections) {
   const dvec3 eye(-40, 30, 10);
   FoggyFurnace all{0.006, 0.5, 0.8, 0.6, 0.7}, once = all;
   all.tabulate(8);  // a wall gives back less than a fifth of what reaches it

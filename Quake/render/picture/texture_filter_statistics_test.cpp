@@ -16,7 +16,7 @@
 namespace fb::render {
 namespace {
 
-class TextureFilterTest : public DeviceTest {
+class TextureFilterStatistics : public DeviceTest {
  protected:
   static RenderSettings settings_for(Intersector intersector, int filter) {
     RenderSettings s;
@@ -58,7 +58,7 @@ class TextureFilterTest : public DeviceTest {
   }
 };
 
-TEST_F(TextureFilterTest, TheFootprintIsTheMeanOverThePixel) {
+TEST_F(TextureFilterStatistics, TheFootprintIsTheMeanOverThePixel) {
   for (const Intersector intersector : intersectors()) {
     std::vector<bool> inside;
     const auto nearest = frames_of(settings_for(intersector, shared::kFilterNearest), 256, inside);
@@ -85,7 +85,7 @@ TEST_F(TextureFilterTest, TheFootprintIsTheMeanOverThePixel) {
   }
 }
 
-TEST_F(TextureFilterTest, MeasurementsSeeTheNearestTexelAndTheGameTheFootprint) {
+TEST_F(TextureFilterStatistics, MeasurementsSeeTheNearestTexelAndTheGameTheFootprint) {
   for (const bool denoise : {false, true}) {
     std::uint64_t seen[2] = {};
     for (const bool chosen : {false, true}) {

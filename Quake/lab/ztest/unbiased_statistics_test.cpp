@@ -1,6 +1,7 @@
-// Estimators that claim to be unbiased, held to pt's mean on scenes that are hard for them, and the proof that a bias
-// would be seen. A row is a scene, an estimator and what is set; a new feature is a new row. Small pictures and few
-// runs, so that all of it takes seconds; `fullbright-lab ztest` runs a row for as long as one likes.
+// Estimators that claim to be unbiased, held to pt's mean on scenes that are hard for them. A row is a scene, an
+// estimator and what is set; a new feature is a new row. Small pictures and few runs, so that all of it takes seconds;
+// `fullbright-lab ztest` runs a row for as long as one likes. That a bias would be seen: the rows of kHarness, and
+// power_test.cpp.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -64,7 +65,7 @@ render::RenderSettings settings_of(const std::vector<std::string>& sets) {
   return render::read_render_settings(console);
 }
 
-class UnbiasedTest : public render::DeviceTest, public testing::WithParamInterface<Row> {
+class UnbiasedStatistics : public render::DeviceTest, public testing::WithParamInterface<Row> {
  protected:
   static void TearDownTestSuite() {
     references_.clear();
@@ -113,7 +114,7 @@ class UnbiasedTest : public render::DeviceTest, public testing::WithParamInterfa
   inline static std::map<std::string, Expected> references_;
 };
 
-TEST_P(UnbiasedTest, HasTheMeanOfPt) { look_at(GetParam()); }
+TEST_P(UnbiasedStatistics, HasTheMeanOfPt) { look_at(GetParam()); }
 
 std::string row_name(const testing::TestParamInfo<Row>& info) {
   std::string name = fmt::format("{}_{}_{}", info.index, info.param.scene, info.param.estimator);
@@ -131,7 +132,7 @@ const Row kHarness[] = {
     {"lava", "pt", {}, plan(16, 4), 4, false},
     {"rocket", "pt", {}, plan(16, 4, 10), 4, false},
 };
-INSTANTIATE_TEST_SUITE_P(Harness, UnbiasedTest, testing::ValuesIn(kHarness), row_name);
+INSTANTIATE_TEST_SUITE_P(Harness, UnbiasedStatistics, testing::ValuesIn(kHarness), row_name);
 
 // Path guiding: warm and cold, light that stands and light that moves.
 RunPlan warm() { return plan(12, 4, 12); }
@@ -145,7 +146,7 @@ std::vector<Row> every_unbiased() {
       rows.push_back({"kinds", std::string(technique.name), {}, warm(), 4});
   return rows;
 }
-INSTANTIATE_TEST_SUITE_P(Every, UnbiasedTest, testing::ValuesIn(every_unbiased()), row_name);
+INSTANTIATE_TEST_SUITE_P(Every, UnbiasedStatistics, testing::ValuesIn(every_unbiased()), row_name);
 
 const Row kGuided[] = {
     {"cbox", "mcpg", {}, warm(), 2},           {"one_light", "mcpg", {}, warm(), 2},
@@ -154,7 +155,7 @@ const Row kGuided[] = {
     {"strips", "mcpg", {}, warm(), 8},         {"rocket", "mcpg", {}, plan(12, 6, 4), 4},
     {"moving", "mcpg", {}, plan(12, 4, 8), 2},
 };
-INSTANTIATE_TEST_SUITE_P(Guided, UnbiasedTest, testing::ValuesIn(kGuided), row_name);
+INSTANTIATE_TEST_SUITE_P(Guided, UnbiasedStatistics, testing::ValuesIn(kGuided), row_name);
 
 // Next-event estimation: what glows by itself, by texture, by pose, through holes and panes; sky and suns; coats.
 const Row kLooksForLights[] = {
@@ -164,10 +165,10 @@ const Row kLooksForLights[] = {
     {"one_light", "mcpg_nee", {}, cold(), 2},
     {"candles", "mcpg_nee", {}, warm(), 4},
 };
-INSTANTIATE_TEST_SUITE_P(LooksForLights, UnbiasedTest, testing::ValuesIn(kLooksForLights), row_name);
+INSTANTIATE_TEST_SUITE_P(LooksForLights, UnbiasedStatistics, testing::ValuesIn(kLooksForLights), row_name);
 
 // Fog, with light straight from what glows and with what surfaces reflect into it. Shafts are held to nee, whose mean
-// is that of pt (below) and of integrals (render/fog_test.cpp).
+// is that of pt (below) and of integrals (render/fog_statistics_test.cpp).
 const Row kFog[] = {
     {"slab", "nee", {}, warm(), 4},
     {"slab", "mcpg", {}, warm(), 4},
@@ -177,7 +178,7 @@ const Row kFog[] = {
     {"window", "mcpg", {}, warm(), 8, false, {"r_fog_bounces=2"}, "nee"},
     {"window", "nee", {"r_fog_bounces=1"}, warm(), 4, true, {"r_fog_bounces=2"}, "nee"},
 };
-INSTANTIATE_TEST_SUITE_P(Fog, UnbiasedTest, testing::ValuesIn(kFog), row_name);
+INSTANTIATE_TEST_SUITE_P(Fog, UnbiasedStatistics, testing::ValuesIn(kFog), row_name);
 
 // Interfaces of water: no straight ray finds the sun under them. Waves stand still.
 const Row kWater[] = {
@@ -188,19 +189,19 @@ const Row kWater[] = {
     {"ripple_above", "mcpg_nee", {}, warm(), 4, false, {"r_water=1"}},
     {"ripple_murky", "mcpg_nee", {}, warm(), 4, false, {"r_water=1"}},
 };
-INSTANTIATE_TEST_SUITE_P(Water, UnbiasedTest, testing::ValuesIn(kWater), row_name);
+INSTANTIATE_TEST_SUITE_P(Water, UnbiasedStatistics, testing::ValuesIn(kWater), row_name);
 
 // Glass: no straight ray finds the lamp from within it.
 const Row kGlass[] = {
     {"torus_soft", "nee", {}, warm(), 4},
     {"torus_soft", "mcpg", {}, warm(), 4},
 };
-INSTANTIATE_TEST_SUITE_P(Glass, UnbiasedTest, testing::ValuesIn(kGlass), row_name);
+INSTANTIATE_TEST_SUITE_P(Glass, UnbiasedStatistics, testing::ValuesIn(kGlass), row_name);
 
 // Every feature off, some settings at their ends, more scenes. Looked at where time is given:
 // FULLBRIGHT_UNBIASED_TIMES.
-using MoreUnbiasedTest = UnbiasedTest;
-TEST_P(MoreUnbiasedTest, HasTheMeanOfPt) {
+using MoreUnbiasedStatistics = UnbiasedStatistics;
+TEST_P(MoreUnbiasedStatistics, HasTheMeanOfPt) {
   if (std::getenv("FULLBRIGHT_UNBIASED_TIMES") == nullptr) GTEST_SKIP() << "FULLBRIGHT_UNBIASED_TIMES=1 runs it";
   look_at(GetParam());
 }
@@ -266,45 +267,7 @@ const Row kFeatures[] = {
     {"window", "mcpg_nee", {"r_deterministic=1"}, warm(), 8, false, {"r_fog_bounces=3"}, "nee"},
     {"window", "mcpg", {"r_deterministic=1"}, warm(), 16, false, {}, "nee"},
 };
-INSTANTIATE_TEST_SUITE_P(Features, MoreUnbiasedTest, testing::ValuesIn(kFeatures), row_name);
-
-using PowerTest = render::DeviceTest;
-
-TEST_F(PowerTest, FindsTwoPercentMoreLight) {
-  auto source = code_scene("lava", 60);
-  ASSERT_TRUE(source.ok());
-  auto film = collect_film(**source, 0);
-  ASSERT_TRUE(film.ok());
-  Film brighter = *film;  // no cvar scales what glows in scenes made in code
-  auto assets = std::make_shared<scene::Assets>(*brighter[0].assets);
-  assets->generation = scene::next_generation();
-  for (scene::Material& material : assets->materials) material.emission *= 1.02f;
-  brighter[0].assets = assets;
-  Sampling reference{{}, plan(16, 4)}, tested = reference;
-  reference.settings.spp = tested.settings.spp = 4;
-  tested.settings.seed = 1000;
-  const auto expected = render_runs(*device_, *film, reference), found = render_runs(*device_, brighter, tested);
-  ASSERT_TRUE(expected.ok() && found.ok());
-  const ZTest test = z_test(expected->blocks, found->blocks);
-  EXPECT_LT(test.p, kAlpha) << ztest_text(test);
-  EXPECT_LT(test.detectable(kAlpha), 0.02);
-  EXPECT_LT(test.energy.low, 0.02);
-  EXPECT_GT(test.energy.high, 0.02);
-}
-
-// With the same seeds on both sides every difference would be zero, and no bias would ever be found.
-TEST_F(PowerTest, TheSidesAreIndependent) {
-  auto source = code_scene("lava", 60);
-  ASSERT_TRUE(source.ok());
-  const auto film = collect_film(**source, 0);
-  ASSERT_TRUE(film.ok());
-  const Sampling sampling{{}, plan(8, 2)};
-  ReferenceRuns reference(*device_, *film, sampling);
-  const auto verdict = judge(reference, sampling, kAlpha);
-  ASSERT_TRUE(verdict.ok());
-  EXPECT_FALSE(verdict->biased);
-  EXPECT_GT(verdict->test.chi_squared, 0.5 * static_cast<double>(verdict->test.tested));
-}
+INSTANTIATE_TEST_SUITE_P(Features, MoreUnbiasedStatistics, testing::ValuesIn(kFeatures), row_name);
 
 }  // namespace
 }  // namespace fb::lab

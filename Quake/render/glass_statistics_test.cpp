@@ -18,7 +18,7 @@
 namespace fb::render {
 namespace {
 
-using GlassTest = DeviceTest;
+using GlassStatistics = DeviceTest;
 
 constexpr float kGlassIndex = 1.5f;
 
@@ -68,7 +68,7 @@ void look_from(scene::FrameSnapshot& snapshot, const vec3& position, float pitch
 }
 
 // A closed room of albedo a and emission e with a ring and a block of glass in it: e (1 + a) wherever one looks.
-TEST_F(GlassTest, AFurnaceStaysWhite) {
+TEST_F(GlassStatistics, AFurnaceStaysWhite) {
   const float albedo = 0.5f;
   for (const TechniqueInfo& estimator : techniques()) {
     if (!estimator.unbiased()) continue;
@@ -88,7 +88,7 @@ TEST_F(GlassTest, AFurnaceStaysWhite) {
 
 // White all around: what a ring reflects and what comes through it are together all of it, but for light that more
 // interfaces send around in it than are followed.
-TEST_F(GlassTest, ReflectsWhatItDoesNotLetThrough) {
+TEST_F(GlassStatistics, ReflectsWhatItDoesNotLetThrough) {
   scene::FrameSnapshot snapshot;
   snapshot.assets = std::make_shared<scene::Assets>();
   snapshot.sky.mode = scene::SkyMode::kConstant;
@@ -113,7 +113,7 @@ TEST_F(GlassTest, ReflectsWhatItDoesNotLetThrough) {
 
 // From within a block its upper face mirrors a panel that glows by Fresnel's reflectance, and all of it where the angle
 // exceeds the critical one.
-TEST_F(GlassTest, AFaceReflectsAllBeyondTheCriticalAngle) {
+TEST_F(GlassStatistics, AFaceReflectsAllBeyondTheCriticalAngle) {
   scene::FrameSnapshot snapshot;
   auto assets = std::make_shared<scene::Assets>();
   scene::Material panel;
@@ -151,7 +151,7 @@ TEST_F(GlassTest, AFaceReflectsAllBeyondTheCriticalAngle) {
 
 // A plate between the camera and a wall that glows: with R its reflectance and a what one crossing leaves, the series
 // of its inner reflections lets (1 - R)^2 a / (1 - R^2 a^2) through.
-TEST_F(GlassTest, APlateLetsThroughWhatItsInnerReflectionsLeave) {
+TEST_F(GlassStatistics, APlateLetsThroughWhatItsInnerReflectionsLeave) {
   for (const std::uint32_t flags : {0u, std::uint32_t{scene::kMaterialAlphaTest}}) {
     scene::FrameSnapshot snapshot;
     auto assets = std::make_shared<scene::Assets>();
@@ -187,7 +187,7 @@ TEST_F(GlassTest, APlateLetsThroughWhatItsInnerReflectionsLeave) {
 
 // A block that is of what surrounds it cannot be seen: at its faces nothing is bent or reflected, and behind it one is
 // in water again.
-TEST_F(GlassTest, AGlassBlockOfWaterInWaterIsNotSeen) {
+TEST_F(GlassStatistics, AGlassBlockOfWaterInWaterIsNotSeen) {
   const vec3 absorption(0.01f, 0.002f, 0.004f);
   std::vector<vec4> images[2];
   for (const bool within : {false, true}) {
@@ -207,7 +207,7 @@ TEST_F(GlassTest, AGlassBlockOfWaterInWaterIsNotSeen) {
 }
 
 // With r_glass 0 a surface is as if no text named it, whatever r_water says.
-TEST_F(GlassTest, IsASurfaceLikeAnyOtherWithoutIt) {
+TEST_F(GlassStatistics, IsASurfaceLikeAnyOtherWithoutIt) {
   std::uint64_t hashes[3];
   for (int kind = 0; kind < 3; ++kind) {
     scene::FrameSnapshot snapshot = scene::cornell_box();

@@ -19,7 +19,7 @@ LaneFigures lane(JudgeFigure figure, const std::vector<double>& seeds) {
   return l;
 }
 
-TEST(JudgeStatistics, FramesAreAveragedWhereTheyAreKnown) {
+TEST(JudgeFigures, FramesAreAveragedWhereTheyAreKnown) {
   Figures a = with(kFlip, 0.2), b = with(kFlip, 0.4);
   b[kFlicker] = 0.1;  // a first frame has none
   const Figures mean = mean_of({a, b});
@@ -28,7 +28,7 @@ TEST(JudgeStatistics, FramesAreAveragedWhereTheyAreKnown) {
   EXPECT_TRUE(std::isnan(mean[kBias]));
 }
 
-TEST(JudgeStatistics, ErrorsOverSeedsAreGeometric) {
+TEST(JudgeFigures, ErrorsOverSeedsAreGeometric) {
   const Estimate e = over_seeds(lane(kFlip, {1, 1, 100, 100}), kFlip);
   EXPECT_NEAR(e.value, 10, 1e-9);
   // t of three degrees is 3.182; the logarithms' standard error is ln(10) / sqrt(3).
@@ -40,7 +40,7 @@ TEST(JudgeStatistics, ErrorsOverSeedsAreGeometric) {
   EXPECT_TRUE(std::isnan(over_seeds(lane(kFlip, {0.3, NAN}), kFlip).value));
 }
 
-TEST(JudgeStatistics, BiasIsAPlainMeanAndKnowsTheReference) {
+TEST(JudgeFigures, BiasIsAPlainMeanAndKnowsTheReference) {
   const Estimate e = over_seeds(lane(kBias, {-0.1, 0.1, -0.1, 0.1}), kBias);
   EXPECT_NEAR(e.value, 0, 1e-12);
   EXPECT_NEAR(e.interval.high, 3.182 * 0.1 / std::sqrt(3.0), 1e-3) << "t of three degrees";
@@ -48,7 +48,7 @@ TEST(JudgeStatistics, BiasIsAPlainMeanAndKnowsTheReference) {
   EXPECT_NEAR(exact.interval.high, 0.02 + 0.0196, 1e-9) << "only the reference is uncertain";
 }
 
-TEST(JudgeStatistics, ASuiteWeighsViewsAlike) {
+TEST(JudgeFigures, ASuiteWeighsViewsAlike) {
   // The second lane's error is half of the first's in every view and seed, at twice the time.
   std::vector<ViewFigures> views;
   for (const double scale : {0.01, 1.0, 100.0}) {
@@ -71,7 +71,7 @@ TEST(JudgeStatistics, ASuiteWeighsViewsAlike) {
   EXPECT_NEAR(gain_over_first(views, 0, {1, 1}).equal_time.value, 1, 1e-12);
 }
 
-TEST(JudgeStatistics, AViewThatALaneDoesNotKnowIsLeftOut) {
+TEST(JudgeFigures, AViewThatALaneDoesNotKnowIsLeftOut) {
   std::vector<ViewFigures> views(2);
   views[0].lanes = {lane(kFlip, {0.2}), lane(kFlip, {0.4})};
   views[1].lanes = {lane(kFlip, {0.8}), LaneFigures{}};
@@ -80,7 +80,7 @@ TEST(JudgeStatistics, AViewThatALaneDoesNotKnowIsLeftOut) {
   EXPECT_TRUE(std::isnan(gain_over_first(views, 1, {1, 1}).equal_time.value));
 }
 
-TEST(JudgeStatistics, NothingButTheReferencesNoiseIsNoLessThanThat) {
+TEST(JudgeFigures, NothingButTheReferencesNoiseIsNoLessThanThat) {
   std::vector<ViewFigures> views(1);
   views[0].lanes = {lane(kRelMse, {-0.001}), lane(kRelMse, {0.04})};
   views[0].reference.rel_variance = 0.01;

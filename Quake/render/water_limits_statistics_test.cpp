@@ -19,7 +19,7 @@
 namespace fb::render {
 namespace {
 
-class WaterLimitsTest : public WaterDeviceTest {
+class WaterLimitsStatistics : public WaterDeviceTest {
  protected:
   static void expect_finite(const Renderer& renderer, const std::string& what) {
     EXPECT_EQ(renderer.read().counters().not_finite, 0u) << what;
@@ -31,7 +31,7 @@ class WaterLimitsTest : public WaterDeviceTest {
 constexpr const char* kEstimators[] = {"pt", "nee", "mcpg", "mcpg_nee"};
 
 // In a closed room of albedo a and emission e all is e (1 + a), from wherever it is seen.
-TEST_F(WaterLimitsTest, TheCameraIsAtTheSurfaceToTheLastBit) {
+TEST_F(WaterLimitsStatistics, TheCameraIsAtTheSurfaceToTheLastBit) {
   const float albedo = 0.5f, level = 37.3f, far = std::numeric_limits<float>::max();
   for (const char* estimator : kEstimators) {
     for (const float z : {std::nextafter(level, -far), level, std::nextafter(level, far)}) {
@@ -49,7 +49,7 @@ TEST_F(WaterLimitsTest, TheCameraIsAtTheSurfaceToTheLastBit) {
   }
 }
 
-TEST_F(WaterLimitsTest, LiquidsInOneAnotherLoseNothing) {
+TEST_F(WaterLimitsStatistics, LiquidsInOneAnotherLoseNothing) {
   const float albedo = 0.5f;
   for (const char* estimator : kEstimators) {
     for (const float z : {20.0f, -5.0f, -30.0f}) {  // above both, in one, in both
@@ -70,7 +70,7 @@ TEST_F(WaterLimitsTest, LiquidsInOneAnotherLoseNothing) {
 }
 
 // Straight down onto lava under 12 units of water, of which the surface reflects its share: the room above is dark.
-TEST_F(WaterLimitsTest, LavaShinesThroughAFootOfWater) {
+TEST_F(WaterLimitsStatistics, LavaShinesThroughAFootOfWater) {
   scene::FrameSnapshot snapshot = scene::lava_bath();
   look(snapshot, {-36, 10, 60}, 90, 1);
   const RenderSettings s = water_settings("pt", 0);
@@ -92,7 +92,7 @@ TEST_F(WaterLimitsTest, LavaShinesThroughAFootOfWater) {
 }
 
 // A map that leaks: rays leave the water downwards and sideways, and meet nothing.
-TEST_F(WaterLimitsTest, WaterWithoutAWorld) {
+TEST_F(WaterLimitsStatistics, WaterWithoutAWorld) {
   for (const char* estimator : {"mcpg", "mcpg_nee"})
     for (const float z : {30.0f, -30.0f}) {
       scene::FrameSnapshot snapshot = scene::one_light(10.0f, 10.0f, 0.5f);
