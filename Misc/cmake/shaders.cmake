@@ -2,8 +2,15 @@
 # arrays bound or by address (Shaders/lib/arrays.glsl), and, where it TRACES, through ray query as well (by address:
 # devices with ray query have addresses). fb_shader_table(FILE) then writes a header whose kCompiledShaders lists all.
 #
+# compile_shader.py takes what is compiled already from a cache (FULLBRIGHT_SHADER_CACHE); without Python all is compiled.
+#
 # fb_test_shader(NAME SOURCE) embeds one variant as NAME.spv.h with `NAME_spv`.
 find_program(GLSLANG NAMES glslangValidator glslang REQUIRED)
+find_package(Python3 COMPONENTS Interpreter QUIET)
+if(Python3_FOUND)
+  set(FB_SHADER_CACHE ${CMAKE_SOURCE_DIR}/Misc/cmake/compile_shader.py)
+  set(FB_SHADER_LAUNCHER ${Python3_EXECUTABLE} -I -S ${FB_SHADER_CACHE})
+endif()
 # FULLBRIGHT_SHADERS_FROM=FOLDER: another build folder of the same sources, whose compiled shaders are taken as they are, and
 # never compiled anew (CI's second build).
 set(FULLBRIGHT_SHADERS_FROM "" CACHE PATH "build folder of the same sources whose compiled shaders are taken as they are")
@@ -36,10 +43,10 @@ function(fb_compile_shader name source)
   list(TRANSFORM ARGN PREPEND -D)
   add_custom_command(
     OUTPUT ${out}
-    COMMAND ${GLSLANG} -V --quiet ${FB_SHADER_OPTIMIZE} --target-env vulkan1.2 -I${CMAKE_SOURCE_DIR}/Shaders ${ARGN}
+    COMMAND ${FB_SHADER_LAUNCHER} ${GLSLANG} -V --quiet ${FB_SHADER_OPTIMIZE} --target-env vulkan1.2 -I${CMAKE_SOURCE_DIR}/Shaders ${ARGN}
             --vn ${name}_spv --depfile ${out}.d -o ${out} ${source}
     DEPFILE ${out}.d
-    DEPENDS ${source}
+    DEPENDS ${source} ${FB_SHADER_CACHE}
     COMMENT "glslang ${name}" VERBATIM)
   set_property(GLOBAL APPEND PROPERTY FB_SHADER_HEADERS ${out})
 endfunction()
