@@ -122,6 +122,8 @@ def main() -> int:
 
     ctest = ["ctest", "--test-dir", str(options.build), *chosen]
     environment = dict(os.environ)
+    if options.keep_times:
+        environment["FULLBRIGHT_RUN_AGAIN"] = "1"  # also what passed before (unless_passed.py)
     if options.skipped_in:
         again, parts = for_want_of_data(list(ET.parse(options.skipped_in).getroot().iter("testcase")))
         environment["GTEST_FILTER"] = ":".join(parts) or "*"
