@@ -9,7 +9,10 @@ find_program(GLSLANG NAMES glslangValidator glslang REQUIRED)
 find_package(Python3 COMPONENTS Interpreter QUIET)
 if(Python3_FOUND)
   set(FB_SHADER_CACHE ${CMAKE_SOURCE_DIR}/Misc/cmake/compile_shader.py)
-  set(FB_SHADER_LAUNCHER ${Python3_EXECUTABLE} -I -S ${FB_SHADER_CACHE})
+  # What stands first in the PATH may be a script that looks for the interpreter, which takes longer than this one.
+  execute_process(COMMAND ${Python3_EXECUTABLE} -c "import sys; print(sys.executable)" OUTPUT_VARIABLE python
+                  OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  set(FB_SHADER_LAUNCHER ${python} -I -S ${FB_SHADER_CACHE})
 endif()
 # FULLBRIGHT_SHADERS_FROM=FOLDER: another build folder of the same sources, whose compiled shaders are taken as they are, and
 # never compiled anew (CI's second build).
