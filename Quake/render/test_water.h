@@ -31,6 +31,21 @@ class WaterDeviceTest : public DeviceTest {
 
 inline constexpr float kIndex = 1.33f;
 
+// A scene of one quad alone.
+inline scene::FrameSnapshot one_quad(const scene::Material& material, const vec3& corner, const vec3& u,
+                                     const vec3& v) {
+  scene::FrameSnapshot snapshot;
+  auto assets = std::make_shared<scene::Assets>();
+  assets->materials.push_back(material);
+  scene::Mesh quad;
+  scene::add_quad(quad, corner, u, v, 0);
+  scene::finish_mesh(quad);
+  assets->meshes.push_back(quad);
+  snapshot.assets = assets;
+  snapshot.instances.emplace_back();
+  return snapshot;
+}
+
 // A level surface of water at a height, from edge to edge of `half`; the water is under it.
 inline void add_water(scene::FrameSnapshot& snapshot, float z, float half, const vec3& absorption,
                       float scattering = 0.0f) {

@@ -1,9 +1,11 @@
-// Water (r_water 1) over many frames: what keeps the light that there is, and where waves throw it.
+// Water (r_water 1) over many samples: what keeps the light that there is, suns that shadow rays find through it and in
+// it, and where waves throw light.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "render/renderer.h"
 #include "render/test_device.h"
@@ -59,6 +61,117 @@ TEST_F(WaterStatistics, ReflectsWhatItDoesNotLetThrough) {
       for (const vec4& p : renderer->read().linear())
         for (int c = 0; c < 3; ++c) ASSERT_NEAR(p[c], static_cast<float>(c + 1), 1e-4f) << z << ' ' << waves;
     }
+}
+
+// A floor under still and moving water, lit by a sun alone: shadow rays find it through the surface, with what
+// Fresnel's and Snell's laws leave of it. Of a sun that brings E to a surface across its rays the floor reflects, as
+// basic radiance, albedo / pi (1 - R) exp(-sigma depth / cosine beyond) E cosine / n^2.
+TEST_F(WaterStatistics, ShadowRaysFindTheSunThroughTheSurface) {
+  const float depth = 80.0f, albedo = 0.5f, radius = 0.01f;
+  const vec3 absorption(0.01f, 0.002f, 0.0f);
+  for (const char* estimator : {"nee", "mcpg_nee"})
+    for (const float waves : {0.0f, 0.6f})
+      for (const bool above : {false, true}) {
+        scene::Material ground;
+        ground.base_color = vec3(albedo);
+        scene::FrameSnapshot snapshot = one_quad(ground, {-2000, -2000, -depth}, {4000, 0, 0}, {0, 4000, 0});
+        look(snapshot, {0, 0, above ? 100.0f : -10.0f}, 89.0f, 50);
+        add_water(snapshot, 0.0f, 2000.0f, absorption);
+        const float elevation = 0.9f, cosine = std::sin(elevation);
+        snapshot.sky.mode = scene::SkyMode::kConstant;
+        snapshot.sky.color = vec3(0.0f);
+        snapshot.sky.beyond_everything = true;
+        snapshot.sky.suns = {{vec3(std::cos(elevation), 0, cosine), vec3(1000.0f), radius * 180 / kPi}};
+        RenderSettings s = water_settings(estimator, 1);
+        s.spp = 64;
+        s.water_waves = waves;
+        s.water_scatter = 0;
+        auto renderer = make_renderer(s, 32, 24);
+        for (int i = 0; i < 8; ++i) renderer->render(snapshot, nullptr, s);
+        const std::vector<vec4> image = renderer->read().linear(), variance = renderer->read().variance_of_mean();
+        const float beyond = shared::dielectric_cosine_beyond(cosine, kIndex);
+        const float let_in = 1.0f - shared::dielectric_reflectance(cosine, kIndex);
+        double mean = 0, error = 0, expected = 0;
+        const auto n = static_cast<double>(image.size());
+        for (std::size_t i = 0; i < image.size(); ++i) {
+          mean += static_cast<double>(image[i].y) / n;
+          error += static_cast<double>(variance[i].y) / (n * n);
+          const float column = static_cast<float>(i % 32), row = static_cast<float>(i / 32);
+          const float half = std::tan(radians(25.0f)), x = ((column + 0.5f) / 16.0f - 1.0f) * half;
+          const float y = ((row + 0.5f) / 16.0f - 0.75f) * half, from = std::sqrt(1.0f / (1.0f + x * x + y * y));
+          const float inner = above ? shared::dielectric_cosine_beyond(from, kIndex) : from;
+          const float seen = above ? 1.0f - shared::dielectric_reflectance(from, kIndex) : 1.0f;
+          const float way = (above ? depth : depth - 10.0f) / inner + depth / beyond;
+          expected += static_cast<double>(albedo * 1000.0f * let_in / kPi * cosine / (kIndex * kIndex) * seen *
+                                          std::exp(-absorption.y * way)) /
+                      n;
+        }
+        // Waves move the light about: what falls on the whole picture is that of level water but for a few percent.
+        const double slack = waves > 0 ? 0.05 : 2e-3;
+        EXPECT_NEAR(mean, expected, 4.5 * std::sqrt(error) + slack * expected)
+            << estimator << ' ' << waves << ' ' << above;
+        EXPECT_LT(std::sqrt(error), 0.01 * expected) << estimator << ' ' << waves << ' ' << above;
+        EXPECT_EQ(renderer->read().counters().not_finite, 0u);
+      }
+}
+
+// A slab that hangs over water, from below: the sun that the water mirrors onto it, by shadow rays. It reflects albedo
+// / pi R E cosine.
+TEST_F(WaterStatistics, ShadowRaysFindTheSunThatWaterMirrors) {
+  const float albedo = 0.5f, elevation = 0.5f, cosine = std::sin(elevation);
+  for (const char* estimator : {"nee", "mcpg_nee"})
+    for (const float waves : {0.0f, 0.6f}) {
+      scene::Material stone;
+      stone.base_color = vec3(albedo);
+      scene::FrameSnapshot snapshot = one_quad(stone, {-40, -40, 100}, {0, 80, 0}, {80, 0, 0});
+      look(snapshot, {0, 0, 50}, -89.0f, 40);
+      add_water(snapshot, 0.0f, 2000.0f, vec3(0.0f));
+      snapshot.sky.mode = scene::SkyMode::kConstant;
+      snapshot.sky.color = vec3(0.0f);
+      snapshot.sky.beyond_everything = true;
+      snapshot.sky.suns = {{vec3(std::cos(elevation), 0, cosine), vec3(1000.0f), 0.5f}};
+      RenderSettings s = water_settings(estimator, 1);
+      s.spp = 64;
+      s.water_waves = waves;
+      auto renderer = make_renderer(s, 32, 24);
+      for (int i = 0; i < 16; ++i) renderer->render(snapshot, nullptr, s);
+      const ImageEstimate e = image_estimate(renderer->read().linear());
+      const double expected =
+          static_cast<double>(albedo / kPi * 1000.0f * cosine * shared::dielectric_reflectance(cosine, kIndex));
+      EXPECT_NEAR(e.mean, expected, 5 * e.error + (waves > 0 ? 0.1 : 2e-3) * expected) << estimator << ' ' << waves;
+      // Taken from the scatter over the picture, so that the pattern which waves throw is in it.
+      EXPECT_LT(e.error, 0.04 * expected) << estimator << ' ' << waves << ": the test can see little";
+      EXPECT_EQ(renderer->read().counters().not_finite, 0u);
+    }
+}
+
+// A lamp under the surface, over dark ground: shadow rays and chance lose as much on the way, also where other paths of
+// the same moment go on to the surface and back.
+TEST_F(WaterStatistics, EveryPieceAbsorbsOnce) {
+  scene::FrameSnapshot snapshot = scene::one_light(24.0f, 10.0f, 0.5f);
+  look(snapshot, {-60, 0, 50}, 89, 60);
+  add_water(snapshot, 60.0f, 140.0f, vec3(0.005f, 0.01f, 0.002f));
+  vec3 means[2];
+  double errors[2];
+  for (const int looks : {0, 1}) {
+    RenderSettings s = water_settings(looks == 1 ? "nee" : "pt", 1);
+    s.spp = looks == 1 ? 64 : 256;
+    auto renderer = make_renderer(s, 32, 24);
+    const int frames = 16;
+    for (int i = 0; i < frames; ++i) renderer->render(snapshot, nullptr, s);
+    const std::vector<vec4> image = renderer->read().linear(), variance = renderer->read().variance_of_mean();
+    double sum = 0, n = static_cast<double>(image.size());
+    means[looks] = vec3(0.0f);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      means[looks] += vec3(image[i]) / static_cast<float>(n);
+      sum += static_cast<double>(variance[i].y);
+    }
+    errors[looks] = std::sqrt(sum) / n;
+  }
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(means[0][c] / means[1][c], 1.0f, 5 * std::hypot(errors[0], errors[1]) / static_cast<double>(means[1].y))
+        << c;
+  EXPECT_LT(errors[0], 0.01 * static_cast<double>(means[1].y)) << "the test can see little";
 }
 
 // One sine wave focuses the sun: the floor is brightest under its crests, and darkest between them (geometric optics;
