@@ -263,6 +263,7 @@ def be_patient(game):
     patience = 8  # seconds, of which the first packet after five is a word in time
     for client in game.clients:
         client.end()
+        game.server.say(f"kick {client.name}")  # of ten goodbyes the relay loses one
     game.server.say(f"net_messagetimeout {patience}")
     busy = game.start("busy", [*game.headless, "-size", "1280x720"],
                       ["+r_spp 4096", f"+connect 127.0.0.1:{game.port}", *["+wait"] * 200, "+echo drawn"])
