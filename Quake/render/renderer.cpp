@@ -5,7 +5,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <ratio>
+#include <utility>
 
 #include "base/check.h"
 #include "base/log.h"
@@ -14,6 +16,7 @@
 #include "render/passes/debug_views.h"
 #include "render/picture/frame_constants.h"
 #include "render/passes/frame_keys.h"
+#include "render/picture/lens.h"
 #include "render/scene/intersector_choice.h"
 #include "render/picture/medium_distances.h"
 #include "render/picture/overlay.h"
@@ -101,6 +104,9 @@ struct Renderer::Impl {
   std::uint64_t generation = 0, number = 0;  // of the assets; of the next frame
   std::uint32_t accumulated = 0;             // frames in the mean after the last render
   bool restart = true;
+  std::optional<uvec2> iteration;  // begins with the next frame: its number, its samples
+  bool ends_iterations = false;    // with the next frame
+  bool final_passes = false;       // of this frame
   double last_time = 0;
   SceneFeatures features;
   bool warps = false;           // waves distort the picture
@@ -262,6 +268,8 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   const bool same_view = now == key && !restart && settings.accumulate != 0;
   const bool first_frame = key == 0;
   if (!same_view) accumulated = 0;
+  const std::uint32_t sample = accumulated;  // whose random numbers they are
+  if (final_passes) accumulated = 0;         // a picture of its own, no further sample
 
   const shared::FrameConstants former = constants;
   constants = frame_constants(snapshot, settings, render_size, output_size);
@@ -279,7 +287,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.light_power = lights.power;
   constants.lamp_first = lights.first_lamp;
   constants.accumulated_frames = accumulated;
-  constants.frame = shared::hash_combine(static_cast<std::uint32_t>(snapshot.frame), accumulated);
+  constants.frame = shared::hash_combine(static_cast<std::uint32_t>(snapshot.frame), sample);
   if (technique->salt() != 0) constants.frame = shared::hash_combine(constants.frame, technique->salt());
   const double elapsed = std::clamp(snapshot.time - last_time, 0.0, 1.0);
   const bool jump = first_frame || snapshot.cut || same_view || settings.exposure_time <= 0;
@@ -300,12 +308,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.former_light_y = former.light_y;
   constants.former_light_block = former.light_block;
   distances.fill(constants, snapshot.cut);
-  const uvec2 smooth = Denoiser::smooth_size(render_size, place.size, settings);
-  constants.smooth_width = smooth.x;
-  constants.smooth_height = smooth.y;
-  const bool scales_up = smooth != render_size;
-  constants.tap_size = scales_up ? static_cast<float>(render_size.x) / static_cast<float>(smooth.x) : 1.0f;
-  constants.tap_shift = 0.5f * (scales_up ? constants.tap_size : -1.0f);
+  fill_taps(constants, render_size, Denoiser::smooth_size(render_size, place.size, settings));
   if (settings.texture_filter < 0)
     constants.texture_filter =
         static_cast<std::int32_t>(constants.denoise != 0 ? shared::kFilterFootprint : shared::kFilterNearest);
@@ -323,8 +326,6 @@ PassList Renderer::Impl::list_passes() {
   const Variant variant{ray_query,         features.alpha_test || features.translucent,
                         features.specular, features.surfaces,
                         features.medium,   has_interfaces()};
-  const uvec2 tiles = groups_over(render_size, 8);
-  const Variant layered{.water = has_interfaces()};  // of a pass that knows the denoiser's layers
   PassList list;
   const auto frame = [&](const char* name, const gpu::ComputePipeline& pipeline, uvec2 groups) {
     list.dispatch(name, PassKind::kFrame, pipeline, groups);
@@ -334,23 +335,13 @@ PassList Renderer::Impl::list_passes() {
   Variant path_variant = variant;
   path_variant.show_view = shows_view();
   const bool medium = MediumDistances::scatters(constants);
-  technique->add_passes({list, shaders, path_variant, Denoiser::light_size(render_size, constants.light_block),
-                         medium ? work().groups(shared::kWorkMedium) : AskedGroups(), constants.bounces,
-                         constants.medium_bounces});
-  frame("accumulate", shaders.get(medium ? "accumulate_medium" : "accumulate"), tiles);
-  denoiser.add_passes(list, shaders, medium ? work().groups(shared::kWorkMedium) : AskedGroups(),
-                      has_interfaces() ? work().groups(shared::kWorkSecond) : AskedGroups());
-  frame("histogram", shaders.get("exposure_histogram"), groups_over(render_size, 16));
-  const bool lens = constants.debug_view == 0 && (constants.bloom > 0 || constants.local_exposure > 0);
-  if (lens) frame("local_exposure", shaders.get("local_exposure"), {(shared::kGridCells + 63) / 64, 1});
-  frame("exposure", shaders.get("exposure"), {1, 1});
-  if (lens) {
-    const uvec2 small = groups_over({shared::kBloomWidth, shared::kBloomHeight}, 8);
-    for (const char* step : {"bloom_small", "bloom_x", "bloom_y"}) frame(step, shaders.get(step), small);
-  }
-  frame("tonemap",
-        constants.debug_view != 0 ? shaders.get("debug_view", layered) : shaders.get(lens ? "tonemap_lens" : "tonemap"),
-        tiles);
+  const AskedGroups in_medium = medium ? work().groups(shared::kWorkMedium) : AskedGroups();
+  const uvec2 lit = Denoiser::light_size(render_size, constants.light_block);
+  const TechniquePasses own{list, shaders, path_variant, lit, in_medium, constants.bounces, constants.medium_bounces};
+  final_passes ? technique->add_final_passes(own) : technique->add_passes(own);
+  frame("accumulate", shaders.get(medium ? "accumulate_medium" : "accumulate"), groups_over(render_size, 8));
+  denoiser.add_passes(list, shaders, in_medium, has_interfaces() ? work().groups(shared::kWorkSecond) : AskedGroups());
+  add_lens(list, shaders, constants, {.water = has_interfaces()});
   const uvec2 smooth(constants.smooth_width, constants.smooth_height);
   const char* over_time = smooth == render_size ? "temporal_antialias" : "temporal_upscale";
   frame("antialias", shaders.get(constants.taa != 0 ? over_time : "antialias"), groups_over(smooth, 8));
@@ -432,6 +423,9 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   const uvec2 lit = Denoiser::light_size(render_size, denoiser.light_block(settings));
   const std::uint64_t scene_now = scene_key(snapshot);
   const bool cut = key == 0 || restart || snapshot.cut || new_scene;
+  if (const auto begun = std::exchange(iteration, std::nullopt)) technique->begin_iteration(begun->x, begun->y);
+  final_passes = std::exchange(ends_iterations, false);
+  FB_CHECK(!final_passes || info->ends_iterations);
   technique->prepare({snapshot, settings, render_size, lit, 2 * half_pixel_tangent(camera, render_size.y), number++,
                       cut, !cut && scene_now == last_scene, snapshot.medium.scatters(), scene.features().turbid});
   overlay.prepare(draw, output_size.x, output_size.y);
@@ -457,6 +451,10 @@ void Renderer::set_precompiles(bool precompiles) { impl_->shaders.set_precompile
 void Renderer::set_hurries(bool hurries) { impl_->shaders.set_hurries(hurries); }
 bool Renderer::settled() const { return impl_->shaders.settled(); }
 void Renderer::restart_accumulation() { impl_->restart = true; }
+void Renderer::begin_iteration(std::uint32_t number, std::uint32_t samples) {
+  impl_->iteration = uvec2(number, samples);
+}
+void Renderer::end_iterations() { impl_->ends_iterations = true; }
 void Renderer::reset_learning() { impl_->forget_learnt(); }
 std::uint32_t Renderer::accumulated_frames() const { return impl_->accumulated; }
 const std::string& Renderer::intersector_name() const {

@@ -66,6 +66,12 @@ class Renderer {
 
   // Forgets what the estimator has learnt.
   void reset_learning();
+  // Offline iterations (render/techniques/technique.h): the next frame is the first of iteration `number`, from 0, in
+  // which frames take `samples` a pixel together.
+  void begin_iteration(std::uint32_t number, std::uint32_t samples);
+  // The next frame's picture is that of all iterations, made by the technique's final passes: only where it has them
+  // (TechniqueInfo::ends_iterations). It is averaged with no other frame.
+  void end_iterations();
 
   // Frames averaged in the linear image.
   std::uint32_t accumulated_frames() const;

@@ -69,6 +69,14 @@ void fill_jitter(shared::FrameConstants& c, const RenderSettings& settings, std:
   c.jitter_seed = asked && !alike ? start | 1u : 0;
 }
 
+void fill_taps(shared::FrameConstants& c, uvec2 render, uvec2 smooth) {
+  c.smooth_width = smooth.x;
+  c.smooth_height = smooth.y;
+  const bool scales_up = smooth != render;
+  c.tap_size = scales_up ? static_cast<float>(render.x) / static_cast<float>(smooth.x) : 1.0f;
+  c.tap_shift = 0.5f * (scales_up ? c.tap_size : -1.0f);
+}
+
 float half_pixel_tangent(const CameraFrame& camera, std::uint32_t height) {
   return glm::length(camera.up) / static_cast<float>(height);
 }

@@ -30,6 +30,8 @@ vec2 jitter_at(std::uint32_t index);
 // begins somewhere else for every seed (and frame, where frames do not accumulate), and pixels err independently,
 // unless the denoiser or footprints count on a jitter that all have. `c` is complete but for it.
 void fill_jitter(shared::FrameConstants& c, const RenderSettings& settings, std::uint32_t frame, bool moving);
+// Where anti-aliasing, whose picture is `smooth`, reads the rendered one.
+void fill_taps(shared::FrameConstants& c, uvec2 render, uvec2 smooth);
 
 // Camera, sky, suns, time, sizes. What depends on the renderer's history (accumulation, jitter, adaptation) is left to
 // it.

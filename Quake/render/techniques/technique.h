@@ -59,6 +59,12 @@ class Technique {
   virtual void prepare(const TechniqueFrame& frame) = 0;
   // Its passes, all of kind kEstimator: from the G-buffer to kBindRadiance. Called after prepare.
   virtual void add_passes(const TechniquePasses& passes) = 0;
+  // Offline rendering in iterations (lab/iterate): called before prepare of the first frame of each, from 0 on, in
+  // which frames take `samples` a pixel together. In play it is never called.
+  virtual void begin_iteration(std::uint32_t /*iteration*/, std::uint32_t /*samples*/) {}
+  // In the place of add_passes, in one more frame after the last iteration: the picture of all of them, from the
+  // G-buffer to kBindRadiance, where TechniqueInfo says ends_iterations.
+  virtual void add_final_passes(const TechniquePasses& /*passes*/) {}
   // Forgets at the next frame what it learnt.
   virtual void forget() {}
   // Mixed into the frame's random numbers; 0: they are the frame's own. Random numbers from which something was learnt
@@ -92,6 +98,8 @@ struct TechniqueInfo {
   bool wants_lights = false;                   // the list of lights (kBindLights)
   bool wants_previous_gbuffer = false;         // kBindPreviousGBuffer
   std::uint32_t views = shared::kViewOfFrame;  // the debug views that it draws itself: their owner
+  // The picture of offline iterations is made by its final passes; else it is the mean of all samples.
+  bool ends_iterations = false;
 
   bool unbiased() const { return bias == Bias::kUnbiased; }
   bool learns() const { return frames != Frames::kIndependent; }  // keeps something from frame to frame
