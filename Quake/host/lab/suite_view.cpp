@@ -73,7 +73,7 @@ class MeasuredView : public OpenView {
     if (e.picture && e.errors && piece.repeat == 0)
       if (auto status = keep_pictures(folder, name, *result); !status) return status.error();
     const double error =
-        result->reference_mean > 0 ? std::sqrt(result->reference_variance) / result->reference_mean : 0;
+        result->reference.mean > 0 ? std::sqrt(result->reference.variance) / result->reference.mean : 0;
     return lab::measured_piece(e, piece, *result, scene_, error);
   }
 

@@ -1,7 +1,5 @@
 #include "lab/bench/bench_job.h"
 
-#include <fmt/format.h>
-
 #include <map>
 #include <memory>
 
@@ -118,29 +116,6 @@ void summarise(BenchLane& lane, const View& view, const std::vector<Reference>& 
   }
 }
 
-Status check_sizes(const std::vector<BenchLane>& lanes, const std::vector<Reference>& references) {
-  for (const BenchLane& lane : lanes) {
-    const uvec2 size = lane.renderer->render_size();
-    for (const Reference& reference : references) {
-      if (reference.mean.width == size.x && reference.mean.height == size.y) continue;
-      return Error{fmt::format("the reference has {}x{} pixels, {} renders {}x{}", reference.mean.width,
-                               reference.mean.height, lane.result.name, size.x, size.y)};
-    }
-  }
-  return ok_status();
-}
-
-void describe_references(BenchResult& result, const std::vector<Reference>& references) {
-  result.reference_variance_known = true;
-  for (const Reference& reference : references) {
-    const Errors of_black = measure(reference, Picture{reference.mean.width, reference.mean.height,
-                                                       std::vector<vec3>(reference.mean.pixels.size(), vec3(0.0f))});
-    result.reference_mean -= of_black.bias / static_cast<double>(references.size());
-    result.reference_variance += of_black.reference_variance / static_cast<double>(references.size());
-    result.reference_variance_known = result.reference_variance_known && !reference.variance.empty();
-  }
-}
-
 }  // namespace
 
 Result<BenchResult> run_bench(gpu::Device& device, const View& view, const std::vector<Reference>& references,
@@ -151,7 +126,10 @@ Result<BenchResult> run_bench(gpu::Device& device, const View& view, const std::
     if (!lane) return lane.error();
     lanes.push_back(std::move(*lane));
   }
-  if (auto status = check_sizes(lanes, references); !status) return status.error();
+  for (const BenchLane& lane : lanes)
+    for (const Reference& reference : references)
+      if (auto status = check_size(reference, lane.renderer->render_size(), lane.result.name); !status)
+        return status.error();
 
   Progress progress("frame", std::uint64_t{job.runs} * view.frames(), {.quiet = job.quiet});
   for (std::uint32_t run = 0; run < job.runs; ++run) {
@@ -177,7 +155,7 @@ Result<BenchResult> run_bench(gpu::Device& device, const View& view, const std::
   result.height = job.height;
   result.device = device.report().name;
   result.intersector = lanes.front().renderer->intersector_name();
-  describe_references(result, references);
+  result.reference = figures_of(references);
   for (BenchLane& lane : lanes) {
     summarise(lane, view, references, &lane == &lanes.front() ? nullptr : &lanes.front().result.frames);
   }

@@ -46,9 +46,8 @@ struct ConfigurationResult {
 struct BenchResult {
   bool still = false;
   std::uint32_t width = 0, height = 0;
-  std::uint64_t first_frame = 0;                      // the view's number of the first of the warm-up; 0 if still
-  double reference_mean = 0, reference_variance = 0;  // over references, pixels and channels
-  bool reference_variance_known = false;
+  std::uint64_t first_frame = 0;  // the view's number of the first of the warm-up; 0 if still
+  ReferenceFigures reference;
   std::string device, intersector;
   std::vector<ConfigurationResult> configurations;
 };

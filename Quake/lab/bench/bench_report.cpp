@@ -13,22 +13,14 @@ namespace {
 
 std::string_view name_of(const Window& window) { return window.warm ? "warm" : "cold"; }
 
-std::string give_or_take(double error) { return std::isnan(error) ? "" : fmt::format("+- {:.2g}", error); }
-
 void add_gains(std::string& out, const std::string& name, const std::string& baseline, const Gains& g) {
-  const auto line = [&](std::string_view what, const Estimate& e) {
-    out += std::isnan(e.value) ? fmt::format("    {:38} none: the error is the reference's noise", what)
-                               : fmt::format("    {:38} {:.3f}", what, e.value);
-    if (e.has_interval()) out += fmt::format(" [{:.3f}, {:.3f}]", e.interval.low, e.interval.high);
-    out += '\n';
-  };
   out += fmt::format("  gain of {} over {}{}\n", name, baseline, g.samples.has_interval() ? " [95%]" : "");
-  line("equal samples", g.samples);
-  line("equal samples, of all frames' mean", {g.samples_of_means, {NAN, NAN}});
-  line("equal time of the estimator", g.time);
-  line("equal time of all passes", g.time_all);
-  line("equal time, frames paired", g.time_paired);
-  line("equal time, of the median frame", g.typical_time);
+  out += gain_line("equal samples", g.samples);
+  out += gain_line("equal samples, of all frames' mean", {g.samples_of_means, {NAN, NAN}});
+  out += gain_line("equal time of the estimator", g.time);
+  out += gain_line("equal time of all passes", g.time_all);
+  out += gain_line("equal time, frames paired", g.time_paired);
+  out += gain_line("equal time, of the median frame", g.typical_time);
 }
 
 void add_windows(std::string& out, const BenchResult& result) {
@@ -156,15 +148,41 @@ Json configuration_of(const ConfigurationResult& c, bool still, std::uint64_t fi
 
 }  // namespace
 
+std::string give_or_take(double error) { return std::isnan(error) ? "" : fmt::format("+- {:.2g}", error); }
+
+std::string gain_line(std::string_view what, const Estimate& e) {
+  std::string out = std::isnan(e.value) ? fmt::format("    {:38} none: the error is the reference's noise", what)
+                                        : fmt::format("    {:38} {:.3f}", what, e.value);
+  if (e.has_interval()) out += fmt::format(" [{:.3f}, {:.3f}]", e.interval.low, e.interval.high);
+  return out + '\n';
+}
+
+std::string reference_line(const BenchTitle& title, const ReferenceFigures& figures) {
+  return fmt::format("reference: {}; mean {:.4g}, {}\n", title.reference, figures.mean,
+                     figures.variance_known ? fmt::format("variance {:.3g} taken off every MSE", figures.variance)
+                                            : "variance unknown: its noise is part of every MSE");
+}
+
+std::string tail_remark(std::string_view what, const WindowStatistics& s) {
+  if (!s.mse.heavy_tail) return "";
+  return fmt::format(
+      "\n{}: rare samples rule the error (mean MSE {:.4g}, a typical run's {:.4g}); intervals "
+      "know nothing of what fewer than a third of the runs meet.\n",
+      what, s.mse.mean, s.mse.typical.value);
+}
+
+std::string reference_remark(std::string_view what, const WindowStatistics& s) {
+  if (s.reference_variance <= 0.1 * s.mse.mean) return "";
+  return fmt::format("\nThe reference's variance is over a tenth of what is measured of {}: take more samples of it.\n",
+                     what);
+}
+
 std::string bench_table(const BenchResult& result, const BenchTitle& title) {
   const Frames& shape = result.configurations.front().frames;
   std::string out = fmt::format("{}, {}x{}, {}; {} frames after {} of warm-up, {} runs\n{}, {}\n", title.view,
                                 result.width, result.height, result.still ? "still" : "moving", shape.measured,
                                 shape.warmup, shape.runs, result.device, result.intersector);
-  out += fmt::format("reference: {}; mean {:.4g}, {}\n", title.reference, result.reference_mean,
-                     result.reference_variance_known
-                         ? fmt::format("variance {:.3g} taken off every MSE", result.reference_variance)
-                         : "variance unknown: its noise is part of every MSE");
+  out += reference_line(title, result.reference);
   out += "\nGPU time, ms, median (p10 to p90):\n";
   for (const auto& c : result.configurations) {
     const auto text = [](const auto& p) {
@@ -184,19 +202,8 @@ std::string bench_table(const BenchResult& result, const BenchTitle& title) {
   if (shape.runs < kFewestRuns)
     out += fmt::format("\n{}: --repeats {}. Errors after +- are over runs.\n", too_few_runs(shape.runs), kFewestRuns);
   for (const auto& c : result.configurations)
-    for (const WindowStatistics& s : c.windows)
-      if (s.mse.heavy_tail)
-        out += fmt::format(
-            "\n{}, {}: rare samples rule the error (mean MSE {:.4g}, a typical run's {:.4g}); intervals "
-            "know nothing of what fewer than a third of the runs meet.\n",
-            c.name, name_of(s.window), s.mse.mean, s.mse.typical.value);
-  for (const auto& c : result.configurations) {
-    const WindowStatistics& s = c.windows.back();
-    if (s.reference_variance > 0.1 * s.mse.mean) {
-      out += fmt::format(
-          "\nThe reference's variance is over a tenth of what is measured of {}: take more samples of it.\n", c.name);
-    }
-  }
+    for (const WindowStatistics& s : c.windows) out += tail_remark(fmt::format("{}, {}", c.name, name_of(s.window)), s);
+  for (const auto& c : result.configurations) out += reference_remark(c.name, c.windows.back());
   return out;
 }
 
@@ -214,9 +221,9 @@ std::string bench_json(const BenchResult& result, const BenchTitle& title) {
             {"frames", shape.measured},
             {"reference",
              {{"from", title.reference},
-              {"mean", result.reference_mean},
-              {"variance_known", result.reference_variance_known},
-              {"variance", result.reference_variance}}},
+              {"mean", result.reference.mean},
+              {"variance_known", result.reference.variance_known},
+              {"variance", result.reference.variance}}},
             {"configurations", Json::array()}};
   for (const auto& c : result.configurations)
     json["configurations"].push_back(configuration_of(c, result.still, result.first_frame));

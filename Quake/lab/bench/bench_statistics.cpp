@@ -54,23 +54,23 @@ std::vector<double> ratios(std::vector<double> above, const std::vector<double>&
   return above;
 }
 
+// `error`: the column of errors.
 Gains gains_against(const Columns& base, std::uint32_t base_spp, const Columns& own, std::uint32_t own_spp,
-                    std::uint32_t runs) {
+                    std::uint32_t runs, const std::vector<double> Columns::*error) {
   const auto over_runs = [&](auto figure, const std::vector<double> Columns::*column) {
     return ratios(of_runs(base.*column, runs, figure), of_runs(own.*column, runs, figure));
   };
-  const std::vector<double> mse = over_runs(mean_over, &Columns::mse),
-                            time = over_runs(median_over, &Columns::estimator_ms);
+  const std::vector<double> errors = over_runs(mean_over, error), time = over_runs(median_over, &Columns::estimator_ms);
   const std::vector<double> paired = of_runs(ratios(base.estimator_ms, own.estimator_ms), runs, median_over);
   const double samples = static_cast<double>(base_spp) / own_spp;
   Gains gains;
-  gains.samples = factor_over_runs(products(mse, std::vector<double>(mse.size(), samples)));
-  const double above = mean(base.mse), below = mean(own.mse);
+  gains.samples = factor_over_runs(products(errors, std::vector<double>(errors.size(), samples)));
+  const double above = mean(base.*error), below = mean(own.*error);
   gains.samples_of_means = above > 0 && below > 0 ? above / below * samples : std::numeric_limits<double>::quiet_NaN();
-  gains.time = factor_over_runs(products(mse, time));
-  gains.time_all = factor_over_runs(products(mse, over_runs(median_over, &Columns::gpu_ms)));
-  gains.time_paired = factor_over_runs(products(mse, paired));
-  gains.typical_time = factor_over_runs(products(over_runs(median_over, &Columns::mse), time));
+  gains.time = factor_over_runs(products(errors, time));
+  gains.time_all = factor_over_runs(products(errors, over_runs(median_over, &Columns::gpu_ms)));
+  gains.time_paired = factor_over_runs(products(errors, paired));
+  gains.typical_time = factor_over_runs(products(over_runs(median_over, error), time));
   return gains;
 }
 
@@ -113,7 +113,9 @@ WindowStatistics window_statistics(const Frames& frames, const Window& window, c
   if (baseline != nullptr) {
     FB_CHECK(baseline->runs == frames.runs && baseline->warmup == frames.warmup &&
              baseline->measured == frames.measured);
-    s.gains = gains_against(columns(*baseline, window), baseline->spp, own, frames.spp, frames.runs);
+    const Columns base = columns(*baseline, window);
+    s.gains = gains_against(base, baseline->spp, own, frames.spp, frames.runs, &Columns::mse);
+    s.rel_gains = gains_against(base, baseline->spp, own, frames.spp, frames.runs, &Columns::rel_mse);
   }
   return s;
 }

@@ -36,16 +36,16 @@ struct Window {
   std::uint32_t first = 0;
 };
 
-// (MSE of the baseline / own MSE) times a cost of the baseline over the own: samples a pixel, or median GPU time of the
-// estimator's passes or of all: the geometric mean over runs of each run's own gain. Not a number where the
-// reference's noise is all that a run measured.
+// (Error of the baseline / own error, MSE or relMSE) times a cost of the baseline over the own: samples a pixel, or
+// median GPU time of the estimator's passes or of all: the geometric mean over runs of each run's own gain. Not a
+// number where the reference's noise is all that a run measured.
 struct Gains {
   Estimate samples, time, time_all;
-  double samples_of_means = 0;  // as `samples`, of the mean MSE of all frames of all runs
+  double samples_of_means = 0;  // as `samples`, of the mean error of all frames of all runs
   // As `time`, but with the median of the frames' own ratios of time, which a busy machine hardly touches: both frames
   // of a pair ran one after the other.
   Estimate time_paired;
-  Estimate typical_time;  // as `time`, of the median frame's MSE
+  Estimate typical_time;  // as `time`, of the median frame's error
 };
 // An error over runs.
 struct Errored {
@@ -59,12 +59,12 @@ struct WindowStatistics {
   double mse_median = 0;  // over frames
   Errored rel_mse;
   double rel_mse_median = 0;
-  double bias = 0, bias_error = 0;      // mean signed difference; error over runs and of the reference
-  double median_pixel = 0;              // mean over frames of the median pixel's squared error
-  double top_share = 0;                 // of all squared error, what the worst 0.1% of each frame's pixels hold
-  double reference_variance = 0;        // that was taken off, mean
-  double gpu_ms = 0, estimator_ms = 0;  // medians
-  std::optional<Gains> gains;           // none of the first configuration
+  double bias = 0, bias_error = 0;        // mean signed difference; error over runs and of the reference
+  double median_pixel = 0;                // mean over frames of the median pixel's squared error
+  double top_share = 0;                   // of all squared error, what the worst 0.1% of each frame's pixels hold
+  double reference_variance = 0;          // that was taken off, mean
+  double gpu_ms = 0, estimator_ms = 0;    // medians
+  std::optional<Gains> gains, rel_gains;  // of MSE, of relMSE; none of the first configuration
 };
 // `baseline` has the same shape; null: no gains. Pairs frames of the same run and index.
 WindowStatistics window_statistics(const Frames& frames, const Window& window, const Frames* baseline);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/progress.h"
+#include "lab/compare/metrics.h"
 #include "lab/content_key.h"
 #include "lab/reference/reference_job.h"
 
@@ -93,6 +94,24 @@ Result<std::vector<Reference>> make_references(const View& view, gpu::Device& de
     references.push_back(sum.reference());
   }
   return references;
+}
+
+ReferenceFigures figures_of(const std::vector<Reference>& references) {
+  ReferenceFigures figures;
+  for (const Reference& reference : references) {
+    const Errors of_black = measure(reference, Picture{reference.mean.width, reference.mean.height,
+                                                       std::vector<vec3>(reference.mean.pixels.size(), vec3(0.0f))});
+    figures.mean -= of_black.bias / static_cast<double>(references.size());
+    figures.variance += of_black.reference_variance / static_cast<double>(references.size());
+    figures.variance_known = figures.variance_known && !reference.variance.empty();
+  }
+  return figures;
+}
+
+Status check_size(const Reference& reference, uvec2 rendered, std::string_view name) {
+  if (reference.mean.width == rendered.x && reference.mean.height == rendered.y) return ok_status();
+  return Error{fmt::format("the reference has {}x{} pixels, {} renders {}x{}", reference.mean.width,
+                           reference.mean.height, name, rendered.x, rendered.y)};
 }
 
 }  // namespace fb::lab

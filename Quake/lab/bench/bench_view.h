@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -46,5 +47,14 @@ struct ReferenceOptions {
 // References of the view's measured frames (of a still one: one), with these settings.
 Result<std::vector<Reference>> make_references(const View& view, gpu::Device& device, render::RenderSettings settings,
                                                const ReferenceOptions& options);
+
+// What reports tell of references: over them, pixels and channels.
+struct ReferenceFigures {
+  double mean = 0, variance = 0;
+  bool variance_known = true;  // of all
+};
+ReferenceFigures figures_of(const std::vector<Reference>& references);
+// Whether the reference has what is rendered of `name`, or a sentence that says what has which size.
+Status check_size(const Reference& reference, uvec2 rendered, std::string_view name);
 
 }  // namespace fb::lab

@@ -53,16 +53,20 @@ Reference ReplicateSum::reference() const {
   return reference;
 }
 
-Reference render_replicates(render::Renderer& renderer, render::RenderSettings settings, scene::FrameSnapshot snapshot,
-                            std::uint32_t samples, const std::function<void(std::uint32_t)>& progress) {
-  const auto seed = static_cast<std::uint32_t>(settings.seed);
-  // All pixels are sampled in every frame, of what the denoiser would have been given.
+render::RenderSettings settings_of_samples(render::RenderSettings settings) {
   if (settings.denoise > 0 && settings.texture_filter < 0)
     settings.texture_filter = static_cast<int>(shared::kFilterFootprint);
   settings.denoise = 0;
   settings.spp = 1;
   settings.accumulate = 1;
   settings.jitter = settings.jitter != 0 ? 1 : 0;
+  return settings;
+}
+
+Reference render_replicates(render::Renderer& renderer, render::RenderSettings settings, scene::FrameSnapshot snapshot,
+                            std::uint32_t samples, const std::function<void(std::uint32_t)>& progress) {
+  const auto seed = static_cast<std::uint32_t>(settings.seed);
+  settings = settings_of_samples(std::move(settings));
   snapshot.frame = 0;
   snapshot.cut = true;
   ReplicateSum sum;

@@ -35,10 +35,14 @@ class ReplicateSum {
   std::vector<double> samples_;
 };
 
+// All pixels are sampled in every frame, once, of what the denoiser would have been given; the frames accumulate.
+// Jitter other than 0 covers the pixel.
+render::RenderSettings settings_of_samples(render::RenderSettings settings);
+
 // `samples` a pixel of the snapshot, whose `frame` and `cut` it sets. An estimator that learns goes on learning from
 // one replicate to the next: each replicate's mean is unbiased whatever was learnt before it, so they are uncorrelated.
-// One whose frames are correlated (render::Frames) begins each with nothing.
-// Jitter other than 0 covers the pixel; the denoiser is left out. `progress`: samples that are done.
+// One whose frames are correlated (render::Frames) begins each with nothing. Samples are those of settings_of_samples.
+// `progress`: samples that are done.
 Reference render_replicates(render::Renderer& renderer, render::RenderSettings settings, scene::FrameSnapshot snapshot,
                             std::uint32_t samples, const std::function<void(std::uint32_t)>& progress);
 

@@ -49,7 +49,7 @@ Json point_of(const Experiment& experiment, const Piece& piece, const Configurat
   point["passes"] = std::move(passes);
   point["not_finite"] = c.not_finite;
   if (!experiment.errors) return point;
-  point["errors"] = errors_of(c.frames, all.reference_variance_known);
+  point["errors"] = errors_of(c.frames, all.reference.variance_known);
   Json curve{{"mse", column(c.frames, [](const FrameRecord& f) { return f.errors.mse_corrected(); })},
              {"rel_mse", column(c.frames, [](const FrameRecord& f) { return f.errors.rel_mse_corrected(); })},
              {"milliseconds", column(c.frames, [](const FrameRecord& f) { return f.estimator_ms; })}};
