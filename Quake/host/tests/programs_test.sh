@@ -253,6 +253,15 @@ check "bench's CSV has a line a frame" test "$(grep -c . "$scratch/bench.csv")" 
 check "bench to standard output is JSON alone" grep -q '^{$' <<<"$("$lab" bench --quiet --scene cbox --size 8x8 --frames 0:1 \
   --reference-spp 32 --json - | head -1)"
 check "bench tells that two runs have no interval" grep -q '^95% intervals want 8 runs; there are 2: --repeats 8' "$scratch/bench"
+"$lab" iterate --quiet --scene cbox --size 24x16 --schedule 1,1,2 --repeats 2 --reference-spp 64 --estimators pt,mcpg \
+  --json "$scratch/iterate.json" --out "$scratch/iterated_" >"$scratch/iterate" 2>>"$scratch/log"
+check "iterate's exit status" test $? -eq 0
+check "iterate tells the gain" grep -q '^    relMSE, equal time of the estimator ' "$scratch/iterate"
+check "iterate's JSON has all runs and their samples" python3 -c "import json, sys; i = json.load(open(sys.argv[1])); \
+  assert i['samples'] == 4 and [len(c['runs']['mse']) for c in i['configurations']] == [2, 2]" "$scratch/iterate.json"
+check "iterate writes a picture of each" test -s "$scratch/iterated_pt.exr" -a -s "$scratch/iterated_mcpg.exr"
+check "iterate says what a schedule is" fails_with "--schedule 1,0: samples a pixel of each iteration are wanted" \
+  "$lab" iterate --scene cbox --schedule 1,0
 check "a scene in code is seen from --camera" test "$(for camera in 32,32,32,0,0,0 32,32,32,-60,90,0; do "$lab" render --quiet --scene cbox \
   --size 16x9 --estimator nee --camera $camera --hash --out "$scratch/camera" | sort -u; done | sort -u | wc -l)" -eq 2
 check "--camera is read for it, too" fails_with "--camera 0,0,0: six numbers" "$lab" render --scene cbox --camera 0,0,0
