@@ -19,6 +19,8 @@ Every estimator that its row calls unbiased is held to pt's mean by lab_test (Un
 import argparse
 import pathlib
 import re
+import shutil
+import subprocess
 import sys
 
 PARTS = ["lights", "control", "record", "memory", "pass", "setting", "view"]
@@ -337,6 +339,28 @@ def with_rows(name: str, parts: set[str], techniques: str, headers: str) -> tupl
     return techniques, headers
 
 
+def shaders_of(root: pathlib.Path) -> set[str]:
+    """Names that are taken: shaders', with what CMake calls their variants, and words that would name a struct twice."""
+    names = {"frame", "guide"}  # FrameConstants, GuideConstants
+    for path in (root / "Shaders/estimators").glob("*/*.comp"):
+        names |= {path.stem, f"{path.stem}_medium"}
+    for path in (root / "Shaders/estimators").glob("*/passes/*.comp"):
+        names.add(f"{path.parent.parent.name}_{path.stem}")
+    lists = root / "Shaders/CMakeLists.txt"
+    if lists.exists():
+        names |= set(re.findall(r"^fb_shader\((\w+)", lists.read_text(), re.M))
+        names |= {word for words in re.findall(r"^foreach\(pass ([\w ]+)\)", lists.read_text(), re.M) for word in words.split()}
+    return names
+
+
+def formatted(root: pathlib.Path, paths: list[pathlib.Path]) -> None:
+    """In the shape that Misc/check_format.sh wants, where there is clang-format and the checkout says which shape."""
+    tool, style = shutil.which("clang-format"), root / ".clang-format"
+    sources = [str(path) for path in paths if path.suffix in (".cpp", ".h")]
+    if tool and style.exists() and sources:
+        subprocess.run([tool, "-i", f"--style=file:{style}", *sources], check=True)
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("name", help="lower case letters, digits and _: the folder, the shader and r_estimator's value")
@@ -361,9 +385,8 @@ def main() -> int:
     table = root / "Quake/render/techniques/techniques.cpp"
     headers = root / "Shaders/estimators/techniques.h"
     folder = root / "Shaders/estimators" / options.name
-    taken = {path.stem for path in (root / "Shaders/estimators").glob("*/*.comp")}
-    if folder.exists() or options.name in taken:
-        print(f"new_estimator: there is an estimator {options.name} already", file=sys.stderr)
+    if folder.exists() or options.name in shaders_of(root):
+        print(f"new_estimator: there is a shader {options.name} already: an estimator's or a pass's", file=sys.stderr)
         return 2
     texts = "".join(path.read_text() for path in [root / "Shaders/shared/debug_views.h", *(root / "Shaders/estimators").glob("*/*.h")]
                     if path.exists())
@@ -374,7 +397,8 @@ def main() -> int:
     except (OSError, AssertionError) as wrong:
         print(f"new_estimator: {wrong}", file=sys.stderr)
         return 1
-    for path, text in files_of(options.name, options.description, parts, number, owner).items():
+    written = files_of(options.name, options.description, parts, number, owner)
+    for path, text in written.items():
         (root / path).parent.mkdir(parents=True, exist_ok=True)
         (root / path).write_text(text)
         print(f"wrote {root / path}")
@@ -382,6 +406,7 @@ def main() -> int:
         if text != path.read_text():
             path.write_text(text)
             print(f"its rows in {path}")
+    formatted(root, [*(root / path for path in written), table, headers])
     print("next: build, then look at  build/fullbright-lab render --scene kinds --estimator " + options.name)
     return 0
 

@@ -79,6 +79,26 @@ def begin(source: pathlib.Path, root: pathlib.Path) -> None:
     shutil.copytree(source / "Shaders/estimators", root / "Shaders/estimators")
     (root / "Shaders/shared").mkdir()
     shutil.copy(source / "Shaders/shared/debug_views.h", root / "Shaders/shared")
+    shutil.copy(source / "Shaders/CMakeLists.txt", root / "Shaders")
+    shutil.copy(source / ".clang-format", root)
+
+
+def check_names(source: pathlib.Path, root: pathlib.Path) -> None:
+    """Names that something has are refused, and nothing is written."""
+    before = sorted(root.rglob("*"))
+    for name in ("nee", "pt_medium", "gbuffer", "fold_seen", "mcpg_fold_cache", "denoise_mean", "frame"):
+        done = subprocess.run([sys.executable, str(source / "Misc/new_estimator.py"), name, "--root", str(root)],
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        assert done.returncode == 2 and "already" in done.stdout, f"{name}: {done.returncode}, {done.stdout}"
+    assert sorted(root.rglob("*")) == before
+
+
+def check_shape(root: pathlib.Path) -> None:
+    """What is written needs no other formatting."""
+    if shutil.which("clang-format") is None:
+        return
+    sources = [path for path in root.rglob("*") if path.suffix in (".h", ".cpp") and "mcpg" not in path.parts]
+    run("clang-format", "--dry-run", "--Werror", f"--style=file:{root}/.clang-format", *map(str, sources), cwd=root)
 
 
 def main() -> int:
@@ -90,6 +110,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as scratch:
         root = pathlib.Path(scratch) / "drawn"
         begin(source, root)
+        check_names(source, root)
         rows = ""
         for name in (PLAIN, WHOLE):
             write(source, root, name)
@@ -122,6 +143,7 @@ def main() -> int:
         root = pathlib.Path(scratch) / "compiled"
         begin(source, root)
         write(source, root, SEEN)
+        check_shape(root)
         folder = root / f"Shaders/estimators/{SEEN}"
         compile_shader(build, root, SEEN, folder / f"{SEEN}.comp", "pt", False)
         compile_shader(build, root, f"{SEEN}_mean", folder / "passes/mean.comp", "mcpg_fold_cache", False)
