@@ -1,5 +1,6 @@
 #include "lab/bench/bench_job.h"
 
+#include <limits>
 #include <map>
 #include <memory>
 
@@ -112,7 +113,9 @@ void summarise(BenchLane& lane, const View& view, const std::vector<Reference>& 
   if (view.still) {
     r.picture = lane.frames.mean();
     r.variance = lane.frames.variance();
-    r.bias_squared = lane.frames.bias_squared(references[0]);
+    const render::TechniqueInfo* technique = render::find_technique(r.estimator);
+    const bool correlated = technique != nullptr && technique->frames == render::Frames::kCorrelated;
+    r.bias_squared = correlated ? std::numeric_limits<double>::quiet_NaN() : lane.frames.bias_squared(references[0]);
   }
 }
 

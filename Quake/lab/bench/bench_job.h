@@ -39,7 +39,8 @@ struct ConfigurationResult {
   Pass all, estimator_passes;    // of all passes' sums, and of the estimator's own
   std::uint32_t not_finite = 0;  // samples, which counted as zero
   std::vector<WindowStatistics> windows;
-  // Still views, over the last window's frames of all runs: sample variance of a frame, squared bias of their mean.
+  // Still views, over the last window's frames of all runs: sample variance of a frame, squared bias of their mean,
+  // which is not a number where frames are correlated (render::Frames).
   double variance = 0, bias_squared = 0;
   Picture picture;  // the mean of those frames, or of a view that moves the last one
 };

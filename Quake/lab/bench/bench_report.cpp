@@ -68,8 +68,9 @@ void add_running(std::string& out, const BenchResult& result) {
       out += fmt::format("  {} {:5} MSE {:.4g}, relMSE {:.4g}, {:.1f} ms\n", c.name, name_of(s.window),
                          curve.mse.back(), curve.rel_mse.back(), curve.gpu_ms.back());
     }
-    out += fmt::format("  {} variance of a frame {:.4g}, squared bias of their mean {:.2g}\n", c.name, c.variance,
-                       c.bias_squared);
+    out += fmt::format("  {} variance of a frame {:.4g}, squared bias of their mean {}\n", c.name, c.variance,
+                       std::isnan(c.bias_squared) ? "unknown: frames are correlated, ask ztest"
+                                                  : fmt::format("{:.2g}", c.bias_squared));
   }
 }
 
@@ -139,7 +140,7 @@ Json configuration_of(const ConfigurationResult& c, bool still, std::uint64_t fi
   json["samples_not_finite"] = c.not_finite;
   if (still) {
     json["variance"] = c.variance;
-    json["bias_squared"] = c.bias_squared;
+    json["bias_squared"] = json_of(c.bias_squared);
   }
   for (const WindowStatistics& s : c.windows) json[std::string(name_of(s.window))] = window_of(c, s, still);
   json["single_frames"] = single_frames_of(c.frames, first_frame);
