@@ -96,13 +96,18 @@ RECORD = """// Step `record` of `{name}`: {what}.
 
 const bool kRecords = true;
 
-void record_direct(inout Path path, Vertex v, Direct direct, vec3 throughput) {{}}
-void record_hit(inout Path path, Vertex v, Proposal p, Incident incident, vec3 throughput) {{}}
+void record_direct(inout Path path, Vertex v, Guidance g, Direct direct, vec3 throughput) {{}}
+void record_hit(inout Path path, Vertex v, Guidance g, Proposal p, Incident incident, vec3 throughput) {{}}
+void record_last(inout Path path, Vertex v, Direct direct, vec3 throughput) {{}}
 void record_path(Path path, vec3 sum, inout uint rng) {{{store}}}
+void record_none(uvec2 block, uvec2 pixel) {{{none}}}
 """
 STORE = """
   if (IN_MEDIUM || any(isnan(sum)) || any(isinf(sum))) return;
   {name}_pixels.at[own.now + lit_index(path.pixel)] = vec4(sum, 1.0);
+"""
+NONE = """
+  {name}_pixels.at[own.now + lit_index(pixel)] = vec4(0.0);
 """
 
 ARRAYS = """// Array and constants of `{name}`.
@@ -271,7 +276,8 @@ def files_of(name: str, description: str, parts: set[str], view_number: int, vie
     if "record" in parts:
         stores = "memory" in parts
         shader("record.glsl", RECORD, what="the light of a pixel's last path is kept" if stores else "nothing is kept yet",
-               store=STORE.format(**values) if stores else "")
+               store=STORE.format(**values) if stores else "",
+               none=NONE.format(**values) if stores else "")
     if "pass" in parts:
         shader("passes/mean.comp", PASS, alpha=f"own.{name}_alpha" if "setting" in parts else "0.1")
     if "view" in parts:
@@ -306,7 +312,7 @@ def files_of(name: str, description: str, parts: set[str], view_number: int, vie
         + (f',\n        memory_(tools.device, tools.table, k{values["Name"]}Rows, "{name} reset")' if memory else ""),
         prepare=("    constants.seen_stride = seen_stride(frame.lit, frame.settings, frame.medium());\n"
                  "    constants.seen_ways = seen_.begin_frame();\n    frame_ = seen_.fresh() ? 1 : frame_ + 1;\n" if lights else "")
-        + (f"    memory_.begin_frame(std::uint64_t{{frame.lit.x}} * frame.lit.y);\n    constants.now = memory_.now({pixels});\n"
+        + (f"    if (frame.cut) memory_.forget();\n    memory_.begin_frame(frame.lit);\n    constants.now = memory_.now({pixels});\n"
            f"    constants.former = memory_.former({pixels});\n" if memory else ""),
         before=("    seen_.add_reset(passes.list);\n" if lights else "") + ("    memory_.add_reset(passes.list);\n" if memory else ""),
         after=("    seen_.add_fold(passes.list, passes.shaders);\n" if lights else "")

@@ -42,10 +42,5 @@ vec3 light_left(uint liquid, float distance) {
   if (!FEATURE_WATER || liquid == kNoIndex) return left;
   return transmittance(extinction_of(material_at(liquid & kNoMaterial)), distance);
 }
-vec3 light_left(Vertex v, Hit hit) { return light_left(v.liquid, hit.instance == kNoIndex ? kRayEnd : hit.t); }
 
-// Every ray that leaves a vertex: a path's own, and those that look for light. The nearest hit within `reach`.
-Hit trace_from(Vertex v, vec3 direction, float reach, inout uint rng) {
-  return trace(scatter_origin(v.scatter, v.position), direction, 0.0, reach, kMaskIndirect, rng);
-}
 #endif

@@ -90,9 +90,10 @@ void light_in_medium(PathPixel p) {
     float distance = sample_distance(distances, rng_uniform(rng));
     Vertex v = medium_vertex(piece.origin + piece.direction * distance, -piece.direction, piece.liquid);
     Path path = path_of(p, i);
+    path.factor = piece.scattered * transmittance(piece.extinction, distance) / max(pdf_distance(distances, distance) * chance, 1e-30);
     vec3 estimate = trace_path(v, path, rng);
     take_finite(estimate);
-    estimate *= piece.scattered * transmittance(piece.extinction, distance) / max(pdf_distance(distances, distance) * chance, 1e-30);
+    estimate *= path.factor;
     sum += estimate;
     float far = piece.start + distance;
     met += luminance(estimate) * vec3(1.0, far, far * far);

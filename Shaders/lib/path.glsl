@@ -16,10 +16,10 @@
 //                                                                                density of propose in any direction, from the
 //                                                                                density of the vertex's own scattering
 //   direct    const bool kLooksForLight
-//             Direct look_for_light(Vertex v, Guidance g, Path path, inout uint rng)   by a ray more
-//             float met_share(Vertex v, Segment way, Proposal p, vec3 emission, Path path)
+//             Direct look_for_light(Vertex v, inout Guidance g, inout Path path, inout uint rng)   by a ray more
+//             float met_share(Vertex v, Segment way, Proposal p, vec3 emission, inout Path path)
 //                                                                                of emission that is met before the last vertex
-//             Direct last_light(Vertex v, Path path, inout uint rng)             by a path's last ray, which looks for it in turns
+//             Direct last_light(Vertex v, inout Path path, inout uint rng)       by a path's last ray, which looks for it in turns
 //             bool point_of_light(inout uint rng, out vec3 place)                a point that may glow, for distances in a medium
 //   control   const bool kHasControl                                             a control variate h of what a vertex reflects
 //             vec3 control_mean(Vertex v, Guidance g, Field here)                the integral of h over all directions, exact
@@ -32,9 +32,11 @@
 //   record    const bool kRecords                                                what a path did, for who stores it. The light of
 //             its rest as vertex i reflects it is r_i = direct_i + weight_i (incident_i.emission + incident_i.way.left r_(i+1)):
 //             no division by a throughput that may be zero
-//             void record_direct(inout Path path, Vertex v, Direct direct, vec3 throughput)    at last vertices, too
-//             void record_hit(inout Path path, Vertex v, Proposal p, Incident incident, vec3 throughput)    at misses, too
+//             void record_direct(inout Path path, Vertex v, Guidance g, Direct direct, vec3 throughput)
+//             void record_hit(inout Path path, Vertex v, Guidance g, Proposal p, Incident incident, vec3 throughput)    at misses, too
+//             void record_last(inout Path path, Vertex v, Direct direct, vec3 throughput)    of a last vertex that is apart
 //             void record_path(Path path, vec3 sum, inout uint rng)              its end, whatever ended it
+//             void record_none(uvec2 block, uvec2 pixel)                         a pixel of the picture that has no path
 //   views     const bool kHasViews; void draw_view(...)                          lib/steps/no_views.glsl
 #ifndef FB_LIB_PATH
 #define FB_LIB_PATH
@@ -68,7 +70,7 @@ vec3 trace_path(Vertex v, inout Path path, inout uint rng) {
       Direct direct = look_for_light(v, guidance, path, rng);
       sum += throughput * direct.radiance;
       learn_direct(guidance, direct, path, rng);
-      if (kRecords) record_direct(path, v, direct, throughput);
+      if (kRecords) record_direct(path, v, guidance, direct, throughput);
     }
     if (kHasControl) sum += throughput * control_variate(v, guidance, here, proposal);
     if (proposal.weight == vec3(0.0)) {
@@ -99,7 +101,7 @@ vec3 trace_path(Vertex v, inout Path path, inout uint rng) {
       incident.reflection = field_reflection(incident.field, here, next) * left;
     }
     if (kLearns) learn_hit(v, guidance, proposal, incident, path, rng);
-    if (kRecords) record_hit(path, v, proposal, incident, throughput);
+    if (kRecords) record_hit(path, v, guidance, proposal, incident, throughput);
     if (dark) break;
     throughput *= proposal.weight;
     sum += throughput * incident.emission;
@@ -119,7 +121,7 @@ vec3 trace_path(Vertex v, inout Path path, inout uint rng) {
     Direct direct = last_light(v, path, rng);
     sum += throughput * direct.radiance;
     learn_last(here, direct, path, rng);
-    if (kRecords) record_direct(path, v, direct, throughput);
+    if (kRecords) record_last(path, v, direct, throughput);
   }
   if (kRecords) record_path(path, sum, rng);
   return sum;

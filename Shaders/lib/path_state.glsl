@@ -10,6 +10,8 @@ struct Path {
   uint depth;   // reflections so far: its vertices are numbered from 0 on
   uint most;    // reflections that it may have
   bool last;    // emission alone counts at what is met next
+  bool second;  // it begins at the second surface that a pixel shows by way of water
+  vec3 factor;  // on what it brings: of how its first vertex was chosen
   PathOwn own;
 };
 

@@ -31,18 +31,15 @@ void main() {
     PixelLight light = no_light();
     uint i = 0u;
     do {
-      uint rng = rng_seed(p.at, frame.frame, i, frame.seed);
       Vertex first = v;
-      bool second = false;
-      float factor = FEATURE_WATER ? choose_surface(first, p.at, (g.material_metalness & kTexelLiquid) != 0u, rng, second) : 1.0;
-      Path path = path_of(p, i);
-      vec3 estimate = trace_path(first, path, rng);
-      if (FEATURE_WATER) estimate *= factor;
-      add_sample(light, estimate, second);
+      uint rng;
+      Path path = start_path(p, g, i, first, rng);
+      add_sample(light, path, trace_path(first, path, rng));
     } while (++i < frame.spp);
     store_light(p, g, light, float(frame.spp));
   } else {
     store_emission(p, g);
+    if (kRecords) record_none(p.block, p.pixel);
   }
   if (kHasViews && SHOW_VIEW) draw_view(p, lit, v);
 }

@@ -4,6 +4,7 @@
 #define FB_LIB_PIXEL_START
 #include "lib/first_vertex.glsl"
 #include "lib/path_state.glsl"
+#include "lib/water_texel.glsl"
 
 struct PathPixel {
   uvec2 block;   // of which one pixel is lit in this frame
@@ -31,15 +32,34 @@ bool reflects_light(GBufferTexel g) {
   return g.position_t.w != 0.0 && !black && frame.bounces != 0u;
 }
 
-// Path i of a pixel, at its first vertex.
-Path path_of(PathPixel p, uint i) {
+// A path that begins anywhere, as at a probe, and may have so many reflections. The step `begin` has not been asked.
+Path path_from(uvec2 pixel, uint number, uint most) {
   Path path;
-  path.pixel = p.pixel;
-  path.number = p.number + i;
+  path.pixel = pixel;
+  path.number = number;
   path.depth = 0u;
-  path.most = most_reflections();
-  path.last = false;
+  path.most = most;
+  path.last = path.second = false;
+  path.factor = vec3(1.0);
+  return path;
+}
+
+// Path i of a pixel.
+Path path_of(PathPixel p, uint i) {
+  Path path = path_from(p.pixel, p.number + i, most_reflections());
   begin_path(path, p.block, i);
+  return path;
+}
+
+// The same at its first vertex, with its random numbers. `v`: what the texel itself shows; where water shows two surfaces it
+// becomes one of them.
+Path start_path(PathPixel p, GBufferTexel g, uint i, inout Vertex v, out uint rng) {
+  rng = rng_seed(p.at, frame.frame, i, frame.seed);
+  bool second = false;
+  float factor = FEATURE_WATER ? choose_surface(v, p.at, (g.material_metalness & kTexelLiquid) != 0u, rng, second) : 1.0;
+  Path path = path_of(p, i);
+  path.second = second;
+  path.factor = vec3(factor);
   return path;
 }
 #endif

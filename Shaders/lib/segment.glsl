@@ -163,13 +163,17 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
   return s;
 }
 
-// A path's own direction, or where `turn` is kTurnNowhere one that looks for light.
-Segment segment_from(Vertex v, vec3 direction, float reach, uint turn, inout uint rng) {
-  vec3 origin = scatter_origin(v.scatter, v.position);
+// From a point, which need not be a vertex, in a liquid or not: a path's own direction, or where `turn` is kTurnNowhere one that
+// looks for light.
+Segment segment_of(vec3 origin, uint liquid, vec3 direction, float reach, uint turn, inout uint rng) {
   Parting unused;
-  if (FEATURE_WATER) return follow(straight(origin, direction, v.liquid), reach, kMaskIndirect, turn, false, unused, rng);
-  Hit hit = trace_from(v, direction, reach, rng);
-  return Segment(hit, origin, direction, light_left(v, hit), kNoIndex, false, 0.0, hit.t, hit.t);
+  if (FEATURE_WATER) return follow(straight(origin, direction, liquid), reach, kMaskIndirect, turn, false, unused, rng);
+  Hit hit = trace(origin, direction, 0.0, reach, kMaskIndirect, rng);
+  return Segment(hit, origin, direction, light_left(kNoIndex, hit.instance == kNoIndex ? kRayEnd : hit.t), kNoIndex, false, 0.0,
+                 hit.t, hit.t);
+}
+Segment segment_from(Vertex v, vec3 direction, float reach, uint turn, inout uint rng) {
+  return segment_of(scatter_origin(v.scatter, v.position), v.liquid, direction, reach, turn, rng);
 }
 
 // The vertex at a segment's end. A coat has next to no reflectance where it borders on water or glass.

@@ -3,7 +3,6 @@
 #ifndef FB_LIB_STORE_LIGHT
 #define FB_LIB_STORE_LIGHT
 #include "lib/pixel_start.glsl"
-#include "lib/water_texel.glsl"
 
 // Of the samples of a pixel so far.
 struct PixelLight {
@@ -21,10 +20,12 @@ bool take_finite(inout vec3 estimate) {
   return true;
 }
 
-void add_sample(inout PixelLight light, vec3 estimate, bool second) {
+// What a path brought.
+void add_sample(inout PixelLight light, Path path, vec3 estimate) {
+  if (FEATURE_WATER) estimate *= path.factor;
   if (take_finite(estimate)) light.lost += 1.0;
   light.sum += estimate;
-  if (FEATURE_WATER) light.second += second ? vec4(estimate, 1.0) : vec4(0.0);
+  if (FEATURE_WATER) light.second += path.second ? vec4(estimate, 1.0) : vec4(0.0);
 }
 
 // Of a pixel that reflects nothing.

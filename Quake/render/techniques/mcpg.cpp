@@ -151,7 +151,7 @@ void GuidedTechnique::prepare(const TechniqueFrame& frame) {
   vertices_ = static_cast<std::uint64_t>(frame.lit.x) * frame.lit.y * most_samples(s) *
               static_cast<std::uint64_t>(s.bounces + (frame.medium() ? s.medium_bounces : 0));
   choose_sizes(s);
-  if (memory_.begin_frame(0)) {
+  if (memory_.begin_frame()) {
     frame_ = 0;
     if (seen_) seen_->forget();
   }

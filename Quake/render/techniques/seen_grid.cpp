@@ -17,12 +17,12 @@ constexpr ArrayRow kSeenRows[]{
 
 SeenGrid::SeenGrid(const TechniqueTools& tools) : memory_(tools.device, tools.table, kSeenRows, "seen reset") {
   memory_.set_count(shared::kBindSeen, 1);
-  memory_.make(0);
+  memory_.make();
 }
 
 // Epochs of 1, 2, 4, 8 frames, then of 16: what is known is soon of use, then of many rays, and never old.
 std::uint32_t SeenGrid::begin_frame() {
-  fresh_ = memory_.begin_frame(0);
+  fresh_ = memory_.begin_frame();
   if (fresh_) epoch_ = left_ = 0;
   new_epoch_ = left_ == 0;
   if (new_epoch_) left_ = 1u << std::min(epoch_++, 4u);

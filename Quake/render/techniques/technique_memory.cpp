@@ -48,9 +48,13 @@ void TechniqueMemory::set_count(std::uint32_t binding, std::uint64_t count, std:
   array.extra = extra;
 }
 
-void TechniqueMemory::make(std::uint64_t pixels) {
+void TechniqueMemory::make(uvec2 lit) {
+  const bool reshaped = std::exchange(lit_, lit) != lit;
   for (Array& array : arrays_) {
-    if (array.row->per == ArrayRow::Per::kPixel) array.count = pixels;
+    if (array.row->per == ArrayRow::Per::kPixel) {
+      array.count = std::uint64_t{lit.x} * lit.y;
+      forget_ = forget_ || reshaped;
+    }
     const std::uint64_t bytes = (std::max<std::uint64_t>(bytes_of(array), 16) + 15) / 16 * 16;
     if (array.buffer && array.buffer.size() == bytes) continue;
     forget_ = true;
@@ -61,8 +65,8 @@ void TechniqueMemory::make(std::uint64_t pixels) {
   }
 }
 
-bool TechniqueMemory::begin_frame(std::uint64_t pixels) {
-  make(pixels);
+bool TechniqueMemory::begin_frame(uvec2 lit) {
+  make(lit);
   half_ = 1 - half_;
   zero_ = std::exchange(forget_, false) || zero_;
   return zero_;

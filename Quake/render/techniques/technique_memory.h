@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/maths.h"
 #include "gpu/buffer.h"
 #include "gpu/pipeline.h"
 #include "render/passes/pass.h"
@@ -47,11 +48,12 @@ class TechniqueMemory {
   std::uint64_t most_elements(std::uint32_t binding, std::uint64_t extra = 0) const;
   // Elements of a table's or of probes' array, of each half. `extra` bytes follow them. A change forgets all arrays.
   void set_count(std::uint32_t binding, std::uint64_t count, std::uint64_t extra = 0);
-  // Between submissions, after the counts: makes what has another size. Throws OutOfMemory: then the next call starts
-  // anew.
-  void make(std::uint64_t pixels);
+  // Between submissions, after the counts: makes what has another size. `lit`: blocks of which one pixel is lit, a row
+  // and their rows (TechniqueFrame::lit), for arrays of pixels; another shape forgets those, and all others. Throws
+  // OutOfMemory: then the next call starts anew.
+  void make(uvec2 lit = uvec2(0));
   // The same once a frame: and turns the halves. True: all arrays are zeroed in this frame.
-  bool begin_frame(std::uint64_t pixels);
+  bool begin_frame(uvec2 lit = uvec2(0));
   // Before the passes that read them.
   void add_reset(PassList& list);
   // At the next frame.
@@ -77,6 +79,7 @@ class TechniqueMemory {
   gpu::BindingTable& table_;
   std::vector<Array> arrays_;
   std::string zeroed_;
+  uvec2 lit_{0};
   std::uint32_t half_ = 0;
   bool forget_ = true, zero_ = false;
 };

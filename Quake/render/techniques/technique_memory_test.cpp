@@ -30,7 +30,7 @@ class TechniqueMemoryTest : public DeviceTest {
   }
 
   // A frame: whether all was zeroed; then every array holds the number 7.
-  bool frame(std::uint64_t pixels) {
+  bool frame(uvec2 pixels) {
     const bool fresh = memory_->begin_frame(pixels);
     PassList list;
     memory_->add_reset(list);
@@ -58,27 +58,30 @@ class TechniqueMemoryTest : public DeviceTest {
 TEST_F(TechniqueMemoryTest, KeepsUntilItIsToForgetOrHasAnotherSize) {
   memory_->set_count(0, 100, 12);
   memory_->set_count(2, 6);
-  EXPECT_TRUE(frame(64));
+  EXPECT_TRUE(frame({8, 8}));
   EXPECT_EQ(memory_->buffer(0).size(), 416u);  // 100 * 4 + 12, in sixteens
   EXPECT_EQ(memory_->buffer(1).size(), 2u * 64 * 16);
   EXPECT_EQ(memory_->bytes(), 416u + 2048u + 48u);
-  EXPECT_FALSE(frame(64));
+  EXPECT_FALSE(frame({8, 8}));
   memory_->forget();
-  EXPECT_TRUE(frame(64));
-  EXPECT_FALSE(frame(64));
-  EXPECT_TRUE(frame(65)) << "pixels";
-  EXPECT_FALSE(frame(65));
+  EXPECT_TRUE(frame({8, 8}));
+  EXPECT_FALSE(frame({8, 8}));
+  EXPECT_TRUE(frame({13, 5})) << "pixels";
+  EXPECT_FALSE(frame({13, 5}));
   memory_->set_count(0, 101, 12);
-  EXPECT_FALSE(frame(65)) << "as large in memory";
+  EXPECT_FALSE(frame({13, 5})) << "as large in memory";
   memory_->set_count(2, 12);
-  EXPECT_TRUE(frame(65)) << "probes";
+  EXPECT_TRUE(frame({13, 5})) << "probes";
+  EXPECT_FALSE(frame({13, 5}));
+  EXPECT_TRUE(frame({5, 13})) << "as many pixels, each of which is elsewhere";
+  EXPECT_FALSE(frame({5, 13}));
 }
 
 TEST_F(TechniqueMemoryTest, HalvesChangePlacesEachFrame) {
-  memory_->begin_frame(64);
+  memory_->begin_frame({8, 8});
   const std::uint32_t now = memory_->now(1), former = memory_->former(1);
   EXPECT_EQ(now + former, 64u) << "one begins at 0, one at 64";
-  memory_->begin_frame(64);
+  memory_->begin_frame({8, 8});
   EXPECT_EQ(memory_->now(1), former);
   EXPECT_EQ(memory_->former(1), now);
   EXPECT_EQ(memory_->now(0), 0u) << "a table has one half";
@@ -87,10 +90,10 @@ TEST_F(TechniqueMemoryTest, HalvesChangePlacesEachFrame) {
 
 // A frame that could not be made must not leave arrays of former contents that are taken for zero.
 TEST_F(TechniqueMemoryTest, WhatIsToBeZeroedStaysSoUntilThePass) {
-  EXPECT_TRUE(memory_->begin_frame(64));
-  EXPECT_TRUE(memory_->begin_frame(64)) << "no pass has zeroed it";
-  EXPECT_TRUE(frame(64));
-  EXPECT_FALSE(memory_->begin_frame(64));
+  EXPECT_TRUE(memory_->begin_frame({8, 8}));
+  EXPECT_TRUE(memory_->begin_frame({8, 8})) << "no pass has zeroed it";
+  EXPECT_TRUE(frame({8, 8}));
+  EXPECT_FALSE(memory_->begin_frame({8, 8}));
 }
 
 TEST_F(TechniqueMemoryTest, TablesFitTheDevice) {
@@ -104,11 +107,11 @@ TEST_F(TechniqueMemoryTest, TablesFitTheDevice) {
   EXPECT_EQ(memory.most_elements(0, 400), ((1u << 20) - 400) / 4);
   EXPECT_EQ(memory.most_elements(1), (1u << 20) / 32) << "two halves";
   memory.set_count(0, memory.most_elements(0));
-  EXPECT_TRUE(memory.begin_frame(1));
+  EXPECT_TRUE(memory.begin_frame({1, 1}));
   memory.set_count(0, memory.most_elements(0) + 4);
-  EXPECT_THROW(memory.begin_frame(1), OutOfMemory);
+  EXPECT_THROW(memory.begin_frame({1, 1}), OutOfMemory);
   memory.set_count(0, 16);
-  EXPECT_TRUE(memory.begin_frame(1)) << "it can be made again";
+  EXPECT_TRUE(memory.begin_frame({1, 1})) << "it can be made again";
 }
 
 }  // namespace

@@ -6,13 +6,5 @@
 #if INTERSECTOR_QUERY
 #extension GL_EXT_ray_query : require
 #endif
-#include "lib/steps/one_path.glsl"
-#include "lib/steps/no_field.glsl"
-#include "lib/steps/propose_scatter.glsl"
-#include "lib/steps/no_direct.glsl"
-#include "lib/steps/no_control.glsl"
-#include "lib/steps/no_learning.glsl"
-#include "lib/steps/no_record.glsl"
-#include "lib/steps/no_views.glsl"
-
+#include "lib/steps/none.glsl"
 #include "lib/paths_main.glsl"
