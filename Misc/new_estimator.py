@@ -3,7 +3,7 @@
 its file in Quake/render/techniques, and its rows in the lists of techniques. What it writes builds, draws and is unbiased:
 change it from there.
 
-    Misc/new_estimator.py NAME [PART ...]     PART: lights control record memory pass setting view, or all
+    Misc/new_estimator.py NAME [PART ...]     PART: lights control record memory pass final setting view, or all
 
 A part is what the loop of paths (Shaders/lib/path.glsl) or the renderer offers a technique:
     lights   looks for lights by the renderer's list at every vertex, and remembers what shadow rays reach
@@ -11,6 +11,7 @@ A part is what the loop of paths (Shaders/lib/path.glsl) or the renderer offers 
     record   is told what each path met (with memory: keeps it)
     memory   an array of the pixels, whose former frame's half is kept
     pass     a pass of its own after the paths (works on the memory)
+    final    offline, the pass that makes the picture of all iterations (from the memory)
     setting  a cvar r_NAME_... and its field in the uniform block
     view     a debug view
 
@@ -23,8 +24,8 @@ import shutil
 import subprocess
 import sys
 
-PARTS = ["lights", "control", "record", "memory", "pass", "setting", "view"]
-NEEDS = {"pass": ["memory"], "view": ["memory"], "setting": ["pass"]}  # what a part's example works on
+PARTS = ["lights", "control", "record", "memory", "pass", "final", "setting", "view"]
+NEEDS = {"pass": ["memory"], "final": ["pass", "record"], "view": ["memory"], "setting": ["pass"]}  # what a part's example works on
 
 SHADER = """// Technique `{name}`: {description}. Unbiased for paths of at most frame.bounces
 // reflections.
@@ -122,7 +123,7 @@ layout(set = kSetScene, binding = kBindTechniqueConstants, std140) uniform OwnBl
 ARRAY = """FB_TECHNIQUE_ARRAY(k{Name}Pixels, 16, , PixelArray, vec4, {name}_pixels)
 """
 
-PASS = """// Takes this frame's light of each pixel into the mean of those before.
+PASS = """// Takes this frame's light of each pixel into the mean of those before; w: how many these are.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "estimators/{name}/arrays.glsl"
@@ -133,7 +134,29 @@ void main() {{
   if (pixel.x >= frame.width || pixel.y >= frame.height) return;
   uint at = lit_index(pixel);
   vec4 now = {name}_pixels.at[own.now + at], former = {name}_pixels.at[own.former + at];
-  {name}_pixels.at[own.now + at] = former.w > 0.0 && now.w > 0.0 ? mix(former, now, {alpha}) : now;
+  float frames = now.w > 0.0 ? former.w + now.w : 0.0;
+  vec3 mean = frames > 0.0 ? mix(former.rgb, now.rgb, max({alpha}, 1.0 / frames)) : vec3(0.0);
+  {name}_pixels.at[own.now + at] = vec4(mean, frames);
+}}
+"""
+
+FINAL = """// The picture of all iterations: what the last frame knew of each pixel's light.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#if INTERSECTOR_QUERY
+#extension GL_EXT_ray_query : require
+#endif
+#include "estimators/{name}/arrays.glsl"
+#include "lib/steps/none.glsl"
+#include "lib/store_light.glsl"
+
+void main() {{
+  PathPixel p = path_pixel(invocation_pixel());
+  if (!within_picture(p)) return;
+  GBufferTexel g = gbuffer_at(p.at);
+  vec4 known = {name}_pixels.at[own.former + lit_index(p.pixel)];
+  if (reflects_light(g) && known.w > 0.0) store_light(p, g, PixelLight(known.rgb, vec4(0.0), 0.0), 1.0);
+  else store_emission(p, g);
 }}
 """
 
@@ -218,7 +241,7 @@ class {Name}Technique : public PathTechnique {{
   void add_passes(const TechniquePasses& passes) override {{
 {before}    PathTechnique::add_passes(passes);
 {after}  }}
-  void forget() override {{{forget}}}
+{final}  void forget() override {{{forget}}}
 {salt}  std::uint64_t bytes() const override {{ return {bytes}; }}
 
  private:
@@ -279,7 +302,9 @@ def files_of(name: str, description: str, parts: set[str], view_number: int, vie
                store=STORE.format(**values) if stores else "",
                none=NONE.format(**values) if stores else "")
     if "pass" in parts:
-        shader("passes/mean.comp", PASS, alpha=f"own.{name}_alpha" if "setting" in parts else "0.1")
+        shader("passes/mean.comp", PASS, alpha=f"own.{name}_alpha" if "setting" in parts else "0.0")
+    if "final" in parts:
+        shader("passes/final.comp", FINAL)
     if "view" in parts:
         shader("views.glsl", VIEWS)
     host = f"Quake/render/techniques/{name}.cpp"
@@ -318,13 +343,17 @@ def files_of(name: str, description: str, parts: set[str], view_number: int, vie
         after=("    seen_.add_fold(passes.list, passes.shaders);\n" if lights else "")
         + (f'    passes.list.dispatch("{name} mean", PassKind::kEstimator, passes.shaders.get("{name}_mean"),\n'
            "                         groups_over(passes.size, 8));\n" if "pass" in parts else ""),
+        final=("  void add_final_passes(const TechniquePasses& passes) override {\n    memory_.add_reset(passes.list);\n"
+               f'    passes.list.dispatch("{name} final", PassKind::kEstimator, passes.shaders.get("{name}_final", passes.variant),\n'
+               "                         groups_over(passes.size, 8));\n  }\n" if "final" in parts else ""),
         forget="\n" + ("    seen_.forget();\n" if lights else "") + ("    memory_.forget();\n" if memory else "") + "  ",
         salt="  std::uint32_t salt() const override { return frame_; }\n" if lights else "",
         bytes=" + ".join(["seen_.bytes()"] * lights + ["memory_.bytes()"] * memory) or "0",
         fields=("  SeenGrid seen_;\n  std::uint32_t frame_ = 0;  // since it forgot\n" if lights else "")
         + ("  TechniqueMemory memory_;\n" if memory else ""),
         info=(",\n    .frames = Frames::kLearning,\n    .wants_lights = true" if lights else "")
-        + (f",\n    .views = shared::kViewOf{values['Name']}" if "view" in parts else ""))
+        + (f",\n    .views = shared::kViewOf{values['Name']}" if "view" in parts else "")
+        + (",\n    .ends_iterations = true" if "final" in parts else ""))
     return files
 
 

@@ -7,6 +7,7 @@ usage: new_estimator_test.py BUILD
 Only what the new files and rows change is compiled, with the commands of BUILD (a finished Ninja build). The laboratory is
 linked from that and BUILD's libraries, which know no new settings: parts `setting` and `view` are only compiled.
 """
+import json
 import pathlib
 import shlex
 import shutil
@@ -15,7 +16,7 @@ import sys
 import tempfile
 
 PLAIN, WHOLE, SEEN = "toy_estimator", "toy_whole", "toy_seen"
-PARTS = {PLAIN: [], WHOLE: ["lights", "control", "record", "memory", "pass"], SEEN: ["all"]}
+PARTS = {PLAIN: [], WHOLE: ["lights", "control", "record", "memory", "pass", "final"], SEEN: ["all"]}
 
 
 def run(*command: str, cwd: pathlib.Path) -> str:
@@ -116,6 +117,7 @@ def main() -> int:
             write(source, root, name)
             rows += compile_shader(build, root, name, root / f"Shaders/estimators/{name}/{name}.comp", "pt", True)
         rows += compile_shader(build, root, f"{WHOLE}_mean", root / f"Shaders/estimators/{WHOLE}/passes/mean.comp", "mcpg_fold_cache", False)
+        rows += compile_shader(build, root, f"{WHOLE}_final", root / f"Shaders/estimators/{WHOLE}/passes/final.comp", "pt", True)
         table = (build / "shaders/compiled_shaders.spv.h").read_text()
         includes = "".join(f'#include "{path.name}"\n' for path in sorted(root.glob("*.spv.h")))
         table = table.replace("inline const", includes + "\ninline const", 1)
@@ -138,6 +140,13 @@ def main() -> int:
             assert (root / name / "frame_000001.png").stat().st_size > 1000
             print(run(lab, "ztest", "--quiet", "--scene", "kinds", "--estimator", name, "--spp", "4", "--runs", "12", cwd=root))
             print(run(lab, "render", "--quiet", "--validation", "--scene", "kinds", "--estimator", name, "--size", "16x16", cwd=root))
+
+        # Offline its final pass makes the picture of what it remembers, which is the mean of as many samples as any other's.
+        told = json.loads(run(lab, "iterate", "--quiet", "--scene", "cbox", "--size", "32x24", "--estimators", f"nee,{WHOLE}",
+                              "--schedule", "doubling:6", "--reference-spp", "1024", "--reference-estimator", "nee", "--json", "-", cwd=root))
+        nee, own = (configuration["mse_median_pixel"] for configuration in told["configurations"])
+        print("a median pixel's square error after iterations:", nee, own)
+        assert own < 8 * nee, "the final pass shows another picture"
 
         # Settings and views change what every file of the host includes.
         root = pathlib.Path(scratch) / "compiled"
