@@ -3,11 +3,14 @@
 #ifndef FB_ESTIMATORS_TECHNIQUES_H
 #define FB_ESTIMATORS_TECHNIQUES_H
 #include "estimators/mcpg/mcpg.h"
+#include "estimators/restir/restir.h"
 
 // Groups of settings: G(title, rows, X), X being what is made of each row (shared/settings.h).
-#define FB_TECHNIQUE_SETTINGS(G, X) G("Path guiding", FB_MCPG_SETTINGS, X)
+#define FB_TECHNIQUE_SETTINGS(G, X)      \
+  G("Path guiding", FB_MCPG_SETTINGS, X) \
+  G("ReSTIR", FB_RESTIR_SETTINGS, X)
 
 // Debug views.
-#define FB_TECHNIQUE_VIEWS(X) FB_MCPG_VIEWS(X)
+#define FB_TECHNIQUE_VIEWS(X) FB_MCPG_VIEWS(X) FB_RESTIR_VIEWS(X)
 
 #endif

@@ -110,7 +110,7 @@ struct GpuLight {                    // 32 bytes
 struct GpuLamp {      // 8 bytes
   uint first, count;  // its first light, and kLampIsNew; lights that it has, 0: it has gone out
 };
-FB_CONST uint kLampIsNew = 0x80000000u;  // it did not shine in the former frame
+FB_CONST uint kLampIsNew = 0x80000000u;  // it did not shine in the former frame, or with other triangles
 FB_CONST uint kLightRange = 0x80000000u;
 FB_CONST uint kLampRange = 0x8000u;
 FB_CONST uint kMostLamps = 65534u;  // that have a number

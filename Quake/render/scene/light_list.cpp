@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/hash.h"
 #include "render/scene/alias_table.h"
 #include "render/scene/gpu_scene_copies.h"
 #include "scene/library/asset_builder.h"
@@ -173,10 +174,12 @@ std::vector<std::vector<std::uint32_t>> LightList::find_lamps(std::uint32_t inst
 
 void LightList::list_lamps() {
   lamps_.clear();
+  members_.clear();
   for (const Glowing& g : glowing_) {
     const std::vector<std::vector<std::uint32_t>> lamps = find_lamps(g.instance);
     const std::vector<std::uint32_t>& numbers = numbers_.of(g.id, static_cast<std::uint32_t>(lamps.size()));
     lamps_.resize(numbers_.end());
+    members_.resize(numbers_.end());
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       const std::vector<std::uint32_t>& own = lamps[k];
       const std::vector<std::uint32_t> shares = lamp_shares(own);
@@ -188,6 +191,9 @@ void LightList::list_lamps() {
         lights_[own[i]].lamp = shares[i] << 16 | (numbers[k] + 1);
       }
       lamps_[numbers[k]] = {own[0], static_cast<std::uint32_t>(own.size())};
+      std::vector<std::uint32_t> of{g.id, g.mesh};
+      for (const std::uint32_t i : own) of.push_back(lights_[i].triangle);
+      members_[numbers[k]] = std::max<std::uint64_t>(hash_span(std::span<const std::uint32_t>(of)), 1);
     }
   }
   numbers_.free_unused();
@@ -223,6 +229,7 @@ void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::s
     first_lights_.clear();
     lights_.clear();
     lamps_.clear();
+    members_.clear();
     power_ = 0;
     return;
   }
@@ -235,7 +242,7 @@ void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::s
   glow_ = std::move(glow);
   glowing_ = std::move(glowing);
   if (made_anew_) {
-    const std::vector<shared::GpuLamp> former = others ? std::vector<shared::GpuLamp>() : lamps_;
+    const std::vector<std::uint64_t> former = others ? std::vector<std::uint64_t>() : members_;
     list_triangles(assets, sources);
     mark_new_lamps(former);
   } else if (std::exchange(any_new_, false)) {
@@ -244,10 +251,11 @@ void LightList::build(const scene::Assets& assets, const scene::Sky& sky, std::s
   }
 }
 
-void LightList::mark_new_lamps(std::span<const shared::GpuLamp> former) {
+// A lamp of other triangles is another, though its number is the same.
+void LightList::mark_new_lamps(std::span<const std::uint64_t> former) {
   any_new_ = false;
   for (std::size_t i = 0; i < lamps_.size(); ++i) {
-    if (lamps_[i].count == 0 || (i < former.size() && former[i].count > 0)) continue;
+    if (lamps_[i].count == 0 || (i < former.size() && former[i] == members_[i])) continue;
     lamps_[i].first |= shared::kLampIsNew;
     any_new_ = true;
   }

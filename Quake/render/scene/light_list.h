@@ -59,7 +59,7 @@ class LightList {
   void list_triangles(const scene::Assets& assets, std::span<const Source> sources);
   std::vector<std::vector<std::uint32_t>> find_lamps(std::uint32_t instance) const;
   void list_lamps();
-  void mark_new_lamps(std::span<const shared::GpuLamp> former);
+  void mark_new_lamps(std::span<const std::uint64_t> former);
   std::vector<std::uint32_t> lamp_shares(std::span<const std::uint32_t> members) const;
   const std::vector<float>& areas(const scene::Assets& assets, const Source& source);
   float radiance(const scene::Assets& assets, const shared::GpuMaterial& material, float sky);
@@ -70,6 +70,7 @@ class LightList {
   std::vector<std::uint32_t> first_lights_;
   std::vector<shared::GpuLight> lights_;
   std::vector<shared::GpuLamp> lamps_;
+  std::vector<std::uint64_t> members_;  // of each lamp: a hash of its instance and triangles; 0: it has none
   LampNumbers numbers_;
   float power_ = 0;
   bool made_anew_ = false, any_new_ = false;  // any_new_: lamps that say kLampIsNew

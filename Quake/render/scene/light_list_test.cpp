@@ -338,6 +338,33 @@ TEST(LightList, LampsSayInOneFrameThatTheyAreNew) {
   EXPECT_TRUE(news().empty()) << "what moves is not new";
 }
 
+// A lamp's samples say which of its triangles they are on by their order.
+TEST(LightList, ALampOfOtherTrianglesIsNew) {
+  scene::FrameSnapshot s = scene::light_of_every_kind();
+  Listed kept(s);
+  kept.build(s);
+  const auto some_lamp = [&](bool is_new) {
+    return std::ranges::any_of(kept.list.lamps(), [&](const shared::GpuLamp& lamp) {
+      return lamp.count > 0 && ((lamp.first & shared::kLampIsNew) != 0) == is_new;
+    });
+  };
+  ASSERT_FALSE(some_lamp(true));
+  // One of the world's materials goes out, of others than which lamps are left.
+  const scene::Mesh& world = s.assets->meshes[s.instances[0].mesh];
+  std::uint32_t dark = shared::kNoIndex;
+  for (const auto& t : world.triangles)
+    if (s.assets->materials[t.material].emission != vec3(0)) dark = t.material;
+  ASSERT_NE(dark, shared::kNoIndex);
+  auto changed = std::make_shared<scene::Assets>(*s.assets);
+  changed->materials[dark].emission = vec3(0);
+  s.assets = changed;
+  kept.build(s);
+  EXPECT_TRUE(some_lamp(true)) << "the lamps behind those that went out have their numbers";
+  EXPECT_TRUE(some_lamp(false)) << "those of other instances are what they were";
+  kept.build(s);
+  EXPECT_FALSE(some_lamp(true));
+}
+
 // What a device's buffer cannot hold: the rest is drawn as ever.
 TEST(LightList, ThoseOfTheFirstInstancesAreListedWhereThereIsNoRoomForAll) {
   const scene::FrameSnapshot snapshot = scene::light_of_every_kind();

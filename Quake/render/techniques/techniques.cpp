@@ -9,7 +9,8 @@
   X(kNee)                \
   X(kMcpg)               \
   X(kMcpgNee)            \
-  X(kMcpgTail)
+  X(kMcpgTail)           \
+  X(kRestirDi)
 
 namespace fb::render {
 

@@ -1,0 +1,88 @@
+// ReSTIR's techniques: reservoirs of light of every pixel, over frames and neighbours. Layouts:
+// Shaders/estimators/restir/.
+#include <cstring>
+#include <memory>
+
+#include "estimators/restir/restir.h"
+#include "render/techniques/path_technique.h"
+#include "render/techniques/seen_grid.h"
+#include "render/techniques/technique_memory.h"
+
+namespace fb::render {
+namespace {
+
+constexpr ArrayRow kRestirRows[]{FB_RESTIR_ARRAYS(FB_ARRAY_ROW)};
+
+class RestirTechnique : public PathTechnique {
+ public:
+  RestirTechnique(const TechniqueTools& tools, std::string_view name)
+      : PathTechnique(name),
+        uniform_(tools.device, gpu::BufferUse::kUniform, sizeof(shared::RestirConstants), "constants of restir"),
+        seen_(tools),
+        memory_(tools.device, tools.table, kRestirRows, "restir reset") {
+    tools.table.set_uniform(shared::kSetTechnique, uniform_);
+  }
+  void prepare(const TechniqueFrame& frame) override;
+  void add_passes(const TechniquePasses& passes) override;
+  void forget() override {
+    seen_.forget();
+    memory_.forget();
+  }
+  std::uint32_t salt() const override { return frame_; }
+  std::uint64_t bytes() const override { return seen_.bytes() + memory_.bytes(); }
+
+ private:
+  gpu::Buffer uniform_;
+  SeenGrid seen_;
+  TechniqueMemory memory_;
+  std::uint32_t frame_ = 0;  // since it forgot
+  bool spatial_ = true;
+};
+
+void RestirTechnique::prepare(const TechniqueFrame& frame) {
+  shared::RestirConstants constants{};
+  copy_settings(frame.settings, constants);
+  constants.seen_stride = seen_stride(frame.lit, frame.settings, frame.medium());
+  constants.seen_ways = seen_.begin_frame();
+  const bool fresh = memory_.begin_frame(frame.lit) || frame.cut;
+  constants.now = memory_.now(shared::kRestirReservoirs);
+  constants.former = fresh ? shared::kNoIndex : memory_.former(shared::kRestirReservoirs);
+  std::memcpy(uniform_.mapped(), &constants, sizeof(constants));
+  spatial_ = frame.settings.restir_neighbors > 0;
+  frame_ = seen_.fresh() ? 1 : frame_ + 1;
+}
+
+void RestirTechnique::add_passes(const TechniquePasses& passes) {
+  seen_.add_reset(passes.list);
+  memory_.add_reset(passes.list);
+  Variant variant = passes.variant;
+  variant.show_view = false;
+  const uvec2 groups = groups_over(passes.size, 8);
+  passes.list.dispatch("restir candidates", PassKind::kEstimator, passes.shaders.get("restir_candidates", variant),
+                       groups);
+  if (spatial_)
+    passes.list.dispatch("restir spatial", PassKind::kEstimator, passes.shaders.get("restir_spatial", variant),
+                         groups);
+  PathTechnique::add_passes(passes);
+  seen_.add_fold(passes.list, passes.shaders);
+}
+
+std::unique_ptr<Technique> make_restir(const TechniqueTools& tools, std::string_view name) {
+  return std::make_unique<RestirTechnique>(tools, name);
+}
+
+}  // namespace
+
+extern constinit const TechniqueInfo kRestirDi{
+    .name = "restir_di",
+    .description =
+        "nee whose first vertex chooses its light by a reservoir over time and neighbours (ReSTIR: Bitterli 2020, Lin "
+        "2022); unbiased for paths of at most r_bounces reflections where r_restir_mis and r_restir_visibility are 0",
+    .bias = Bias::kUnbiased,
+    .make = make_restir,
+    .frames = Frames::kCorrelated,
+    .wants_lights = true,
+    .wants_previous_gbuffer = true,
+    .views = shared::kViewOfRestir};
+
+}  // namespace fb::render

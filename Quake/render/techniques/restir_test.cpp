@@ -1,0 +1,169 @@
+// Reservoirs of light in the whole renderer: no light of what has left, none lost of what has come, through cuts and
+// changes of the picture's shape; the same pictures again.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/test_device.h"
+#include "render/test_image.h"
+#include "scene/in_code/code_scene_parts.h"
+#include "scene/in_code/scenes_in_code.h"
+#include "scene/shapes.h"
+
+namespace fb::render {
+namespace {
+
+class RestirTest : public DeviceTest {
+ protected:
+  static RenderSettings reuse_settings(int bounces) {
+    RenderSettings s;
+    s.estimator = "restir_di";
+    s.bounces = bounces;
+    s.accumulate = 0;
+    return s;
+  }
+  static void render_frames(Renderer& renderer, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
+                            int frames) {
+    for (int i = 0; i < frames; ++i) renderer.render(snapshot, nullptr, settings);
+  }
+};
+
+// A floor below two lamps of 32 units, each of them there or not.
+scene::FrameSnapshot floor_below_lamps(const std::shared_ptr<const scene::Assets>& assets, std::uint32_t floor,
+                                       std::uint32_t lamp, bool first, bool second) {
+  scene::FrameSnapshot s = scene::still(assets, scene::camera_at({0, 0, 100}, {90, 0, 0}, 90));
+  s.instances.push_back(scene::make_instance(scene::kIdWorld, floor));
+  for (const bool left : {true, false}) {
+    if (!(left ? first : second)) continue;
+    const mat4x3 at(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(left ? -80.0f : 80.0f, 0, 120));
+    s.instances.push_back(scene::make_instance(left ? 100 : 101, lamp, at));
+  }
+  return s;
+}
+
+struct Lamps {
+  std::shared_ptr<scene::Assets> assets = scene::new_code_assets();
+  std::uint32_t floor, lamp;
+  Lamps() {
+    const std::uint32_t grey = scene::add_material(*assets, "floor", vec3(0.5f));
+    const std::uint32_t glow = scene::add_material(*assets, "lamp", vec3(0.0f), vec3(10.0f));
+    scene::Mesh ground, light;
+    scene::add_quad(ground, {-512, -512, 0}, {1024, 0, 0}, {0, 1024, 0}, grey);
+    scene::add_box(light, vec3(-16), vec3(16), glow, false);
+    floor = scene::add_finished(*assets, std::move(ground), "floor");
+    lamp = scene::add_finished(*assets, std::move(light), "lamp");
+  }
+  scene::FrameSnapshot with(bool first, bool second) const {
+    return floor_below_lamps(assets, floor, lamp, first, second);
+  }
+};
+
+double mean_of(const Renderer& renderer) { return image_estimate(renderer.read().linear()).mean; }
+
+TEST_F(RestirTest, ALampThatLeavesTakesItsLightAtOnce) {
+  const RenderSettings s = reuse_settings(1);
+  const Lamps lamps;
+  auto renderer = make_renderer(s, 64, 48);
+  render_frames(*renderer, lamps.with(true, true), s, 12);
+  EXPECT_GT(mean_of(*renderer), 0);
+  renderer->render(lamps.with(false, false), nullptr, s);
+  EXPECT_EQ(mean_of(*renderer), 0);
+  EXPECT_EQ(renderer->read().counters().not_finite, 0u);
+}
+
+// Light of a lamp that was not there in the former frame: reservoirs of then could not have held it, and weights that thought so
+// would lose most of it.
+TEST_F(RestirTest, ALampThatComesIsNeitherLateNorLost) {
+  const Lamps lamps;
+  double mean[2] = {}, square[2] = {};
+  constexpr int kRuns = 24;
+  for (const bool reuses : {false, true}) {
+    for (int run = 0; run < kRuns; ++run) {
+      RenderSettings s = reuse_settings(1);
+      s.estimator = reuses ? "restir_di" : "nee";
+      s.seed = run;
+      auto renderer = make_renderer(s, 48, 36);
+      render_frames(*renderer, lamps.with(true, false), s, 6);
+      renderer->render(lamps.with(true, true), nullptr, s);
+      const double m = mean_of(*renderer);
+      mean[reuses] += m / kRuns;
+      square[reuses] += m * m / kRuns;
+    }
+  }
+  const auto error = [&](int i) { return std::sqrt(std::max(square[i] - mean[i] * mean[i], 0.0) / (kRuns - 1)); };
+  EXPECT_NEAR(mean[1], mean[0], 4.5 * std::hypot(error(0), error(1)));
+  EXPECT_LT(std::hypot(error(0), error(1)), 0.02 * mean[0]) << "the test can see little";
+}
+
+TEST_F(RestirTest, CutsSizesAndScalesLeaveNothingBehind) {
+  RenderSettings s = reuse_settings(2);
+  const scene::FrameSnapshot scene = scene::furnace(0.6f, 0.7f, true);
+  const double expected = 0.7 * (1 + 0.6 + 0.36);
+  auto renderer = make_renderer(s, 64, 48);
+  const auto expect_mean = [&](const std::string& what) {
+    const ImageEstimate e = image_estimate(renderer->read().linear());
+    EXPECT_NEAR(e.mean, expected, 6 * e.error + 1e-5 * expected) << what;  // neighbours' samples are alike
+    EXPECT_EQ(renderer->read().counters().not_finite, 0u) << what;
+  };
+  render_frames(*renderer, scene, s, 4);
+  expect_mean("four frames");
+  scene::FrameSnapshot cut = scene;
+  cut.cut = true;
+  renderer->render(cut, nullptr, s);
+  expect_mean("a cut");
+  for (const uvec2 size : {uvec2(48, 64), uvec2(33, 47), uvec2(1, 1), uvec2(97, 80)}) {
+    renderer->resize(size.x, size.y);
+    render_frames(*renderer, scene, s, 3);
+    if (size.x > 1) expect_mean("a resize");
+  }
+  for (const float scale : {0.5f, 0.25f, 1.0f}) {
+    s.light_scale = scale;
+    render_frames(*renderer, scene, s, 3);
+    if (scale == 1.0f) expect_mean("light at all pixels again");
+    EXPECT_EQ(renderer->read().counters().not_finite, 0u);
+  }
+  for (const float history : {0.0f, 1000.0f}) {
+    for (const int neighbors : {0, 8}) {
+      s.restir_history = history;
+      s.restir_neighbors = neighbors;
+      render_frames(*renderer, scene, s, 4);
+      expect_mean("history and neighbours");
+    }
+  }
+}
+
+TEST_F(RestirTest, TheSamePicturesAgain) {
+  RenderSettings s = reuse_settings(2);
+  s.deterministic = 1;
+  const scene::FrameSnapshot scene = scene::light_of_every_kind();
+  std::vector<std::uint64_t> hashes[2];
+  for (std::vector<std::uint64_t>& of_run : hashes) {
+    auto renderer = make_renderer(s, 48, 32);
+    for (int frame = 0; frame < 20; ++frame) {
+      renderer->render(scene, nullptr, s);
+      of_run.push_back(image_hash(*renderer));
+    }
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+// Forgotten is as if it had never been.
+TEST_F(RestirTest, ForgettingStartsAnew) {
+  RenderSettings s = reuse_settings(1);
+  s.deterministic = 1;
+  const scene::FrameSnapshot scene = scene::light_of_every_kind();
+  auto renderer = make_renderer(s, 48, 32);
+  renderer->render(scene, nullptr, s);
+  const std::uint64_t fresh = image_hash(*renderer);
+  render_frames(*renderer, scene, s, 3);
+  renderer->restart_accumulation();
+  renderer->reset_learning();
+  renderer->render(scene, nullptr, s);
+  EXPECT_EQ(image_hash(*renderer), fresh);
+}
+
+}  // namespace
+}  // namespace fb::render

@@ -1,0 +1,95 @@
+// A reservoir for each pixel at which light is sampled: of this frame's candidates and of the former frame's reservoir there.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#if INTERSECTOR_QUERY
+#extension GL_EXT_ray_query : require
+#endif
+#include "estimators/restir/steps/pixel.glsl"
+
+// The former frame's vertex at a texel, as that frame saw it.
+Vertex former_vertex(FormerTexel f) {
+  Vertex v = first_vertex(f.texel, f.pixel);
+  v.view = normalize(frame.prev_camera_position.xyz - v.position);
+  v.previous = v.position;
+  return v;
+}
+
+// One of the eight blocks about, of another each frame, by which blocks change places in pairs: each history goes to one pixel.
+ivec2 permuted(uvec2 block) {
+  uint h = hash_combine(frame.frame, frame.seed ^ 0x68e31da4u);
+  uvec2 by = uvec2((h >> 8u) & 3u, (h >> 16u) & 3u), moved = block + by;
+  return ivec2((moved ^ uvec2(h & 1u, (h >> 1u) & 1u)) - by) - ivec2(block);
+}
+
+LightReservoir former_reservoir(FormerTexel f) {
+  if (!f.known || restir.former == kNoIndex) return no_reuse();
+  return unpack_light(reservoirs.at[restir.former + f.element]);
+}
+
+// The light's way is free, now: biased where the answer decides what others may reuse.
+bool arrives(Vertex v, LightSample s, inout uint rng) {
+  Aim aim;
+  if (light_target(domain_of(v, false), point_of(s), aim) <= 0.0) return false;
+  Segment way = segment_from(v, aim.direction, aim.reach, aim.turn, rng);
+  return is_found(aim, way);
+}
+
+LightReservoir over_time(LightReservoir fresh, Domain here, Hope hope, GBufferTexel g, PathPixel p, inout uint rng) {
+  ivec2 offset = restir.restir_permute != 0 ? permuted(p.block) : ivec2(0);
+  FormerTexel f = former_lit_texel(g, p.pixel, offset);
+  LightReservoir old = former_reservoir(f);
+  if (!reuses(old)) return fresh;
+  old.confidence = min(old.confidence, restir.restir_history);
+  Domain there = domain_of(former_vertex(f), true);
+
+  LightPoint new_point = point_of(fresh.chosen), old_point = point_of(old.chosen);
+  float fresh_here = light_target(here, new_point), fresh_there = light_target(there, new_point);
+  float old_here = light_target(here, old_point), old_there = light_target(there, old_point);
+  float fresh_share, old_share;
+  if (restir.restir_mis == 0) {
+    float a = mis_score(fresh.confidence, fresh_here), b = mis_score(old.confidence, fresh_there);
+    fresh_share = mis_balance(a, a + b);
+    a = mis_score(fresh.confidence, old_here);
+    b = mis_score(old.confidence, old_there);
+    old_share = mis_balance(b, a + b);
+  } else {
+    float all = fresh.confidence + old.confidence;
+    fresh_share = mis_by_confidence(fresh.confidence, all);
+    old_share = mis_by_confidence(old.confidence, all);
+  }
+  Reservoir r = empty_reservoir();
+  LightSample s = kNoSample;
+  float age = 0.0;
+  fresh_here *= hope_for(hope, new_point);
+  old_here *= hope_for(hope, old_point);
+  if (update_reservoir(r, fresh_share * fresh_here * fresh.weight, fresh_here, fresh.confidence, rng_uniform(rng))) s = fresh.chosen;
+  if (update_reservoir(r, old_share * old_here * old.weight, old_here, old.confidence, rng_uniform(rng))) {
+    s = old.chosen;
+    age = min(old.age + 1.0, 2047.0);
+  }
+  finish_reservoir(r, 1.0);
+  return LightReservoir(s, r.contribution_weight, r.confidence, age);
+}
+
+void main() {
+  PathPixel p = path_pixel(invocation_pixel());
+  if (!is_block(p)) return;
+  LightReservoir r = no_reuse();
+  if (within_picture(p)) {
+    GBufferTexel g = gbuffer_at(p.at);
+    if (may_reuse(g, p.at)) {
+      uint rng = pass_seed(p, 0x3c6ef372u);
+      Vertex v = first_vertex(g, p.pixel);
+      Domain here = domain_of(v, false);
+      Hope hope = hope_at(here);
+      r = new_candidates(here, hope, uint(frame.spp * restir.restir_sets), rng);
+      if (restir.restir_visibility != 0 && !arrives(v, r.chosen, rng)) r.weight = 0.0;
+      if (restir.restir_history > 0.0) r = over_time(r, here, hope, g, p, rng);
+    }
+  }
+  uint at = element_of(p.block);
+  merged.at[at] = pack_light(r);
+  if (restir.restir_neighbors == 0) final_reservoirs.at[at] = pack_light(r);
+  if (restir.restir_neighbors == 0 || restir.restir_keep == 0) reservoirs.at[restir.now + at] = pack_light(r);
+}

@@ -1,0 +1,239 @@
+// Samples of light that outlast a frame, and what reservoirs hold. A sample is a place on a triangle of a lamp, which has a
+// name (shared/scene_gpu.h), or in a sun's disc. Its measure is uniform on the triangle and in the disc, for each of them of size
+// one: so it is the same wherever a lamp has moved, and shifts between pixels and frames have Jacobian 1.
+#ifndef FB_RESTIR_LIGHT_SAMPLE
+#define FB_RESTIR_LIGHT_SAMPLE
+#include "estimators/restir/restir.h"
+#include "lib/look_for_light.glsl"
+
+layout(set = kSetScene, binding = kBindTechniqueConstants, std140) uniform RestirBlock { RestirConstants restir; };
+
+// A lamp: its name in 16 bits and, above these, how far behind its first light the triangle is. Else, by the highest two bits:
+const uint kKindBits = 0xc0000000u;
+const uint kKindSun = 0x40000000u;      // its number
+const uint kKindUnnamed = 0x80000000u;  // a light of no lamp, by its place in this frame's list: not known in any other
+const uint kKindNothing = 0xc0000000u;  // of a whole pixel: it does not reuse
+struct LightSample {
+  uint name;   // 0: none
+  uint place;  // two halves, of 65536 each
+};
+const LightSample kNoSample = LightSample(0u, 0u);
+
+struct LightReservoir {
+  LightSample chosen;
+  float weight;  // W
+  float confidence;
+  float age;
+};
+LightReservoir no_reservoir() { return LightReservoir(kNoSample, 0.0, 0.0, 0.0); }
+LightReservoir no_reuse() { return LightReservoir(LightSample(kKindNothing, 0u), 0.0, 0.0, 0.0); }
+bool reuses(LightReservoir r) { return r.chosen.name != kKindNothing; }
+
+uvec4 pack_light(LightReservoir r) {
+  return uvec4(r.chosen.name, r.chosen.place, floatBitsToUint(reservoir_number(r.weight)), packHalf2x16(vec2(r.confidence, r.age)));
+}
+LightReservoir unpack_light(uvec4 words) {
+  vec2 rest = unpackHalf2x16(words.w);
+  return LightReservoir(LightSample(words.x, words.y), reservoir_number(uintBitsToFloat(words.z)), rest.x, rest.y);
+}
+
+vec2 unit_place(uint place) { return (vec2(place >> 16u, place & 0xffffu) + 0.5) / 65536.0; }
+
+// Where a sample is.
+struct LightPoint {
+  bool there;     // it shines in this frame
+  bool was;       // and did in the former one, by this name
+  bool sun;
+  GpuLight light;
+  GpuTriangle triangle;
+  vec3 place;     // in the world; of a sun a direction
+  vec3 before;    // in the former frame
+  uint number;    // of a sun
+  uint packed_place;
+};
+
+LightPoint point_on(GpuLight light, uint place, bool was) {
+  LightPoint p;
+  p.there = light.probability > 0u;
+  p.was = was;
+  p.sun = false;
+  p.number = 0u;
+  p.packed_place = place;
+  p.light = light;
+  p.triangle = world_triangle(light.instance, light.triangle);
+  vec2 u = unit_place(place);
+  float root = sqrt(u.x);
+  vec2 bary = vec2(root * (1.0 - u.y), root * u.y);
+  p.place = p.before = p.triangle.v0.xyz + p.triangle.e1.xyz * bary.x + p.triangle.e2.xyz * bary.y;
+  if (was && (instance_at(light.instance).flags & kInstanceMoves) != 0u) {
+    Hit hit;
+    hit.instance = light.instance;
+    hit.triangle = light.triangle;
+    hit.bary = bary;
+    hit.t = 0.0;
+    p.before = previous_position(hit);
+  }
+  return p;
+}
+
+vec3 in_sun(uint number, uint place) {
+  vec4 sun = frame.sun_direction[number];
+  vec2 u = unit_place(place);
+  float k = u.x * (1.0 - sun.w), phi = 2.0 * kPiShared * u.y, r = sqrt(k * (2.0 - k));  // k: 1 - cos
+  return frame_about(sun.xyz) * vec3(r * cos(phi), r * sin(phi), 1.0 - k);
+}
+
+LightPoint point_in_sun(uint number, uint place) {
+  LightPoint p;
+  p.there = p.was = p.sun = true;
+  p.number = number;
+  p.packed_place = place;
+  p.light = GpuLight(0u, 0u, 0u, 0u, 0u, kNoIndex, kNoIndex, 0u);
+  p.triangle = GpuTriangle(vec4(0.0), vec4(0.0), vec4(0.0));
+  p.place = p.before = in_sun(number, place);
+  return p;
+}
+
+LightPoint nowhere() {
+  LightPoint p = point_in_sun(0u, 0u);
+  p.there = p.was = false;
+  return p;
+}
+
+// Of a lamp that has gone out, or a sun that has: not there.
+LightPoint point_of(LightSample s) {
+  uint kind = s.name & kKindBits;
+  if (s.name == 0u || kind == kKindNothing) return nowhere();
+  if (kind == kKindSun) {
+    uint number = s.name & 0xffu;
+    if (!has_feature(kFeatureSuns) || number >= frame.sun_count) return nowhere();
+    return point_in_sun(number, s.place);
+  }
+  if (!has_lights()) return nowhere();
+  if (kind == kKindUnnamed) return point_on(light_at(min(s.name & ~kKindBits, frame.light_count - 1u)), s.place, false);
+  uint name = s.name & 0xffffu;
+  uvec2 words = lamp_words(name - 1u);
+  if (words.y == 0u) return nowhere();
+  GpuLight light = light_at(min((words.x & ~kLampIsNew) + (s.name >> 16u), frame.light_count - 1u));
+  LightPoint p = point_on(light, s.place, (words.x & kLampIsNew) == 0u);
+  p.there = p.there && (light.lamp & 0xffffu) == name;
+  return p;
+}
+
+LightSample sample_of(GpuLight light, uint place) {
+  uint name = light.lamp & 0xffffu, index = first_light_of(light.instance) + light.triangle;
+  if (name == 0u) return LightSample(kKindUnnamed | index, place);
+  return LightSample((index - lamp_at(name - 1u).first) << 16u | name, place);
+}
+
+// A vertex at which samples are weighed.
+struct Domain {
+  Vertex v;
+  vec3 origin;
+  bool former;  // lights are asked where they were in the former frame
+};
+Domain domain_of(Vertex v, bool former) { return Domain(v, scatter_origin(v.scatter, v.position), former); }
+
+// How many of a frame's candidates would be this light if none was remembered. Nothing that a target hangs on may come of former
+// frames' rays: what they found, reservoirs hold, and a sample that raised its own weight would count too much.
+float plain_draws(GpuLight light) { return restir.restir_trust * float(light_candidates()) * light_probability(light); }
+
+// The target of a sample at a vertex, in the measure of samples: the light that would be reflected, were the lamp even and were
+// nothing in between, in the share that the balance heuristic leaves to looking for it. So it is zero only where the sample's light
+// is. `aim`: how it is looked for, its weight still without W.
+float light_target(Domain d, LightPoint p, out Aim aim) {
+  aim = kNoAim;
+  if (!p.there || (d.former && !p.was)) return 0.0;
+  vec3 at = d.former ? p.before : p.place;
+  float bsdf;
+  if (p.sun) {
+    vec3 f = scatter_eval(d.v.scatter, d.v.view, at, bsdf);
+    float density = restir.restir_trust * sun_pdf(at), count = float(frame.sun_count) / restir.restir_trust;
+    if (!(density > 0.0)) return 0.0;
+    aim = Aim(at, f, 1.0 / count, kRayEnd, density, bsdf, kNoIndex, kNoIndex, kTurnNowhere, 0u, 0u, 0u);
+    return dot(f, vec3(1.0)) * frame.sun_radiance[p.number].w / (count * (density + bsdf));
+  }
+  vec3 way = at - d.origin;
+  float reach = length(way);
+  vec3 direction = way / max(reach, 1e-20);
+  float draws = plain_draws(p.light), density = draws * triangle_pdf(p.triangle, reach, direction);
+  if (!(density > 0.0) || is_within_light(d.v, reach)) return 0.0;
+  vec3 f = scatter_eval(d.v.scatter, d.v.view, direction, bsdf);
+  float area = 0.5 * length(cross(p.triangle.e1.xyz, p.triangle.e2.xyz));
+  float value = dot(f, vec3(1.0)) * frame.light_power * light_probability(p.light) / area * (draws / (density + bsdf));
+  if (FEATURE_MEDIUM) value *= transmittance(frame.medium.w, reach);
+  aim = Aim(direction, f, draws, reach * 1.001 + 0.01, density, bsdf, p.light.instance, p.light.triangle, kTurnNowhere, 0u,
+            p.light.lamp & 0xffffu, 0u);
+  return value;
+}
+float light_target(Domain d, LightPoint p) {
+  Aim unused;
+  return light_target(d, p, unused);
+}
+
+// How much of a sample's light past rays let hope for at a vertex. Reservoirs choose by target times hope, while MIS weights hang on
+// targets alone: a choice leaves the sum of what is chosen from right whatever decides it, also where the same samples taught the
+// hope; MIS weights add up to 1 only if those of all samples are of one function.
+struct Hope {
+  Candidates lamps;
+  uint here;
+  float sun;
+};
+Hope hope_at(Domain d) {
+  Hope h;
+  uint cell = cell_of(d.v), seen = seen_cells.at[cell].x;
+  h.lamps = candidates_of(cell);
+  h.here = seen_place(d.origin, 0u);
+  h.sun = mix(1.0, max(sqrt(seen_share(seen)), kLeastSeen), min(seen_rays(seen) / kEnoughRays, 1.0));
+  return h;
+}
+float hope_for(Hope h, LightPoint p) {
+  if (restir.restir_hope == 0 || !p.there) return 1.0;
+  return p.sun ? h.sun : hope_of(h.lamps, p.light, seen_way(h.here, p.place));
+}
+
+// Density with which light is looked for where a way from a vertex ends, as light_target has it.
+float plain_density(Vertex v, vec3 direction, Segment way) {
+  if (way.bent) return 0.0;
+  if (has_feature(kFeatureSuns) && is_sky(way.hit) && sun_pdf(direction) > 0.0) return restir.restir_trust * sun_pdf(direction);
+  if (!has_lights() || way.hit.instance == kNoIndex || is_within_light(v, way.hit.t)) return 0.0;
+  uint first = first_light_of(way.hit.instance);
+  if (first == kNoIndex) return 0.0;
+  return plain_draws(light_at(first + way.hit.triangle)) *
+         triangle_pdf(world_triangle(way.hit.instance, way.hit.triangle), way.hit.t, direction);
+}
+
+// One sample of a few candidates of the list and one of the suns (resampled importance sampling, Talbot 2005), `times` over. What
+// past rays found decides here: which candidates there are, and how much of their light is hoped for.
+LightReservoir new_candidates(Domain d, Hope hope, uint times, inout uint rng) {
+  Reservoir r = empty_reservoir();
+  GpuLight chosen;
+  LightSample s = kNoSample;
+  uint count = has_lights() ? light_candidates() * times : 0u, i = 0u;
+  bool of_list = false;
+  if (count > 0u) do {
+    GpuLight light;
+    bool there = draw_candidate(hope.lamps, i % light_candidates(), rng, light);
+    LightPoint p = point_on(light, rng_next(rng), false);
+    p.there = p.there && there;
+    float target = light_target(d, p) * hope_for(hope, p), draws = draws_of(hope.lamps, light);
+    if (update_reservoir(r, draws > 0.0 ? target / draws : 0.0, target, 0.0, rng_uniform(rng))) {
+      chosen = light;
+      s.place = p.packed_place;
+      of_list = true;
+    }
+  } while (++i < count);
+  if (of_list) s = sample_of(chosen, s.place);
+  if (has_feature(kFeatureSuns) && frame.sun_count > 0u) {
+    uint k = 0u;
+    do {
+      LightPoint p = point_in_sun(random_below(frame.sun_count, rng), rng_next(rng));
+      float target = light_target(d, p) * hope_for(hope, p);
+      if (update_reservoir(r, target * float(frame.sun_count), target, 0.0, rng_uniform(rng)))
+        s = LightSample(kKindSun | p.number, p.packed_place);
+    } while (++k < times);
+  }
+  finish_reservoir(r, 1.0 / float(times));
+  return LightReservoir(s, r.contribution_weight, 1.0, 0.0);
+}
+#endif
