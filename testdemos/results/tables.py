@@ -150,6 +150,7 @@ TABLES = {
     "alber2025": lambda: gains_of("alber2025", "figure"),
     "default": lambda: gains_of("default", "scene"),
     "guiding": lambda: gains_of("guiding", "view"),
+    "reuse": lambda: gains_of("reuse", "view"),
     "judge": lambda: judge("judge"),
     "judge_librequake": lambda: judge("judge_librequake"),
     "judge_quick": lambda: judge("judge_quick"),

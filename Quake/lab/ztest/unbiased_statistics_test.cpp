@@ -167,6 +167,15 @@ const Row kLooksForLights[] = {
 };
 INSTANTIATE_TEST_SUITE_P(LooksForLights, UnbiasedStatistics, testing::ValuesIn(kLooksForLights), row_name);
 
+// Samples of light that pixels and frames share: lamps that come and go and change, what moves, at half the resolution,
+// water.
+const Row kReused[] = {
+    {"candles_flicker", "restir_di", {}, plan(12, 4, 4), 4, false, {"r_bounces=1"}, "nee"},
+    {"moving", "restir_di", {"r_light_scale=0.5"}, plan(12, 4, 8), 2, false, {}, "nee"},
+    {"ripple_above", "restir_di", {}, plan(12, 4, 4), 4, false, {"r_water=1"}, "nee"},
+};
+INSTANTIATE_TEST_SUITE_P(Reused, UnbiasedStatistics, testing::ValuesIn(kReused), row_name);
+
 // Fog, with light straight from what glows and with what surfaces reflect into it. Shafts are held to nee, whose mean
 // is that of pt (below) and of integrals (render/fog_statistics_test.cpp).
 const Row kFog[] = {

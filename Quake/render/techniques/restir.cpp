@@ -61,8 +61,7 @@ void RestirTechnique::add_passes(const TechniquePasses& passes) {
   passes.list.dispatch("restir candidates", PassKind::kEstimator, passes.shaders.get("restir_candidates", variant),
                        groups);
   if (spatial_)
-    passes.list.dispatch("restir spatial", PassKind::kEstimator, passes.shaders.get("restir_spatial", variant),
-                         groups);
+    passes.list.dispatch("restir spatial", PassKind::kEstimator, passes.shaders.get("restir_spatial", variant), groups);
   PathTechnique::add_passes(passes);
   seen_.add_fold(passes.list, passes.shaders);
 }

@@ -74,28 +74,30 @@ TEST_F(RestirTest, ALampThatLeavesTakesItsLightAtOnce) {
   EXPECT_EQ(renderer->read().counters().not_finite, 0u);
 }
 
-// Light of a lamp that was not there in the former frame: reservoirs of then could not have held it, and weights that thought so
-// would lose most of it.
+// Light of a lamp that was not there in the former frame: reservoirs of then could not have held it, and weights that
+// thought so would lose most of it.
 TEST_F(RestirTest, ALampThatComesIsNeitherLateNorLost) {
   const Lamps lamps;
-  double mean[2] = {}, square[2] = {};
+  double mean[3] = {}, square[3] = {};
   constexpr int kRuns = 24;
-  for (const bool reuses : {false, true}) {
+  for (const int way : {0, 1, 2}) {
     for (int run = 0; run < kRuns; ++run) {
       RenderSettings s = reuse_settings(1);
-      s.estimator = reuses ? "restir_di" : "nee";
+      s.estimator = way > 0 ? "restir_di" : "nee";
+      s.restir_mis = way > 1 ? 1 : 0;
       s.seed = run;
       auto renderer = make_renderer(s, 48, 36);
       render_frames(*renderer, lamps.with(true, false), s, 6);
       renderer->render(lamps.with(true, true), nullptr, s);
       const double m = mean_of(*renderer);
-      mean[reuses] += m / kRuns;
-      square[reuses] += m * m / kRuns;
+      mean[way] += m / kRuns;
+      square[way] += m * m / kRuns;
     }
   }
   const auto error = [&](int i) { return std::sqrt(std::max(square[i] - mean[i] * mean[i], 0.0) / (kRuns - 1)); };
   EXPECT_NEAR(mean[1], mean[0], 4.5 * std::hypot(error(0), error(1)));
   EXPECT_LT(std::hypot(error(0), error(1)), 0.02 * mean[0]) << "the test can see little";
+  EXPECT_LT(mean[2], 0.8 * mean[0]) << "by confidence alone it is lost";
 }
 
 TEST_F(RestirTest, CutsSizesAndScalesLeaveNothingBehind) {

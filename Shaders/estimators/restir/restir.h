@@ -1,4 +1,5 @@
-// ReSTIR (Bitterli 2020; Wyman and Panteleev 2021; Lin 2022): what its techniques keep, what can be set, what they show.
+// ReSTIR (Bitterli 2020; Wyman and Panteleev 2021; Lin 2022): what its techniques keep, what can be set, what they
+// show.
 #ifndef FB_RESTIR_H
 #define FB_RESTIR_H
 #include "shared/bindings.h"
@@ -29,7 +30,7 @@ FB_CONST uint kMostNeighbors = 8u;  // that a pixel asks
   X(int, restir_visibility, "r_restir_visibility", 0, 0, 1, "restir: 1 a ray drops candidates that do not arrive before they are reused, biased: what one pixel's candidates do not see is lost to others") \
   X(int, restir_permute, "r_restir_permute", 0, 0, 1, "restir: 1 a pixel takes the history of one beside it, of another each frame, so that neighbours' samples are less alike") \
   X(int, restir_sets, "r_restir_sets", 2, 1, 32, "restir: how many times r_nee_candidates lights a pixel's first vertex draws of the list") \
-  X(float, restir_trust, "r_restir_trust", 256, 0.01f, 1e6f, "restir: how many times a frame's candidates a reservoir is thought to stand for, where it shares light with scattered rays") \
+  X(float, restir_trust, "r_restir_trust", 32, 0.01f, 1e6f, "restir: how many times a frame's candidates a reservoir is thought to stand for, where it shares light with scattered rays") \
   X(int, restir_hope, "r_restir_hope", 1, 0, 1, "restir: 1 which sample a reservoir keeps is chosen by what past rays let hope to arrive, too") \
   X(int, restir_keep, "r_restir_keep", 1, 0, 1, "restir: what the next frame finds: 1 what neighbours gave, too; 0 a pixel's own history alone")
 // clang-format on
