@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/hash.h"
+#include "render/passes/frame_keys.h"
 
 namespace fb::lab {
 namespace {
@@ -29,6 +30,8 @@ std::uint64_t material_key(const scene::Material& m, std::uint64_t key) {
                            m.metalness,         m.alpha,        absorption.x,
                            absorption.y,        absorption.z,   filled ? m.scattering : 0.0f};
   key = hash_span(std::span<const float>(numbers), key);
+  if (filled && m.index != scene::Material().index)
+    key = hash_value(m.index, key);  // water's: keys of stored pictures stay
   return hash_value(m.flags, hash_value(static_cast<std::uint32_t>(m.emission_kind), key));
 }
 
@@ -48,20 +51,13 @@ std::uint64_t assets_key(const scene::Assets& assets) {
   return key;
 }
 
-std::uint64_t sky_key(const scene::Sky& sky, std::uint64_t key) {
-  const std::uint32_t images[] = {static_cast<std::uint32_t>(sky.mode), sky.solid, sky.alpha, sky.beyond_everything};
-  key = hash_span(std::span<const std::uint32_t>(images), hash_bytes(&sky.color, sizeof sky.color, key));
-  key = hash_span(std::span<const std::uint32_t>(sky.box), key);
-  return hash_vector(sky.suns, key);
-}
-
 }  // namespace
 
 std::uint64_t content_key(const scene::FrameSnapshot& s) {
   static_assert(sizeof(scene::Instance) == 4 * 43, "hashed as bytes: no padding");
   std::uint64_t key = s.assets ? assets_key(*s.assets) : 0;
   key = hash_vector(s.instances, key);
-  key = sky_key(s.sky, hash_bytes(&s.camera, sizeof s.camera, key));
+  key = render::sky_key(s.sky, hash_bytes(&s.camera, sizeof s.camera, key));
   key = hash_value(s.camera_liquid, hash_bytes(&s.medium, sizeof s.medium, key));
   if (s.liquid_opacity != scene::LiquidOpacity()) {  // else it changes nothing: keys of stored pictures stay
     key = hash_bytes(&s.liquid_opacity, sizeof s.liquid_opacity, key);

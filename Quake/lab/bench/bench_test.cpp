@@ -92,7 +92,18 @@ TEST_F(BenchTest, TheKeyIsOfWhatIsSeen) {
   EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.sky.color.x += 1; }));
   EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.liquid_opacity.water = 0.5f; }));
   EXPECT_TRUE(changed([](FrameSnapshot&, Assets& a) { a.materials[0].base_color.y *= 0.5f; }));
+  EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.sky.suns.emplace_back(); }));
+  EXPECT_FALSE(changed([](FrameSnapshot&, Assets& a) { a.materials[0].index = 1.5f; })) << "nothing is behind it";
   EXPECT_TRUE(changed([](FrameSnapshot&, Assets& a) { a.meshes[0].positions[0].z += 1; }));
+  const auto key_of_filled = [&](float index) {
+    scene::FrameSnapshot snapshot = plain;
+    auto assets = std::make_shared<scene::Assets>(*plain.assets);
+    assets->materials[0].flags |= scene::kMaterialDielectric;
+    assets->materials[0].index = index;
+    snapshot.assets = assets;
+    return content_key(snapshot);
+  };
+  EXPECT_NE(key_of_filled(1.33f), key_of_filled(1.5f));
 }
 
 TEST_F(BenchTest, AHeldFrameStandsStill) {

@@ -6,6 +6,14 @@
 
 namespace fb::render {
 
+std::uint64_t sky_key(const scene::Sky& sky, std::uint64_t key) {
+  static_assert(sizeof(scene::Sun) == 4 * 7, "hashed as bytes: no padding");
+  const std::uint32_t images[] = {static_cast<std::uint32_t>(sky.mode), sky.solid, sky.alpha, sky.beyond_everything};
+  key = hash_span(std::span<const std::uint32_t>(images), hash_bytes(&sky.color, sizeof sky.color, key));
+  key = hash_span(std::span<const std::uint32_t>(sky.box), key);
+  return hash_span(std::span<const scene::Sun>(sky.suns), hash_bytes(nullptr, 0, key ^ sky.suns.size()));
+}
+
 std::uint64_t scene_key(const scene::FrameSnapshot& s) {
   static_assert(sizeof(scene::Instance) == 4 * 43, "hashed as bytes: no padding");
   std::uint64_t key = hash_span(std::span<const scene::Instance>(s.instances), s.assets->generation);
@@ -16,6 +24,7 @@ std::uint64_t scene_key(const scene::FrameSnapshot& s) {
   key = hash_bytes(&s.medium, sizeof(s.medium), key);
   key = hash_bytes(&s.liquid_opacity, sizeof(s.liquid_opacity), key);
   key = hash_bytes(&s.camera_liquid, sizeof(s.camera_liquid), key);
+  key = sky_key(s.sky, key);
   return hash_span(std::span<const float>(camera), key);
 }
 

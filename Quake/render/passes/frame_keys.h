@@ -10,6 +10,8 @@ namespace fb::render {
 
 // A hash of everything in a snapshot that may move: equal, nothing has.
 std::uint64_t scene_key(const scene::FrameSnapshot& snapshot);
+// Of how the sky looks, with its suns, continuing `key`.
+std::uint64_t sky_key(const scene::Sky& sky, std::uint64_t key);
 
 // Of every row of the settings, each in its own type with its cvar's name, and of the estimator's name.
 std::uint64_t settings_key(const RenderSettings& settings, std::uint64_t seed = 0);

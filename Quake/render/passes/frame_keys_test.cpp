@@ -50,5 +50,19 @@ TEST(SceneKey, KnowsTheTimeOfAFrameAfterDays) {
   EXPECT_NE(scene_key(first), scene_key(second));
 }
 
+// A still view under another sky is another.
+TEST(SceneKey, KnowsTheSkyAndItsSuns) {
+  scene::FrameSnapshot first;
+  first.assets = std::make_shared<scene::Assets>();
+  first.sky.suns.emplace_back();
+  EXPECT_EQ(scene_key(first), scene_key(scene::FrameSnapshot(first)));
+  scene::FrameSnapshot turned = first, lit = first, colored = first, more = first;
+  turned.sky.suns[0].direction = vec3(1, 0, 0);
+  lit.sky.suns[0].irradiance = vec3(1);
+  colored.sky.color = vec3(1);
+  more.sky.suns.emplace_back();
+  for (const scene::FrameSnapshot& other : {turned, lit, colored, more}) EXPECT_NE(scene_key(first), scene_key(other));
+}
+
 }  // namespace
 }  // namespace fb::render
