@@ -31,6 +31,9 @@ function(fb_quick_program target)
   set_target_properties(${target} PROPERTIES FB_UNFUZZED ON)
   if(FULLBRIGHT_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)
+  elseif(FULLBRIGHT_QUICK_BUILD)
+    target_compile_options(${target} PRIVATE -O1 $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
+                           $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>)
   endif()
 endfunction()
 
