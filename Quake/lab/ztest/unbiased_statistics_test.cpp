@@ -173,6 +173,8 @@ const Row kReused[] = {
     {"candles_flicker", "restir_di", {}, plan(12, 4, 4), 4, false, {"r_bounces=1"}, "nee"},
     {"moving", "restir_di", {"r_light_scale=0.5"}, plan(12, 4, 8), 2, false, {}, "nee"},
     {"ripple_above", "restir_di", {}, plan(12, 4, 4), 4, false, {"r_water=1"}, "nee"},
+    {"cbox_glossy", "restir_di", {"r_restir_visibility=2"}, plan(12, 4, 8), 2, false, {"r_bounces=1"}, "nee"},
+    {"cbox_glossy", "restir_di", {"r_restir_visibility=1"}, plan(12, 4, 8), 2, true, {"r_bounces=1"}, "nee"},
 };
 INSTANTIATE_TEST_SUITE_P(Reused, UnbiasedStatistics, testing::ValuesIn(kReused), row_name);
 

@@ -19,15 +19,13 @@ FB_NAMESPACE_BEGIN
   X(kRestirFinal, 2u, kPixel, 16u, false, "reservoirs that light is asked of")
 FB_RESTIR_ARRAYS(FB_ARRAY_CONSTANT)
 
-FB_CONST uint kMostNeighbors = 8u;  // that a pixel asks
-
 // clang-format off
 #define FB_RESTIR_SETTINGS(X) \
   X(float, restir_history, "r_restir_history", 20, 0, 1000, "restir: frames of candidates that the former frame's reservoir counts as, at most; 0: nothing is reused over time") \
   X(int, restir_neighbors, "r_restir_neighbors", 3, 0, 8, "restir: neighbours whose reservoirs a pixel reuses") \
   X(float, restir_radius, "r_restir_radius", 30, 1, 200, "restir: how far away they are at most, pixels of a picture of 1080 rows") \
   X(int, restir_mis, "r_restir_mis", 0, 0, 1, "restir: weights of what is reused: 0 by targets, unbiased; 1 by confidence alone (1/M), biased: dark where light comes into sight") \
-  X(int, restir_visibility, "r_restir_visibility", 0, 0, 1, "restir: 1 a ray drops candidates that do not arrive before they are reused, biased: what one pixel's candidates do not see is lost to others") \
+  X(int, restir_visibility, "r_restir_visibility", 0, 0, 2, "restir: 1 a ray drops candidates that do not arrive before they are reused, biased: what one pixel's candidates do not see is lost to others; 2 rays ask so wherever a sample is weighed, unbiased where nothing moves and nothing is translucent") \
   X(int, restir_permute, "r_restir_permute", 0, 0, 1, "restir: 1 a pixel takes the history of one beside it, of another each frame, so that neighbours' samples are less alike") \
   X(int, restir_sets, "r_restir_sets", 2, 1, 32, "restir: how many times r_nee_candidates lights a pixel's first vertex draws of the list") \
   X(float, restir_trust, "r_restir_trust", 32, 0.01f, 1e6f, "restir: how many times a frame's candidates a reservoir is thought to stand for, where it shares light with scattered rays") \

@@ -27,14 +27,6 @@ LightReservoir former_reservoir(FormerTexel f) {
   return unpack_light(reservoirs.at[restir.former + f.element]);
 }
 
-// The light's way is free, now: biased where the answer decides what others may reuse.
-bool arrives(Vertex v, LightSample s, inout uint rng) {
-  Aim aim;
-  if (light_target(domain_of(v, false), point_of(s), aim) <= 0.0) return false;
-  Segment way = segment_from(v, aim.direction, aim.reach, aim.turn, rng);
-  return is_found(aim, way);
-}
-
 LightReservoir over_time(LightReservoir fresh, Domain here, Hope hope, GBufferTexel g, PathPixel p, inout uint rng) {
   ivec2 offset = restir.restir_permute != 0 ? permuted(p.block) : ivec2(0);
   FormerTexel f = former_lit_texel(g, p.pixel, offset);
@@ -46,6 +38,10 @@ LightReservoir over_time(LightReservoir fresh, Domain here, Hope hope, GBufferTe
   LightPoint new_point = point_of(fresh.chosen), old_point = point_of(old.chosen);
   float fresh_here = light_target(here, new_point), fresh_there = light_target(there, new_point);
   float old_here = light_target(here, old_point), old_there = light_target(there, old_point);
+  if (restir.restir_visibility > 1) {
+    if (fresh_there > 0.0 && !arrives(there, new_point, rng)) fresh_there = 0.0;
+    if (old_here > 0.0 && !arrives(here, old_point, rng)) old_here = 0.0;
+  }
   float fresh_share, old_share;
   if (restir.restir_mis == 0) {
     float a = mis_score(fresh.confidence, fresh_here), b = mis_score(old.confidence, fresh_there);
@@ -84,7 +80,7 @@ void main() {
       Domain here = domain_of(v, false);
       Hope hope = hope_at(here);
       r = new_candidates(here, hope, uint(frame.spp * restir.restir_sets), rng);
-      if (restir.restir_visibility != 0 && !arrives(v, r.chosen, rng)) r.weight = 0.0;
+      if (restir.restir_visibility != 0 && !arrives(here, point_of(r.chosen), rng)) r.weight = 0.0;
       if (restir.restir_history > 0.0) r = over_time(r, here, hope, g, p, rng);
     }
   }

@@ -70,6 +70,10 @@ void main() {
         LightPoint point = point_of(other.chosen);
         float target_here = light_target(here, point), target_there = light_target(about, point);
         float own_there = light_target(about, own_point);
+        if (restir.restir_visibility > 1) {
+          if (target_here > 0.0 && !arrives(here, point, again)) target_here = 0.0;
+          if (own_there > 0.0 && !arrives(about, own_point, again)) own_there = 0.0;
+        }
         own_share += mis_pairwise_canonical(pairs, other.confidence, own_there, own_target);
         float share = restir.restir_mis == 0 ? mis_pairwise(pairs, other.confidence, target_there, target_here)
                                              : mis_by_confidence(other.confidence, all);

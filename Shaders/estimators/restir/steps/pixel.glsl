@@ -19,5 +19,14 @@ bool may_reuse(GBufferTexel g, uint at) {
   return w.seen.albedo == vec3(0.0) && w.own_liquid == kNoIndex && !mirrors;
 }
 
+// Whether a sample's light is seen from a vertex, as the scene is now.
+bool arrives(Domain d, LightPoint p, inout uint rng) {
+  Aim aim;
+  d.former = false;
+  bool asked = light_target(d, p, aim) > 0.0;
+  Segment way = segment_from(d.v, aim.direction, asked ? aim.reach : 0.0, aim.turn, rng);
+  return asked && is_found(aim, way);
+}
+
 uint pass_seed(PathPixel p, uint pass) { return rng_seed(p.at, frame.frame, 0u, frame.seed ^ pass); }
 #endif
