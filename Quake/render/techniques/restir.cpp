@@ -7,6 +7,7 @@
 #include "render/techniques/path_technique.h"
 #include "render/techniques/seen_grid.h"
 #include "render/techniques/technique_memory.h"
+#include "shared/scene_gpu.h"
 
 namespace fb::render {
 namespace {

@@ -10,6 +10,7 @@
 #include "render/test_device.h"
 #include "render/test_image.h"
 #include "scene/in_code/code_scene_parts.h"
+#include "scene/in_code/scene_of_kinds.h"
 #include "scene/in_code/scenes_in_code.h"
 #include "scene/shapes.h"
 
