@@ -15,7 +15,7 @@ Vertex former_vertex(FormerTexel f) {
   return v;
 }
 
-// One of the eight blocks about, of another each frame, by which blocks change places in pairs: each history goes to one pixel.
+// Where a block takes its history from: blocks change places in pairs, with others each frame, so that each history goes to one.
 ivec2 permuted(uvec2 block) {
   uint h = hash_combine(frame.frame, frame.seed ^ 0x68e31da4u);
   uvec2 by = uvec2((h >> 8u) & 3u, (h >> 16u) & 3u), moved = block + by;
