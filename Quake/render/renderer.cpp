@@ -286,6 +286,8 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.light_count = lights.count;
   constants.light_power = lights.power;
   constants.lamp_first = lights.first_lamp;
+  constants.former_first = lights.first_former;
+  constants.former_instances = lights.former_instances;
   constants.accumulated_frames = accumulated;
   constants.frame = shared::hash_combine(static_cast<std::uint32_t>(snapshot.frame), sample);
   if (technique->salt() != 0) constants.frame = shared::hash_combine(constants.frame, technique->salt());

@@ -5,12 +5,16 @@
 #include "lib/interaction.glsl"
 #include "lib/pixel.glsl"
 
-// Where what a texel shows was in the former frame; its position itself unless it moved perceptibly.
-vec3 previous_world(GBufferTexel g, vec2 point) {
+// Where what a texel shows was in the former frame, within rounding; its position itself where that frame's camera had it behind it.
+vec3 former_world(GBufferTexel g, vec2 point) {
   if (g.motion.w <= 0.0) return g.position_t.xyz;
   vec2 s = (point + g.motion.xy) / vec2(frame.width, frame.height) * 2.0 - 1.0;
   vec3 ray = frame.prev_camera_forward.xyz + s.x * frame.prev_camera_right.xyz - s.y * frame.prev_camera_up.xyz;
-  vec3 before = frame.prev_camera_position.xyz + ray * g.motion.w;
+  return frame.prev_camera_position.xyz + ray * g.motion.w;
+}
+// The same; its position itself unless it moved perceptibly.
+vec3 previous_world(GBufferTexel g, vec2 point) {
+  vec3 before = former_world(g, point);
   return distance(before, g.position_t.xyz) > 0.25 + 1e-3 * g.position_t.w ? before : g.position_t.xyz;
 }
 

@@ -3,6 +3,7 @@
 #ifndef FB_LIB_FORMER
 #define FB_LIB_FORMER
 #include "lib/gbuffer_texel.glsl"
+#include "lib/lights.glsl"
 #include "lib/pixel.glsl"
 
 struct FormerTexel {
@@ -27,6 +28,13 @@ FormerTexel former_texel_at(GBufferTexel now, uvec2 pixel, bool inside) {
   f.texel = previous_gbuffer_at(f.pixel.y * frame.width + f.pixel.x);
   f.known = inside && frame.previous_gbuffer != 0u && is_same_surface(now, f.texel);
   return f;
+}
+
+// Where an instance of the former frame's table is in this one's; kNoIndex: it is gone, or another mesh. Known where the list of
+// lights is wanted.
+uint instance_now(uint former) {
+  if (former >= frame.former_instances) return kNoIndex;
+  return texelFetch(light_texels, int(frame.former_first + (former >> 2u)))[former & 3u];
 }
 
 // Where what a texel shows was. Nothing is known where frame.previous_gbuffer says so.

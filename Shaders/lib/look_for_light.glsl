@@ -203,17 +203,29 @@ Direct direct_light(Vertex v, vec3 direction, vec3 f, vec3 light) {
   return Direct(f * light, light * (max(scatter_cosine(v.scatter, direction), 0.0) / kPiShared));
 }
 
+// What a ray found.
+struct FoundLight {
+  Direct direct;
+  vec3 direction;
+  Segment way;   // from there
+  float weight;  // one over the density of all that finds light in this direction; 0: none was found
+};
+
 // Light that an aim's ray finds, shared with paths' own directions, which have the density `proposed` there.
-Direct light_of_aim(Vertex v, Aim aim, float proposed, inout uint rng) {
-  Segment way = segment_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, aim.turn, rng);
-  float weight = found(aim, way, rng) ? shared_weight(aim, way, proposed, kBoth) : 0.0;
-  vec3 emission = weight > 0.0 ? light_emission(way.hit, way.direction, aim.turn == kTurnNowhere) * way.left : vec3(0.0);
-  remember_lamp(aim.cell, aim.lamp, dot(aim.f * emission, vec3(weight)), rng);
-  return direct_light(v, aim.direction, aim.f, emission * weight);
+FoundLight find_by_aim(Vertex v, Aim aim, float proposed, inout uint rng) {
+  FoundLight f;
+  f.direction = aim.direction;
+  f.way = segment_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, aim.turn, rng);
+  f.weight = found(aim, f.way, rng) ? shared_weight(aim, f.way, proposed, kBoth) : 0.0;
+  vec3 emission = f.weight > 0.0 ? light_emission(f.way.hit, f.way.direction, aim.turn == kTurnNowhere) * f.way.left : vec3(0.0);
+  remember_lamp(aim.cell, aim.lamp, dot(aim.f * emission, vec3(f.weight)), rng);
+  f.direct = direct_light(v, aim.direction, aim.f, emission * f.weight);
+  return f;
 }
+Direct light_of_aim(Vertex v, Aim aim, float proposed, inout uint rng) { return find_by_aim(v, aim, proposed, rng).direct; }
 
 // By one ray, which looks for light or scatters by the vertex's own density, in turns.
-Direct light_in_turns(Vertex v, inout uint rng) {
+FoundLight find_in_turns(Vertex v, inout uint rng) {
   Proposal p = propose_scattered(v, rng);
   Turns turns = turns_of_one(v);
   Aim aim = aim_at_light(v, turns, rng);
@@ -226,9 +238,12 @@ Direct light_in_turns(Vertex v, inout uint rng) {
   if (looks) {
     float weight = found(aim, way, rng) ? shared_weight(aim, way, aim.bsdf_pdf, turns) : 0.0;
     remember_lamp(aim.cell, aim.lamp, dot(aim.f * emission, vec3(weight)), rng);
-    return direct_light(v, direction, aim.f, emission * weight);
+    return FoundLight(direct_light(v, direction, aim.f, emission * weight), direction, way, weight);
   }
-  vec3 light = emission * met_share_of(v, way, p, emission, turns);
-  return direct_light(v, direction, p.weight * p.pdf, p.pdf > 0.0 ? light / p.pdf : vec3(0.0));
+  float share = met_share_of(v, way, p, emission, turns);
+  vec3 light = emission * share;
+  Direct direct = direct_light(v, direction, p.weight * p.pdf, p.pdf > 0.0 ? light / p.pdf : vec3(0.0));
+  return FoundLight(direct, direction, way, p.pdf > 0.0 ? share / p.pdf : 0.0);
 }
+Direct light_in_turns(Vertex v, inout uint rng) { return find_in_turns(v, rng).direct; }
 #endif

@@ -24,6 +24,7 @@ struct Segment {
   float mirrored;  // the share that the first one reflects, if it did; else 0
   float distance;  // along all pieces
   float seen;      // at which its end appears through a level surface, along the first direction
+  bool certain;    // no chance let it pass what is translucent
 };
 
 // Which way an interface takes a ray.
@@ -78,7 +79,7 @@ vec3 kept_on_side(vec3 direction, vec3 facing) {
 }
 
 Segment straight(vec3 origin, vec3 direction, uint liquid) {
-  return Segment(Hit(0.0, vec2(0.0), kNoIndex, 0u), origin, direction, vec3(1.0), liquid, false, 0.0, 0.0, 0.0);
+  return Segment(Hit(0.0, vec2(0.0), kNoIndex, 0u), origin, direction, vec3(1.0), liquid, false, 0.0, 0.0, 0.0, true);
 }
 
 // What becomes of a camera's ray at the first interface that it meets.
@@ -101,6 +102,14 @@ void pass_piece(inout Segment s, float piece, float nearer, bool of_camera) {
   s.seen += piece * nearer;
 }
 
+// A piece of a way, and whether it passed nothing translucent.
+Hit trace_piece(vec3 origin, vec3 direction, float reach, uint mask, inout bool certain, inout uint rng) {
+  passed_at = kRayEnd;
+  Hit hit = trace(origin, direction, 0.0, reach, mask, rng);
+  certain = certain && !(passed_at < (hit.instance == kNoIndex ? kRayEnd : hit.t));
+  return hit;
+}
+
 // Follows a segment on from where it is. `s.left` is without the fog before what a camera sees: the denoiser knows of that.
 //
 // The last piece is passed behind the loop: what lavapipe (Mesa 22 and 25) multiplies up before a `break` it multiplies again for
@@ -109,7 +118,7 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
   float nearer = 1.0;
   uint events = 0u;
   do {
-    s.hit = trace(s.origin, s.direction, 0.0, reach, mask, rng);
+    s.hit = trace_piece(s.origin, s.direction, reach, mask, s.certain, rng);
     if (s.hit.instance == kNoIndex || turn == kTurnNowhere || events == kMostInterfaces) break;
     GpuAttribute a = attribute_at(instance_at(s.hit.instance).first_attribute + s.hit.triangle);
     if ((a.flags & kTriangleDielectric) == 0u) break;
@@ -135,7 +144,7 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
       parting.opaque = has_feature(kFeatureSkins) ? m.opaque_share : 0.0;
       s.left *= 1.0 - parting.opaque;
       parting.mirrored = Segment(s.hit, offset_origin(i.position, i.facing), reflected, s.left * reflectance, here, true,
-                                 reflectance, s.distance, s.seen);
+                                 reflectance, s.distance, s.seen, s.certain);
       parting.mirrors_most = dielectric_reflectance(min(-dot(s.direction, i.facing), 1.0), eta) > 0.5;
       parting.through = (1.0 - reflectance) * (1.0 - parting.opaque);
       parting.distance = s.distance;
@@ -168,9 +177,10 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
 Segment segment_of(vec3 origin, uint liquid, vec3 direction, float reach, uint turn, inout uint rng) {
   Parting unused;
   if (FEATURE_WATER) return follow(straight(origin, direction, liquid), reach, kMaskIndirect, turn, false, unused, rng);
-  Hit hit = trace(origin, direction, 0.0, reach, kMaskIndirect, rng);
+  bool certain = true;
+  Hit hit = trace_piece(origin, direction, reach, kMaskIndirect, certain, rng);
   return Segment(hit, origin, direction, light_left(kNoIndex, hit.instance == kNoIndex ? kRayEnd : hit.t), kNoIndex, false, 0.0,
-                 hit.t, hit.t);
+                 hit.t, hit.t, certain);
 }
 Segment segment_from(Vertex v, vec3 direction, float reach, uint turn, inout uint rng) {
   return segment_of(scatter_origin(v.scatter, v.position), v.liquid, direction, reach, turn, rng);

@@ -41,4 +41,11 @@ void store_light(PathPixel p, GBufferTexel g, PixelLight light, float samples) {
   if (FEATURE_WATER) radiance.at[second_radiance_at(p.at)] = vec4(light.second.rgb * left, light.second.w) / samples;
   radiance.at[p.at] = vec4(g.emission_specular.rgb + light.sum / samples, light.lost);
 }
+
+// More light that a pixel's surface reflects, where paths have been stored.
+void add_light(PathPixel p, GBufferTexel g, vec3 light) {
+  take_finite(light);
+  if (FEATURE_MEDIUM) light *= transmittance(frame.camera_fog, g.position_t.w);
+  radiance.at[p.at].rgb += light;
+}
 #endif

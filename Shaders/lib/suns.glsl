@@ -53,6 +53,18 @@ float mirrored_density(vec3 direction) {
   return p / float(frame.sun_count);
 }
 
+// A direction in a sun's disc, uniform for u in [0, 1)^2; and what u it has.
+vec3 in_disc(vec4 sun, vec2 u) {
+  float k = u.x * (1.0 - sun.w), phi = 2.0 * kPiShared * u.y;  // k: 1 - cos
+  float r = sqrt(k * (2.0 - k));
+  return frame_about(sun.xyz) * vec3(r * cos(phi), r * sin(phi), 1.0 - k);
+}
+vec2 place_in_disc(vec4 sun, vec3 direction) {
+  vec3 local = direction * frame_about(sun.xyz);
+  float square = dot(local.xy, local.xy), k = square / (1.0 + sqrt(max(1.0 - square, 0.0)));
+  return vec2(clamp(k / (1.0 - sun.w), 0.0, 1.0), fract(atan(local.y, local.x) / (2.0 * kPiShared) + 1.0));
+}
+
 // Towards a sun, straight or, where the vertex bends them, refracted; zero: there is none. `radiance`: sum of the channels.
 vec3 sample_sun(Vertex v, bool bends, inout uint rng, out float radiance) {
   uint i = rng_next(rng) % frame.sun_count;
@@ -60,9 +72,7 @@ vec3 sample_sun(Vertex v, bool bends, inout uint rng, out float radiance) {
   radiance = frame.sun_radiance[i].w;
   vec2 u = vec2(rng_uniform(rng), rng_uniform(rng));
   if (bends) return bent_sun_sample(refracted_sun_of(v, i), u);
-  float k = u.x * (1.0 - sun.w), phi = 2.0 * kPiShared * u.y;  // k: 1 - cos
-  float r = sqrt(k * (2.0 - k));
-  return frame_about(sun.xyz) * vec3(r * cos(phi), r * sin(phi), 1.0 - k);
+  return in_disc(sun, u);
 }
 
 // Towards where level water mirrors one. `radiance`: of the sun times what water reflects of it.

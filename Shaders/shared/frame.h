@@ -75,6 +75,7 @@ struct FrameConstants {
   uint work_parity;                      // of this frame's words in shared/work.h
   // Which pixel of a block was lit in the former frame.
   uint former_light_x, former_light_y, former_light_block;
+  uint former_first, former_instances;  // where instances of the former frame are now: the texel of the table, how many
   FB_FRAME_SETTINGS(FB_UNIFORM_FIELD)
   FB_DENOISER_SETTINGS(FB_UNIFORM_FIELD)
 };

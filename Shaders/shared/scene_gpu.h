@@ -55,6 +55,7 @@ struct GpuInstance {  // 272 bytes
 FB_CONST uint kInstanceMaskBits = 3u;
 FB_CONST uint kInstanceHasColor = 4u;
 FB_CONST uint kInstanceMoves = 64u;        // its points were elsewhere in the former frame
+FB_CONST uint kInstanceIsNew = 128u;       // it was not there
 FB_CONST uint kInstanceTranslucent = 32u;  // alpha < 1: candidate hits must ask
 
 // A copy of a mesh for one instance and this frame; a workgroup makes it. Posed triangles in the mesh's space, for
@@ -92,10 +93,11 @@ struct GpuMaterial {               // 96 bytes
   float pad0, pad1;
 };
 
-// The list of lights, a buffer of three tables. First a uint for each instance: the number of the light that its
+// The list of lights, a buffer of four tables. First a uint for each instance: the number of the light that its
 // triangle 0 is, kNoIndex if nothing of it glows; its other triangles follow. Then, at texel frame.light_first, the
 // lights, and at frame.lamp_first the lamps, each of which is a few lights of one instance that are near each other:
-// what is remembered of lights from frame to frame has a lamp's number, which stays while its instance is there.
+// what is remembered of lights from frame to frame has a lamp's number, which stays while its instance is there. At
+// frame.former_first, a uint for each instance of the former frame: its index in this one, kNoIndex where it is gone.
 //
 // Lights, of all and of a lamp, are drawn by alias tables (Walker 1977; Vose 1991), which are exact: a random integer
 // below the range that is below `threshold` chooses the light in that place itself, else `other`.

@@ -167,14 +167,17 @@ const Row kLooksForLights[] = {
 };
 INSTANTIATE_TEST_SUITE_P(LooksForLights, UnbiasedStatistics, testing::ValuesIn(kLooksForLights), row_name);
 
-// Samples of light that pixels and frames share: lamps that come and go and change, what moves, at half the resolution,
-// water.
+// Samples of light that pixels and frames share: lamps that come and go and change, what moves, water; light of two
+// reflections past coats and what is translucent.
 const Row kReused[] = {
     {"candles_flicker", "restir_di", {}, plan(12, 4, 4), 4, false, {"r_bounces=1"}, "nee"},
-    {"moving", "restir_di", {"r_light_scale=0.5"}, plan(12, 4, 8), 2, false, {}, "nee"},
+    {"moving", "restir_di", {}, plan(12, 4, 8), 2, false, {}, "nee"},
     {"ripple_above", "restir_di", {}, plan(12, 4, 4), 4, false, {"r_water=1"}, "nee"},
     {"cbox_glossy", "restir_di", {"r_restir_visibility=2"}, plan(12, 4, 8), 2, false, {"r_bounces=1"}, "nee"},
     {"cbox_glossy", "restir_di", {"r_restir_visibility=1"}, plan(12, 4, 8), 2, true, {"r_bounces=1"}, "nee"},
+    {"cbox_glossy", "restir_gi", {}, plan(12, 4, 8), 2, false, {}, "nee"},
+    {"kinds", "restir_gi", {"r_restir_gi_neighbors=3"}, plan(12, 4, 8), 2, false, {}, "nee"},
+    {"moving", "restir_gi", {}, plan(12, 4, 8), 2, false, {}, "nee"},
 };
 INSTANTIATE_TEST_SUITE_P(Reused, UnbiasedStatistics, testing::ValuesIn(kReused), row_name);
 

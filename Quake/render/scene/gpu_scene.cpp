@@ -12,6 +12,7 @@
 #include "base/log.h"
 #include "base/out_of_memory.h"
 #include "base/physical_memory.h"
+#include "render/scene/former_instances.h"
 #include "render/scene/gpu_scene_assets.h"
 #include "render/scene/gpu_scene_copies.h"
 #include "render/scene/gpu_scene_rays.h"
@@ -87,10 +88,13 @@ struct GpuScene::Impl {
   void bind();
   void record_tables(gpu::Commands& commands);
   void record_rays(gpu::Commands& commands);
-  // Where the tables of lights and of lamps begin in their buffer.
+  // Where the tables of lights, of lamps and of the former frame's instances begin in their buffer.
   std::uint32_t light_texel() const { return static_cast<std::uint32_t>((light_list.first_lights().size() + 3) / 4); }
   std::uint32_t lamp_texel() const {
     return light_texel() + 2 * static_cast<std::uint32_t>(light_list.lights().size());
+  }
+  std::uint32_t former_texel() const {
+    return lamp_texel() + static_cast<std::uint32_t>((light_list.lamps().size() + 1) / 2);
   }
 
   gpu::Device& device;
@@ -101,6 +105,7 @@ struct GpuScene::Impl {
   RayStructures rays;
   MaterialTable material_table;
   LightList light_list;
+  FormerInstances former;
   gpu::ComputePipeline pose;
 
   DeviceArray<shared::GpuInstance> instances;
@@ -297,10 +302,14 @@ void GpuScene::Impl::list_lights(const scene::FrameSnapshot& snapshot, bool want
     for (std::size_t i = 0; i < drawn.size(); ++i)
       sources.push_back({drawn[i].instance, &assets.meshes()[drawn[i].instance->mesh], &instance_table[i]});
   }
-  // Beside the tables of instances and of lamps.
+  std::vector<FormerInstances::Row> rows;
+  for (const Drawn& d : drawn)
+    rows.push_back({d.instance->id, d.instance->mesh, (d.instance->flags & scene::kInstanceNew) != 0});
+  former.begin_frame(std::move(rows));
+  // Beside the tables of instances, of lamps and of the former frame's instances.
   const std::uint64_t bytes = lights.most() * sizeof(glm::uvec4),
-                      others = sources.size() * sizeof(std::uint32_t) + shared::kMostLamps * sizeof(shared::GpuLamp) +
-                               2 * sizeof(glm::uvec4);
+                      others = (sources.size() + former.places().size()) * sizeof(std::uint32_t) +
+                               shared::kMostLamps * sizeof(shared::GpuLamp) + 4 * sizeof(glm::uvec4);
   light_list.build(*snapshot.assets, snapshot.sky, sources, material_table.entries(),
                    (bytes - std::min(bytes, others)) / sizeof(shared::GpuLight));
   if (light_list.made_anew()) has_lights = false;
@@ -312,14 +321,14 @@ void GpuScene::Impl::stage() {
   materials.reserve(material_table.entries().size());
   jobs.reserve(job_table.size());
   const std::uint64_t had_room = lights.bytes();
-  if (!light_list.first_lights().empty()) lights.reserve(lamp_texel() + light_list.lamps().size() / 2 + 1);
+  if (!light_list.first_lights().empty()) lights.reserve(former_texel() + former.places().size() / 4 + 1);
   if (lights.bytes() != had_room) has_lights = false;
 
   staged = 0;
   transfers.clear();
   const auto bytes_of = [](const auto& items) { return items.size() * sizeof(items[0]); };
   staging.reserve(bytes_of(instance_table) + bytes_of(material_table.entries()) + bytes_of(job_table) + bytes_of(tree) +
-                  lamp_texel() * sizeof(glm::uvec4) + bytes_of(light_list.lamps()) + bytes_of(copies.host_triangles()));
+                  former_texel() * sizeof(glm::uvec4) + bytes_of(former.places()) + bytes_of(copies.host_triangles()));
   const auto put = [&](const void* data, VkDeviceSize bytes, const gpu::Buffer& target, VkDeviceSize to) {
     if (bytes == 0) return;
     std::memcpy(static_cast<std::byte*>(staging.mapped()) + staged, data, bytes);
@@ -335,6 +344,8 @@ void GpuScene::Impl::stage() {
   put_lights(light_list.first_lights(), 0);
   put_lights(light_list.lights(), light_texel());
   put_lights(light_list.lamps(), lamp_texel());
+  if (!light_list.first_lights().empty())
+    put(former.places().data(), bytes_of(former.places()), lights.buffer(), former_texel() * sizeof(glm::uvec4));
   put(copies.host_triangles().data(), bytes_of(copies.host_triangles()), assets.triangles().buffer(),
       std::uint64_t{copies.host_triangle()} * sizeof(shared::GpuTriangle));
   if (!options.ray_query) {
@@ -403,7 +414,10 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
   const std::uint64_t generation = s.assets.generation();
   s.assets.update(*snapshot.assets);
   const bool renumbered = s.assets.generation() != generation;
-  if (renumbered) s.copies.forget();
+  if (renumbered) {
+    s.copies.forget();
+    s.former.forget();
+  }
   const std::size_t meshes = snapshot.assets->meshes.size(), materials = snapshot.assets->materials.size();
   // A model may come in the middle of a level.
   if (renumbered || meshes != s.known_meshes || materials != s.known_materials) {
@@ -471,7 +485,9 @@ const SceneFeatures& GpuScene::features() const { return impl_->features; }
 const SceneStatistics& GpuScene::statistics() const { return impl_->statistics; }
 GpuScene::Lights GpuScene::lights() const {
   const LightList& list = impl_->light_list;
-  return {impl_->light_texel(), static_cast<std::uint32_t>(list.lights().size()), impl_->lamp_texel(), list.power()};
+  return {impl_->light_texel(),  static_cast<std::uint32_t>(list.lights().size()),
+          impl_->lamp_texel(),   list.power(),
+          impl_->former_texel(), static_cast<std::uint32_t>(impl_->former.places().size())};
 }
 SceneBuffers GpuScene::buffers() const {
   return {&impl_->assets.nodes().buffer(), &impl_->assets.triangles().buffer(), &impl_->instances.buffer()};

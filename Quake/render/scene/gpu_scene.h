@@ -84,10 +84,12 @@ class GpuScene {
   void add_passes(PassList& list);
 
   const SceneFeatures& features() const;
-  // The list of lights: texels where its tables begin, lights (0: none glows, or none was wanted), LightList::power.
+  // The list of lights: texels where its tables begin, lights (0: none glows, or none was wanted), LightList::power,
+  // instances of the former frame (0: there was none).
   struct Lights {
     std::uint32_t first, count, first_lamp;
     float power;
+    std::uint32_t first_former, former_instances;
   };
   Lights lights() const;
   const SceneStatistics& statistics() const;

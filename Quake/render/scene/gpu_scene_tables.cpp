@@ -161,6 +161,7 @@ shared::GpuInstance make_gpu_instance(const MeshRecord& mesh, const scene::Insta
   const bool posed_anew =
       mesh.posed && (out.pose_a != out.prev_pose_a || out.pose_b != out.prev_pose_b || out.pose_t != out.prev_pose_t);
   if (posed_anew || (!is_new && instance.transform != instance.prev_transform)) out.flags |= shared::kInstanceMoves;
+  if (is_new) out.flags |= shared::kInstanceIsNew;
   out.id = instance.id;
   out.alpha = instance.alpha;
   out.time_offset = instance.time_offset;

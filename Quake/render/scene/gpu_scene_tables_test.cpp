@@ -85,9 +85,11 @@ TEST_F(Tables, LetNewInstancesStandStill) {
   instance.prev_transform[3] = vec3(5, 0, 0);
   auto out = make_gpu_instance(mesh, instance, mat4x3(1.0f), 0, 1);
   EXPECT_EQ(out.prev_to_world[0].w, 5.0f);
+  EXPECT_EQ(out.flags & shared::kInstanceIsNew, 0u);
   instance.flags = scene::kInstanceNew;
   out = make_gpu_instance(mesh, instance, mat4x3(1.0f), 0, 1);
   EXPECT_EQ(out.prev_to_world[0].w, 0.0f);
+  EXPECT_NE(out.flags & shared::kInstanceIsNew, 0u);
 }
 
 // What fills a liquid is multiplied where the material says so; by 1 it keeps its bits.

@@ -2,6 +2,8 @@
 // Shaders/estimators/restir/.
 #include <cstring>
 #include <memory>
+#include <span>
+#include <utility>
 
 #include "estimators/restir/restir.h"
 #include "render/techniques/path_technique.h"
@@ -12,15 +14,18 @@
 namespace fb::render {
 namespace {
 
-constexpr ArrayRow kRestirRows[]{FB_RESTIR_ARRAYS(FB_ARRAY_ROW)};
+constexpr ArrayRow kRows[]{FB_RESTIR_ARRAYS(FB_ARRAY_ROW)};
+constexpr ArrayRow kIndirectRows[]{FB_RESTIR_ARRAYS(FB_ARRAY_ROW) FB_RESTIR_INDIRECT_ARRAYS(FB_ARRAY_ROW)};
 
 class RestirTechnique : public PathTechnique {
  public:
-  RestirTechnique(const TechniqueTools& tools, std::string_view name)
+  // `indirect`: light of two reflections is reused, too.
+  RestirTechnique(const TechniqueTools& tools, std::string_view name, bool indirect)
       : PathTechnique(name),
         uniform_(tools.device, gpu::BufferUse::kUniform, sizeof(shared::RestirConstants), "constants of restir"),
         seen_(tools),
-        memory_(tools.device, tools.table, kRestirRows, "restir reset") {
+        memory_(tools.device, tools.table, indirect ? std::span<const ArrayRow>(kIndirectRows) : kRows, "restir reset"),
+        indirect_(indirect) {
     tools.table.set_uniform(shared::kSetTechnique, uniform_);
   }
   void prepare(const TechniqueFrame& frame) override;
@@ -37,7 +42,7 @@ class RestirTechnique : public PathTechnique {
   SeenGrid seen_;
   TechniqueMemory memory_;
   std::uint32_t frame_ = 0;  // since it forgot
-  bool spatial_ = true;
+  bool indirect_, spatial_ = true;
 };
 
 void RestirTechnique::prepare(const TechniqueFrame& frame) {
@@ -65,10 +70,15 @@ void RestirTechnique::add_passes(const TechniquePasses& passes) {
     passes.list.dispatch("restir spatial", PassKind::kEstimator, passes.shaders.get("restir_spatial", variant), groups);
   PathTechnique::add_passes(passes);
   seen_.add_fold(passes.list, passes.shaders);
+  if (!indirect_ || passes.bounces < 2) return;
+  for (const auto& [name, shader] : {std::pair{"indirect over time", "restir_indirect_time"},
+                                     std::pair{"indirect spatial", "restir_indirect_space"}})
+    passes.list.dispatch(name, PassKind::kEstimator, passes.shaders.get(shader, variant), groups);
 }
 
+template <bool kIndirect>
 std::unique_ptr<Technique> make_restir(const TechniqueTools& tools, std::string_view name) {
-  return std::make_unique<RestirTechnique>(tools, name);
+  return std::make_unique<RestirTechnique>(tools, name, kIndirect);
 }
 
 }  // namespace
@@ -79,7 +89,18 @@ extern constinit const TechniqueInfo kRestirDi{
         "nee whose first vertex chooses its light by a reservoir over time and neighbours (ReSTIR: Bitterli 2020, Lin "
         "2022); unbiased for paths of at most r_bounces reflections where r_restir_mis and r_restir_visibility are 0",
     .bias = Bias::kUnbiased,
-    .make = make_restir,
+    .make = make_restir<false>,
+    .frames = Frames::kCorrelated,
+    .wants_lights = true,
+    .wants_previous_gbuffer = true,
+    .views = shared::kViewOfRestir};
+extern constinit const TechniqueInfo kRestirGi{
+    .name = "restir_gi",
+    .description =
+        "restir_di that reuses light of two reflections, too (Ouyang 2021, Lin 2022): unbiased where nothing moves and "
+        "nothing is translucent, else late where such light comes into sight",
+    .bias = Bias::kBiased,
+    .make = make_restir<true>,
     .frames = Frames::kCorrelated,
     .wants_lights = true,
     .wants_previous_gbuffer = true,

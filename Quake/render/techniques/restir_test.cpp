@@ -2,6 +2,7 @@
 // changes of the picture's shape; the same pictures again.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -19,9 +20,9 @@ namespace {
 
 class RestirTest : public DeviceTest {
  protected:
-  static RenderSettings reuse_settings(int bounces) {
+  static RenderSettings reuse_settings(int bounces, const std::string& estimator = "restir_di") {
     RenderSettings s;
-    s.estimator = "restir_di";
+    s.estimator = estimator;
     s.bounces = bounces;
     s.accumulate = 0;
     return s;
@@ -65,7 +66,7 @@ struct Lamps {
 double mean_of(const Renderer& renderer) { return image_estimate(renderer.read().linear()).mean; }
 
 TEST_F(RestirTest, ALampThatLeavesTakesItsLightAtOnce) {
-  const RenderSettings s = reuse_settings(1);
+  const RenderSettings s = reuse_settings(2, "restir_gi");
   const Lamps lamps;
   auto renderer = make_renderer(s, 64, 48);
   render_frames(*renderer, lamps.with(true, true), s, 12);
@@ -102,7 +103,7 @@ TEST_F(RestirTest, ALampThatComesIsNeitherLateNorLost) {
 }
 
 TEST_F(RestirTest, CutsSizesAndScalesLeaveNothingBehind) {
-  RenderSettings s = reuse_settings(2);
+  RenderSettings s = reuse_settings(2, "restir_gi");
   const scene::FrameSnapshot scene = scene::furnace(0.6f, 0.7f, true);
   const double expected = 0.7 * (1 + 0.6 + 0.36);
   auto renderer = make_renderer(s, 64, 48);
@@ -130,8 +131,8 @@ TEST_F(RestirTest, CutsSizesAndScalesLeaveNothingBehind) {
   }
   for (const float history : {0.0f, 1000.0f}) {
     for (const int neighbors : {0, 8}) {
-      s.restir_history = history;
-      s.restir_neighbors = neighbors;
+      s.restir_history = s.restir_gi_history = history;
+      s.restir_neighbors = s.restir_gi_neighbors = neighbors;
       render_frames(*renderer, scene, s, 4);
       expect_mean("history and neighbours");
     }
@@ -139,7 +140,7 @@ TEST_F(RestirTest, CutsSizesAndScalesLeaveNothingBehind) {
 }
 
 TEST_F(RestirTest, TheSamePicturesAgain) {
-  RenderSettings s = reuse_settings(2);
+  RenderSettings s = reuse_settings(2, "restir_gi");
   s.deterministic = 1;
   const scene::FrameSnapshot scene = scene::light_of_every_kind();
   std::vector<std::uint64_t> hashes[2];
@@ -155,7 +156,7 @@ TEST_F(RestirTest, TheSamePicturesAgain) {
 
 // Forgotten is as if it had never been.
 TEST_F(RestirTest, ForgettingStartsAnew) {
-  RenderSettings s = reuse_settings(1);
+  RenderSettings s = reuse_settings(2, "restir_gi");
   s.deterministic = 1;
   const scene::FrameSnapshot scene = scene::light_of_every_kind();
   auto renderer = make_renderer(s, 48, 32);
@@ -165,6 +166,69 @@ TEST_F(RestirTest, ForgettingStartsAnew) {
   renderer->reset_learning();  // the view goes on: the former frame is there
   renderer->render(scene, nullptr, s);
   EXPECT_EQ(image_hash(*renderer), fresh);
+}
+
+// Panels of which one is lit, and sends its light to the floor; in every second frame the scene has its things in
+// another order, so that a sample which kept a number of the former frame's would mean another panel.
+class PanelsInTurn {
+ public:
+  PanelsInTurn() {
+    const std::uint32_t grey = scene::add_material(*assets_, "panel", vec3(0.8f));
+    const std::uint32_t glow = scene::add_material(*assets_, "lamp", vec3(0.0f), vec3(40.0f));
+    const std::uint32_t dark = scene::add_material(*assets_, "dark", vec3(0.5f));
+    scene::Mesh ground, panel, light;
+    scene::add_quad(ground, {-64, -64, 0}, {128, 0, 0}, {0, 128, 0}, dark);
+    scene::add_quad(panel, {-40, 0, -40}, {80, 0, 0}, {0, 0, 80}, grey);
+    scene::add_quad(light, {-8, 0, -8}, {16, 0, 0}, {0, 0, 16}, glow);
+    ground_ = scene::add_finished(*assets_, std::move(ground), "ground");
+    panel_ = scene::add_finished(*assets_, std::move(panel), "panel");
+    light_ = scene::add_finished(*assets_, std::move(light), "light");
+  }
+  scene::FrameSnapshot in_order(bool forward) const {
+    scene::FrameSnapshot s = scene::still(assets_, scene::camera_at({0, -20, 90}, {80, 90, 0}, 70));
+    s.instances.push_back(scene::make_instance(scene::kIdWorld, ground_));
+    std::vector<scene::Instance> things;
+    const auto at = [](float x, float y, float z) {
+      return mat4x3(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(x, y, z));
+    };
+    for (int i = 0; i < 4; ++i)
+      things.push_back(scene::make_instance(static_cast<std::uint32_t>(100 + i), panel_,
+                                            at(0, 64.0f + 40.0f * static_cast<float>(i), 45)));
+    // Right before the first panel, facing it: hidden from the floor by what it is mounted on.
+    things.push_back(scene::make_instance(200, light_, at(0, 48, 45)));
+    things.push_back(scene::make_instance(201, panel_, at(0, 47, 85)));
+    if (!forward) std::reverse(things.begin(), things.end());
+    s.instances.insert(s.instances.end(), things.begin(), things.end());
+    return s;
+  }
+
+ private:
+  std::shared_ptr<scene::Assets> assets_ = scene::new_code_assets();
+  std::uint32_t ground_, panel_, light_;
+};
+
+TEST_F(RestirTest, SamplesFollowThingsThatChangeTheirPlaceInTheTable) {
+  const PanelsInTurn panels;
+  double mean[2] = {}, square[2] = {};
+  constexpr int kRuns = 24;
+  for (const bool reuses : {false, true}) {
+    for (int run = 0; run < kRuns; ++run) {
+      RenderSettings s = reuse_settings(2, reuses ? "restir_gi" : "nee");
+      s.seed = run;
+      auto renderer = make_renderer(s, 32, 24);
+      double m = 0;
+      for (int frame = 0; frame < 12; ++frame) {
+        renderer->render(panels.in_order(frame % 2 == 0), nullptr, s);
+        if (frame >= 4) m += mean_of(*renderer) / 8;
+      }
+      mean[reuses ? 1 : 0] += m / kRuns;
+      square[reuses ? 1 : 0] += m * m / kRuns;
+    }
+  }
+  const auto error = [&](int i) { return std::sqrt(std::max(square[i] - mean[i] * mean[i], 0.0) / (kRuns - 1)); };
+  EXPECT_GT(mean[0], 0);
+  EXPECT_NEAR(mean[1], mean[0], 4.5 * std::hypot(error(0), error(1)));
+  EXPECT_LT(std::hypot(error(0), error(1)), 0.03 * mean[0]) << "the test can see little";
 }
 
 }  // namespace

@@ -10,7 +10,8 @@
   X(kMcpg)               \
   X(kMcpgNee)            \
   X(kMcpgTail)           \
-  X(kRestirDi)
+  X(kRestirDi)           \
+  X(kRestirGi)
 
 namespace fb::render {
 

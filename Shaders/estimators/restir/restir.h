@@ -14,10 +14,17 @@ FB_NAMESPACE_BEGIN
 // in halves its confidence and its age in frames. The former frame's are kept. Merged: those of this frame that new
 // candidates and the former frame gave, before neighbours are asked. Final: by which light is looked for.
 #define FB_RESTIR_ARRAYS(X)                                                \
-  X(kRestirReservoirs, 0u, kPixel, 16u, true, "reservoirs of light")       \
-  X(kRestirMerged, 1u, kPixel, 16u, false, "reservoirs before neighbours") \
-  X(kRestirFinal, 2u, kPixel, 16u, false, "reservoirs that light is asked of")
+  X(kRestirReservoirs, 3u, kPixel, 16u, true, "reservoirs of light")       \
+  X(kRestirMerged, 4u, kPixel, 16u, false, "reservoirs before neighbours") \
+  X(kRestirFinal, 5u, kPixel, 16u, false, "reservoirs that light is asked of")
 FB_RESTIR_ARRAYS(FB_ARRAY_CONSTANT)
+
+// Of restir_gi besides: uvec4[2] of a pixel. Reservoirs of light of two reflections (steps/indirect_sample.glsl);
+// fresh: what this frame's paths found of it (steps/fresh.glsl), then reservoirs before neighbours are asked.
+#define FB_RESTIR_INDIRECT_ARRAYS(X)                                                  \
+  X(kRestirIndirect, 6u, kPixel, 32u, true, "reservoirs of light of two reflections") \
+  X(kRestirFresh, 7u, kPixel, 32u, false, "samples of light of two reflections")
+FB_RESTIR_INDIRECT_ARRAYS(FB_ARRAY_CONSTANT)
 
 // clang-format off
 #define FB_RESTIR_SETTINGS(X) \
@@ -30,6 +37,9 @@ FB_RESTIR_ARRAYS(FB_ARRAY_CONSTANT)
   X(int, restir_sets, "r_restir_sets", 2, 1, 32, "restir: how many times r_nee_candidates lights a pixel's first vertex draws of the list") \
   X(float, restir_trust, "r_restir_trust", 32, 0.01f, 1e6f, "restir: how many times a frame's candidates a reservoir is thought to stand for, where it shares light with scattered rays") \
   X(int, restir_hope, "r_restir_hope", 1, 0, 1, "restir: 1 which sample a reservoir keeps is chosen by what past rays let hope to arrive, too") \
+  X(float, restir_gi_history, "r_restir_gi_history", 20, 0, 1000, "restir_gi: frames that the former frame's reservoir of light of two reflections counts as, at most; 0: none is reused over time") \
+  X(int, restir_gi_neighbors, "r_restir_gi_neighbors", 1, 0, 8, "restir_gi: neighbours whose reservoirs of such light a pixel reuses") \
+  X(int, restir_gi_visibility, "r_restir_gi_visibility", 1, 0, 1, "restir_gi: 1 MIS weights ask by rays whether another vertex sees a sample, unbiased where nothing moves and nothing is translucent; 0 they do not, biased: dark along edges and in corners") \
   X(int, restir_keep, "r_restir_keep", 1, 0, 1, "restir: what the next frame finds: 1 what neighbours gave, too; 0 a pixel's own history alone")
 // clang-format on
 

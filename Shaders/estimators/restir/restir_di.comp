@@ -7,6 +7,7 @@
 #if INTERSECTOR_QUERY
 #extension GL_EXT_ray_query : require
 #endif
+const bool kReusesIndirect = false;
 #include "estimators/restir/steps/all.glsl"
 #include "estimators/restir/steps/views.glsl"
 

@@ -5,22 +5,8 @@
 #if INTERSECTOR_QUERY
 #extension GL_EXT_ray_query : require
 #endif
+const bool kReusesIndirect = false;
 #include "estimators/restir/steps/pixel.glsl"
-
-// The former frame's vertex at a texel, as that frame saw it.
-Vertex former_vertex(FormerTexel f) {
-  Vertex v = first_vertex(f.texel, f.pixel);
-  v.view = normalize(frame.prev_camera_position.xyz - v.position);
-  v.previous = v.position;
-  return v;
-}
-
-// Where a block takes its history from: blocks change places in pairs, with others each frame, so that each history goes to one.
-ivec2 permuted(uvec2 block) {
-  uint h = hash_combine(frame.frame, frame.seed ^ 0x68e31da4u);
-  uvec2 by = uvec2((h >> 8u) & 3u, (h >> 16u) & 3u), moved = block + by;
-  return ivec2((moved ^ uvec2(h & 1u, (h >> 1u) & 1u)) - by) - ivec2(block);
-}
 
 LightReservoir former_reservoir(FormerTexel f) {
   if (!f.known || restir.former == kNoIndex) return no_reuse();
@@ -28,8 +14,7 @@ LightReservoir former_reservoir(FormerTexel f) {
 }
 
 LightReservoir over_time(LightReservoir fresh, Domain here, Hope hope, GBufferTexel g, PathPixel p, inout uint rng) {
-  ivec2 offset = restir.restir_permute != 0 ? permuted(p.block) : ivec2(0);
-  FormerTexel f = former_lit_texel(g, p.pixel, offset);
+  FormerTexel f = history_of(g, p);
   LightReservoir old = former_reservoir(f);
   if (!reuses(old)) return fresh;
   old.confidence = min(old.confidence, restir.restir_history);

@@ -5,32 +5,8 @@
 #if INTERSECTOR_QUERY
 #extension GL_EXT_ray_query : require
 #endif
+const bool kReusesIndirect = false;
 #include "estimators/restir/steps/pixel.glsl"
-
-const float kLikeNormal = 0.8, kLikeDepth = 0.1;
-
-struct Neighbor {
-  bool there;
-  uvec2 block, pixel;
-};
-
-Neighbor neighbor_of(PathPixel p, GBufferTexel g, inout uint rng) {
-  float radius = max(restir.restir_radius * float(frame.height) / (1080.0 * float(frame.light_block)), 1.5);
-  float far = radius * sqrt(rng_uniform(rng)), turn = 2.0 * kPiShared * rng_uniform(rng);
-  ivec2 block = ivec2(floor(vec2(p.block) + 0.5 + far * vec2(cos(turn), sin(turn))));
-  Neighbor n;
-  n.there = all(greaterThanEqual(block, ivec2(0))) && all(lessThan(block, ivec2(lit_blocks()))) && block != ivec2(p.block);
-  n.block = n.there ? uvec2(block) : p.block;
-  n.pixel = light_pixel(n.block);
-  n.there = n.there && n.pixel.x < frame.width && n.pixel.y < frame.height;
-  n.pixel = n.there ? n.pixel : p.pixel;
-  uint at = n.pixel.y * frame.width + n.pixel.x;
-  uvec4 words = gbuffer_quad(at, 3u);
-  float depth = uintBitsToFloat(gbuffer_quad(at, 4u).z);
-  n.there = n.there && dot(unpack_direction(words.x), unpack_direction(g.normal)) > kLikeNormal &&
-            abs(depth - g.motion.z) < kLikeDepth * g.motion.z;
-  return n;
-}
 
 LightReservoir reservoir_of(Neighbor n) {
   return n.there ? unpack_light(merged.at[element_of(n.block)]) : no_reuse();

@@ -1,4 +1,4 @@
-// The steps of ReSTIR's techniques for direct light, and of their passes.
+// The steps of ReSTIR's techniques, and of their passes.
 #include "estimators/restir/steps/begin.glsl"
 #include "lib/steps/no_field.glsl"
 #include "lib/steps/propose_scatter.glsl"

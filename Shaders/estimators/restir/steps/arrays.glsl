@@ -7,6 +7,8 @@
 FB_TECHNIQUE_ARRAY(kRestirReservoirs, 16, , ReservoirArray, uvec4, reservoirs)
 FB_TECHNIQUE_ARRAY(kRestirMerged, 16, , MergedArray, uvec4, merged)
 FB_TECHNIQUE_ARRAY(kRestirFinal, 16, , FinalArray, uvec4, final_reservoirs)
+FB_TECHNIQUE_ARRAY(kRestirIndirect, 16, , IndirectArray, uvec4, indirect_reservoirs)
+FB_TECHNIQUE_ARRAY(kRestirFresh, 16, , FreshArray, uvec4, fresh)
 
 uint light_candidates() { return uint(restir.nee_candidates); }
 uint remembered_candidates() { return uint(restir.nee_remembered); }

@@ -1,7 +1,8 @@
-// Step `direct`: as direct_list, but that the light that a pixel's first vertex looks for is its reservoir's.
+// Step `direct`: as direct_list, but that the light that a pixel's first vertex looks for is its reservoir's and, with
+// kReusesIndirect, that what is found from its second vertex is handed to the indirect reservoir.
 #ifndef FB_RESTIR_DIRECT
 #define FB_RESTIR_DIRECT
-#include "estimators/restir/steps/arrays.glsl"
+#include "estimators/restir/steps/fresh.glsl"
 
 const bool kLooksForLight = true;
 
@@ -17,24 +18,38 @@ Aim reservoir_aim(Vertex v, LightReservoir r) {
   return aim;
 }
 
+// What was found, or nothing if the pixel's indirect reservoir has it.
+Direct counted_here(FoundLight found, inout Path path, inout uint rng) {
+  Direct direct = found.direct;
+  if (kReusesIndirect && !IN_MEDIUM && hand_over(path, found.way, found.weight, direct.radiance, rng)) direct.radiance = vec3(0.0);
+  return direct;
+}
+
 Direct look_for_light(Vertex v, inout Guidance g, inout Path path, inout uint rng) {
-  path.own.reuses = false;
   Aim aim = kNoAim;
-  if (!IN_MEDIUM && path.depth == 0u) {
+  bool first = !IN_MEDIUM && path.depth == 0u, by_reservoir = false;
+  if (first) {
     LightReservoir r = unpack_light(final_reservoirs.at[lit_index(path.pixel)]);
-    path.own.reuses = reuses(r);
-    if (path.own.reuses && path.own.asks) aim = reservoir_aim(v, r);
+    path.own.reuses = by_reservoir = reuses(r);
+    if (by_reservoir && path.own.asks) aim = reservoir_aim(v, r);
   }
-  if (!path.own.reuses) aim = aim_at_light(v, kBoth, rng);
-  return light_of_aim(v, aim, proposal_pdf(v, g, aim.direction, aim.bsdf_pdf), rng);
+  if (!by_reservoir) aim = aim_at_light(v, kBoth, rng);
+  return counted_here(find_by_aim(v, aim, proposal_pdf(v, g, aim.direction, aim.bsdf_pdf), rng), path, rng);
 }
 
 float met_share(Vertex v, Segment way, Proposal p, vec3 emission, inout Path path) {
-  if (!path.own.reuses || path.depth > 0u) return met_share_of(v, way, p, emission, kBoth);
-  if (emission == vec3(0.0) || (p.flags & kScatterDelta) != 0u) return 1.0;
-  float all = plain_density(v, p.direction, way) + p.pdf;
-  return all > 0.0 ? p.pdf / all : 1.0;
+  if (path.own.reuses && path.depth == 0u) {
+    if (kReusesIndirect) open_second(path, way, p);
+    if (emission == vec3(0.0) || (p.flags & kScatterDelta) != 0u) return 1.0;
+    float all = plain_density(v, p.direction, way) + p.pdf;
+    return all > 0.0 ? p.pdf / all : 1.0;
+  }
+  float share = met_share_of(v, way, p, emission, kBoth);
+  if (!kReusesIndirect || IN_MEDIUM) return share;
+  uint rng = rng_seed(path.number, frame.frame, 0x7f4a7c15u, frame.seed);
+  bool handed = hand_over(path, way, p.pdf > 0.0 ? share / p.pdf : 0.0, p.weight * emission * way.left * share, rng);
+  return handed ? 0.0 : share;
 }
 
-Direct last_light(Vertex v, inout Path path, inout uint rng) { return light_in_turns(v, rng); }
+Direct last_light(Vertex v, inout Path path, inout uint rng) { return counted_here(find_in_turns(v, rng), path, rng); }
 #endif

@@ -38,6 +38,19 @@ LightReservoir unpack_light(uvec4 words) {
 }
 
 vec2 unit_place(uint place) { return (vec2(place >> 16u, place & 0xffffu) + 0.5) / 65536.0; }
+uint packed_place(vec2 u) {
+  uvec2 steps = min(uvec2(max(u, vec2(0.0)) * 65536.0), uvec2(0xffffu));
+  return steps.x << 16u | steps.y;
+}
+// The weights of a triangle's vertices 1 and 2 at a place on it, and back.
+vec2 triangle_place(vec2 u) {
+  float root = sqrt(u.x);
+  return vec2(root * (1.0 - u.y), root * u.y);
+}
+vec2 unit_of_triangle(vec2 bary) {
+  float both = bary.x + bary.y;
+  return vec2(both * both, bary.y / max(both, 1e-20));
+}
 
 // Where a sample is.
 struct LightPoint {
@@ -61,9 +74,7 @@ LightPoint point_on(GpuLight light, uint place, bool was) {
   p.packed_place = place;
   p.light = light;
   p.triangle = world_triangle(light.instance, light.triangle);
-  vec2 u = unit_place(place);
-  float root = sqrt(u.x);
-  vec2 bary = vec2(root * (1.0 - u.y), root * u.y);
+  vec2 bary = triangle_place(unit_place(place));
   p.place = p.before = p.triangle.v0.xyz + p.triangle.e1.xyz * bary.x + p.triangle.e2.xyz * bary.y;
   if (was && (instance_at(light.instance).flags & kInstanceMoves) != 0u) {
     Hit hit;
@@ -76,13 +87,6 @@ LightPoint point_on(GpuLight light, uint place, bool was) {
   return p;
 }
 
-vec3 in_sun(uint number, uint place) {
-  vec4 sun = frame.sun_direction[number];
-  vec2 u = unit_place(place);
-  float k = u.x * (1.0 - sun.w), phi = 2.0 * kPiShared * u.y, r = sqrt(k * (2.0 - k));  // k: 1 - cos
-  return frame_about(sun.xyz) * vec3(r * cos(phi), r * sin(phi), 1.0 - k);
-}
-
 LightPoint point_in_sun(uint number, uint place) {
   LightPoint p;
   p.there = p.was = p.sun = true;
@@ -90,7 +94,7 @@ LightPoint point_in_sun(uint number, uint place) {
   p.packed_place = place;
   p.light = GpuLight(0u, 0u, 0u, 0u, 0u, kNoIndex, kNoIndex, 0u);
   p.triangle = GpuTriangle(vec4(0.0), vec4(0.0), vec4(0.0));
-  p.place = p.before = in_sun(number, place);
+  p.place = p.before = in_disc(frame.sun_direction[number], unit_place(place));
   return p;
 }
 
@@ -138,33 +142,51 @@ Domain domain_of(Vertex v, bool former) { return Domain(v, scatter_origin(v.scat
 // frames' rays: what they found, reservoirs hold, and a sample that raised its own weight would count too much.
 float plain_draws(GpuLight light) { return restir.restir_trust * float(light_candidates()) * light_probability(light); }
 
-// The target of a sample at a vertex, in the measure of samples: the light that would be reflected, were the lamp even and were
-// nothing in between, in the share that the balance heuristic leaves to looking for it. So it is zero only where the sample's light
-// is. `aim`: how it is looked for, its weight still without W.
+// A sample as a vertex sees it. Its light there, were the lamp even and were nothing in between, is f times `even`, in the measure
+// of samples.
+struct LightWay {
+  vec3 direction;
+  float reach;
+  vec3 f;        // with its cosine
+  float bsdf;    // density of the vertex's own scattering
+  float seen;    // density of samples in this direction, per solid angle; 0: there is none
+  float even;
+  float draws;   // of the list, that bring it (plain_draws); of suns one over their number
+};
+LightWay way_to_light(Domain d, LightPoint p) {
+  LightWay w = LightWay(vec3(0.0, 0.0, 1.0), kRayEnd, vec3(0.0), 0.0, 0.0, 0.0, 0.0);
+  if (!p.there || (d.former && !p.was)) return w;
+  w.direction = d.former ? p.before : p.place;
+  if (p.sun) {
+    w.draws = restir.restir_trust / float(frame.sun_count);
+    w.seen = float(frame.sun_count) * sun_pdf(w.direction);
+    w.even = frame.sun_radiance[p.number].w;
+  } else {
+    vec3 way = w.direction - d.origin;
+    w.reach = length(way);
+    w.direction = way / max(w.reach, 1e-20);
+    w.draws = plain_draws(p.light);
+    w.seen = triangle_pdf(p.triangle, w.reach, w.direction);
+    float area = 0.5 * length(cross(p.triangle.e1.xyz, p.triangle.e2.xyz));
+    w.even = frame.light_power * light_probability(p.light) / area;
+    if (FEATURE_MEDIUM) w.even *= transmittance(frame.medium.w, w.reach);
+  }
+  w.f = scatter_eval(d.v.scatter, d.v.view, w.direction, w.bsdf);
+  w.even = w.seen > 0.0 ? w.even / w.seen : 0.0;
+  return w;
+}
+
+// The target of a sample at a vertex, in the measure of samples: that light, in the share that the balance heuristic leaves to
+// looking for it. So it is zero only where the sample's light is. `aim`: how it is looked for, its weight still without W.
 float light_target(Domain d, LightPoint p, out Aim aim) {
   aim = kNoAim;
-  if (!p.there || (d.former && !p.was)) return 0.0;
-  vec3 at = d.former ? p.before : p.place;
-  float bsdf;
-  if (p.sun) {
-    vec3 f = scatter_eval(d.v.scatter, d.v.view, at, bsdf);
-    float density = restir.restir_trust * sun_pdf(at), count = float(frame.sun_count) / restir.restir_trust;
-    if (!(density > 0.0)) return 0.0;
-    aim = Aim(at, f, 1.0 / count, kRayEnd, density, bsdf, kNoIndex, kNoIndex, kTurnNowhere, 0u, 0u, 0u);
-    return dot(f, vec3(1.0)) * frame.sun_radiance[p.number].w / (count * (density + bsdf));
-  }
-  vec3 way = at - d.origin;
-  float reach = length(way);
-  vec3 direction = way / max(reach, 1e-20);
-  float draws = plain_draws(p.light), density = draws * triangle_pdf(p.triangle, reach, direction);
-  if (!(density > 0.0) || is_within_light(d.v, reach)) return 0.0;
-  vec3 f = scatter_eval(d.v.scatter, d.v.view, direction, bsdf);
-  float area = 0.5 * length(cross(p.triangle.e1.xyz, p.triangle.e2.xyz));
-  float value = dot(f, vec3(1.0)) * frame.light_power * light_probability(p.light) / area * (draws / (density + bsdf));
-  if (FEATURE_MEDIUM) value *= transmittance(frame.medium.w, reach);
-  aim = Aim(direction, f, draws, reach * 1.001 + 0.01, density, bsdf, p.light.instance, p.light.triangle, kTurnNowhere, 0u,
+  LightWay w = way_to_light(d, p);
+  float density = w.draws * w.seen;
+  if (!(density > 0.0) || (!p.sun && is_within_light(d.v, w.reach))) return 0.0;
+  uint instance = p.sun ? kNoIndex : p.light.instance, triangle = p.sun ? kNoIndex : p.light.triangle;
+  aim = Aim(w.direction, w.f, w.draws, p.sun ? kRayEnd : w.reach * 1.001 + 0.01, density, w.bsdf, instance, triangle, kTurnNowhere, 0u,
             p.light.lamp & 0xffffu, 0u);
-  return value;
+  return dot(w.f, vec3(1.0)) * w.even * (density / (density + w.bsdf));
 }
 float light_target(Domain d, LightPoint p) {
   Aim unused;

@@ -1,4 +1,4 @@
-// The pixels of ReSTIR's passes: where their reservoirs are, and which of them reuse.
+// The pixels of ReSTIR's passes: where their reservoirs are, which of them reuse, and whose history and neighbours they take up.
 #ifndef FB_RESTIR_PIXEL
 #define FB_RESTIR_PIXEL
 #include "estimators/restir/steps/all.glsl"
@@ -29,4 +29,48 @@ bool arrives(Domain d, LightPoint p, inout uint rng) {
 }
 
 uint pass_seed(PathPixel p, uint pass) { return rng_seed(p.at, frame.frame, 0u, frame.seed ^ pass); }
+
+// The former frame's vertex at a texel, as that frame saw it.
+Vertex former_vertex(FormerTexel f) {
+  Vertex v = first_vertex(f.texel, f.pixel);
+  v.view = normalize(frame.prev_camera_position.xyz - v.position);
+  v.previous = v.position;
+  return v;
+}
+
+// Where a block takes its history from: blocks change places in pairs, with others each frame, so that each history goes to one.
+ivec2 permuted(uvec2 block) {
+  uint h = hash_combine(frame.frame, frame.seed ^ 0x68e31da4u);
+  uvec2 by = uvec2((h >> 8u) & 3u, (h >> 16u) & 3u), moved = block + by;
+  return ivec2((moved ^ uvec2(h & 1u, (h >> 1u) & 1u)) - by) - ivec2(block);
+}
+
+FormerTexel history_of(GBufferTexel g, PathPixel p) {
+  return former_lit_texel(g, p.pixel, restir.restir_permute != 0 ? permuted(p.block) : ivec2(0));
+}
+
+const float kLikeNormal = 0.8, kLikeDepth = 0.1;
+
+struct Neighbor {
+  bool there;
+  uvec2 block, pixel;
+};
+
+Neighbor neighbor_of(PathPixel p, GBufferTexel g, inout uint rng) {
+  float radius = max(restir.restir_radius * float(frame.height) / (1080.0 * float(frame.light_block)), 1.5);
+  float far = radius * sqrt(rng_uniform(rng)), turn = 2.0 * kPiShared * rng_uniform(rng);
+  ivec2 block = ivec2(floor(vec2(p.block) + 0.5 + far * vec2(cos(turn), sin(turn))));
+  Neighbor n;
+  n.there = all(greaterThanEqual(block, ivec2(0))) && all(lessThan(block, ivec2(lit_blocks()))) && block != ivec2(p.block);
+  n.block = n.there ? uvec2(block) : p.block;
+  n.pixel = light_pixel(n.block);
+  n.there = n.there && n.pixel.x < frame.width && n.pixel.y < frame.height;
+  n.pixel = n.there ? n.pixel : p.pixel;
+  uint at = n.pixel.y * frame.width + n.pixel.x;
+  uvec4 words = gbuffer_quad(at, 3u);
+  float depth = uintBitsToFloat(gbuffer_quad(at, 4u).z);
+  n.there = n.there && dot(unpack_direction(words.x), unpack_direction(g.normal)) > kLikeNormal &&
+            abs(depth - g.motion.z) < kLikeDepth * g.motion.z;
+  return n;
+}
 #endif
