@@ -178,6 +178,7 @@ const Row kReused[] = {
     {"cbox_glossy", "restir_gi", {}, plan(12, 4, 8), 2, false, {}, "nee"},
     {"kinds", "restir_gi", {"r_restir_gi_neighbors=3"}, plan(12, 4, 8), 2, false, {}, "nee"},
     {"moving", "restir_gi", {}, plan(12, 4, 8), 2, false, {}, "nee"},
+    {"cbox", "restir_guided", {}, plan(12, 4, 8), 2, false, {}, "nee"},
 };
 INSTANTIATE_TEST_SUITE_P(Reused, UnbiasedStatistics, testing::ValuesIn(kReused), row_name);
 

@@ -1,20 +1,17 @@
 // Markov chain path guiding (`mcpg`, `mcpg_nee`, `mcpg_tail`): what it remembers from frame to frame (the table of
 // states, the irradiance cache) and, where frames must not depend on the order of threads, the proposals of a frame.
 // Layouts: Shaders/estimators/mcpg/.
+#include "render/techniques/guided_technique.h"
+
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <optional>
-#include <string>
+#include <functional>
+#include <memory>
 #include <utility>
 
 #include "base/log.h"
-#include "estimators/mcpg/mcpg.h"
-#include "render/techniques/seen_grid.h"
-#include "render/techniques/technique.h"
-#include "render/techniques/technique_memory.h"
 
 namespace fb::render {
 namespace {
@@ -27,43 +24,16 @@ constexpr std::uint32_t kMaxLobes = 32;      // of the mixture: they are kept in
 
 std::uint32_t power_of_two(int wanted) { return std::bit_ceil(static_cast<std::uint32_t>(std::max(wanted, 1))); }
 
-class GuidedTechnique : public Technique {
- public:
-  GuidedTechnique(const TechniqueTools& tools, std::string_view name)
-      : device_(tools.device),
-        table_(tools.table),
-        name_(name),
-        memory_(tools.device, tools.table, kMcpgRows, "guide reset"),
-        uniform_(tools.device, gpu::BufferUse::kUniform, sizeof(shared::GuideConstants), "constants of path guiding") {
-    table_.set_uniform(shared::kSetTechnique, uniform_);
-    if (find_technique(name)->wants_lights) seen_.emplace(tools);
-  }
+}  // namespace
 
-  RenderSettings adapt(RenderSettings settings) const override;
-  void prepare(const TechniqueFrame& frame) override;
-  void add_passes(const TechniquePasses& passes) override;
-  void forget() override { memory_.forget(); }
-  std::uint32_t salt() const override { return frame_; }
-  std::uint64_t bytes() const override { return memory_.bytes() + (seen_ ? seen_->bytes() : 0); }
-
- private:
-  void choose_sizes(const RenderSettings& settings);
-  void fill_constants(const TechniqueFrame& frame);
-
-  gpu::Device& device_;
-  gpu::BindingTable& table_;
-  std::string name_;
-  TechniqueMemory memory_;
-  gpu::Buffer uniform_;
-  std::optional<SeenGrid> seen_;  // where it looks for light, too
-  std::uint32_t state_count_ = 0, cell_count_ = 0;
-  std::uint64_t vertices_ = 0;                       // of paths, a frame
-  std::uint32_t accesses_ = 1, bucket_ = 1;          // cells that a vertex takes states from; states in a cell
-  std::uint32_t frame_ = 0;                          // since it forgot
-  std::array<double, shared::kPastFrames> times_{};  // of the last frames, by their numbers
-  std::uint32_t parts_ = 1;                          // of a frame's paths
-  bool resolve_ = false, guides_fog_ = true, said_size_ = false;
-};
+GuidedTechnique::GuidedTechnique(const TechniqueTools& tools, std::string_view name, std::size_t block_bytes)
+    : device_(tools.device),
+      name_(name),
+      memory_(tools.device, tools.table, kMcpgRows, "guide reset"),
+      uniform_(tools.device, gpu::BufferUse::kUniform, block_bytes, "constants of path guiding") {
+  tools.table.set_uniform(shared::kSetTechnique, uniform_);
+  if (find_technique(name)->wants_lights) seen_.emplace(tools);
+}
 
 // Tables of the powers of two that are asked for, or the largest that the device binds.
 void GuidedTechnique::choose_sizes(const RenderSettings& settings) {
@@ -111,7 +81,7 @@ void GuidedTechnique::fill_constants(const TechniqueFrame& frame) {
   c.frame_number = frame_;
   c.vertices = static_cast<std::uint32_t>(vertices_);
   c.seen_stride = seen_stride(frame.lit, s, frame.medium());
-  if (seen_) c.seen_ways = seen_->begin_frame();
+  if (seen_) c.seen_ways = seen_ways_ = seen_->begin_frame();
   std::memcpy(uniform_.mapped(), &c, sizeof(c));
 }
 
@@ -164,6 +134,7 @@ void GuidedTechnique::prepare(const TechniqueFrame& frame) {
 void GuidedTechnique::add_passes(const TechniquePasses& passes) {
   memory_.add_reset(passes.list);
   if (seen_) seen_->add_reset(passes.list);
+  add_before_paths(passes);
   PathSpecs specs{{resolve_, accesses_, bucket_, 1}, {}, {resolve_, accesses_, bucket_, guides_fog_}};
   // Paths that look for light alone are nearly as good.
   if (seen_ && !resolve_) specs.meanwhile = {0, 1, 1, 0};
@@ -182,6 +153,8 @@ void GuidedTechnique::add_passes(const TechniquePasses& passes) {
   if (resolve) passes.list.add("guide states", PassKind::kEstimator, resolve);
   passes.list.dispatch("guide cache", PassKind::kEstimator, passes.shaders.get("mcpg_fold_cache"), {kFoldGroups, 1});
 }
+
+namespace {
 
 // Paths end in the irradiance cache: one reflection, and one more on paths that go on (r_bounces counts both). A tail
 // that the cache did not fill would be none.

@@ -11,7 +11,8 @@
   X(kMcpgNee)            \
   X(kMcpgTail)           \
   X(kRestirDi)           \
-  X(kRestirGi)
+  X(kRestirGi)           \
+  X(kRestirGuided)
 
 namespace fb::render {
 

@@ -54,6 +54,8 @@ FB_CONST uint kViewOfRestir = kViewOfTechniques + 1u;
 // clang-format on
 FB_RESTIR_VIEWS(FB_VIEW_CONSTANT)
 
+// Where they begin in the technique's uniform block, bytes: behind those of a technique that reuses besides.
+FB_CONST uint kRestirConstantsAt = 1024u;
 struct RestirConstants {
   FB_RESTIR_SETTINGS(FB_UNIFORM_FIELD)
   FB_LIGHT_SETTINGS(FB_UNIFORM_FIELD)

@@ -17,7 +17,7 @@ const uint kManyPaths = 16u;  // of a pixel: a share of them is enough, and a ce
 // Little is known at the vertex yet, or it is this path's turn.
 bool trains_here(Guidance g, Path path) {
   if (!GUIDES) return false;
-  return path.own.trains || (frame.spp <= kManyPaths && (g.cache.entry == kNoIndex || g.cache_frames < kYoungFrames));
+  return path.own.guided.trains || (frame.spp <= kManyPaths && (g.cache.entry == kNoIndex || g.cache_frames < kYoungFrames));
 }
 
 // Light that was looked for goes into the cell; the sample is counted where the path's own direction trains it.
@@ -31,7 +31,7 @@ void learn_direct(Guidance g, Direct direct, Path path, inout uint rng) {
 void learn_last(Field here, Direct direct, Path path, inout uint rng) {
   if (!GUIDES) return;
   uint entry = here.cell.entry;
-  if (!path.own.trains && (frame.spp > kManyPaths || (entry != kNoIndex && cache_frames(entry) >= kYoungFrames))) return;
+  if (!path.own.guided.trains && (frame.spp > kManyPaths || (entry != kNoIndex && cache_frames(entry) >= kYoungFrames))) return;
   if (entry == kNoIndex) {
     claim_cache(here.cell);
     return;
@@ -106,7 +106,7 @@ void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout 
 
   Transition t;
   bool accepted;
-  if (GUIDE_BUCKET == 1u) accepted = paper_transition(v, g, p.direction, score, path.own.group_rng, rng, t);
+  if (GUIDE_BUCKET == 1u) accepted = paper_transition(v, g, p.direction, score, path.own.guided.group_rng, rng, t);
   else accepted = bucket_transition(v, g, position, score, emitted, rng, t);
   if (accepted) update_state(v, t, position, velocity, incident.way.bent, score, emitted, vertex_number(path));
 }

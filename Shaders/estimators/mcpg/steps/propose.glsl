@@ -45,7 +45,7 @@ void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance
   g.share = g.total = g.all = 0.0;
   g.choice.state = kNoIndex;
   if (!GUIDES) return;
-  load_mixture(v, g, path.own.group_rng, rng);
+  load_mixture(v, g, path.own.guided.group_rng, rng);
   // A flame's own texels are lit by the flame, in whatever direction: the BSDF has no variance there, and their cell knows nothing of it.
   bool guided = g.total > 0.0 && (!v.glows || guide.mc_paper != 0);
   g.share = guided ? learnt_share(g.cache, g.cache_frames) : 0.0;

@@ -2,7 +2,7 @@
 // paper's: one).
 #ifndef FB_MCPG_STATES
 #define FB_MCPG_STATES
-#include "estimators/mcpg/steps/begin.glsl"
+#include "estimators/mcpg/steps/cache.glsl"
 
 layout(constant_id = kSpecResolve) const bool GUIDE_RESOLVE = false;  // store proposals, which a pass resolves in a fixed order
 layout(constant_id = kSpecAccesses) const uint GUIDE_ACCESSES = 2u;    // cells that are looked at

@@ -52,7 +52,7 @@ vec3 view_of_directions(PathPixel pixel_of) {
   Vertex v = first_vertex(g, uvec2(frame.width / 2u, frame.height / 2u));
   float z = 1.0 - r2, spread = sqrt(max(2.0 - r2, 0.0));  // equal areas (Lambert's azimuthal projection)
   Path path = path_of(pixel_of, 0u);
-  path.own.group_rng = rng_seed(0u, frame.frame, 1u, frame.seed);  // the same cells for the whole picture
+  path.own.guided.group_rng = rng_seed(0u, frame.frame, 1u, frame.seed);  // the same cells for the whole picture
   path.last = most_reflections() <= 1u;
   uint rng = rng_seed(pixel.y * frame.width + pixel.x, frame.frame, 0u, frame.seed);
   Field here = field_at(v, path);
@@ -94,7 +94,7 @@ vec3 view_color(Vertex v, Path path, uint rng) {
   vec3 to_target = s.target - v.position;
   bool known = s.weight > 0.0 && dot(to_target, to_target) > 1e-6;
   GuideView view = view_state(s, known ? to_target : axis, v.scatter);
-  CacheCell cached = find_cache_cell(v.position, axis, kCacheTag, path.own.group_rng);
+  CacheCell cached = find_cache_cell(v.position, axis, kCacheTag, path.own.guided.group_rng);
   bool has_cache = cached.entry != kNoIndex;
   switch (frame.debug_view) {
     case kViewGuideDirection: return known ? view.direction * 0.5 + 0.5 : vec3(0.0);
@@ -127,7 +127,7 @@ void draw_view(PathPixel p, bool lit, Vertex v) {
     color = view_of_directions(p);
   } else if (lit) {
     Path path = path_of(p, 0u);
-    path.own.group_rng = rng_seed(p.at, frame.frame, 1u, frame.seed);  // each pixel looks for itself
+    path.own.guided.group_rng = rng_seed(p.at, frame.frame, 1u, frame.seed);  // each pixel looks for itself
     color = view_color(v, path, rng_seed(p.at, frame.frame, 0u, frame.seed));
   }
   ldr.at[p.at] = packUnorm4x8(vec4(color, 1.0));

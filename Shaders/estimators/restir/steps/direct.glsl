@@ -30,19 +30,24 @@ Direct look_for_light(Vertex v, inout Guidance g, inout Path path, inout uint rn
   bool first = !IN_MEDIUM && path.depth == 0u, by_reservoir = false;
   if (first) {
     LightReservoir r = unpack_light(final_reservoirs.at[lit_index(path.pixel)]);
-    path.own.reuses = by_reservoir = reuses(r);
-    if (by_reservoir && path.own.asks) aim = reservoir_aim(v, r);
+    path.own.reused.reuses = by_reservoir = reuses(r);
+    if (by_reservoir && path.own.reused.asks) aim = reservoir_aim(v, r);
   }
   if (!by_reservoir) aim = aim_at_light(v, kBoth, rng);
-  return counted_here(find_by_aim(v, aim, proposal_pdf(v, g, aim.direction, aim.bsdf_pdf), rng), path, rng);
+  // A reservoir's light is shared with the vertex's own scattering, whatever proposes directions: what has been learnt must not
+  // decide over samples that taught it.
+  float proposed = by_reservoir ? aim.bsdf_pdf : proposal_pdf(v, g, aim.direction, aim.bsdf_pdf);
+  return counted_here(find_by_aim(v, aim, proposed, rng), path, rng);
 }
 
 float met_share(Vertex v, Segment way, Proposal p, vec3 emission, inout Path path) {
-  if (path.own.reuses && path.depth == 0u) {
+  if (path.own.reused.reuses && path.depth == 0u) {
     if (kReusesIndirect) open_second(path, way, p);
     if (emission == vec3(0.0) || (p.flags & kScatterDelta) != 0u) return 1.0;
-    float all = plain_density(v, p.direction, way) + p.pdf;
-    return all > 0.0 ? p.pdf / all : 1.0;
+    float own = p.pdf;
+    if (!kScatters) scatter_eval(v.scatter, v.view, p.direction, own);
+    float all = plain_density(v, p.direction, way) + own;
+    return all > 0.0 ? own / all : 1.0;
   }
   float share = met_share_of(v, way, p, emission, kBoth);
   if (!kReusesIndirect || IN_MEDIUM) return share;

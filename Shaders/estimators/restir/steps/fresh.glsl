@@ -20,11 +20,11 @@ bool ends_by_chance(Hit hit) {
 // A path's first way.
 void open_second(inout Path path, Segment way, Proposal p) {
   bool straight = way.hit.instance != kNoIndex && !way.bent && way.certain && p.pdf > 0.0 && (p.flags & kScatterDelta) == 0u;
-  path.own.open = straight && !ends_by_chance(way.hit);
-  path.own.second = way.hit;
-  if (!path.own.open) return;
-  path.own.seen = triangle_pdf(world_triangle(way.hit.instance, way.hit.triangle), way.hit.t, p.direction) / p.pdf;
-  path.own.through = p.weight * way.left;
+  path.own.reused.open = straight && !ends_by_chance(way.hit);
+  path.own.reused.second = way.hit;
+  if (!path.own.reused.open) return;
+  path.own.reused.seen = triangle_pdf(world_triangle(way.hit.instance, way.hit.triangle), way.hit.t, p.direction) / p.pdf;
+  path.own.reused.through = p.weight * way.left;
 }
 
 // The sample where a way from a second vertex ends, and the density of samples there per solid angle; its name is 0: reservoirs do
@@ -58,16 +58,16 @@ LightSample sample_met(Segment way, inout uint rng, out float seen) {
 // Light that was found from a path's second vertex, which reflects `radiance` of it, by a way with one over this density. True: the
 // reservoir has it. Of what several paths, or both ways to look, bring, one is kept, by what it brings.
 bool hand_over(inout Path path, Segment way, float weight, vec3 radiance, inout uint rng) {
-  if (!path.own.open || path.depth != 1u || way.bent || !way.certain || radiance == vec3(0.0)) return false;
+  if (!path.own.reused.open || path.depth != 1u || way.bent || !way.certain || radiance == vec3(0.0)) return false;
   float seen;
   LightSample light = sample_met(way, rng, seen);
   if (light.name == 0u) return false;
-  float brought = reservoir_number(dot(path.own.through * radiance, vec3(1.0))), w = reservoir_number(path.own.seen * seen * weight);
+  float brought = reservoir_number(dot(path.own.reused.through * radiance, vec3(1.0))), w = reservoir_number(path.own.reused.seen * seen * weight);
   if (!(brought > 0.0) || !(w > 0.0)) return true;
   uint element = 2u * lit_index(path.pixel);
   float sum = uintBitsToFloat(fresh.at[element + 1u].z) + brought;
   if (rng_uniform(rng) * sum < brought) {
-    fresh.at[element] = uvec4(path.own.second.instance, path.own.second.triangle, packUnorm2x16(path.own.second.bary), light.name);
+    fresh.at[element] = uvec4(path.own.reused.second.instance, path.own.reused.second.triangle, packUnorm2x16(path.own.reused.second.bary), light.name);
     fresh.at[element + 1u].xy = uvec2(light.place, floatBitsToUint(reservoir_number(w / brought)));
   }
   fresh.at[element + 1u].z = floatBitsToUint(sum);

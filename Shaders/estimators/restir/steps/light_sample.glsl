@@ -6,7 +6,9 @@
 #include "estimators/restir/restir.h"
 #include "lib/look_for_light.glsl"
 
-layout(set = kSetScene, binding = kBindTechniqueConstants, std140) uniform RestirBlock { RestirConstants restir; };
+layout(set = kSetScene, binding = kBindTechniqueConstants, std140) uniform RestirBlock {
+  layout(offset = kRestirConstantsAt) RestirConstants restir;
+};
 
 // A lamp: its name in 16 bits and, above these, how far behind its first light the triangle is. Else, by the highest two bits:
 const uint kKindBits = 0xc0000000u;

@@ -1,0 +1,55 @@
+#include "render/techniques/reservoirs.h"
+
+#include <cstring>
+#include <span>
+#include <utility>
+
+#include "render/techniques/seen_grid.h"
+#include "shared/scene_gpu.h"
+
+namespace fb::render {
+namespace {
+
+constexpr ArrayRow kRows[]{FB_RESTIR_ARRAYS(FB_ARRAY_ROW)};
+constexpr ArrayRow kIndirectRows[]{FB_RESTIR_ARRAYS(FB_ARRAY_ROW) FB_RESTIR_INDIRECT_ARRAYS(FB_ARRAY_ROW)};
+
+}  // namespace
+
+Reservoirs::Reservoirs(const TechniqueTools& tools, bool indirect)
+    : memory_(tools.device, tools.table, indirect ? std::span<const ArrayRow>(kIndirectRows) : kRows, "restir reset"),
+      indirect_(indirect) {}
+
+void Reservoirs::prepare(const TechniqueFrame& frame, std::uint32_t seen_ways, std::byte* block) {
+  shared::RestirConstants constants{};
+  copy_settings(frame.settings, constants);
+  constants.seen_stride = seen_stride(frame.lit, frame.settings, frame.medium());
+  constants.seen_ways = seen_ways;
+  const bool fresh = memory_.begin_frame(frame.lit) || frame.cut;
+  constants.now = memory_.now(shared::kRestirReservoirs);
+  constants.former = fresh ? shared::kNoIndex : memory_.former(shared::kRestirReservoirs);
+  std::memcpy(block + shared::kRestirConstantsAt, &constants, sizeof(constants));
+  spatial_ = frame.settings.restir_neighbors > 0;
+}
+
+void Reservoirs::add_before(const TechniquePasses& passes) {
+  memory_.add_reset(passes.list);
+  Variant variant = passes.variant;
+  variant.show_view = false;
+  const uvec2 groups = groups_over(passes.size, 8);
+  passes.list.dispatch("restir candidates", PassKind::kEstimator, passes.shaders.get("restir_candidates", variant),
+                       groups);
+  if (spatial_)
+    passes.list.dispatch("restir spatial", PassKind::kEstimator, passes.shaders.get("restir_spatial", variant), groups);
+}
+
+void Reservoirs::add_after(const TechniquePasses& passes) {
+  if (!indirect_ || passes.bounces < 2) return;
+  Variant variant = passes.variant;
+  variant.show_view = false;
+  const uvec2 groups = groups_over(passes.size, 8);
+  for (const auto& [name, shader] : {std::pair{"indirect over time", "restir_indirect_time"},
+                                     std::pair{"indirect spatial", "restir_indirect_space"}})
+    passes.list.dispatch(name, PassKind::kEstimator, passes.shaders.get(shader, variant), groups);
+}
+
+}  // namespace fb::render
