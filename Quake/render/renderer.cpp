@@ -103,10 +103,11 @@ struct Renderer::Impl {
   std::uint64_t key = 0, last_scene = 0;
   std::uint64_t generation = 0, number = 0;  // of the assets; of the next frame
   std::uint32_t accumulated = 0;             // frames in the mean after the last render
-  bool restart = true;
-  std::optional<uvec2> iteration;  // begins with the next frame: its number, its samples
-  bool ends_iterations = false;    // with the next frame
-  bool final_passes = false;       // of this frame
+  bool restart = true;                       // accumulation begins anew
+  bool lost = true;                          // nothing is left of the former frame
+  std::optional<uvec2> iteration;            // begins with the next frame: its number, its samples
+  bool ends_iterations = false;              // with the next frame
+  bool final_passes = false;                 // of this frame
   double last_time = 0;
   SceneFeatures features;
   bool warps = false;           // waves distort the picture
@@ -178,7 +179,7 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output, const Ren
   render_size = render;
   allocated_output = wanted_output;
   gbuffer_planes = planes;
-  restart = true;
+  restart = lost = true;
 }
 
 VkDeviceSize Renderer::Impl::radiance_bytes(const RenderSettings& settings, uvec2 render) const {
@@ -206,7 +207,7 @@ void Renderer::Impl::fit(const RenderSettings& settings) {
 void Renderer::Impl::forget_frame() {
   device.settle();
   under_way = false;
-  restart = true;
+  restart = lost = true;
   scene.forget();
   previous_valid = false;
   forget_learnt();
@@ -320,7 +321,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   key = now;
   last_scene = scene;
   last_time = snapshot.time;
-  restart = false;
+  restart = lost = false;
 }
 
 // The way of a frame.
@@ -334,12 +335,11 @@ PassList Renderer::Impl::list_passes() {
   };
   scene.add_passes(list);
   add_gbuffer(list, shaders, variant, work(), ldr);
-  Variant path_variant = variant;
-  path_variant.show_view = shows_view();
   const bool medium = MediumDistances::scatters(constants);
   const AskedGroups in_medium = medium ? work().groups(shared::kWorkMedium) : AskedGroups();
   const uvec2 lit = Denoiser::light_size(render_size, constants.light_block);
-  const TechniquePasses own{list, shaders, path_variant, lit, in_medium, constants.bounces, constants.medium_bounces};
+  const TechniquePasses own{list, shaders,   variant,           shows_view(),
+                            lit,  in_medium, constants.bounces, constants.medium_bounces};
   final_passes ? technique->add_final_passes(own) : technique->add_passes(own);
   frame("accumulate", shaders.get(medium ? "accumulate_medium" : "accumulate"), groups_over(render_size, 8));
   denoiser.add_passes(list, shaders, in_medium, has_interfaces() ? work().groups(shared::kWorkSecond) : AskedGroups());
@@ -424,7 +424,7 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   const CameraFrame camera = view_frame(snapshot, settings, render_size);
   const uvec2 lit = Denoiser::light_size(render_size, denoiser.light_block(settings));
   const std::uint64_t scene_now = scene_key(snapshot);
-  const bool cut = key == 0 || restart || snapshot.cut || new_scene;
+  const bool cut = lost || snapshot.cut || new_scene;
   if (const auto begun = std::exchange(iteration, std::nullopt)) technique->begin_iteration(begun->x, begun->y);
   final_passes = std::exchange(ends_iterations, false);
   FB_CHECK(!final_passes || info->ends_iterations);

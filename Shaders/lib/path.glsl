@@ -83,7 +83,7 @@ vec3 trace_path(Vertex v, inout Path path, inout uint rng) {
     incident.origin = scatter_origin(v.scatter, v.position);
     incident.way = segment_from(v, proposal.direction, kRayEnd, kTurnByChance, rng);
     bool missed = incident.way.hit.instance == kNoIndex;
-    bool dark = missed && frame.sky_beyond == 0u;
+    bool dark = ends_in_darkness(incident.way);
     if (dark && !kLearns && !kRecords) break;
     Surface s;
     s.emission = vec3(0.0);

@@ -186,6 +186,9 @@ Segment segment_from(Vertex v, vec3 direction, float reach, uint turn, inout uin
   return segment_of(scatter_origin(v.scatter, v.position), v.liquid, direction, reach, turn, rng);
 }
 
+// It leaves the scene where no sky is.
+bool ends_in_darkness(Segment segment) { return segment.hit.instance == kNoIndex && frame.sky_beyond == 0u; }
+
 // The vertex at a segment's end. A coat has next to no reflectance where it borders on water or glass.
 Vertex end_of_segment(Segment segment, Surface s) {
   Vertex v = surface_vertex(s, -segment.direction);

@@ -22,6 +22,7 @@ Rows rows_of_part(std::uint32_t part, std::uint32_t parts, std::uint32_t rows) {
 void add_paths_pass(const TechniquePasses& passes, std::string_view name, const PathSpecs& constants) {
   Variant variant = passes.variant;
   variant.technique = constants.surfaces;
+  variant.show_view = passes.show_view;
   variant.one_bounce = passes.bounces == 1;
   Variant meanwhile = variant;
   meanwhile.small = true;

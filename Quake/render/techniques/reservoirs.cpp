@@ -33,23 +33,20 @@ void Reservoirs::prepare(const TechniqueFrame& frame, std::uint32_t seen_ways, s
 
 void Reservoirs::add_before(const TechniquePasses& passes) {
   memory_.add_reset(passes.list);
-  Variant variant = passes.variant;
-  variant.show_view = false;
   const uvec2 groups = groups_over(passes.size, 8);
-  passes.list.dispatch("restir candidates", PassKind::kEstimator, passes.shaders.get("restir_candidates", variant),
-                       groups);
+  passes.list.dispatch("restir candidates", PassKind::kEstimator,
+                       passes.shaders.get("restir_candidates", passes.variant), groups);
   if (spatial_)
-    passes.list.dispatch("restir spatial", PassKind::kEstimator, passes.shaders.get("restir_spatial", variant), groups);
+    passes.list.dispatch("restir spatial", PassKind::kEstimator, passes.shaders.get("restir_spatial", passes.variant),
+                         groups);
 }
 
 void Reservoirs::add_after(const TechniquePasses& passes) {
   if (!indirect_ || passes.bounces < 2) return;
-  Variant variant = passes.variant;
-  variant.show_view = false;
   const uvec2 groups = groups_over(passes.size, 8);
   for (const auto& [name, shader] : {std::pair{"indirect over time", "restir_indirect_time"},
                                      std::pair{"indirect spatial", "restir_indirect_space"}})
-    passes.list.dispatch(name, PassKind::kEstimator, passes.shaders.get(shader, variant), groups);
+    passes.list.dispatch(name, PassKind::kEstimator, passes.shaders.get(shader, passes.variant), groups);
 }
 
 }  // namespace fb::render

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "render/test_denoiser.h"
 #include "render/test_device.h"
 #include "render/test_image.h"
 #include "scene/in_code/code_scene_parts.h"
@@ -168,6 +169,61 @@ TEST_F(RestirTest, ForgettingStartsAnew) {
   EXPECT_EQ(image_hash(*renderer), fresh);
 }
 
+// The means of runs with other seeds, and their standard error.
+struct Means {
+  double mean = 0, square = 0;
+  int runs = 0;
+  void add(double m) {
+    mean += (m - mean) / ++runs;
+    square += (m * m - square) / runs;
+  }
+  double error() const { return std::sqrt(std::max(square - mean * mean, 0.0) / (runs - 1)); }
+};
+void expect_equal(const Means& a, const Means& b, double least_seen) {
+  const double error = std::hypot(a.error(), b.error());
+  EXPECT_GT(b.mean, 0);
+  EXPECT_NEAR(a.mean, b.mean, 4.5 * error);
+  EXPECT_LT(error, least_seen * b.mean) << "the test can see little";
+}
+
+// Where light is sampled at one pixel of four, whose turn it is another's in the next frame.
+TEST_F(RestirTest, LightAtOnePixelOfFourHasTheSameMean) {
+  const scene::FrameSnapshot scene = scene::cornell_box();
+  Means of[2];
+  for (const bool reuses : {false, true}) {
+    for (int run = 0; run < 16; ++run) {
+      RenderSettings s = denoising();
+      s.estimator = reuses ? "restir_gi" : "nee";
+      s.light_scale = 0.5f;
+      s.accumulate = 1;
+      s.seed = run;
+      auto renderer = make_renderer(s, 40, 30);
+      render_frames(*renderer, scene, s, 16);
+      of[reuses ? 1 : 0].add(mean_of(*renderer));
+    }
+  }
+  expect_equal(of[1], of[0], 0.02);
+}
+
+// Another sample of the picture is no cut: what the former frame held is still of use.
+TEST_F(RestirTest, AccumulationBeginsAnewAndHistoryGoesOn) {
+  const scene::FrameSnapshot scene = scene::light_of_every_kind();
+  std::uint64_t hashes[2] = {};
+  for (const bool history : {false, true}) {
+    RenderSettings s = reuse_settings(2, "restir_gi");
+    s.deterministic = 1;
+    s.accumulate = 1;
+    if (!history) s.restir_history = s.restir_gi_history = 0;
+    auto renderer = make_renderer(s, 48, 32);
+    for (int frame = 0; frame < 3; ++frame) {
+      renderer->restart_accumulation();
+      render_frames(*renderer, scene, s, 1);
+    }
+    hashes[history ? 1 : 0] = image_hash(*renderer);
+  }
+  EXPECT_NE(hashes[0], hashes[1]);
+}
+
 // Panels of which one is lit, and sends its light to the floor; in every second frame the scene has its things in
 // another order, so that a sample which kept a number of the former frame's would mean another panel.
 class PanelsInTurn {
@@ -209,10 +265,9 @@ class PanelsInTurn {
 
 TEST_F(RestirTest, SamplesFollowThingsThatChangeTheirPlaceInTheTable) {
   const PanelsInTurn panels;
-  double mean[2] = {}, square[2] = {};
-  constexpr int kRuns = 24;
+  Means of[2];
   for (const bool reuses : {false, true}) {
-    for (int run = 0; run < kRuns; ++run) {
+    for (int run = 0; run < 24; ++run) {
       RenderSettings s = reuse_settings(2, reuses ? "restir_gi" : "nee");
       s.seed = run;
       auto renderer = make_renderer(s, 32, 24);
@@ -221,14 +276,10 @@ TEST_F(RestirTest, SamplesFollowThingsThatChangeTheirPlaceInTheTable) {
         renderer->render(panels.in_order(frame % 2 == 0), nullptr, s);
         if (frame >= 4) m += mean_of(*renderer) / 8;
       }
-      mean[reuses ? 1 : 0] += m / kRuns;
-      square[reuses ? 1 : 0] += m * m / kRuns;
+      of[reuses ? 1 : 0].add(m);
     }
   }
-  const auto error = [&](int i) { return std::sqrt(std::max(square[i] - mean[i] * mean[i], 0.0) / (kRuns - 1)); };
-  EXPECT_GT(mean[0], 0);
-  EXPECT_NEAR(mean[1], mean[0], 4.5 * std::hypot(error(0), error(1)));
-  EXPECT_LT(std::hypot(error(0), error(1)), 0.03 * mean[0]) << "the test can see little";
+  expect_equal(of[1], of[0], 0.03);
 }
 
 }  // namespace

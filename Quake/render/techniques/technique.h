@@ -45,6 +45,7 @@ struct TechniquePasses {
   PassList& list;
   ShaderSet& shaders;
   Variant variant;  // what the scene needs; the technique adds its own constants
+  bool show_view;   // the paths' pass draws the technique's debug view
   uvec2 size;
   AskedGroups medium;                    // of paths that begin in the medium
   std::int32_t bounces, medium_bounces;  // most reflections of paths from surfaces, from the medium
