@@ -19,7 +19,7 @@ WALK = 200.0  # units a second: cl_forwardspeed
 KEY_FRAME = 0.5  # of a frame that a key counts which is pressed in it
 COAST = 30.0  # units that friction lets one go on after walking
 SETTINGS = ("cl_alwaysrun 0", "cl_movespeedkey 2", "cl_forwardspeed 200", "cl_upspeed 200", "lookspring 0")
-UNSEEN = ("+r_estimator", "pt", "+r_bounces", "0", "+r_denoise", "0", "+r_taa", "0")  # nobody looks: as little light as can be
+UNSEEN = ("+r_norefresh", "1")  # nobody looks
 ALIASES = ("alias w5 \"wait;wait;wait;wait;wait\"", "alias w20 \"w5;w5;w5;w5\"", "alias w100 \"w20;w20;w20;w20;w20\"")
 
 

@@ -24,6 +24,12 @@ class PlayerTest(PlayCase):
         self.assertEqual([state.number(n) for n in ("health", "ammo_shells", "armorvalue", "weapon")], [100, 25, 0, 1])
         self.assertEqual(int(state.number("items")) & 4097, 4097)
 
+    def test_a_game_at_which_nobody_looks_is_not_drawn(self):
+        said = self.session(["host_speeds 1", "1", "echo LOOKS", "r_norefresh 0", "1"]).said
+        unseen, seen = said.split("LOOKS\n")
+        self.assertNotIn(" ms, host", unseen)
+        self.assertIn(" ms, host", seen)
+
     def test_breath_lasts_twelve_seconds(self):
         session = self.session([f"at {WATER}", "11", "see before", "1.6", "see first", "1", "see second"])
         health = [session[s].number("health") for s in ("before", "first", "second")]

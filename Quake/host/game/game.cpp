@@ -34,6 +34,8 @@ void register_host_cvars(con::Console& console) {
        con::kCvarArchive, -1.0f, 1.0f, true});
   console.add_cvar({"host_speeds", "0", "1: print the times of every frame: in all, the host's, from input to picture",
                     con::kCvarPlain, 0.0f, 1.0f, true});
+  console.add_cvar({"r_norefresh", "0", "1: without a window draw nothing, unless pictures are captured",
+                    con::kCvarPlain, 0.0f, 1.0f, true});
 }
 
 constexpr double kRumbleSeconds = 0.2;

@@ -115,6 +115,7 @@ bool Game::draw_frame() {
   cl::Client& client = engine_->client();
   if (!client.active() && !window_) return false;
   if (waits_for_level() || starts_with_level()) return false;
+  if (!window_ && !records() && engine_->console().cvar("r_norefresh").on()) return false;
   govern();
   const render::RenderSettings wanted = settings();
   const uvec2 view = screen_.picture_area(client, drawer_->size(wanted)).size;

@@ -84,9 +84,9 @@ class Game:
         self._write("script.cfg", ("\n".join([*lines, "quit" if quits else ""]) + "\n").encode("ascii"))
         self._write("setup.cfg", (setup + "\n").encode("ascii"))
         user = self.folder / "user"
-        # The picture is not looked at: as little of it as there can be.
+        # The picture is not looked at.
         command = [self.engine, "-headless", "-size", "8x8", "-seed", "1", "-basedir", str(self.folder)]
-        command += ["-userdir", str(user), *arguments, "+r_estimator", "pt", "+r_bounces", "0", "+r_denoise", "0"]
+        command += ["-userdir", str(user), *arguments, "+r_norefresh", "1"]
         command += ["+exec", "setup.cfg", "+host_framerate", str(TICK), "+host_maxfps", "1000"]
         command += ["+map", "test", "+exec", "script.cfg"]
         done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
