@@ -151,6 +151,7 @@ TABLES = {
     "default": lambda: gains_of("default", "scene"),
     "guiding": lambda: gains_of("guiding", "view"),
     "reuse": lambda: gains_of("reuse", "view"),
+    "rivals": lambda: gains_of("rivals", "view"),
     "judge": lambda: judge("judge"),
     "judge_librequake": lambda: judge("judge_librequake"),
     "judge_quick": lambda: judge("judge_quick"),
