@@ -259,6 +259,11 @@ SELF_TEST = {  # file: (text, lines that break a rule)
     "Shaders/shared/a.h": ('#include "shared/b.h"\n#include "lib/trace.glsl"\n', [2]),
     "Shaders/lib/a.glsl": ('#include "shared/b.h"\n#include "lib/b.glsl"\n#include "passes/c.glsl"\n', [3]),
     "Shaders/estimators/pt/pt.comp": ('#include "lib/a.glsl"\n#include "estimators/rival/r.glsl"\n', [2]),
+    "Shaders/estimators/restir_guided/g.glsl": (
+        '#include "estimators/mcpg/a.glsl"\n#include "estimators/restir/a.glsl"\n#include "estimators/pt/a.glsl"\n',
+        [3],
+    ),
+    "Shaders/estimators/mcpg/m.glsl": ('#include "estimators/restir_guided/g.glsl"\n', [1]),
     "Shaders/passes/a.comp": ('#include "lib/a.glsl"\n#include "estimators/pt/pt.comp"\n', [2]),
 }
 

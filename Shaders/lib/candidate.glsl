@@ -8,20 +8,21 @@
 // Where the last ray passed the nearest translucent surface, as a distance; beyond its end it may not know of any.
 float passed_at;
 
-bool is_opaque(Hit hit) {
-  uint material = instance_at(hit.instance).material_base + attribute_at(instance_at(hit.instance).first_attribute + hit.triangle).material;
-  return material_at(material).base_color.w * instance_at(hit.instance).alpha >= 1.0;
+GpuMaterial material_of(uint instance, uint triangle) {
+  uint record = instance_at(instance).first_attribute + triangle;
+  return material_at(instance_at(instance).material_base + attribute_at(record).material);
 }
+float alpha_of(GpuMaterial m, uint instance) { return m.base_color.w * instance_at(instance).alpha; }
+bool is_opaque(Hit hit) { return alpha_of(material_of(hit.instance, hit.triangle), hit.instance) >= 1.0; }
 
 bool accept_candidate(Hit candidate, inout uint rng) {
-  uint record = instance_at(candidate.instance).first_attribute + candidate.triangle;
-  uint material_index = instance_at(candidate.instance).material_base + attribute_at(record).material;
-  GpuMaterial m = material_at(material_index);
+  GpuMaterial m = material_of(candidate.instance, candidate.triangle);
   if ((m.flags & kMaterialAlphaTest) != 0u && m.base != kNoIndex) {
+    uint record = instance_at(candidate.instance).first_attribute + candidate.triangle;
     vec2 uv = hit_uv(record, candidate.bary);
     if (nearest_texel(m.base, uv, (m.flags & kMaterialClampTexture) != 0u).alpha < 0.5) return false;
   }
-  float alpha = m.base_color.w * instance_at(candidate.instance).alpha;
+  float alpha = alpha_of(m, candidate.instance);
   bool accepted = alpha >= 1.0 || rng_uniform(rng) < alpha;
   if (!accepted) passed_at = min(passed_at, candidate.t);
   return accepted;

@@ -11,10 +11,6 @@ uint light_seen_stride();  // of this many rays one is remembered; the technique
 bool shows_sky(GpuMaterial m, uint instance) {
   return m.emission_kind == kEmissionSky && (instance_at(instance).flags & kInstanceHasColor) == 0u;
 }
-GpuMaterial material_of(uint instance, uint triangle) {
-  uint record = instance_at(instance).first_attribute + triangle;
-  return material_at(instance_at(instance).material_base + attribute_at(record).material);
-}
 bool is_sky(Hit hit) {
   if (hit.instance == kNoIndex) return frame.sky_beyond != 0u;
   return shows_sky(material_of(hit.instance, hit.triangle), hit.instance);
@@ -206,7 +202,6 @@ Direct direct_light(Vertex v, vec3 direction, vec3 f, vec3 light) {
 // What a ray found.
 struct FoundLight {
   Direct direct;
-  vec3 direction;
   Segment way;   // from there
   float weight;  // one over the density of all that finds light in this direction; 0: none was found
 };
@@ -214,7 +209,6 @@ struct FoundLight {
 // Light that an aim's ray finds, shared with paths' own directions, which have the density `proposed` there.
 FoundLight find_by_aim(Vertex v, Aim aim, float proposed, inout uint rng) {
   FoundLight f;
-  f.direction = aim.direction;
   f.way = segment_from(v, aim.direction, aim.weight > 0.0 ? aim.reach : 0.0, aim.turn, rng);
   f.weight = found(aim, f.way, rng) ? shared_weight(aim, f.way, proposed, kBoth) : 0.0;
   vec3 emission = f.weight > 0.0 ? light_emission(f.way.hit, f.way.direction, aim.turn == kTurnNowhere) * f.way.left : vec3(0.0);
@@ -238,12 +232,12 @@ FoundLight find_in_turns(Vertex v, inout uint rng) {
   if (looks) {
     float weight = found(aim, way, rng) ? shared_weight(aim, way, aim.bsdf_pdf, turns) : 0.0;
     remember_lamp(aim.cell, aim.lamp, dot(aim.f * emission, vec3(weight)), rng);
-    return FoundLight(direct_light(v, direction, aim.f, emission * weight), direction, way, weight);
+    return FoundLight(direct_light(v, direction, aim.f, emission * weight), way, weight);
   }
   float share = met_share_of(v, way, p, emission, turns);
   vec3 light = emission * share;
   Direct direct = direct_light(v, direction, p.weight * p.pdf, p.pdf > 0.0 ? light / p.pdf : vec3(0.0));
-  return FoundLight(direct, direction, way, p.pdf > 0.0 ? share / p.pdf : 0.0);
+  return FoundLight(direct, way, p.pdf > 0.0 ? share / p.pdf : 0.0);
 }
 Direct light_in_turns(Vertex v, inout uint rng) { return find_in_turns(v, rng).direct; }
 #endif

@@ -2,7 +2,6 @@
 
 #include <cstring>
 #include <span>
-#include <utility>
 
 #include "render/techniques/seen_grid.h"
 #include "shared/scene_gpu.h"
@@ -29,6 +28,7 @@ void Reservoirs::prepare(const TechniqueFrame& frame, std::uint32_t seen_ways, s
   constants.former = fresh ? shared::kNoIndex : memory_.former(shared::kRestirReservoirs);
   std::memcpy(block + shared::kRestirConstantsAt, &constants, sizeof(constants));
   spatial_ = frame.settings.restir_neighbors > 0;
+  boiling_ = frame.settings.restir_boiling > 0;
 }
 
 void Reservoirs::add_before(const TechniquePasses& passes) {
@@ -36,6 +36,7 @@ void Reservoirs::add_before(const TechniquePasses& passes) {
   const uvec2 groups = groups_over(passes.size, 8);
   passes.list.dispatch("restir candidates", PassKind::kEstimator,
                        passes.shaders.get("restir_candidates", passes.variant), groups);
+  if (boiling_) add_boiling(passes, "restir boiling", "restir_boiling");
   if (spatial_)
     passes.list.dispatch("restir spatial", PassKind::kEstimator, passes.shaders.get("restir_spatial", passes.variant),
                          groups);
@@ -44,9 +45,16 @@ void Reservoirs::add_before(const TechniquePasses& passes) {
 void Reservoirs::add_after(const TechniquePasses& passes) {
   if (!indirect_ || passes.bounces < 2) return;
   const uvec2 groups = groups_over(passes.size, 8);
-  for (const auto& [name, shader] : {std::pair{"indirect over time", "restir_indirect_time"},
-                                     std::pair{"indirect spatial", "restir_indirect_space"}})
-    passes.list.dispatch(name, PassKind::kEstimator, passes.shaders.get(shader, passes.variant), groups);
+  passes.list.dispatch("indirect over time", PassKind::kEstimator,
+                       passes.shaders.get("restir_indirect_time", passes.variant), groups);
+  if (boiling_) add_boiling(passes, "indirect boiling", "restir_indirect_boiling");
+  passes.list.dispatch("indirect spatial", PassKind::kEstimator,
+                       passes.shaders.get("restir_indirect_space", passes.variant), groups);
+}
+
+void Reservoirs::add_boiling(const TechniquePasses& passes, const char* name, const char* shader) {
+  passes.list.dispatch(name, PassKind::kEstimator, passes.shaders.get(shader),
+                       groups_over(groups_over(passes.size, 8), 8));
 }
 
 }  // namespace fb::render

@@ -26,8 +26,11 @@ class Reservoirs {
   std::uint64_t bytes() const { return memory_.bytes(); }
 
  private:
+  // Of squares of 8x8 pixels.
+  static void add_boiling(const TechniquePasses& passes, const char* name, const char* shader);
+
   TechniqueMemory memory_;
-  bool indirect_, spatial_ = true;
+  bool indirect_, spatial_ = true, boiling_ = false;
 };
 
 }  // namespace fb::render

@@ -138,21 +138,75 @@ TEST_F(RestirTest, CutsSizesAndScalesLeaveNothingBehind) {
       expect_mean("history and neighbours");
     }
   }
+  for (const int candidates : {1, 2}) {
+    s.restir_candidates = candidates;
+    render_frames(*renderer, scene, s, 4);
+    expect_mean("what scattered rays meet");
+  }
+  s.restir_gi_radiance = 1;
+  renderer->reset_learning();  // samples of before have no light with them
+  render_frames(*renderer, scene, s, 4);
+  expect_mean("samples that keep their light, of walls that send the same to all");
+}
+
+// No W is 64 times the mean of a square of 64.
+TEST_F(RestirTest, BoilingEmptiesWhatStandsOut) {
+  const scene::FrameSnapshot scene = scene::light_of_every_kind();
+  std::uint64_t hashes[2] = {};
+  double means[3] = {};
+  const float limits[3] = {0, 64, 1};
+  for (int i = 0; i < 3; ++i) {
+    RenderSettings s = reuse_settings(2, "restir_gi");
+    s.deterministic = 1;
+    s.restir_boiling = limits[i];
+    auto renderer = make_renderer(s, 64, 48);
+    render_frames(*renderer, scene, s, 6);
+    means[i] = mean_of(*renderer);
+    if (i < 2) hashes[i] = image_hash(*renderer);
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+  EXPECT_LT(means[2], 0.9 * means[0]);
+  EXPECT_GT(means[2], 0);
+}
+
+// Confidence of a history that all pixels share.
+TEST_F(RestirTest, AHistoryThatPixelsShareCountsAsLess) {
+  const scene::FrameSnapshot scene = scene::cornell_box();
+  double confidence[2] = {};
+  for (const bool counts : {false, true}) {
+    RenderSettings s = reuse_settings(1);
+    s.restir_history = 4;
+    s.restir_neighbors = 8;
+    s.restir_duplicates = counts ? 1 : 0;
+    s.auto_exposure = s.fxaa = s.tone_map = 0;
+    s.debug_view = static_cast<int>(shared::kViewRestirConfidence);
+    auto renderer = make_renderer(s, 48, 36);
+    render_frames(*renderer, scene, s, 16);
+    for (const std::uint32_t pixel : renderer->read().output()) confidence[counts ? 1 : 0] += (pixel >> 8u) & 255u;
+  }
+  EXPECT_LT(confidence[1], 0.95 * confidence[0]) << confidence[0];
 }
 
 TEST_F(RestirTest, TheSamePicturesAgain) {
-  RenderSettings s = reuse_settings(2, "restir_gi");
-  s.deterministic = 1;
   const scene::FrameSnapshot scene = scene::light_of_every_kind();
-  std::vector<std::uint64_t> hashes[2];
-  for (std::vector<std::uint64_t>& of_run : hashes) {
-    auto renderer = make_renderer(s, 48, 32);
-    for (int frame = 0; frame < 20; ++frame) {
-      renderer->render(scene, nullptr, s);
-      of_run.push_back(image_hash(*renderer));
+  for (const char* estimator : {"restir_gi", "restir_guided"}) {
+    RenderSettings s = reuse_settings(2, estimator);
+    s.deterministic = 1;
+    if (s.estimator == "restir_guided") {
+      s.restir_candidates = 2;
+      s.restir_boiling = 20;
+      s.restir_duplicates = 1;
     }
+    std::vector<std::uint64_t> hashes[2];
+    for (std::vector<std::uint64_t>& of_run : hashes) {
+      auto renderer = make_renderer(s, 48, 32);
+      for (int frame = 0; frame < 20; ++frame) {
+        renderer->render(scene, nullptr, s);
+        of_run.push_back(image_hash(*renderer));
+      }
+    }
+    EXPECT_EQ(hashes[0], hashes[1]) << estimator;
   }
-  EXPECT_EQ(hashes[0], hashes[1]);
 }
 
 // Forgotten is as if it had never been.
@@ -203,6 +257,30 @@ TEST_F(RestirTest, LightAtOnePixelOfFourHasTheSameMean) {
     }
   }
   expect_equal(of[1], of[0], 0.02);
+}
+
+// A sample stays at its pixel: what a reservoir held in the former frame is found there, and not beside it.
+TEST_F(RestirTest, SamplesStayAtTheirPixels) {
+  const scene::FrameSnapshot scene = scene::light_of_every_kind();
+  RenderSettings s = reuse_settings(1);
+  s.restir_neighbors = 0;
+  s.auto_exposure = s.fxaa = s.tone_map = 0;
+  s.debug_view = static_cast<int>(shared::kViewRestirLamp);
+  constexpr int kWidth = 64, kHeight = 48;
+  auto renderer = make_renderer(s, kWidth, kHeight);
+  render_frames(*renderer, scene, s, 24);
+  const std::vector<std::uint32_t> former = renderer->read().output();
+  render_frames(*renderer, scene, s, 1);
+  const std::vector<std::uint32_t> now = renderer->read().output();
+  int same = 0, beside = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x + 1 < kWidth; ++x) {
+      const auto at = static_cast<std::size_t>(y * kWidth + x);
+      same += now[at] == former[at] ? 1 : 0;
+      beside += now[at] == former[at + 1] ? 1 : 0;
+    }
+  }
+  EXPECT_GT(same, 1.2 * beside);
 }
 
 // Another sample of the picture is no cut: what the former frame held is still of use.

@@ -33,13 +33,18 @@ FB_RESTIR_INDIRECT_ARRAYS(FB_ARRAY_CONSTANT)
   X(float, restir_radius, "r_restir_radius", 30, 1, 200, "restir: how far away they are at most, pixels of a picture of 1080 rows") \
   X(int, restir_mis, "r_restir_mis", 0, 0, 1, "restir: weights of what is reused: 0 by targets, unbiased; 1 by confidence alone (1/M), biased: dark where light comes into sight") \
   X(int, restir_visibility, "r_restir_visibility", 0, 0, 2, "restir: 1 a ray drops candidates that do not arrive before they are reused, biased: what one pixel's candidates do not see is lost to others; 2 rays ask so wherever a sample is weighed, unbiased where nothing moves and nothing is translucent") \
+  X(float, restir_boiling, "r_restir_boiling", 0, 0, 64, "restir: reservoirs are emptied whose W is more than so many times the mean of those in their square of 8x8 pixels (restir_gi: of light of two reflections, too), biased: dark; 0: none is") \
+  X(int, restir_duplicates, "r_restir_duplicates", 0, 0, 1, "restir: 1 a history that pixels about it have as well counts as less, biased: confidence hangs on what a sample is") \
   X(int, restir_permute, "r_restir_permute", 0, 0, 1, "restir: 1 a pixel takes the history of one beside it, of another each frame, so that neighbours' samples are less alike") \
+  X(int, restir_candidates, "r_restir_candidates", 0, 0, 2, "restir: new candidates: 0 of the list, whose light is shared with scattered rays; 1 what scattered rays meet, one a path; 2 both, by MIS: 1 and 2 are unbiased as r_restir_visibility 2 is, and biased without it") \
   X(int, restir_sets, "r_restir_sets", 2, 1, 32, "restir: how many times r_nee_candidates lights a pixel's first vertex draws of the list") \
   X(float, restir_trust, "r_restir_trust", 32, 0.01f, 1e6f, "restir: how many times a frame's candidates a reservoir is thought to stand for, where it shares light with scattered rays") \
   X(int, restir_hope, "r_restir_hope", 1, 0, 1, "restir: 1 which sample a reservoir keeps is chosen by what past rays let hope to arrive, too") \
   X(float, restir_gi_history, "r_restir_gi_history", 20, 0, 1000, "restir_gi: frames that the former frame's reservoir of light of two reflections counts as, at most; 0: none is reused over time") \
   X(int, restir_gi_neighbors, "r_restir_gi_neighbors", 1, 0, 8, "restir_gi: neighbours whose reservoirs of such light a pixel reuses") \
-  X(int, restir_gi_visibility, "r_restir_gi_visibility", 1, 0, 1, "restir_gi: 1 MIS weights ask by rays whether another vertex sees a sample, unbiased where nothing moves and nothing is translucent; 0 they do not, biased: dark along edges and in corners") \
+  X(int, restir_gi_visibility, "r_restir_gi_visibility", 1, 0, 1, "restir_gi: 1 MIS weights ask by rays whether another vertex sees a sample, unbiased where nothing moves and nothing is translucent; 0 they do not, biased: up to 1% too dark where seen") \
+  X(int, restir_gi_radiance, "r_restir_gi_radiance", 0, 0, 1, "restir_gi: 1 samples keep the light that their second vertex sent to where they were found, and all viewers see that, biased where it has a coat, and late where light changes (Ouyang 2021)") \
+  X(int, restir_teach, "r_restir_teach", 1, 0, 1, "restir_guided: 1 what a pixel's reservoir of light of two reflections held teaches a lobe, too") \
   X(int, restir_keep, "r_restir_keep", 1, 0, 1, "restir: what the next frame finds: 1 what neighbours gave, too; 0 a pixel's own history alone")
 // clang-format on
 

@@ -10,7 +10,7 @@ const bool kReusesIndirect = true;
 #include "estimators/restir_guided/steps/begin.glsl"
 #include "estimators/mcpg/steps/field.glsl"
 #include "estimators/mcpg/steps/propose.glsl"
-#include "estimators/mcpg/steps/learn.glsl"
+#include "estimators/restir_guided/steps/learn.glsl"
 #include "estimators/restir/steps/direct.glsl"
 #include "lib/steps/no_control.glsl"
 #include "lib/steps/no_record.glsl"

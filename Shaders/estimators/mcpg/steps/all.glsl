@@ -7,4 +7,6 @@
 #include "estimators/mcpg/steps/field.glsl"
 #include "estimators/mcpg/steps/propose.glsl"
 #include "estimators/mcpg/steps/learn.glsl"
+
+void learn_besides(Vertex v, Guidance g, Path path, inout uint rng) {}
 #endif

@@ -91,9 +91,13 @@ void update_state(Vertex v, Transition t, vec3 hit_position, vec3 velocity, bool
   store_guide_state(s, t.slot, proposal, seen);
 }
 
+// What trains at a vertex besides what its path met; the technique defines it.
+void learn_besides(Vertex v, Guidance g, Path path, inout uint rng);
+
 void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout Path path, inout uint rng) {
   if (!GUIDES) return;
   bool trains = trains_here(g, path);
+  if (trains) learn_besides(v, g, path, rng);
   bool is_new = g.choice.state == kNoIndex && !g.slot.matched && incident.emission != vec3(0.0);
   if (!trains && !is_new) return;
   vec3 position = target_of(incident, p.direction);

@@ -7,17 +7,28 @@
 #endif
 const bool kReusesIndirect = false;
 #include "estimators/restir/steps/pixel.glsl"
+#include "estimators/restir/steps/candidates.glsl"
 
 LightReservoir former_reservoir(FormerTexel f) {
   if (!f.known || restir.former == kNoIndex) return no_reuse();
   return unpack_light(reservoirs.at[restir.former + f.element]);
 }
 
+// The most that a former sample counts as, from a history of so many frames.
+float most_confidence(float history, FormerTexel f, LightSample s, inout uint rng) {
+  if (restir.restir_duplicates == 0) return history;
+  uint alike = 0u, i = 0u;
+  do {
+    alike += reservoirs.at[restir.former + near_former(f, rng)].xy == uvec2(s.name, s.place) ? 1u : 0u;
+  } while (++i < kNearFormer);
+  return confidence_among(history, alike);
+}
+
 LightReservoir over_time(LightReservoir fresh, Domain here, Hope hope, GBufferTexel g, PathPixel p, inout uint rng) {
   FormerTexel f = history_of(g, p);
   LightReservoir old = former_reservoir(f);
   if (!reuses(old)) return fresh;
-  old.confidence = min(old.confidence, restir.restir_history);
+  old.confidence = min(old.confidence, most_confidence(restir.restir_history, f, old.chosen, rng));
   Domain there = domain_of(former_vertex(f), true);
 
   LightPoint new_point = point_of(fresh.chosen), old_point = point_of(old.chosen);
@@ -64,7 +75,7 @@ void main() {
       Vertex v = first_vertex(g, p.pixel);
       Domain here = domain_of(v, false);
       Hope hope = hope_at(here);
-      r = new_candidates(here, hope, uint(frame.spp * restir.restir_sets), rng);
+      r = new_candidates(here, hope, rng);
       if (restir.restir_visibility != 0 && !arrives(here, point_of(r.chosen), rng)) r.weight = 0.0;
       if (restir.restir_history > 0.0) r = over_time(r, here, hope, g, p, rng);
     }

@@ -84,6 +84,10 @@ vec3 light_of(Domain here, IndirectReservoir r, inout uint rng) {
       break;
     }
     if (!ends_there(p, way)) break;
+    if (keeps_radiance()) {
+      emission = vec3(1.0);
+      break;
+    }
     from = w.second;
     direction = w.light.direction;
     reach = p.light.sun ? kRayEnd : w.light.reach * 1.001 + 0.01;

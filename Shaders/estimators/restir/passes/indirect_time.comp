@@ -9,13 +9,27 @@
 const bool kReusesIndirect = true;
 #include "estimators/restir/steps/pixel.glsl"
 
-const float kRounding = 0.01;  // of former_world: of a unit, 500 units away twice that
+const float kRounding = 0.01;  // of former_world, in units; 500 units away twice as much
 
 IndirectReservoir former_reservoir(FormerTexel f) {
   if (!f.known || restir.former == kNoIndex) return no_indirect_reuse();
   IndirectReservoir r = FB_LOAD_INDIRECT(indirect_reservoirs, restir.former + f.element);
   if (r.chosen.instance != kNoIndex) r.chosen.instance = instance_now(r.chosen.instance);
   return r;
+}
+
+// The most that a former sample counts as, from a history of so many frames.
+float most_confidence(float history, FormerTexel f, IndirectSample s, inout uint rng) {
+  if (restir.restir_duplicates == 0) return history;
+  uvec4 words = uvec4(s.instance, s.triangle, s.bary, s.light.name);
+  uint alike = 0u, i = 0u;
+  do {
+    uint element = 2u * (restir.former + near_former(f, rng));
+    uvec4 other = indirect_reservoirs.at[element];
+    if (other.x != kNoIndex) other.x = instance_now(other.x);
+    alike += other == words && indirect_reservoirs.at[element + 1u].x == s.light.place ? 1u : 0u;
+  } while (++i < kNearFormer);
+  return confidence_among(history, alike);
 }
 
 // The targets of a fresh sample and of an old one, here and where the history is.
@@ -36,7 +50,7 @@ Targets targets_of(Domain here, Domain there, bool moved, IndirectPoint fresh_po
     // What a path found has met nothing on its ways, so targets in which that is left out would promise too much elsewhere. Where a
     // light that moves came from it may have been hidden. What moved itself may be within something now: nothing is asked there.
     bool asks = restir.restir_gi_visibility != 0 && old != is_there;
-    bool lit = w.target > 0.0, light_moved = is_there && p.light.place != p.light.before && p.place == p.before;
+    bool lit = w.target > 0.0, light_moved = !keeps_radiance() && is_there && p.light.place != p.light.before && p.place == p.before;
     uint k = is_there && moved ? 1u : 0u, ways = light_moved ? 2u : 1u;
     if (asks && lit && k < ways) do {
       vec3 to = p.place - d.origin;
@@ -64,7 +78,7 @@ IndirectReservoir over_time(IndirectReservoir fresh, Domain here, GBufferTexel g
   FormerTexel f = history_of(g, p);
   IndirectReservoir old = former_reservoir(f);
   if (!reuses(old)) return fresh;
-  old.confidence = min(old.confidence, restir.restir_gi_history);
+  old.confidence = min(old.confidence, most_confidence(restir.restir_gi_history, f, old.chosen, rng));
   vec3 before = former_world(g, vec2(p.pixel) + 0.5 + jitter_of(p.pixel));
   bool moved = distance(before, g.position_t.xyz) > kRounding + kRounding * 2e-3 * g.position_t.w;
   Targets t = targets_of(here, domain_of(former_vertex(f), true), moved, indirect_point(fresh.chosen), indirect_point(old.chosen), rng);

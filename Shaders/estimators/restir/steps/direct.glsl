@@ -36,14 +36,21 @@ Direct look_for_light(Vertex v, inout Guidance g, inout Path path, inout uint rn
   if (!by_reservoir) aim = aim_at_light(v, kBoth, rng);
   // A reservoir's light is shared with the vertex's own scattering, whatever proposes directions: what has been learnt must not
   // decide over samples that taught it.
-  float proposed = by_reservoir ? aim.bsdf_pdf : proposal_pdf(v, g, aim.direction, aim.bsdf_pdf);
-  return counted_here(find_by_aim(v, aim, proposed, rng), path, rng);
+  float proposed = by_reservoir ? shared_density(aim.bsdf_pdf) : proposal_pdf(v, g, aim.direction, aim.bsdf_pdf);
+  FoundLight found = find_by_aim(v, aim, proposed, rng);
+  if (by_reservoir && scatters_candidates() && !found.way.certain) found.direct = Direct(vec3(0.0), vec3(0.0));
+  return counted_here(found, path, rng);
 }
 
 float met_share(Vertex v, Segment way, Proposal p, vec3 emission, inout Path path) {
   if (path.own.reused.reuses && path.depth == 0u) {
     if (kReusesIndirect) open_second(path, way, p);
     if (emission == vec3(0.0) || (p.flags & kScatterDelta) != 0u) return 1.0;
+    if (scatters_candidates()) {
+      uint rng = 0u;  // which of the suns it is does not matter
+      float seen;
+      return reusable_sample(v, way, rng, seen).name == 0u ? 1.0 : 0.0;
+    }
     float own = p.pdf;
     if (!kScatters) scatter_eval(v.scatter, v.view, p.direction, own);
     float all = plain_density(v, p.direction, way) + own;

@@ -32,19 +32,19 @@ void open_second(inout Path path, Segment way, Proposal p) {
 LightSample sample_met(Segment way, inout uint rng, out float seen) {
   seen = 0.0;
   if (has_feature(kFeatureSuns) && is_sky(way.hit)) {
-    float all = frame.sun_count > 0u ? float(frame.sun_count) * sun_pdf(way.direction) : 0.0;
-    if (!(all > 0.0)) return kNoSample;
-    seen = all;
-    // Where discs lie upon each other it may be of each.
-    float left = rng_uniform(rng) * all;
-    uint number = 0u, i = 0u;
-    do {
-      vec4 sun = frame.sun_direction[i];
-      bool within = dot(way.direction, sun.xyz) >= sun.w;
-      if (within && left >= 0.0) number = i;
-      left -= within ? 1.0 / (2.0 * kPiShared * (1.0 - sun.w)) : 0.0;
-    } while (++i < frame.sun_count);
-    return LightSample(kKindSun | number, packed_place(place_in_disc(frame.sun_direction[number], way.direction)));
+    seen = frame.sun_count > 0u ? float(frame.sun_count) * sun_pdf(way.direction) : 0.0;
+    if (seen > 0.0) {
+      // Where discs lie upon each other it may be of each.
+      float left = rng_uniform(rng) * seen;
+      uint number = 0u, i = 0u;
+      do {
+        vec4 sun = frame.sun_direction[i];
+        bool within = dot(way.direction, sun.xyz) >= sun.w;
+        if (within && left >= 0.0) number = i;
+        left -= within ? 1.0 / (2.0 * kPiShared * (1.0 - sun.w)) : 0.0;
+      } while (++i < frame.sun_count);
+      return LightSample(kKindSun | number, packed_place(place_in_disc(frame.sun_direction[number], way.direction)));
+    }
   }
   if (!has_lights() || way.hit.instance == kNoIndex || ends_by_chance(way.hit)) return kNoSample;
   uint first = first_light_of(way.hit.instance);
@@ -55,6 +55,16 @@ LightSample sample_met(Segment way, inout uint rng, out float seen) {
   return sample_of(light, packed_place(unit_of_triangle(way.hit.bary)));
 }
 
+// The same of a way from a vertex, if reservoirs of light may have it.
+LightSample reusable_sample(Vertex v, Segment way, inout uint rng, out float seen) {
+  seen = 0.0;
+  if (way.bent || !way.certain) return kNoSample;
+  LightSample s = sample_met(way, rng, seen);
+  bool sun = (s.name & kKindBits) == kKindSun;
+  if (!(seen > 0.0) || (!sun && is_within_light(v, way.hit.t))) return kNoSample;
+  return s;
+}
+
 // Light that was found from a path's second vertex, which reflects `radiance` of it, by a way with one over this density. True: the
 // reservoir has it. Of what several paths, or both ways to look, bring, one is kept, by what it brings.
 bool hand_over(inout Path path, Segment way, float weight, vec3 radiance, inout uint rng) {
@@ -62,13 +72,14 @@ bool hand_over(inout Path path, Segment way, float weight, vec3 radiance, inout 
   float seen;
   LightSample light = sample_met(way, rng, seen);
   if (light.name == 0u) return false;
-  float brought = reservoir_number(dot(path.own.reused.through * radiance, vec3(1.0))), w = reservoir_number(path.own.reused.seen * seen * weight);
+  float brought = reservoir_number(dot(path.own.reused.through * radiance, vec3(1.0)));
+  float w = reservoir_number(path.own.reused.seen * (keeps_radiance() ? 1.0 : seen * weight));
   if (!(brought > 0.0) || !(w > 0.0)) return true;
   uint element = 2u * lit_index(path.pixel);
   float sum = uintBitsToFloat(fresh.at[element + 1u].z) + brought;
   if (rng_uniform(rng) * sum < brought) {
     fresh.at[element] = uvec4(path.own.reused.second.instance, path.own.reused.second.triangle, packUnorm2x16(path.own.reused.second.bary), light.name);
-    fresh.at[element + 1u].xy = uvec2(light.place, floatBitsToUint(reservoir_number(w / brought)));
+    fresh.at[element + 1u].xyw = uvec3(light.place, floatBitsToUint(reservoir_number(w / brought)), pack_rgb9e5(radiance, 0.5));
   }
   fresh.at[element + 1u].z = floatBitsToUint(sum);
   return true;
@@ -78,6 +89,6 @@ bool hand_over(inout Path path, Segment way, float weight, vec3 radiance, inout 
 IndirectReservoir fresh_reservoir(uint element) {
   uvec4 a = fresh.at[2u * element], b = fresh.at[2u * element + 1u];
   float weight = reservoir_number(uintBitsToFloat(b.y) * uintBitsToFloat(b.z) / float(frame.spp));
-  return IndirectReservoir(IndirectSample(a.x, a.y, a.z, LightSample(a.w, b.x)), weight, 1.0, 0.0);
+  return IndirectReservoir(IndirectSample(a.x, a.y, a.z, LightSample(a.w, b.x), b.w), weight, 1.0, 0.0);
 }
 #endif

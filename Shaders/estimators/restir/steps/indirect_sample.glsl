@@ -1,28 +1,32 @@
 // Samples of light of two reflections: a place on a triangle of the scene, the second vertex, and a sample of light that falls on
 // it (light_sample.glsl). Both measures are uniform on triangles and in discs, so that shifts between pixels and frames, which keep
 // both places (reconnection, Lin 2022), have Jacobian 1: geometry is in the target. The second vertex' own scattering is
-// evaluated anew for each viewer.
+// evaluated anew for each viewer. Or (r_restir_gi_radiance) a sample is the second vertex and the light that it sent once, the same for
+// all viewers.
 #ifndef FB_RESTIR_INDIRECT_SAMPLE
 #define FB_RESTIR_INDIRECT_SAMPLE
 #include "estimators/restir/steps/arrays.glsl"
+#include "shared/denoise.h"
 
 struct IndirectSample {
   uint instance;  // of this frame; kNoIndex: none
   uint triangle;
   uint bary;
   LightSample light;
+  uint radiance;  // that the second vertex sends (pack_rgb9e5), where samples keep it
 };
+bool keeps_radiance() { return restir.restir_gi_radiance != 0; }
 struct IndirectReservoir {
   IndirectSample chosen;
   float weight;  // W
   float confidence;
   float age;
 };
-const IndirectSample kNoIndirect = IndirectSample(kNoIndex, 0u, 0u, kNoSample);
+const IndirectSample kNoIndirect = IndirectSample(kNoIndex, 0u, 0u, kNoSample, 0u);
 IndirectReservoir no_indirect() { return IndirectReservoir(kNoIndirect, 0.0, 0.0, 0.0); }
 // Of a pixel that does not reuse.
 IndirectReservoir no_indirect_reuse() {
-  return IndirectReservoir(IndirectSample(kNoIndex, 0u, 0u, LightSample(kKindNothing, 0u)), 0.0, 0.0, 0.0);
+  return IndirectReservoir(IndirectSample(kNoIndex, 0u, 0u, LightSample(kKindNothing, 0u), 0u), 0.0, 0.0, 0.0);
 }
 bool reuses(IndirectReservoir r) { return r.chosen.light.name != kKindNothing; }
 
@@ -30,11 +34,11 @@ bool reuses(IndirectReservoir r) { return r.chosen.light.name != kKindNothing; }
 #define FB_STORE_INDIRECT(array, element, r)                                                                             \
   array.at[2u * (element)] = uvec4(r.chosen.instance, r.chosen.triangle, r.chosen.bary, r.chosen.light.name);            \
   array.at[2u * (element) + 1u] =                                                                                        \
-      uvec4(r.chosen.light.place, floatBitsToUint(reservoir_number(r.weight)), packHalf2x16(vec2(r.confidence, r.age)), 0u);
+      uvec4(r.chosen.light.place, floatBitsToUint(reservoir_number(r.weight)), packHalf2x16(vec2(r.confidence, r.age)), r.chosen.radiance);
 #define FB_LOAD_INDIRECT(array, element) unpack_indirect(array.at[2u * (element)], array.at[2u * (element) + 1u])
 IndirectReservoir unpack_indirect(uvec4 a, uvec4 b) {
   vec2 rest = unpackHalf2x16(b.z);
-  return IndirectReservoir(IndirectSample(a.x, a.y, a.z, LightSample(a.w, b.x)), reservoir_number(uintBitsToFloat(b.y)), rest.x, rest.y);
+  return IndirectReservoir(IndirectSample(a.x, a.y, a.z, LightSample(a.w, b.x), b.w), reservoir_number(uintBitsToFloat(b.y)), rest.x, rest.y);
 }
 
 // Where a sample is.
@@ -45,14 +49,16 @@ struct IndirectPoint {
   GpuTriangle triangle;
   vec3 place, before;  // of the second vertex, in this frame and the former one
   LightPoint light;
+  vec3 radiance;  // kept
 };
 IndirectPoint indirect_point(IndirectSample s) {
   IndirectPoint p;
   p.light = point_of(s.light);
-  p.there = s.instance != kNoIndex && p.light.there;
+  p.radiance = unpack_rgb9e5(s.radiance);
+  p.there = s.instance != kNoIndex && (p.light.there || keeps_radiance());
   p.second = Hit(0.0, unpackUnorm2x16(s.bary), p.there ? s.instance : 0u, p.there ? s.triangle : 0u);
   uint flags = instance_at(p.second.instance).flags;
-  p.was = p.there && p.light.was && (flags & kInstanceIsNew) == 0u;
+  p.was = p.there && (p.light.was || keeps_radiance()) && (flags & kInstanceIsNew) == 0u;
   p.triangle = world_triangle(p.second.instance, p.second.triangle);
   p.place = p.before = p.triangle.v0.xyz + p.triangle.e1.xyz * p.second.bary.x + p.triangle.e2.xyz * p.second.bary.y;
   if (p.was && (flags & kInstanceMoves) != 0u) p.before = previous_position(p.second);
@@ -65,8 +71,8 @@ struct IndirectWay {
   float target;
   vec3 direction;  // to the second vertex
   float reach;
-  Vertex second;
-  LightWay light;  // as the second vertex sees it
+  Vertex second;   // this and
+  LightWay light;  // this, as the second vertex sees it: where samples do not keep its light
   vec3 f;          // of both vertices, over the densities of samples per solid angle
 };
 IndirectWay indirect_way(Domain d, IndirectPoint p) {
@@ -77,15 +83,21 @@ IndirectWay indirect_way(Domain d, IndirectPoint p) {
   p.second.t = w.reach;
   float bsdf, seen = triangle_pdf(p.triangle, w.reach, w.direction);
   vec3 f = scatter_eval(d.v.scatter, d.v.view, w.direction, bsdf);
-  Surface s = load_surface(p.second, w.direction, kFilterNearest, false);
-  s.position = at;
-  w.second = surface_vertex(s, -w.direction);
-  Domain there = domain_of(w.second, d.former);
-  w.light = way_to_light(there, p.light);
-  bool known = p.there && (!d.former || p.was) && seen > 0.0 && w.light.seen > 0.0;
-  w.f = known ? f * w.light.f / (seen * w.light.seen) : vec3(0.0);
+  bool known = p.there && (!d.former || p.was) && seen > 0.0;
+  float emitted = 1.0;
+  vec3 sent = p.radiance;
+  if (!keeps_radiance()) {
+    Surface s = load_surface(p.second, w.direction, kFilterNearest, false);
+    s.position = at;
+    w.second = surface_vertex(s, -w.direction);
+    w.light = way_to_light(domain_of(w.second, d.former), p.light);
+    known = known && w.light.seen > 0.0;
+    emitted = w.light.even * w.light.seen;
+    sent = w.light.f / w.light.seen;
+  }
+  w.f = known ? f * sent / seen : vec3(0.0);
   if (FEATURE_MEDIUM) w.f *= transmittance(frame.medium.w, w.reach);
-  w.target = known ? dot(w.f, vec3(1.0)) * (w.light.even * w.light.seen) : 0.0;
+  w.target = known ? dot(w.f, vec3(1.0)) * emitted : 0.0;
   return w;
 }
 

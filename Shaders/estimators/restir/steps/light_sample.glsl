@@ -178,17 +178,28 @@ LightWay way_to_light(Domain d, LightPoint p) {
   return w;
 }
 
-// The target of a sample at a vertex, in the measure of samples: that light, in the share that the balance heuristic leaves to
-// looking for it. So it is zero only where the sample's light is. `aim`: how it is looked for, its weight still without W.
+// Whether what scattered rays meet is a candidate. Then reservoirs have all light of the list and of suns that comes by a straight way
+// past nothing translucent, and paths' own rays all else; without, the two share what both may find.
+bool scatters_candidates() { return restir.restir_candidates != 0; }
+// With which a path's own ray shares a sample's light.
+float shared_density(float bsdf) { return scatters_candidates() ? 0.0 : bsdf; }
+
+// The target of a sample at a vertex, in the measure of samples: that light, in the share that is left to looking for it (the balance
+// heuristic's). So it is zero only where the sample's light is. `aim`: how it is looked for, its weight still without W.
+float target_of_way(Domain d, LightPoint p, LightWay w) {
+  float density = w.draws * w.seen;
+  if (!(density > 0.0) || (!p.sun && is_within_light(d.v, w.reach))) return 0.0;
+  return dot(w.f, vec3(1.0)) * w.even * (density / (density + shared_density(w.bsdf)));
+}
 float light_target(Domain d, LightPoint p, out Aim aim) {
   aim = kNoAim;
   LightWay w = way_to_light(d, p);
-  float density = w.draws * w.seen;
-  if (!(density > 0.0) || (!p.sun && is_within_light(d.v, w.reach))) return 0.0;
+  float target = target_of_way(d, p, w), density = w.draws * w.seen;
+  if (!(target > 0.0)) return 0.0;
   uint instance = p.sun ? kNoIndex : p.light.instance, triangle = p.sun ? kNoIndex : p.light.triangle;
   aim = Aim(w.direction, w.f, w.draws, p.sun ? kRayEnd : w.reach * 1.001 + 0.01, density, w.bsdf, instance, triangle, kTurnNowhere, 0u,
             p.light.lamp & 0xffffu, 0u);
-  return dot(w.f, vec3(1.0)) * w.even * (density / (density + w.bsdf));
+  return target;
 }
 float light_target(Domain d, LightPoint p) {
   Aim unused;
@@ -225,39 +236,5 @@ float plain_density(Vertex v, vec3 direction, Segment way) {
   if (first == kNoIndex) return 0.0;
   return plain_draws(light_at(first + way.hit.triangle)) *
          triangle_pdf(world_triangle(way.hit.instance, way.hit.triangle), way.hit.t, direction);
-}
-
-// One sample of a few candidates of the list and one of the suns (resampled importance sampling, Talbot 2005), `times` over. What
-// past rays found decides here: which candidates there are, and how much of their light is hoped for.
-LightReservoir new_candidates(Domain d, Hope hope, uint times, inout uint rng) {
-  Reservoir r = empty_reservoir();
-  GpuLight chosen;
-  LightSample s = kNoSample;
-  uint count = has_lights() ? light_candidates() * times : 0u, i = 0u;
-  bool of_list = false;
-  if (count > 0u) do {
-    GpuLight light;
-    bool there = draw_candidate(hope.lamps, i % light_candidates(), rng, light);
-    LightPoint p = point_on(light, rng_next(rng), false);
-    p.there = p.there && there;
-    float target = light_target(d, p) * hope_for(hope, p), draws = draws_of(hope.lamps, light);
-    if (update_reservoir(r, draws > 0.0 ? target / draws : 0.0, target, 0.0, rng_uniform(rng))) {
-      chosen = light;
-      s.place = p.packed_place;
-      of_list = true;
-    }
-  } while (++i < count);
-  if (of_list) s = sample_of(chosen, s.place);
-  if (has_feature(kFeatureSuns) && frame.sun_count > 0u) {
-    uint k = 0u;
-    do {
-      LightPoint p = point_in_sun(random_below(frame.sun_count, rng), rng_next(rng));
-      float target = light_target(d, p) * hope_for(hope, p);
-      if (update_reservoir(r, target * float(frame.sun_count), target, 0.0, rng_uniform(rng)))
-        s = LightSample(kKindSun | p.number, p.packed_place);
-    } while (++k < times);
-  }
-  finish_reservoir(r, 1.0 / float(times));
-  return LightReservoir(s, r.contribution_weight, 1.0, 0.0);
 }
 #endif

@@ -49,6 +49,25 @@ FormerTexel history_of(GBufferTexel g, PathPixel p) {
   return former_lit_texel(g, p.pixel, restir.restir_permute != 0 ? permuted(p.block) : ivec2(0));
 }
 
+// How far off the pixels are whose samples are shared, in blocks; evenly about one.
+vec2 near_by(inout uint rng) {
+  float radius = max(restir.restir_radius * float(frame.height) / (1080.0 * float(frame.light_block)), 1.5);
+  float far = radius * sqrt(rng_uniform(rng)), turn = 2.0 * kPiShared * rng_uniform(rng);
+  return far * vec2(cos(turn), sin(turn));
+}
+
+// Of pixels about a former one, so many are asked whether they hold the same sample (after the duplication maps of Lin 2026).
+const uint kNearFormer = 8u;
+
+uint near_former(FormerTexel f, inout uint rng) {
+  vec2 block = vec2(f.element % frame.light_width, f.element / frame.light_width);
+  ivec2 near = ivec2(floor(block + 0.5 + near_by(rng)));
+  return element_of(uvec2(clamp(near, ivec2(0), ivec2(lit_blocks()) - 1)));
+}
+float confidence_among(float history, uint alike) {
+  return max(history * (1.0 - float(alike) / float(kNearFormer)), min(history, 1.0));
+}
+
 const float kLikeNormal = 0.8, kLikeDepth = 0.1;
 
 struct Neighbor {
@@ -57,9 +76,7 @@ struct Neighbor {
 };
 
 Neighbor neighbor_of(PathPixel p, GBufferTexel g, inout uint rng) {
-  float radius = max(restir.restir_radius * float(frame.height) / (1080.0 * float(frame.light_block)), 1.5);
-  float far = radius * sqrt(rng_uniform(rng)), turn = 2.0 * kPiShared * rng_uniform(rng);
-  ivec2 block = ivec2(floor(vec2(p.block) + 0.5 + far * vec2(cos(turn), sin(turn))));
+  ivec2 block = ivec2(floor(vec2(p.block) + 0.5 + near_by(rng)));
   Neighbor n;
   n.there = all(greaterThanEqual(block, ivec2(0))) && all(lessThan(block, ivec2(lit_blocks()))) && block != ivec2(p.block);
   n.block = n.there ? uvec2(block) : p.block;
