@@ -190,6 +190,15 @@ const Row kReused[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Reused, UnbiasedStatistics, testing::ValuesIn(kReused), row_name);
 
+// Lobes that the pixels of a tile share: what is exchanged, and what is biased where it is not.
+const Row kMixtures[] = {
+    {"cbox", "ssmm", {}, plan(24, 4, 12), 8, false, {"r_bounces=1"}, "nee"},
+    {"cbox", "ssmm", {"r_ssmm_temporal=1"}, plan(24, 4, 12), 8, false, {"r_bounces=1"}, "nee"},
+    {"cbox", "ssmm", {"r_ssmm_shuffle=0"}, plan(24, 4, 12), 8, true, {"r_bounces=1"}, "nee"},
+    {"moving", "ssmm_nee", {"r_ssmm_indirect=1"}, plan(12, 4, 8), 2, false, {}, "nee"},
+};
+INSTANTIATE_TEST_SUITE_P(Mixtures, UnbiasedStatistics, testing::ValuesIn(kMixtures), row_name);
+
 // Fog, with light straight from what glows and with what surfaces reflect into it. Shafts are held to nee, whose mean
 // is that of pt (below) and of integrals (render/fog_statistics_test.cpp).
 const Row kFog[] = {

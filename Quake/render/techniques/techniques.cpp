@@ -12,7 +12,9 @@
   X(kMcpgTail)           \
   X(kRestirDi)           \
   X(kRestirGi)           \
-  X(kRestirGuided)
+  X(kRestirGuided)       \
+  X(kSsmm)               \
+  X(kSsmmNee)
 
 namespace fb::render {
 

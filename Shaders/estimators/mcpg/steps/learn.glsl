@@ -7,6 +7,7 @@
 #include "estimators/mcpg/steps/train_cache.glsl"
 #include "estimators/mcpg/steps/transition_buckets.glsl"
 #include "estimators/mcpg/steps/transition_paper.glsl"
+#include "lib/place_of_light.glsl"
 
 const bool kLearns = true;
 const bool kFollowsMotion = true;
@@ -47,23 +48,6 @@ void learn_waste(Guidance g, Path path) {
     list_touched(entry, atomicAdd(guide_cache.at[entry + kCacheTouched], 1u));
 }
 
-// Light of the sky is a direction, from wherever it is seen: its target is as far off as a map's coordinates reach. What is seen
-// by way of an interface is where it appears to be: along the direction in which the ray left, as far as it went (Ruppert 2020,
-// Eq. 35).
-vec3 target_of(Incident incident, vec3 direction) {
-  vec3 origin = incident.origin;
-  float reach = incident.way.hit.t;
-  if (FEATURE_WATER && incident.way.bent) {
-    bool apparent = guide.mc_apparent != 0;
-    origin = apparent ? origin : incident.way.origin;
-    direction = apparent ? direction : incident.way.direction;
-    reach = apparent ? incident.way.distance : reach;
-  }
-  vec3 away = (kTargetLimit - origin * sign(direction)) / max(abs(direction), 1e-6);
-  float end = min(away.x, min(away.y, away.z));
-  return origin + direction * (incident.sky ? max(end, 0.0) : reach);
-}
-
 vec3 hit_velocity(Hit hit, vec3 position) {
   if (hit.instance == kNoIndex || (instance_at(hit.instance).flags & kInstanceMoves) == 0u) return vec3(0.0);
   return (position - previous_position(hit)) / max(frame.time - frame.prev_time, 1e-4);
@@ -100,7 +84,7 @@ void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout 
   if (trains) learn_besides(v, g, path, rng);
   bool is_new = g.choice.state == kNoIndex && !g.slot.matched && incident.emission != vec3(0.0);
   if (!trains && !is_new) return;
-  vec3 position = target_of(incident, p.direction);
+  vec3 position = place_of_light(incident, p.direction, guide.mc_apparent != 0);
   vec3 velocity = incident.way.bent ? vec3(0.0) : hit_velocity(incident.way.hit, position);
 
   float emitted = luminance(p.weight * incident.emission);
