@@ -114,11 +114,11 @@ FB_FN bool has_lobe(ChainState s, vec3 origin) {
   return is_valid_state(s) && dot(way, way) > 1e-6f;
 }
 
-// Offset of a neighbour along an axis, in windows: a B-spline of degree 5, the sum of six random numbers, less its mean. The numbers
-// are five bits each of `bits`: steps of 1/192 of a window.
+// Offset of a neighbour along an axis, in windows: a B-spline of degree 5, the sum of six random numbers, less its
+// mean. The numbers are five bits each of `bits`: steps of 1/192 of a window.
 FB_FN float spline_offset(uint bits) {
-  uint sum = (bits & 31u) + ((bits >> 5u) & 31u) + ((bits >> 10u) & 31u) + ((bits >> 15u) & 31u) + ((bits >> 20u) & 31u) +
-             ((bits >> 25u) & 31u);
+  uint sum = (bits & 31u) + ((bits >> 5u) & 31u) + ((bits >> 10u) & 31u) + ((bits >> 15u) & 31u) +
+             ((bits >> 20u) & 31u) + ((bits >> 25u) & 31u);
   return (float(sum) - 93.0f) / 192.0f;
 }
 
