@@ -35,6 +35,11 @@ class DeviceTest : public testing::Test {
     }
   }
 
+  static void render_still(Renderer& renderer, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
+                           int frames) {
+    for (int i = 0; i < frames; ++i) renderer.render(snapshot, nullptr, settings);
+  }
+
   static std::unique_ptr<Renderer> make_renderer(const RenderSettings& settings, std::uint32_t width,
                                                  std::uint32_t height) {
     auto renderer = Renderer::create(*device_, settings);

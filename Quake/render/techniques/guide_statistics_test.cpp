@@ -57,7 +57,7 @@ TEST_F(GuideStatistics, FurnaceHasItsClosedFormWithEveryFeature) {
   const scene::FrameSnapshot scene = furnace();
   for (const auto& [name, change] : kFeatures) {
     const RenderSettings s = guided(4, 2, change);
-    render_frames(*renderer, scene, s, 6);  // cold and warm frames alike
+    render_still(*renderer, scene, s, 6);  // cold and warm frames alike
     expect_furnace(*renderer, 2, static_cast<double>(kAlbedo), name);
   }
 }
@@ -69,7 +69,7 @@ TEST_F(GuideStatistics, FurnaceHasItsClosedFormThirtyThousandUnitsAway) {
     for (const auto& [name, change] : kFeatures) {
       if (name != std::string("defaults") && name != std::string("extreme numbers")) continue;
       const RenderSettings s = guided(4, 2, change);
-      render_frames(*renderer, scene, s, 6);
+      render_still(*renderer, scene, s, 6);
       // Positions are rounded to 2^-9 there, so more rays start or end behind a surface.
       const ImageEstimate e = image_estimate(renderer->read().linear());
       const double a = static_cast<double>(kAlbedo), expected = static_cast<double>(kEmission) * (1 + a + a * a);
@@ -122,7 +122,7 @@ TEST_F(GuideStatistics, EveryNumberOfBouncesAndSamples) {
     for (const int bounces : {0, 1, 4}) {
       for (int spp = 1; spp <= 4; ++spp) {
         const RenderSettings s = guided(spp, bounces, [&](RenderSettings& r) { r.deterministic = deterministic; });
-        render_frames(*renderer, furnace(), s, 4);
+        render_still(*renderer, furnace(), s, 4);
         expect_furnace(*renderer, bounces, static_cast<double>(kAlbedo), "bounces and samples");
       }
     }
@@ -140,7 +140,7 @@ TEST_F(GuideStatistics, EveryShapeOfTheMixture) {
       r.mc_bucket = b;
     });
     auto renderer = make_renderer(s, 64, 48);
-    render_frames(*renderer, furnace(), s, 6);
+    render_still(*renderer, furnace(), s, 6);
     expect_furnace(*renderer, 2, static_cast<double>(kAlbedo),
                    std::to_string(accesses) + " cells of " + std::to_string(bucket));
   }
@@ -156,7 +156,7 @@ TEST_F(GuideStatistics, FullTablesKeepTheMean) {
       if (!guide) s.estimator = "pt";
       s.seed = guide ? 1 : 0;
       auto renderer = make_renderer(s, 64, 48);
-      render_frames(*renderer, scene, s, guide ? 48 : 96);
+      render_still(*renderer, scene, s, guide ? 48 : 96);
       EXPECT_EQ(renderer->read().counters().not_finite + renderer->read().counters().states_not_finite, 0u);
       // The picture's own structure is no error: that of the mean is told by the frames.
       double variance = 0;
@@ -179,7 +179,7 @@ class CacheStatistics : public GuideTest {
     s.auto_exposure = s.fxaa = s.tone_map = 0;
     s.mc_cache_pixels = 64;
     auto renderer = make_renderer(s, 16, 12);
-    render_frames(*renderer, scene::furnace(kAlbedo, kEmission), s, frames);
+    render_still(*renderer, scene::furnace(kAlbedo, kEmission), s, frames);
     double sum = 0;
     for (const std::uint32_t pixel : renderer->read().output())
       sum += (pixel >> 8u) & 255u;  // a missing cell has no green

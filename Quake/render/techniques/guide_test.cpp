@@ -89,7 +89,7 @@ TEST_F(GuideTest, ASunIsADirection) {
     RenderSettings s = guided(1, 1, [](RenderSettings& r) { r.accumulate = 0; });
     if (!guides) s.estimator = "pt";
     auto renderer = make_renderer(s, 96, 54);
-    render_frames(*renderer, snapshot, s, 24);
+    render_still(*renderer, snapshot, s, 24);
     for (int frame = 0; frame < 8; ++frame) {
       renderer->render(snapshot, nullptr, s);
       const ImageEstimate e = image_estimate(renderer->read().linear());
@@ -106,7 +106,7 @@ TEST_F(GuideTest, ResizingKeepsTheMean) {
     auto renderer = make_renderer(s, 64, 48);
     for (const uvec2 size : {uvec2(64, 48), uvec2(33, 47), uvec2(1, 1), uvec2(97, 80)}) {
       renderer->resize(size.x, size.y);
-      render_frames(*renderer, furnace(), s, 4);
+      render_still(*renderer, furnace(), s, 4);
       if (size.x > 1) expect_furnace(*renderer, 2, static_cast<double>(kAlbedo), "after a resize");
     }
   }
@@ -118,7 +118,7 @@ TEST_F(GuideTest, ForgettingIsAsIfNothingHadBeenLearnt) {
   auto renderer = make_renderer(s, 64, 48);
   renderer->render(scene, nullptr, s);
   const std::uint64_t fresh = image_hash(*renderer);
-  render_frames(*renderer, scene, s, 5);
+  render_still(*renderer, scene, s, 5);
   renderer->restart_accumulation();
   renderer->render(scene, nullptr, s);
   EXPECT_NE(image_hash(*renderer), fresh) << "what was learnt shows";
@@ -127,7 +127,7 @@ TEST_F(GuideTest, ForgettingIsAsIfNothingHadBeenLearnt) {
   renderer->render(scene, nullptr, s);
   EXPECT_EQ(image_hash(*renderer), fresh);
   // Another scene is another world.
-  render_frames(*renderer, furnace(), s, 3);
+  render_still(*renderer, furnace(), s, 3);
   renderer->render(scene, nullptr, s);
   EXPECT_EQ(image_hash(*renderer), fresh);
 }
@@ -144,7 +144,7 @@ TEST_F(GuideTest, ItsMemoryIsGivenBackWhenNothingLearns) {
     for (const int states : {1024, 100000}) {
       const RenderSettings s =
           guided(2, 2, [&](RenderSettings& r) { r.mc_states = states, r.deterministic = round == 1; });
-      render_frames(*renderer, scene, s, 2);
+      render_still(*renderer, scene, s, 2);
       EXPECT_GE(renderer->learnt_bytes(), static_cast<std::uint64_t>(states) * 24);
       EXPECT_GE(renderer->device_bytes(), before + renderer->learnt_bytes());
     }

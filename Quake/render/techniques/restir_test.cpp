@@ -28,10 +28,6 @@ class RestirTest : public DeviceTest {
     s.accumulate = 0;
     return s;
   }
-  static void render_frames(Renderer& renderer, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
-                            int frames) {
-    for (int i = 0; i < frames; ++i) renderer.render(snapshot, nullptr, settings);
-  }
 };
 
 // A floor below two lamps of 32 units, each of them there or not.
@@ -70,7 +66,7 @@ TEST_F(RestirTest, ALampThatLeavesTakesItsLightAtOnce) {
   const RenderSettings s = reuse_settings(2, "restir_gi");
   const Lamps lamps;
   auto renderer = make_renderer(s, 64, 48);
-  render_frames(*renderer, lamps.with(true, true), s, 12);
+  render_still(*renderer, lamps.with(true, true), s, 12);
   EXPECT_GT(mean_of(*renderer), 0);
   renderer->render(lamps.with(false, false), nullptr, s);
   EXPECT_EQ(mean_of(*renderer), 0);
@@ -90,7 +86,7 @@ TEST_F(RestirTest, ALampThatComesIsNeitherLateNorLost) {
       s.restir_mis = way > 1 ? 1 : 0;
       s.seed = run;
       auto renderer = make_renderer(s, 48, 36);
-      render_frames(*renderer, lamps.with(true, false), s, 6);
+      render_still(*renderer, lamps.with(true, false), s, 6);
       renderer->render(lamps.with(true, true), nullptr, s);
       const double m = mean_of(*renderer);
       mean[way] += m / kRuns;
@@ -113,7 +109,7 @@ TEST_F(RestirTest, CutsSizesAndScalesLeaveNothingBehind) {
     EXPECT_NEAR(e.mean, expected, 6 * e.error + 1e-5 * expected) << what;  // neighbours' samples are alike
     EXPECT_EQ(renderer->read().counters().not_finite, 0u) << what;
   };
-  render_frames(*renderer, scene, s, 4);
+  render_still(*renderer, scene, s, 4);
   expect_mean("four frames");
   scene::FrameSnapshot cut = scene;
   cut.cut = true;
@@ -121,12 +117,12 @@ TEST_F(RestirTest, CutsSizesAndScalesLeaveNothingBehind) {
   expect_mean("a cut");
   for (const uvec2 size : {uvec2(48, 64), uvec2(33, 47), uvec2(1, 1), uvec2(97, 80)}) {
     renderer->resize(size.x, size.y);
-    render_frames(*renderer, scene, s, 3);
+    render_still(*renderer, scene, s, 3);
     if (size.x > 1) expect_mean("a resize");
   }
   for (const float scale : {0.5f, 0.25f, 1.0f}) {
     s.light_scale = scale;
-    render_frames(*renderer, scene, s, 3);
+    render_still(*renderer, scene, s, 3);
     if (scale == 1.0f) expect_mean("light at all pixels again");
     EXPECT_EQ(renderer->read().counters().not_finite, 0u);
   }
@@ -134,18 +130,18 @@ TEST_F(RestirTest, CutsSizesAndScalesLeaveNothingBehind) {
     for (const int neighbors : {0, 8}) {
       s.restir_history = s.restir_gi_history = history;
       s.restir_neighbors = s.restir_gi_neighbors = neighbors;
-      render_frames(*renderer, scene, s, 4);
+      render_still(*renderer, scene, s, 4);
       expect_mean("history and neighbours");
     }
   }
   for (const int candidates : {1, 2}) {
     s.restir_candidates = candidates;
-    render_frames(*renderer, scene, s, 4);
+    render_still(*renderer, scene, s, 4);
     expect_mean("what scattered rays meet");
   }
   s.restir_gi_radiance = 1;
   renderer->reset_learning();  // samples of before have no light with them
-  render_frames(*renderer, scene, s, 4);
+  render_still(*renderer, scene, s, 4);
   expect_mean("samples that keep their light, of walls that send the same to all");
 }
 
@@ -160,7 +156,7 @@ TEST_F(RestirTest, BoilingEmptiesWhatStandsOut) {
     s.deterministic = 1;
     s.restir_boiling = limits[i];
     auto renderer = make_renderer(s, 64, 48);
-    render_frames(*renderer, scene, s, 6);
+    render_still(*renderer, scene, s, 6);
     means[i] = mean_of(*renderer);
     if (i < 2) hashes[i] = image_hash(*renderer);
   }
@@ -181,7 +177,7 @@ TEST_F(RestirTest, AHistoryThatPixelsShareCountsAsLess) {
     s.auto_exposure = s.fxaa = s.tone_map = 0;
     s.debug_view = static_cast<int>(shared::kViewRestirConfidence);
     auto renderer = make_renderer(s, 48, 36);
-    render_frames(*renderer, scene, s, 16);
+    render_still(*renderer, scene, s, 16);
     for (const std::uint32_t pixel : renderer->read().output()) confidence[counts ? 1 : 0] += (pixel >> 8u) & 255u;
   }
   EXPECT_LT(confidence[1], 0.95 * confidence[0]) << confidence[0];
@@ -217,7 +213,7 @@ TEST_F(RestirTest, ForgettingStartsAnew) {
   auto renderer = make_renderer(s, 48, 32);
   renderer->render(scene, nullptr, s);
   const std::uint64_t fresh = image_hash(*renderer);
-  render_frames(*renderer, scene, s, 3);
+  render_still(*renderer, scene, s, 3);
   renderer->reset_learning();  // the view goes on: the former frame is there
   renderer->render(scene, nullptr, s);
   EXPECT_EQ(image_hash(*renderer), fresh);
@@ -252,7 +248,7 @@ TEST_F(RestirTest, LightAtOnePixelOfFourHasTheSameMean) {
       s.accumulate = 1;
       s.seed = run;
       auto renderer = make_renderer(s, 40, 30);
-      render_frames(*renderer, scene, s, 16);
+      render_still(*renderer, scene, s, 16);
       of[reuses ? 1 : 0].add(mean_of(*renderer));
     }
   }
@@ -268,9 +264,9 @@ TEST_F(RestirTest, SamplesStayAtTheirPixels) {
   s.debug_view = static_cast<int>(shared::kViewRestirLamp);
   constexpr int kWidth = 64, kHeight = 48;
   auto renderer = make_renderer(s, kWidth, kHeight);
-  render_frames(*renderer, scene, s, 24);
+  render_still(*renderer, scene, s, 24);
   const std::vector<std::uint32_t> former = renderer->read().output();
-  render_frames(*renderer, scene, s, 1);
+  render_still(*renderer, scene, s, 1);
   const std::vector<std::uint32_t> now = renderer->read().output();
   int same = 0, beside = 0;
   for (int y = 0; y < kHeight; ++y) {
@@ -295,7 +291,7 @@ TEST_F(RestirTest, AccumulationBeginsAnewAndHistoryGoesOn) {
     auto renderer = make_renderer(s, 48, 32);
     for (int frame = 0; frame < 3; ++frame) {
       renderer->restart_accumulation();
-      render_frames(*renderer, scene, s, 1);
+      render_still(*renderer, scene, s, 1);
     }
     hashes[history ? 1 : 0] = image_hash(*renderer);
   }

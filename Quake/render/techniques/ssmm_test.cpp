@@ -24,10 +24,6 @@ class SsmmTest : public DeviceTest {
     s.accumulate = 0;
     return s;
   }
-  static void render_frames(Renderer& renderer, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
-                            int frames) {
-    for (int i = 0; i < frames; ++i) renderer.render(snapshot, nullptr, settings);
-  }
 };
 
 TEST_F(SsmmTest, CutsSizesAndTilesLeaveTheMeanAsItIs) {
@@ -41,7 +37,7 @@ TEST_F(SsmmTest, CutsSizesAndTilesLeaveTheMeanAsItIs) {
       EXPECT_NEAR(e.mean, expected, 5 * e.error + 1e-5 * expected) << estimator << ", " << what;
       EXPECT_EQ(renderer->read().counters().not_finite, 0u) << estimator << ", " << what;
     };
-    render_frames(*renderer, scene, s, 4);
+    render_still(*renderer, scene, s, 4);
     expect_mean("four frames");
     scene::FrameSnapshot cut = scene;
     cut.cut = true;
@@ -51,14 +47,14 @@ TEST_F(SsmmTest, CutsSizesAndTilesLeaveTheMeanAsItIs) {
       s.ssmm_tile = tile;
       for (const uvec2 size : {uvec2(33, 47), uvec2(1, 1), uvec2(97, 35)}) {
         renderer->resize(size.x, size.y);
-        render_frames(*renderer, scene, s, 3);
+        render_still(*renderer, scene, s, 3);
         if (size.x > 1) expect_mean("a resize");
       }
     }
     s.spp = 6;
     for (const int temporal : {0, 1}) {
       s.ssmm_temporal = temporal;
-      render_frames(*renderer, scene, s, 2);
+      render_still(*renderer, scene, s, 2);
       expect_mean("more samples");
     }
   }
@@ -77,12 +73,12 @@ TEST_F(SsmmTest, LightThatGoesOutLeavesNoState) {
     return count;
   };
   const scene::FrameSnapshot lit = scene::furnace(0.6f, 0.7f, true), dark = scene::furnace(0.6f, 0.0f, true);
-  render_frames(*renderer, lit, s, 4);
+  render_still(*renderer, lit, s, 4);
   EXPECT_GT(valid(lit), 48 * 36 / 2);
-  render_frames(*renderer, dark, s, 2);
+  render_still(*renderer, dark, s, 2);
   EXPECT_EQ(valid(dark), 0);
   EXPECT_EQ(renderer->read().counters().not_finite, 0u);
-  render_frames(*renderer, lit, s, 4);
+  render_still(*renderer, lit, s, 4);
   EXPECT_GT(valid(lit), 48 * 36 / 2);
 }
 
@@ -110,7 +106,7 @@ TEST_F(SsmmTest, ChainsMoveToTheLight) {
     RenderSettings s = ssmm_settings(mixes ? "ssmm" : "pt");
     s.bounces = 1;
     auto renderer = make_renderer(s, 64, 48);
-    render_frames(*renderer, scene, s, 16);
+    render_still(*renderer, scene, s, 16);
     for (int frame = 0; frame < 4; ++frame) {
       s.seed = frame + 1;
       renderer->render(scene, nullptr, s);

@@ -38,10 +38,6 @@ class GuideTest : public DeviceTest {
     if (change) change(s);
     return s;
   }
-  static void render_frames(Renderer& renderer, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
-                            int frames) {
-    for (int i = 0; i < frames; ++i) renderer.render(snapshot, nullptr, settings);
-  }
   static constexpr float kAlbedo = 0.6f, kEmission = 0.7f;
   static scene::FrameSnapshot furnace() { return scene::furnace(kAlbedo, kEmission, true); }
   // 4.5 standard errors, and rounding (lost rays are in the errors).
