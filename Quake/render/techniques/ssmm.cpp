@@ -23,11 +23,6 @@ class SsmmTechnique : public PathTechnique {
     if (looks_for_light) seen_.emplace(tools);
     tools.table.set_uniform(shared::kSetTechnique, uniform_);
   }
-  // As many lobes as samples, all of one tile.
-  RenderSettings adapt(RenderSettings settings) const override {
-    if (settings.ssmm_temporal != 0 && settings.spp > settings.ssmm_tile) settings.ssmm_temporal = 0;
-    return settings;
-  }
   void prepare(const TechniqueFrame& frame) override {
     shared::SsmmConstants constants{};
     copy_settings(frame.settings, constants);

@@ -20,7 +20,7 @@ FB_SSMM_ARRAYS(FB_ARRAY_CONSTANT)
 // clang-format off
 #define FB_SSMM_SETTINGS(X) \
   X(int, ssmm_tile, "r_ssmm_tile", 8, 8, 32, "ssmm: pixels of a tile, whose lobes are a mixture together: 8, 16 or 32") \
-  X(int, ssmm_temporal, "r_ssmm_temporal", 0, 0, 1, "ssmm: which lobes a sample's density is of: 0 all of the tile (Eq. 9); 1 as many as a pixel has samples a frame, one for each, all below r_ssmm_tile (Eq. 8)") \
+  X(int, ssmm_temporal, "r_ssmm_temporal", 0, 0, 1, "ssmm: which lobes a sample's density is of: 0 all of the tile (Eq. 9); 1 as many as a pixel has samples a frame, one for each (Eq. 8)") \
   X(int, ssmm_shuffle, "r_ssmm_shuffle", 1, 0, 1, "ssmm: 1 the tile's pixels exchange lobes at random; 0 each keeps its own, biased") \
   X(int, ssmm_neighbors, "r_ssmm_neighbors", 5, 0, 32, "ssmm: pixels of the former frame from which a pixel may take a state") \
   X(float, ssmm_window, "r_ssmm_window", 91, 1, 1000, "ssmm: width of the window they are of, pixels of a picture of 1080 rows") \

@@ -100,7 +100,7 @@ TEST(Ssmm, ATileWithHolesIsBiased) {
 
 TEST(Ssmm, TheTemporalEstimatorIsExact) {
   const std::array<Density, kTileLanes> p = lane_densities();
-  for (const std::uint32_t samples : {1u, 3u, 8u}) {
+  for (const std::uint32_t samples : {1u, 3u, 8u, 11u}) {
     for (std::uint32_t shift = 0; shift < kTileLanes; ++shift) {
       Density sum{};
       for (std::uint32_t k = 0; k < samples; ++k)

@@ -25,7 +25,7 @@ VmfLobe lobe_at(Vertex v, ChainState s) {
 
 // Of all lobes that the pixel might have sampled, together with scattering of this density. A lane without a lobe scatters.
 float mixture_pdf(Vertex v, Guidance g, vec3 direction, float scatter_pdf) {
-  uint count = ssmm.ssmm_temporal != 0 ? min(uint(frame.spp), g.tile.lanes) : g.tile.lanes, i = 0u;
+  uint count = ssmm.ssmm_temporal != 0 ? uint(frame.spp) : g.tile.lanes, i = 0u;
   float lobes = 0.0, valid = 0.0;
   do {
     uint lane = ssmm.ssmm_temporal != 0 ? temporal_lane(g.tile.lane, g.tile.draw + i, g.tile.lanes) : i;
