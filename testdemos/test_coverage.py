@@ -49,7 +49,8 @@ class Guide(unittest.TestCase):
             return coverage.measure(argparse.Namespace(lab=LAB, estimator="mcpg", size="48x48", frames=8, warmup=warmup, at=0,
                                                        basedir=None), "code:cbox")
         cold, warm = of(0), of(24)
-        self.assertLess(warm["uncovered"], 0.6 * cold["uncovered"])
+        # One sample far from all lobes can bring half of all second moments: the part of the warm frames with the least decides.
+        self.assertLess(warm["least"], 0.3 * cold["uncovered"])
         self.assertLess(warm["moment"], cold["moment"])
 
 
