@@ -45,12 +45,12 @@ ORDER = list(MAY_INCLUDE)
 SUBFOLDERS = {
     "progs": ["", "builtins"],
     "server": ["simulation", "clients", "builtins", ""],
-    "scene": ["", "library", "in_code"],
+    "scene": ["", "library", "authored", "in_code"],
     "render": ["passes", "scene", "picture", "techniques", ""],
     "host": ["", "game", "lab"],
     "ui": ["", "menu"],
     "client": ["effects", "session", "input", "sources", ""],
-    "lab": ["", "gltf", "reference", "compare", "timedemo", "ztest", "bench", "iterate", "judge", "film", "suite"],
+    "lab": ["", "gltf", "reference", "compare", "timedemo", "ztest", "bench", "iterate", "judge", "film", "suite", "authored"],
 }
 # Modules whose C++ code shares structs and pure functions with the shaders.
 USES_SHARED = {"scene", "gpu", "render", "lab", "host"}

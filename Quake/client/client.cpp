@@ -252,6 +252,16 @@ void Client::give_up(const Error& why) {
   impl_->error = why;
 }
 
+scene::AuthoredMap& Client::authored() { return impl_->authored; }
+void Client::settle() {
+  if (impl_->session.settings.r_authored != 0.0f) impl_->authored.wait();
+}
+std::vector<float> Client::light_style_values() const {
+  std::vector<float> values;
+  const ClientState& state = impl_->session.state;
+  for (const std::string& style : state.light_styles) values.push_back(light_style_value(style, state.time));
+  return values;
+}
 void Client::advance(double seconds) { impl_->advance(seconds); }
 bool Client::active() const { return impl_->active(); }
 void Client::set_particle_limit(std::size_t limit) { impl_->session.effects.particles.set_capacity(limit); }
@@ -263,8 +273,9 @@ void Client::set_camera(const std::optional<scene::Camera>& camera) { impl_->cam
 
 void Client::build_snapshot(scene::FrameSnapshot& snapshot) {
   Impl& i = *impl_;
-  const SnapshotInput input{i.session, i.view,     i.library, i.active() ? i.world() : nullptr, i.camera, i.width,
-                            i.height,  i.active(), i.sky};
+  const SnapshotInput input{i.session, i.view,     i.library, i.active() ? i.world() : nullptr,
+                            i.camera,  i.width,    i.height,  i.active(),
+                            i.sky,     &i.authored};
   i.snapshots.build(input, snapshot);
 }
 

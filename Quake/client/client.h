@@ -26,6 +26,7 @@
 #include "client/input/sticks.h"
 #include "client/session/hud.h"
 #include "client/sources/demo_mode.h"
+#include "scene/authored/authored_map.h"
 #include "scene/library/library.h"
 #include "scene/snapshot.h"
 #include "scene/sounds.h"
@@ -113,6 +114,10 @@ class Client {
   void send();
 
   // Moves time on by `seconds` (0 keeps it) and everything with it.
+  // Waits for what is still found out about the map beside the game, so that the next frame has all of it.
+  void settle();
+  scene::AuthoredMap& authored();
+  std::vector<float> light_style_values() const;  // as they are now, by number; 1 is a lightmap as it is
   void advance(double seconds);
   // Is there a world to show, and are the signon messages complete?
   bool active() const;

@@ -112,6 +112,7 @@ struct Client::Impl {
 
   con::Console& console;
   scene::ModelLibrary& library;
+  scene::AuthoredMap authored{library};
   FileLoader files;
   std::function<double()> clock;
   bool world_required = true;

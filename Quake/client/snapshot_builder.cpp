@@ -7,6 +7,7 @@
 #include "base/rng.h"
 #include "client/camera_liquid.h"
 #include "scene/animation.h"
+#include "scene/library/lightmaps.h"
 #include "scene/library/asset_builder.h"
 
 namespace fb::cl {
@@ -41,9 +42,14 @@ std::array<vec3, 256> linear_palette(const formats::Palette& palette) {
 constexpr float kMaxAmbient = 1000.0f;
 constexpr float kMaxExtinction = 10.0f;  // 1/unit: nothing is seen a hand away
 
-vec3 ambient_light(const SnapshotInput& input) {
+bool is_authored(const SnapshotInput& input) {
+  return input.authored != nullptr && input.session.settings.r_authored != 0.0f && input.authored->light() != nullptr;
+}
+
+vec3 ambient_light(const SnapshotInput& input, bool authored) {
   const float wanted = input.session.settings.r_ambient;
-  return wanted < 0.0f ? input.library.map_ambient().radiance : vec3(std::min(wanted, kMaxAmbient));
+  if (wanted >= 0.0f) return vec3(std::min(wanted, kMaxAmbient));
+  return authored ? input.authored->ambient() : input.library.map_ambient().radiance;
 }
 
 // Quake's fog leaves exp(-(density z / 64)^2) of the light: ours, whose logarithm is linear, leaves half at the same
@@ -166,7 +172,8 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
   const bool jumped = !input.camera && eye < state.entities.size() && state.entities[eye].cut_frame > built_before_;
 
   snapshot.instances.clear();
-  snapshot.ambient = input.active ? ambient_light(input) : vec3(0.0f);
+  snapshot.authored = is_authored(input);
+  snapshot.ambient = input.active ? ambient_light(input, snapshot.authored) : vec3(0.0f);
   snapshot.medium =
       input.active ? medium_of(fog_at(state.fog, state.time), state.sky_fog, input.session.settings) : scene::Medium();
   snapshot.liquid_opacity = liquid_opacity(input.session.settings);
@@ -183,6 +190,8 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
   snapshot.screen_tint = input.view.tint;
   snapshot.tint_in_liquid = input.view.tint_without_contents;
   snapshot.sky = input.sky;
+  snapshot.gains = snapshot.authored ? input.authored->gains() : scene::GainTable();
+  if (snapshot.authored) input.authored->light_sky(snapshot.sky);
   if (input.active) {
     const Settings& settings = input.session.settings;
     if (input.world && input.world->mesh != scene::kNone && settings.r_drawworld != 0.0f) {
@@ -243,6 +252,8 @@ void SnapshotBuilder::add_entity(const SnapshotInput& input, scene::FrameSnapsho
     case scene::ModelKind::kBrush:
       if (model.mesh == scene::kNone) return;
       instance.mesh = model.mesh;
+      if (snapshot.authored && model.shadowless)
+        instance.visibility &= static_cast<std::uint32_t>(scene::kSeenByCamera);
       instance.transform = entity_transform(e.drawn_origin, e.drawn_angles, scale);
       if (e.frame != 0) instance.flags |= scene::kInstanceAlternate;
       add(snapshot, instance, model.mesh, e.cut_frame > built_before_);
@@ -380,14 +391,27 @@ void SnapshotBuilder::add_lights(const SnapshotInput& input, scene::FrameSnapsho
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const scene::EntityLight& light = lights[i];
       const auto style = static_cast<std::size_t>(light.style);  // a negative one is out of range, too
-      const float brightness =
+      float brightness =
           style < state.light_styles.size() ? light_style_value(state.light_styles[style], state.time) : 1.0f;
       if (!(brightness > 0.0f)) continue;
+      // Styles are factors on what a display decodes, as all of a lightmap is.
+      if (snapshot.authored) brightness = scene::light_of_display(brightness);
       instance.id = scene::kIdEntityLight + static_cast<std::uint32_t>(i);
       instance.mesh = input.library.sphere_mesh();
       instance.material_base = input.library.entity_light_material();
       instance.transform = ball(light.position, light.radius);
-      instance.emission = light.power_color * (brightness * settings.r_entlights);
+      instance.flags &= ~static_cast<std::uint32_t>(scene::kInstanceSpot);
+      instance.color = vec3(0.0f);
+      if (light.axis != vec3(0.0f)) {
+        const vec3 side =
+            glm::normalize(glm::cross(light.axis, std::fabs(light.axis.z) < 0.9f ? vec3(0, 0, 1) : vec3(1, 0, 0)));
+        instance.transform = mat4x3(light.axis * light.radius, side * light.radius,
+                                    glm::cross(light.axis, side) * light.radius, light.position);
+        instance.flags |= scene::kInstanceSpot;
+        instance.color = vec3(light.least_cosine, light.full_cosine, 0.0f);
+      }
+      instance.emission = light.power_color * (snapshot.authored ? input.authored->lamp_factor(i) : vec3(1.0f)) *
+                          (brightness * settings.r_entlights);
       add(snapshot, instance, static_cast<std::uint32_t>(i), false);
     }
   }

@@ -7,6 +7,7 @@
 
 #include "client/session/session.h"
 #include "client/session/view.h"
+#include "scene/authored/authored_map.h"
 #include "scene/library/library.h"
 #include "scene/snapshot.h"
 
@@ -21,6 +22,7 @@ struct SnapshotInput {
   int width = 640, height = 480;        // pixels
   bool active = false;                  // false: nothing but the camera
   scene::Sky sky;
+  scene::AuthoredMap* authored = nullptr;  // the map's light as its author saw it, if it is to count
 };
 
 class SnapshotBuilder {

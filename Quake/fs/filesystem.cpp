@@ -419,6 +419,14 @@ int FileSystem::game_index_of(std::string_view name) const {
   return hit ? hit->place->game_index : -1;
 }
 
+bool FileSystem::is_of_base_game(std::string_view name) const {
+  const auto hit = impl_->locate(name);
+  if (!hit || hit->place->game_index > 0) return false;
+  std::error_code failed;
+  return hit->place->game_index < 0 ||
+         std::filesystem::equivalent(impl_->options.base_dir, impl_->options.base_game, failed);
+}
+
 std::vector<FoundFile> FileSystem::find(std::string_view prefix, std::string_view extension) const {
   const Pattern pattern{lower_case(prefix), extension};
   ListedFiles files;

@@ -70,6 +70,8 @@ class FileSystem {
   // The gamedir in which read() finds it: 0 for id1, 1 for the next; -1 for a base game below them, and if not found.
   // Loaders of maps and models compare it, to decide whether files that belong to a map or model apply.
   int game_index_of(std::string_view name) const;
+  // Whether read() finds it in the base game, wherever that is: below other data, or in their place.
+  bool is_of_base_game(std::string_view name) const;
 
   // All files whose name starts with `prefix` and ends with `extension` (".bsp"; both in any case), by name, each once,
   // as read() would find it.

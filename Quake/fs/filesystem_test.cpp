@@ -137,7 +137,9 @@ TEST(FileSystem, DataWithoutCodePlaysOnTheBaseGames) {
   const FileSystem files = open(boxed.options());
   EXPECT_EQ(text(files, "progs.dat"), "box code");
   EXPECT_EQ(files.source_of("progs.dat"), "basegame/id1");
+  EXPECT_TRUE(files.is_of_base_game("progs.dat"));
   EXPECT_EQ(text(files, "both"), "data");
+  EXPECT_FALSE(files.is_of_base_game("both"));
   EXPECT_EQ(files.game_index_of("progs.dat"), -1);
   EXPECT_EQ(files.game_index_of("both"), 0);
   EXPECT_FALSE(files.read_own("progs.dat"));
@@ -162,6 +164,7 @@ TEST(FileSystem, TheBaseGamePlaysWhereNobodyNamedData) {
   EXPECT_FALSE(FileSystem::open(options)) << "a named directory without id1 is a mistake";
   options.base_dir_named = false;
   const FileSystem files = open(options);
+  EXPECT_TRUE(files.is_of_base_game("both"));
   EXPECT_EQ(text(files, "both"), "box");
   EXPECT_EQ(files.source_of("both"), "id1");
   options.base_dir = boxed.data.path();

@@ -32,6 +32,7 @@ class ClientSource : public FrameSource {
       if (client_.last_error()) return *client_.last_error();
       return false;
     }
+    client_.settle();
     client_.build_snapshot(snapshot);
     return true;
   }

@@ -35,11 +35,12 @@ std::uint64_t material_key(const scene::Material& m, std::uint64_t key) {
   return hash_value(m.flags, hash_value(static_cast<std::uint32_t>(m.emission_kind), key));
 }
 
-std::uint64_t assets_key(const scene::Assets& assets) {
+std::uint64_t assets_key(const scene::Assets& assets, bool authored) {
   std::uint64_t key = hash_bytes(&assets.palette, sizeof assets.palette);
   for (const scene::Image& image : assets.images)
-    key =
-        hash_vector(image.texels, hash_value(image.width, hash_value(static_cast<std::uint32_t>(image.encoding), key)));
+    if (authored || image.encoding != scene::ImageEncoding::kWords)
+      key = hash_vector(image.texels,
+                        hash_value(image.width, hash_value(static_cast<std::uint32_t>(image.encoding), key)));
   for (const scene::Material& material : assets.materials) key = material_key(material, key);
   for (const scene::Mesh& mesh : assets.meshes) {
     key = hash_vector(mesh.triangles, key);
@@ -55,7 +56,7 @@ std::uint64_t assets_key(const scene::Assets& assets) {
 
 std::uint64_t content_key(const scene::FrameSnapshot& s) {
   static_assert(sizeof(scene::Instance) == 4 * 43, "hashed as bytes: no padding");
-  std::uint64_t key = s.assets ? assets_key(*s.assets) : 0;
+  std::uint64_t key = s.assets ? assets_key(*s.assets, s.authored) : 0;
   key = hash_vector(s.instances, key);
   key = render::sky_key(s.sky, hash_bytes(&s.camera, sizeof s.camera, key));
   key = hash_value(s.camera_liquid, hash_bytes(&s.medium, sizeof s.medium, key));
@@ -68,6 +69,8 @@ std::uint64_t content_key(const scene::FrameSnapshot& s) {
           key = hash_value(m.scattering, hash_bytes(&m.absorption, sizeof m.absorption, key));
       }
   }
+  if (s.authored && s.assets)
+    for (const scene::Material& m : s.assets->materials) key = hash_bytes(&m.cast, sizeof m.cast, key);
   return hash_value(s.time, hash_bytes(&s.ambient, sizeof s.ambient, key));
 }
 

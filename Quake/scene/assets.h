@@ -21,6 +21,7 @@ enum class ImageEncoding : std::uint8_t {
   kSrgba = shared::kEncodingSrgba,
   kLinearRgba = shared::kEncodingLinear,
   kLinearGray = shared::kEncodingGray,
+  kWords = shared::kEncodingWords,
 };
 constexpr std::size_t texel_bytes(ImageEncoding encoding) {
   return encoding == ImageEncoding::kPalette || encoding == ImageEncoding::kLinearGray ? 1 : 4;
@@ -48,6 +49,21 @@ enum class EmissionKind : std::uint32_t {
   kConstant = shared::kEmissionConstant,
   kCount = shared::kEmissionKinds,
 };
+
+// What r_emit_* are unless somebody sets them (Shaders/shared/settings.h; a test holds them equal).
+constexpr float usual_emission(EmissionKind kind) {
+  switch (kind) {
+    case EmissionKind::kFullbright:
+      return 6.0f;
+    case EmissionKind::kLava:
+    case EmissionKind::kSprite:
+      return 8.0f;
+    case EmissionKind::kTeleport:
+      return 4.0f;
+    default:
+      return 1.0f;
+  }
+}
 
 // By which of the player's opacities (FrameSnapshot::liquid_opacity) what fills a liquid is multiplied: by one where
 // its map says nothing of it. kLava, kTeleport: the surface's as well, and below 1 only is it an interface.
@@ -81,12 +97,16 @@ struct Material {
   vec3 base_color{1.0f};           // linear reflectance factor, multiplies the texture
   vec3 emission{0.0f};             // kConstant: radiance; other kinds: factor on the texel's colour, usually 1
   EmissionKind emission_kind = EmissionKind::kFullbright;
-  float roughness = 1.0f;   // GGX alpha = roughness^2; 1 with specular 0 is plain Lambert
-  float specular = 0.0f;    // F0 of the dielectric coat: 0 none, 0.04 usual
-  float metalness = 0.0f;   // base_color becomes F0 as this goes to 1
-  float alpha = 1.0f;       // coverage
-  float index = 1.33f;      // kMaterialDielectric: of refraction, of what is behind the surface; water's
-  vec3 absorption{0.0f};    // kMaterialDielectric: of the same, 1/unit
+  vec3 cast{1.0f};  // factor on what it lights: what its map's author saw it light (FrameSnapshot::authored); then it
+                    // looks as painted
+  float roughness = 1.0f;  // GGX alpha = roughness^2; 1 with specular 0 is plain Lambert
+  float specular = 0.0f;   // F0 of the dielectric coat: 0 none, 0.04 usual
+  bool gloss_by_name =
+      false;               // roughness and specular are what a texture's name suggests: not where authors' light counts
+  float metalness = 0.0f;  // base_color becomes F0 as this goes to 1
+  float alpha = 1.0f;      // coverage
+  float index = 1.33f;     // kMaterialDielectric: of refraction, of what is behind the surface; water's
+  vec3 absorption{0.0f};   // kMaterialDielectric: of the same, 1/unit
   float scattering = 0.0f;  // kMaterialDielectric: likewise what it scatters; with absorption this is extinction
   OpacityFrom opacity_from = OpacityFrom::kItself;  // kMaterialDielectric (snapshot.h, lets_light_in): of both
   std::uint32_t flags = 0;                          // MaterialFlags

@@ -38,6 +38,7 @@ enum InstanceFlags : std::uint32_t {
   kInstanceColor = 1u << 1,      // `color` and `emission` replace the material's
   kInstanceViewModel = 1u << 2,  // moves with the camera; may be drawn closer to the eye
   kInstanceNew = 1u << 3,        // was not there in the previous frame: its motion means nothing
+  kInstanceSpot = 1u << 5,       // shines about its x axis alone: color.x and .y are cosines where it ends and is whole
   kInstanceShareTime = 1u << 4,  // animation time is FrameSnapshot::time, not time - time_offset
 };
 
@@ -83,6 +84,7 @@ struct Sky {
   vec3 color{0.0f};                            // kConstant: radiance; other modes: factor on the texels
   std::uint32_t solid = kNone, alpha = kNone;  // kLayers: images; `alpha` scrolls twice as fast over `solid`
   std::array<std::uint32_t, 6> box{kNone, kNone, kNone, kNone, kNone, kNone};  // rt bk lf ft up dn
+  vec3 even{0.0f};                 // radiance that it has besides for what it lights, not for the camera
   std::vector<Sun> suns;           // seen through surfaces with EmissionKind::kSky only
   bool beyond_everything = false;  // a ray that leaves the scene sees the sky too (else black)
 };
@@ -113,6 +115,15 @@ bool lets_light_in(const Material& material, const LiquidOpacity& opacity);
 // Of such a surface, the share that is opaque and glows; 0: all of it is an interface.
 float opaque_share(const Material& material, const LiquidOpacity& opacity);
 
+// The gain field of a map's baked light (authored/gain_field.h): a box of cells, their factors in the texels of an
+// image.
+struct GainTable {
+  std::uint32_t image = kNone;  // kNone: there is none
+  vec3 origin{0.0f};
+  float side = 1.0f;
+  std::uint32_t width = 0, depth = 0, height = 0;
+};
+
 struct FrameSnapshot {
   std::shared_ptr<const Assets> assets;
   double time = 0.0, prev_time = 0.0;  // seconds: animation, warps, sky
@@ -121,6 +132,8 @@ struct FrameSnapshot {
   Camera camera, prev_camera;
   std::vector<Instance> instances;  // [0] is the world if there is one
   Sky sky;
+  bool authored = false;  // Material::cast and `gains` count
+  GainTable gains;
   vec3 ambient{0.0f};  // radiance from everywhere: what the camera sees reflects it, unoccluded and only once
   Medium medium;
   LiquidOpacity liquid_opacity;

@@ -48,6 +48,14 @@ std::vector<bool> leaf_visibility(const formats::Bsp& bsp, std::uint32_t leaf) {
   return visible;
 }
 
+double face_area(const formats::Bsp& bsp, const formats::BspFace& face) {
+  vec3 sum(0.0f);
+  for (std::uint32_t k = 1; k + 1 < face.surfedge_count; ++k)
+    sum += glm::cross(bsp.face_vertex(face, k) - bsp.face_vertex(face, 0),
+                      bsp.face_vertex(face, k + 1) - bsp.face_vertex(face, 0));
+  return 0.5 * static_cast<double>(glm::length(sum));
+}
+
 LineHit trace_line(const formats::Bsp& bsp, const vec3& start, const vec3& end, std::uint32_t model) {
   FB_CHECK_LT(model, bsp.models.size());
   LineHit result;

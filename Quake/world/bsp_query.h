@@ -20,6 +20,9 @@ std::int32_t point_contents(const formats::Bsp& bsp, const vec3& point, std::uin
 // one) see everything; truncated rows see nothing beyond their end.
 std::vector<bool> leaf_visibility(const formats::Bsp& bsp, std::uint32_t leaf);
 
+// Of a convex face, units^2.
+double face_area(const formats::Bsp& bsp, const formats::BspFace& face);
+
 struct LineHit {
   bool hit = false;          // the line went from open space into something solid
   float fraction = 1.0f;     // its position, 0 start to 1 end

@@ -1,6 +1,7 @@
 // What a surface point is made of: texture coordinates (liquids swing), colour, emission, holes.
 #ifndef FB_LIB_MATERIAL
 #define FB_LIB_MATERIAL
+#include "shared/spot.h"
 #include "lib/frame_bindings.glsl"
 #include "lib/texture.glsl"
 #include "shared/bsdf.h"
@@ -38,6 +39,14 @@ const TextureFilter kNearest = TextureFilter(kFilterNearest, mat2(0.0));
 vec2 footprint_tap(TextureFilter filtered, vec2 quarter) {
   vec2 jitter = vec2(frame.jitter_x, frame.jitter_y);
   return filtered.footprint * (frame.tap_size * (0.5 * quarter - 0.25) + frame.tap_shift * jitter);
+}
+
+// The share of its radiance that a lamp sends along a ray that meets it.
+float lamp_share(uint instance_index, vec3 direction) {
+  GpuInstance lamp = instance_at(instance_index);
+  if ((lamp.flags & kInstanceIsSpot) == 0u) return 1.0;
+  vec3 axis = vec3(lamp.to_world[0].x, lamp.to_world[1].x, lamp.to_world[2].x);
+  return spot_share(-dot(direction, axis) * inversesqrt(dot(axis, axis)), lamp.color.w, lamp.emission.w);
 }
 
 // Colour and own radiance of a point; a sky's radiance is added by who knows the direction. All texels come through one fetch

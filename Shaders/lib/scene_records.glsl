@@ -49,8 +49,10 @@ GpuMaterial material_at(uint index) {
                      uintBitsToFloat(texelFetch(material_texels, at + 1)), uintBitsToFloat(texelFetch(material_texels, at + 2)),
                      uintBitsToFloat(shape.x), uintBitsToFloat(shape.y), uintBitsToFloat(shape.z), shape.w,
                      last.x, uintBitsToFloat(last.y), uintBitsToFloat(last.z), uintBitsToFloat(last.w),
-                     uintBitsToFloat(inside.x), uintBitsToFloat(inside.y), 0.0, 0.0);
+                     uintBitsToFloat(inside.x), uintBitsToFloat(inside.y), inside.z, inside.w);
 }
+
+vec3 seen_emission(GpuMaterial m) { return vec3(unpackHalf2x16(m.seen_rg), unpackHalf2x16(m.seen_b).x); }
 
 GpuImage image_at(uint index) {
   uvec4 image = texelFetch(image_texels, int(index));

@@ -4,8 +4,18 @@
 #include "lib/gbuffer_texel.glsl"
 #include "lib/pixel.glsl"
 #include "lib/segment.glsl"
+#include "shared/denoise.h"
+#include "shared/gain_field.h"
 
 const GBufferTexel kNothingSeen = GBufferTexel(vec4(0.0), vec4(0.0, 0.0, 0.0, 1.0), vec4(0.0), 0u, 0u, 0u, 0u, vec4(0.0));
+
+// A surface as the camera sees it: one may glow for the eye alone, or more than it lights its room.
+Surface load_seen_surface(Hit hit, vec3 direction, bool missed) {
+  Surface s = load_surface(hit, direction, uint(frame.texture_filter), missed);
+  if (s.sky) s.emission -= frame.sky_even.rgb * (hit.instance != kNoIndex ? material_at(s.material).emission.rgb : vec3(1.0));
+  if (hit.instance != kNoIndex) s.emission *= seen_emission(material_at(s.material));
+  return s;
+}
 
 // The sky is beyond the medium, however near the face that shows it.
 float seen_through_medium(Surface s, float distance) {
@@ -19,8 +29,33 @@ vec3 scattered_even_light(Surface s, float distance) {
   return frame.medium.rgb * frame.ambient.rgb * (opacity(frame.camera_fog, distance) * (s.sky ? frame.ambient.w : 1.0));
 }
 
+// What a map's baked light asks of all light that a point reflects; 1 where nothing is known.
+vec3 authored_gain(vec3 position, vec3 normal) {
+  if (frame.gain_image == kNoIndex) return vec3(1.0);
+  uint first = image_at(frame.gain_image).first;
+  uvec3 size = uvec3(frame.gain_width, frame.gain_depth, frame.gain_height);
+  vec3 at = clamp((position - frame.gain_origin.xyz) * frame.gain_origin.w - 0.5, vec3(0.0), vec3(size) - 1.001);
+  uvec3 corner = uvec3(at);
+  vec3 f = at - vec3(corner), sum = vec3(0.0);
+  float known = 0.0;
+  uint i = 0u;
+  do {
+    uint way = i >> 3u;
+    uvec3 step = uvec3(i, i >> 1u, i >> 2u) & 1u;
+    vec3 shares = mix(1.0 - f, f, vec3(step));
+    float weight = gain_weight(normal, way) * shares.x * shares.y * shares.z;
+    uvec3 cell = min(corner + step, size - 1u);
+    uint word = weight > 0.0 ? texels.at[first + ((way * size.z + cell.z) * size.y + cell.y) * size.x + cell.x] : 0u;
+    if (word == 0u) continue;
+    sum += weight * log(unpack_rgb9e5(word));
+    known += weight;
+  } while (++i < 8u * kGainWays);
+  return known > 0.0 ? exp(sum / known) : vec3(1.0);
+}
+
 void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float depth) {
   vec3 before = previous_pixel(previous_position(hit));
+  s.bsdf.albedo *= authored_gain(s.position, s.normal);
   texel.position_t = vec4(s.position, hit.t);
   texel.albedo_roughness = vec4(s.bsdf.albedo, sqrt(s.bsdf.alpha));
   // Even light is reflected here and nowhere else: no path brings it, so that it is the same in every estimator.

@@ -52,9 +52,9 @@ vec3 sky_texture(vec3 direction) {
 }
 
 vec3 sky_radiance(vec3 direction) {
-  vec3 color = vec3(0.0);
-  if (frame.sky_mode == kSkyConstant) color = frame.sky_color.rgb;
-  else if (has_feature(kFeatureSkyTexture) && frame.sky_mode >= kSkyLayers) color = sky_texture(direction) * frame.sky_color.rgb;
+  vec3 color = frame.sky_even.rgb;
+  if (frame.sky_mode == kSkyConstant) color += frame.sky_color.rgb;
+  else if (has_feature(kFeatureSkyTexture) && frame.sky_mode >= kSkyLayers) color += sky_texture(direction) * frame.sky_color.rgb;
   if (has_feature(kFeatureSuns) && frame.sun_count > 0u) {
     uint i = 0u;
     do {

@@ -169,7 +169,7 @@ Surface load_surface(Hit hit, vec3 direction, uint filter_kind, bool end_of_path
       filtered.footprint = uv_footprint(world_triangle(hit.instance, hit.triangle), a, direction,
                                         hit.t * dot(direction, frame.camera_forward.xyz));
     Shade shade = shade_point(m, hit.instance, uv, filtered);
-    s.emission = shade.emission;
+    s.emission = shade.emission * lamp_share(hit.instance, direction);
     sky = m.emission_kind == kEmissionSky && (instance_at(hit.instance).flags & kInstanceHasColor) == 0u;
     sky_factor = m.emission.rgb;
     if (!end_of_path) {

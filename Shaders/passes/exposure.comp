@@ -27,7 +27,7 @@ void follow_picture() {
   if (weight > 0.0) wanted = min(log2(frame.exposure_target) - 0.85 * sum / weight, log2(kBrightest) - bright);
   float now = exposure_buffer.at[0].state.log_exposure, off = wanted - now;
   float far = frame.adaptation < 1.0 ? sign(off) * max(abs(off) - frame.exposure_rest, 0.0) : off;
-  float value = clamp(now + far * frame.adaptation, -6.0, 8.0);
+  float value = clamp(now + far * frame.adaptation, frame.exposure_least, frame.exposure_most);
   exposure_buffer.at[0].state.log_exposure = value;
   exposure_buffer.at[0].state.exposure = frame.exposure * (frame.auto_exposure > 0.0 ? exp2(value) : 1.0);
 }

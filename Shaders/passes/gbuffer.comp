@@ -24,7 +24,7 @@ void main() {
   }
   GBufferTexel texel = kNothingSeen;
   if (!missed || frame.sky_beyond != 0u) {
-    Surface s = load_surface(hit, direction, uint(frame.texture_filter), missed);
+    Surface s = load_seen_surface(hit, direction, missed);
     texel.emission_specular = sky_seen(s);
     if (!missed) fill_texel(texel, s, hit, point, hit.t / length(ray));
   }

@@ -52,7 +52,7 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
     GBufferTexel other = kNothingSeen;
     if (!missed || frame.sky_beyond != 0u) {
       way.hit.t = way.seen;  // for footprints and fog
-      Surface s = load_surface(way.hit, way.direction, uint(frame.texture_filter), missed);
+      Surface s = load_seen_surface(way.hit, way.direction, missed);
       other.emission_specular = vec4(s.emission * way.left * seen_through_medium(s, kRayEnd), 0.0);
       if (!missed) other = texel_of(s, way, direction, point, way.seen / length(ray));
     }
@@ -79,7 +79,7 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
   } while (true);
   if (has_feature(kFeatureSkins) && parting.opaque > 0.0) {
     parting.skin.hit.t = parting.skin.seen;
-    Surface s = load_surface(parting.skin.hit, direction, uint(frame.texture_filter), false);
+    Surface s = load_seen_surface(parting.skin.hit, direction, false);
     emission += s.emission * parting.skin.left * parting.opaque * seen_through_medium(s, parting.skin.seen);
   }
   store_water(at, water, piece);

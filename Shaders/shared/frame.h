@@ -27,6 +27,7 @@ struct FrameConstants {
   vec4 prev_camera_right;
   vec4 prev_camera_up;
   vec4 sky_color;         // factor or radiance; w: time in seconds, modulo what keeps it exact
+  vec4 sky_even;          // radiance besides, that the camera does not see
   vec4 sun_direction[4];  // w: cosine of the angular radius
   vec4 sun_radiance[4];   // w: sum of the channels, with the sky's factor
   vec4 ambient;           // rgb: radiance from everywhere, of what the camera sees alone; w: factor on what the medium
@@ -34,18 +35,21 @@ struct FrameConstants {
   vec4 medium;            // rgb: albedo; w: extinction, 1/unit, 0: there is no medium
   vec4 medium_phase;  // xy: g and alpha of its phase function; z: share of the sky's light that it lets the camera see;
                       // w: g of liquids
+  vec4 gain_origin;   // of the gain field (shared/gain_field.h); w: cells a unit
   vec4 screen_tint;
   uint width, height;  // rendered pixels
   uint output_width, output_height;
   uint picture_x, picture_y, picture_width, picture_height;  // where in the output the picture is
   uint smooth_width, smooth_height;  // of the anti-aliased picture: the output's if it is scaled up over time
-  uint frame;                        // seed of this frame's random numbers; differs from frame to frame
+  uint gain_image, gain_width, gain_depth, gain_height;  // kNoIndex: there is no gain field
+  uint frame;  // seed of this frame's random numbers; differs from frame to frame
   uint sky_mode, sky_solid, sky_alpha, sun_count;
   uint sky_box0, sky_box1, sky_box2, sky_box3;
   uint sky_box4, sky_box5, sky_beyond, accumulated_frames;
   float time, prev_time, jitter_x, jitter_y;  // jitter in pixels, 0: pixel centre
   uint jitter_seed;                           // not 0: each pixel's jitter is moved by a random offset of its own
   float tap_size, tap_shift;                  // kFilterFootprint: a pixel's points, in pixels; their part of the jitter
+  float exposure_least, exposure_most;        // of the automatic part, log2
   float adaptation;                           // of the exposure: weight of the new value, 1 at a cut
   uint swap_red_blue, quad_tiles_x, draw_quads, atlas_width;
   uint technique_view;            // the technique draws the debug view

@@ -47,6 +47,7 @@ FB_CONST uint kEncodingPalette = 0u;  // one byte a texel: index into the palett
 FB_CONST uint kEncodingSrgba = 1u;    // four bytes: sRGB colour, linear alpha
 FB_CONST uint kEncodingLinear = 2u;   // four bytes, linear: normal maps (xyz in 0..255)
 FB_CONST uint kEncodingGray = 3u;     // one byte, linear: gloss
+FB_CONST uint kEncodingWords = 4u;    // four bytes that are no colour: a table beside the images (shared/gain_field.h)
 FB_CONST uint kPaletteSrgb = 256u;    // behind the palette's colours: what each byte of sRGB means
 
 // FrameConstants::sky_mode (scene::SkyMode).

@@ -48,14 +48,15 @@ struct GpuInstance {  // 272 bytes
   float alpha;
   float time_offset;
   uint triangle_count;
-  vec4 color;     // kInstanceHasColor: linear reflectance
-  vec4 emission;  // kInstanceHasColor: radiance factor
+  vec4 color;     // kInstanceHasColor: linear reflectance; w: kInstanceIsSpot: the cosine at which its cone ends
+  vec4 emission;  // kInstanceHasColor: radiance factor; w: the cosine up to which it is whole
   vec4 pose_scale, pose_origin;
 };
 FB_CONST uint kInstanceMaskBits = 3u;
 FB_CONST uint kInstanceHasColor = 4u;
 FB_CONST uint kInstanceMoves = 64u;        // its points were elsewhere in the former frame
 FB_CONST uint kInstanceIsNew = 128u;       // it was not there
+FB_CONST uint kInstanceIsSpot = 256u;      // it shines about its x axis alone (shared/spot.h)
 FB_CONST uint kInstanceTranslucent = 32u;  // alpha < 1: candidate hits must ask
 
 // A copy of a mesh for one instance and this frame; a workgroup makes it. Posed triangles in the mesh's space, for
@@ -83,14 +84,15 @@ struct GpuCopyJob {               // 320 bytes
 struct GpuMaterial {               // 96 bytes
   uint base, luma, normal, gloss;  // images, or kNoIndex
   vec4 base_color;                 // w: alpha
-  vec4 emission;  // factor with the kind's cvar already in it; w: kMaterialDielectric: index of refraction
+  vec4 emission;  // factor for what it lights, the kind's cvar already in it; w: kMaterialDielectric: index of
+                  // refraction
   float roughness, specular, metalness;
   uint flags;                                      // scene::MaterialFlags
   uint emission_kind;                              // scene::EmissionKind
   float extinction_r, extinction_g, extinction_b;  // kMaterialDielectric: of what is behind it, 1/unit
   float scattering;                                // likewise, the part of extinction that is scattered
-  float opaque_share;  // kMaterialDielectric: of its surface, which glows and ends a ray; the rest is the interface
-  float pad0, pad1;
+  float opaque_share;    // kMaterialDielectric: of its surface, which glows and ends a ray; the rest is the interface
+  uint seen_rg, seen_b;  // halves: factor on emission for what the camera sees itself (seen_emission)
 };
 
 // The list of lights, a buffer of four tables. First a uint for each instance: the number of the light that its

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "base/log.h"
+#include "base/number.h"
 #include "net/protocol.h"
+#include "scene/library/light_sources.h"
 #include "world/entity_lump.h"
 
 namespace fb::cl {
@@ -37,14 +39,6 @@ constexpr std::array<Torch, 4> kTorches = {{{"light_torch_small_walltorch", "pro
                                             {"light_flame_small_yellow", "progs/flame2.mdl", 0},
                                             {"light_flame_small_white", "progs/flame2.mdl", 0}}};
 
-constexpr int kNotInNormal = 512;  // spawnflags: not in a game of skill 1
-
-// Whether a game alone, of skill 1 and before any episode is won, shows its brush model when it begins.
-bool is_shown(const world::Entity& e) {
-  if (e.classname().starts_with("trigger_") || e.classname() == "func_episodegate") return false;
-  return (e.integer("spawnflags", 0) & kNotInNormal) == 0;
-}
-
 Entity make_static(const world::Entity& source, int model, int frame) {
   Entity e;
   e.model = model;
@@ -53,6 +47,13 @@ Entity make_static(const world::Entity& source, int model, int frame) {
   if (source.has("alpha")) e.alpha = net::encode_alpha(glm::clamp(source.number("alpha", 1.0f), 0.0f, 1.0f));
   e.lerp_flags = kLerpResetAnim | kLerpResetMove;
   e.visible = true;
+  return e;
+}
+
+Entity at_rest(Entity e, const world::Entity& source, const formats::Bsp& map, std::string_view model) {
+  const auto index = parse_whole_number_unsigned(model.substr(1));
+  if (!index || *index >= map.models.size()) return e;
+  e.origin = e.drawn_origin = e.origin + scene::rest_offset(source, map.models[*index]);
   return e;
 }
 
@@ -129,8 +130,8 @@ Status load_map_view(std::string_view name, scene::ModelLibrary& library, Sessio
   }
   for (const world::Entity& e : *parsed) {
     const std::string_view model = e.text("model");
-    if (!model.empty() && model[0] == '*' && is_shown(e))
-      state.statics.push_back(make_static(e, model_index(model), 0));
+    if (!model.empty() && model[0] == '*' && scene::shows_brush_model(e))
+      state.statics.push_back(at_rest(make_static(e, model_index(model), 0), e, *library.map(), model));
     for (const Torch& torch : kTorches)
       if (e.classname() == torch.classname)
         state.statics.push_back(make_static(e, model_index(torch.model), torch.frame));

@@ -54,6 +54,7 @@ Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::ve
       server_list_(console_, *network_),
       port_(options.port),
       network_on_(options.network.any()) {
+  library_.set_own_files([this](std::string_view path) { return files_.is_of_base_game(path); });
   if (options.console_log) open_log();
   if (options.console_kilobytes) console_.scrollback().set_max_bytes(std::size_t{*options.console_kilobytes} * 1024);
   console_.set_file_loader(files_.loader());

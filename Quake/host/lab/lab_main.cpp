@@ -1,5 +1,5 @@
 // fullbright-lab: render | render-merge | reference | reference-merge | export | compare | ztest | bench | iterate |
-// picture | suite | suite-merge | report | film | timedemos | track | estimators | settings | commands.
+// picture | suite | suite-merge | report | film | timedemos | authored | track | estimators | settings | commands.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
                                  add_report_command(app),
                                  add_film_command(app),
                                  add_timedemos_command(app),
+                                 add_authored_command(app),
                                  add_track_command(app),
                                  add_estimators_command(app),
                                  add_settings_command(app),

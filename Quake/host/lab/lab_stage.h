@@ -41,6 +41,7 @@ LabCommand add_timedemos_command(CLI::App& app);
 LabCommand add_suite_command(CLI::App& app);
 LabCommand add_suite_merge_command(CLI::App& app);
 LabCommand add_report_command(CLI::App& app);
+LabCommand add_authored_command(CLI::App& app);
 LabCommand add_track_command(CLI::App& app);
 LabCommand add_estimators_command(CLI::App& app);
 LabCommand add_settings_command(CLI::App& app);

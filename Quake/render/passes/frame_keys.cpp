@@ -11,6 +11,7 @@ std::uint64_t sky_key(const scene::Sky& sky, std::uint64_t key) {
   const std::uint32_t images[] = {static_cast<std::uint32_t>(sky.mode), sky.solid, sky.alpha, sky.beyond_everything};
   key = hash_span(std::span<const std::uint32_t>(images), hash_bytes(&sky.color, sizeof sky.color, key));
   key = hash_span(std::span<const std::uint32_t>(sky.box), key);
+  if (sky.even != vec3(0.0f)) key = hash_bytes(&sky.even, sizeof sky.even, key);
   return hash_span(std::span<const scene::Sun>(sky.suns), hash_bytes(nullptr, 0, key ^ sky.suns.size()));
 }
 
@@ -24,6 +25,7 @@ std::uint64_t scene_key(const scene::FrameSnapshot& s) {
   key = hash_bytes(&s.medium, sizeof(s.medium), key);
   key = hash_bytes(&s.liquid_opacity, sizeof(s.liquid_opacity), key);
   key = hash_bytes(&s.camera_liquid, sizeof(s.camera_liquid), key);
+  if (s.authored) key = hash_bytes(&s.authored, sizeof(s.authored), key);
   key = sky_key(s.sky, key);
   return hash_span(std::span<const float>(camera), key);
 }

@@ -77,6 +77,10 @@ void fill_taps(shared::FrameConstants& c, uvec2 render, uvec2 smooth) {
   c.tap_shift = 0.5f * (scales_up ? c.tap_size : -1.0f);
 }
 
+// Where a texture in light of 1 is shown about as it was painted, by the tone curve, log2; and how far automatic
+// exposure moves from there in maps whose authors have said how bright they are.
+constexpr float kPaintedExposure = -0.6f, kAuthoredStops = 1.5f;
+
 float half_pixel_tangent(const CameraFrame& camera, std::uint32_t height) {
   return glm::length(camera.up) / static_cast<float>(height);
 }
@@ -96,9 +100,19 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
   c.prev_camera_right = vec4(before.right, 0);
   c.prev_camera_up = vec4(before.up, 0);
 
+  c.exposure_least = snapshot.authored ? kPaintedExposure - kAuthoredStops : -6.0f;
+  c.exposure_most = snapshot.authored ? kPaintedExposure + kAuthoredStops : 8.0f;
+  const scene::GainTable& gains = snapshot.gains;
+  c.gain_image = snapshot.authored ? gains.image : shared::kNoIndex;
+  c.gain_origin = vec4(gains.origin, 1.0f / gains.side);
+  c.gain_width = gains.width;
+  c.gain_depth = gains.depth;
+  c.gain_height = gains.height;
+
   const scene::Sky& sky = snapshot.sky;
   c.sky_mode = static_cast<std::uint32_t>(sky.mode);
   c.sky_color = vec4(sky.color, 0);
+  c.sky_even = vec4(sky.even, 0);
   c.sky_solid = sky.solid;
   c.sky_alpha = sky.alpha;
   if (sky.mode == scene::SkyMode::kLayers && sky.solid == scene::kNone) c.sky_mode = 0;

@@ -425,7 +425,8 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
     s.known_meshes = meshes;
     s.known_materials = materials;
   }
-  s.material_table.begin(*snapshot.assets, snapshot.time, emission, interfaces, snapshot.liquid_opacity);
+  s.material_table.begin(*snapshot.assets, snapshot.time, emission, interfaces, snapshot.liquid_opacity,
+                         snapshot.authored);
   s.interfaces = interfaces;
   s.collect(snapshot);
   s.fill(snapshot, emission);

@@ -1,12 +1,16 @@
 #include "render/scene/gpu_scene_tables.h"
 
+#include <glm/gtc/packing.hpp>
+
 #include "render/scene/gpu_scene_copies.h"
 
 namespace fb::render {
 namespace {
 
+constexpr float kLeastCast = 1e-3f;  // what its inverse, a half, can still be
+
 shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternate, const EmissionScales& scales,
-                            Interfaces interfaces, scene::LiquidOpacity opacity, std::size_t number) {
+                            Interfaces interfaces, scene::LiquidOpacity opacity, bool authored, std::size_t number) {
   const scene::TextureSet& set = scene::texture_at(m, time, alternate);
   shared::GpuMaterial out{};
   out.base = set.base;
@@ -14,10 +18,21 @@ shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternat
   out.normal = set.normal;
   out.gloss = set.gloss;
   out.base_color = vec4(m.base_color, m.alpha);
-  out.emission = vec4(m.emission * emission_scale(scales, m.emission_kind), 0);
+  const vec3 cast = authored ? glm::max(m.cast, vec3(kLeastCast)) : vec3(1.0f);
+  out.emission = vec4(m.emission * emission_scale(scales, m.emission_kind) * cast, 0);
+  const bool painted = authored && m.emission_kind != scene::EmissionKind::kConstant;
+  const vec3 own =
+      painted ? glm::max(m.emission, vec3(kLeastCast)) * scene::usual_emission(m.emission_kind) : vec3(1.0f);
+  const vec3 seen = 1.0f / (cast * own);
+  out.seen_rg = glm::packHalf2x16(vec2(seen.x, seen.y));
+  out.seen_b = glm::packHalf2x16(vec2(seen.z, 0.0f));
   out.roughness = m.roughness;
   out.specular = m.specular;
   out.metalness = m.metalness;
+  if (authored && m.gloss_by_name && set.gloss == scene::kNone) {
+    out.roughness = 1.0f;
+    out.specular = 0.0f;
+  }
   out.flags = m.flags;
   out.emission_kind = static_cast<std::uint32_t>(m.emission_kind);
   if (!scene::lets_light_in(m, opacity)) return out;
@@ -59,16 +74,17 @@ float emission_scale(const EmissionScales& scales, scene::EmissionKind kind) {
 }
 
 void MaterialTable::begin(const scene::Assets& assets, double time, const EmissionScales& scales, Interfaces interfaces,
-                          scene::LiquidOpacity opacity) {
+                          scene::LiquidOpacity opacity, bool authored) {
   entries_.clear();
   entries_.reserve(2 * assets.materials.size());
   time_ = time;
   scales_ = scales;
   interfaces_ = interfaces;
   opacity_ = opacity;
+  authored_ = authored;
   for (bool alternate : {false, true}) {
     for (const scene::Material& m : assets.materials)
-      entries_.push_back(resolve(m, time, alternate, scales, interfaces, opacity, entries_.size()));
+      entries_.push_back(resolve(m, time, alternate, scales, interfaces, opacity, authored, entries_.size()));
   }
 }
 
@@ -81,7 +97,7 @@ std::uint32_t MaterialTable::base_for(const scene::Assets& assets, const MeshRec
     const scene::Material& m = assets.materials[index];
     if (m.frames.size() > 1 || m.alternate_frames.size() > 1) {
       entries_.push_back(resolve(m, time_ - static_cast<double>(instance.time_offset), alternate, scales_, interfaces_,
-                                 opacity_, entries_.size()));
+                                 opacity_, authored_, entries_.size()));
       return static_cast<std::uint32_t>(entries_.size()) - 1 - mesh.materials[0];
     }
   }
@@ -166,8 +182,10 @@ shared::GpuInstance make_gpu_instance(const MeshRecord& mesh, const scene::Insta
   out.alpha = instance.alpha;
   out.time_offset = instance.time_offset;
   out.triangle_count = mesh.triangle_count;
-  out.color = vec4(instance.color, 0);
-  out.emission = vec4(instance.emission * scale, 0);
+  const bool spot = (instance.flags & scene::kInstanceSpot) != 0;
+  if (spot) out.flags |= shared::kInstanceIsSpot;
+  out.color = spot ? vec4(0.0f, 0.0f, 0.0f, instance.color.x) : vec4(instance.color, 0);
+  out.emission = vec4(instance.emission * scale, spot ? instance.color.y : 0.0f);
   out.pose_scale = vec4(mesh.pose_scale, 0);
   out.pose_origin = vec4(mesh.pose_origin, 0);
   return out;

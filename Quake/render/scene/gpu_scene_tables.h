@@ -16,8 +16,9 @@ namespace fb::render {
 // entries of instances whose animation runs on a clock of their own.
 class MaterialTable {
  public:
+  // `authored`: whether Material::cast counts.
   void begin(const scene::Assets& assets, double time, const EmissionScales& scales, Interfaces interfaces = {},
-             scene::LiquidOpacity opacity = {});
+             scene::LiquidOpacity opacity = {}, bool authored = false);
   // What to add to the triangles' materials for this instance.
   std::uint32_t base_for(const scene::Assets& assets, const MeshRecord& mesh, const scene::Instance& instance);
   const std::vector<shared::GpuMaterial>& entries() const { return entries_; }
@@ -28,6 +29,7 @@ class MaterialTable {
   EmissionScales scales_{};
   Interfaces interfaces_;
   scene::LiquidOpacity opacity_;
+  bool authored_ = false;
 };
 
 // What an instance's materials ask of the shaders; `known` is false if it names a material that does not exist.

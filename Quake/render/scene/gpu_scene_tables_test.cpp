@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <glm/gtc/packing.hpp>
 #include <memory>
 
 #include "render/passes/frame_keys.h"
+#include "render/passes/settings.h"
 #include "render/scene/gpu_scene_tree.h"
 
 namespace fb::render {
@@ -78,6 +81,48 @@ TEST_F(Tables, ScaleEmissionByItsKindButNotConstants) {
       make_gpu_instance(mesh, instance, mat4x3(1.0f), 0, emission_scale(scales, scene::EmissionKind::kLava));
   EXPECT_EQ(vec3(out.emission), vec3(16, 0, 8));
   EXPECT_NE(out.flags & shared::kInstanceHasColor, 0u);
+}
+
+TEST_F(Tables, WhatAMaterialLightsIsNotHowItLooksWhereItsAuthorsLightCounts) {
+  assets.materials[1].cast = vec3(0.25f, 0.5f, 2.0f);
+  scene::Instance instance;
+  instance.material_base = 1;
+  table.begin(assets, 0.0, scales);
+  const shared::GpuMaterial plain = entry(instance);
+  EXPECT_EQ(vec3(plain.emission), vec3(8, 8, 4));
+  EXPECT_EQ(glm::unpackHalf2x16(plain.seen_rg), vec2(1));
+  table.begin(assets, 0.0, scales, {}, {}, true);
+  const shared::GpuMaterial authored = entry(instance);
+  EXPECT_EQ(vec3(authored.emission), vec3(2, 4, 8));
+  const vec2 seen = glm::unpackHalf2x16(authored.seen_rg);
+  EXPECT_NEAR(authored.emission.x * seen.x, 1.0f, 1e-3f) << "as painted";
+  EXPECT_NEAR(authored.emission.y * seen.y, 1.0f, 1e-3f);
+  EXPECT_NEAR(authored.emission.z * glm::unpackHalf2x16(authored.seen_b).x, 1.0f, 1e-3f);
+  assets.materials[1].cast = vec3(0.0f);
+  table.begin(assets, 0.0, scales, {}, {}, true);
+  EXPECT_TRUE(std::isfinite(glm::unpackHalf2x16(entry(instance).seen_rg).x)) << "one that casts nothing can be seen";
+}
+
+TEST_F(Tables, GlossByNameIsNoAuthors) {
+  assets.materials[0].roughness = 0.3f;
+  assets.materials[0].specular = 0.04f;
+  assets.materials[0].gloss_by_name = true;
+  table.begin(assets, 0.0, scales);
+  EXPECT_EQ(entry({}).specular, 0.04f);
+  table.begin(assets, 0.0, scales, {}, {}, true);
+  EXPECT_EQ(entry({}).specular, 0.0f);
+  EXPECT_EQ(entry({}).roughness, 1.0f);
+  assets.materials[0].frames[0].gloss = 3;
+  table.begin(assets, 0.0, scales, {}, {}, true);
+  EXPECT_EQ(entry({}).specular, 0.04f) << "a gloss map is";
+}
+
+TEST(UsualEmission, IsWhatTheSettingsBeginWith) {
+  const EmissionScales scales = emission_scales(RenderSettings());
+  for (std::uint32_t kind = 1; kind < shared::kEmissionKinds; ++kind)
+    EXPECT_EQ(emission_scale(scales, static_cast<scene::EmissionKind>(kind)),
+              scene::usual_emission(static_cast<scene::EmissionKind>(kind)))
+        << kind;
 }
 
 TEST_F(Tables, LetNewInstancesStandStill) {

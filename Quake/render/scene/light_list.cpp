@@ -37,20 +37,21 @@ const LightList::Means& LightList::means(const scene::Assets& assets, std::uint3
 }
 
 float LightList::sky_radiance(const scene::Assets& assets, const scene::Sky& sky) {
+  const float even = sum(sky.even);
   const auto mean = [&](std::uint32_t image) {
     return image < assets.images.size() ? sum(means(assets, image).all * sky.color) : 0.0f;
   };
   switch (sky.mode) {
     case scene::SkyMode::kBlack:
-      return 0.0f;
+      return even;
     case scene::SkyMode::kConstant:
-      return sum(sky.color);
+      return even + sum(sky.color);
     case scene::SkyMode::kLayers:
-      return mean(sky.solid);
+      return even + mean(sky.solid);
     case scene::SkyMode::kBox: {
       float all = 0.0f;
       for (std::uint32_t image : sky.box) all += mean(image);
-      return all / static_cast<float>(sky.box.size());
+      return even + all / static_cast<float>(sky.box.size());
     }
   }
   return 0.0f;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstring>
 #include <new>
 #include <tuple>
 #include <utility>
@@ -19,7 +20,9 @@
 #include "scene/library/asset_builder.h"
 #include "scene/library/brush_mesh.h"
 #include "scene/library/light_sources.h"
+#include "scene/library/lightmaps.h"
 #include "scene/library/lights.h"
+#include "scene/library/lit_map.h"
 #include "scene/library/map_materials.h"
 #include "scene/library/sky_images.h"
 #include "scene/library/sprite_mesh.h"
@@ -119,11 +122,15 @@ struct ModelLibrary::Impl {
   std::map<std::tuple<std::uint32_t, int, int>, std::uint32_t> translated;
 
   std::string map_path;
-  std::optional<formats::Bsp> map;
+  std::shared_ptr<formats::Bsp> map;
   std::vector<std::uint32_t> map_meshes;  // a submodel; kNone: nothing to draw
   std::vector<EntityLight> lights;
   AmbientLight ambient;
   Sky sky;
+  std::vector<std::uint32_t> map_materials;  // of the map's textures
+  std::shared_ptr<const Lightmaps> lightmaps;
+  std::vector<Submodel> submodels;        // that entities show
+  std::vector<std::uint32_t> unshadowed;  // light_sources.h
 
   std::uint32_t sphere = kNone, tetrahedron = kNone;
   std::uint32_t particle = kNone, dynamic_light = kNone, entity_light = kNone;
@@ -133,9 +140,12 @@ struct ModelLibrary::Impl {
     builder = std::make_unique<AssetBuilder>(loader, rank, most_texel_bytes);
   }
 
-  void take_map(const std::string& path, formats::Bsp bsp, const std::vector<world::Entity>& entities);
+  void take_map(const std::string& path, formats::Bsp bsp, const std::vector<world::Entity>& entities,
+                std::optional<FileData> lit_file);
+  LitMap lit_map() const;
   void forget_map();
   Model load_model(const std::string& name);
+  bool glows(std::uint32_t mesh) const;
   Model load_submodel(const std::string& name);
   std::uint32_t instance_colored(std::uint32_t& index, const char* name, EmissionKind kind);
 };
@@ -201,7 +211,7 @@ Status ModelLibrary::load_map_file(std::string_view bsp_path) {
   Impl& impl = fresh ? *fresh : *impl_;
   std::erase_if(impl.models, [](const auto& entry) { return entry.second.kind == ModelKind::kMissing; });
   try {
-    impl.take_map(path, std::move(*bsp), entities);
+    impl.take_map(path, std::move(*bsp), entities, load_beside(with_extension(path, ".lit")));
   } catch (const std::bad_alloc& failure) {
     if (!fresh) impl.forget_map();
     return Error{fmt::format("{}: {}", path, sentence_of(failure))};
@@ -210,10 +220,13 @@ Status ModelLibrary::load_map_file(std::string_view bsp_path) {
   return ok_status();
 }
 
-void ModelLibrary::Impl::take_map(const std::string& path, formats::Bsp bsp,
-                                  const std::vector<world::Entity>& entities) {
+void ModelLibrary::Impl::take_map(const std::string& path, formats::Bsp bsp, const std::vector<world::Entity>& entities,
+                                  std::optional<FileData> lit_file) {
   map_path = path;
-  map = std::move(bsp);
+  map = std::make_shared<formats::Bsp>(std::move(bsp));
+  lightmaps = std::make_shared<const Lightmaps>(*map, lit_file ? std::move(*lit_file) : FileData());
+  if (!lightmaps->lit_error().empty())
+    log_warning("{}: {}; the map's own light is used", with_extension(path, ".lit"), lightmaps->lit_error());
   MapMaterials materials(*builder, *map, path, liquid_alphas(entities), surface_lights(entities, *map));
   for (std::uint32_t i = 0; i < map->models.size(); ++i)
     map_meshes.push_back(add_brush_mesh(*builder, *map, i, materials, i == 0 ? path : fmt::format("*{}", i)));
@@ -223,6 +236,19 @@ void ModelLibrary::Impl::take_map(const std::string& path, formats::Bsp bsp,
   ambient.radiance = ambient_radiance(entities);
   if (ambient.radiance == vec3(0.0f) && !has_light_source(builder->assets(), map_meshes, entities, lights, sky))
     ambient = {vec3(1.0f), true};
+  for (std::uint32_t t = 0; t < map->textures.size(); ++t) map_materials.push_back(materials.known(t));
+  submodels = shown_submodels(entities, *map);
+  unshadowed = unshadowed_submodels(entities, map->models.size());
+}
+
+LitMap ModelLibrary::Impl::lit_map() const {
+  return {*map,
+          lit_surfaces(builder->assets(), map_materials),
+          lights,
+          sky.suns,
+          mean_of_sky(builder->assets(), sky),
+          ambient.radiance,
+          submodels};
 }
 
 void ModelLibrary::Impl::forget_map() {
@@ -232,14 +258,33 @@ void ModelLibrary::Impl::forget_map() {
   lights.clear();
   sky = {};
   ambient = {};
+  map_materials.clear();
+  submodels.clear();
+  unshadowed.clear();
+  lightmaps.reset();
 }
 
-const formats::Bsp* ModelLibrary::map() const { return impl_->map ? &*impl_->map : nullptr; }
+const formats::Bsp* ModelLibrary::map() const { return impl_->map.get(); }
 const std::string& ModelLibrary::map_entities() const {
   static const std::string kEmpty;
   return impl_->map ? impl_->map->entities : kEmpty;
 }
 const std::vector<EntityLight>& ModelLibrary::entity_lights() const { return impl_->lights; }
+std::shared_ptr<const formats::Bsp> ModelLibrary::shared_map() const { return impl_->map; }
+std::shared_ptr<const Lightmaps> ModelLibrary::lightmaps() const { return impl_->lightmaps; }
+bool ModelLibrary::of_base_game() const { return own_files_ && own_files_(impl_->map_path); }
+LitMap ModelLibrary::lit_map() const { return impl_->lit_map(); }
+void ModelLibrary::set_cast(std::uint32_t material, const vec3& cast) {
+  impl_->builder->assets().materials[material].cast = cast;
+}
+std::uint32_t ModelLibrary::add_words(const std::vector<std::uint32_t>& words) {
+  constexpr std::size_t kRow = 4096;  // the last row is filled up
+  const std::size_t rows = (words.size() + kRow - 1) / kRow;
+  Image image{"words", ImageEncoding::kWords, static_cast<int>(kRow), static_cast<int>(rows), {}};
+  image.texels.resize(rows * kRow * sizeof(std::uint32_t));
+  std::memcpy(image.texels.data(), words.data(), words.size() * sizeof(std::uint32_t));
+  return impl_->builder->add_image(std::move(image));
+}
 const AmbientLight& ModelLibrary::map_ambient() const { return impl_->ambient; }
 const Sky& ModelLibrary::map_sky() const { return impl_->sky; }
 Sky ModelLibrary::make_skybox(std::string_view name, const Sky& fallback) {
@@ -255,6 +300,13 @@ const Model& ModelLibrary::model(std::string_view name) {
   return impl_->models.emplace(key, std::move(model)).first->second;
 }
 
+bool ModelLibrary::Impl::glows(std::uint32_t mesh) const {
+  const Assets& assets = builder->assets();
+  return std::ranges::any_of(assets.meshes[mesh].triangles, [&](const MeshTriangle& triangle) {
+    return assets.materials[triangle.material].emission_kind != EmissionKind::kNone;
+  });
+}
+
 Model ModelLibrary::Impl::load_submodel(const std::string& name) {
   const bool world = name == map_path;
   std::uint32_t index = 0;
@@ -266,7 +318,9 @@ Model ModelLibrary::Impl::load_submodel(const std::string& name) {
       return {};
     }
   }
-  return brush_model(*map, index, name, map_meshes[index]);
+  Model model = brush_model(*map, index, name, map_meshes[index]);
+  model.shadowless = std::ranges::binary_search(unshadowed, index) && model.mesh != kNone && !glows(model.mesh);
+  return model;
 }
 
 Model ModelLibrary::Impl::load_model(const std::string& name) {

@@ -53,7 +53,11 @@ struct Model {
   std::vector<SpriteFrame> sprite_frames;
   // Brush: the submodel's contents-independent facts.
   vec3 mins{0.0f}, maxs{0.0f};
+  bool shadowless = false;  // light tools let light through it, and it gives none (light_sources.h)
 };
+
+class Lightmaps;
+struct LitMap;
 
 // A light from the entity lump, ready to become a sphere.
 struct EntityLight {
@@ -61,6 +65,10 @@ struct EntityLight {
   float radius;      // of the sphere, units
   vec3 power_color;  // radiance of the sphere at style brightness 1 and r_entlights scale 1
   int style;         // lightstyle index
+  // A spot's axis, unit, and the cosines of half its cone's angle, where it begins to fade and where it ends; zero: it
+  // shines all ways.
+  vec3 axis{0.0f};
+  float full_cosine = -1.0f, least_cosine = -1.0f;
 };
 
 // An even light from everywhere, which nothing casts a shadow in.
@@ -79,6 +87,8 @@ class ModelLibrary {
  public:
   // Without `rank` all files rank alike.
   explicit ModelLibrary(FileLoader loader, FileRank rank = {});
+  // Which files are this project's own; without it none is.
+  void set_own_files(std::function<bool(std::string_view path)> own) { own_files_ = std::move(own); }
   // Forgets everything; Assets get a new generation.
   void clear();
   // What all images together may take, as the device and the host have memory (texel_budget.h); now and for later maps.
@@ -93,6 +103,15 @@ class ModelLibrary {
   const std::vector<EntityLight>& entity_lights() const;
   // What the map asks for (lights.h), or, where nothing gives light, what QuakeSpasm shows of a map without lightmaps.
   const AmbientLight& map_ambient() const;
+  // The map, its baked light (with its .lit file's) and what light has to do with; for work that goes on beside the
+  // library, which may load another map meanwhile. Null without a map; then there is no lit_map.
+  std::shared_ptr<const formats::Bsp> shared_map() const;
+  std::shared_ptr<const Lightmaps> lightmaps() const;
+  LitMap lit_map() const;
+  bool of_base_game() const;  // the map is this project's own
+  // Material::cast of a material, and words for shaders as an image of their own (ImageEncoding::kWords).
+  void set_cast(std::uint32_t material, const vec3& cast);
+  std::uint32_t add_words(const std::vector<std::uint32_t>& words);
   const Sky& map_sky() const;  // layers or black, suns; the client overrides by svc_skybox / "sky" key
   Sky make_skybox(std::string_view name, const Sky& fallback);  // gfx/env/<name>{rt,bk,lf,ft,up,dn}.{png,tga,pcx}
 
@@ -116,6 +135,7 @@ class ModelLibrary {
   Status load_map_file(std::string_view bsp_path);
   struct Impl;
   std::shared_ptr<Impl> impl_;
+  std::function<bool(std::string_view path)> own_files_;
 };
 
 // The poses to blend for an alias frame: a group's poses play in a loop by their end times.

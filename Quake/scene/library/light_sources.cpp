@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -42,26 +43,64 @@ bool glows(const Assets& assets, const Material& material, bool sky) {
   return std::ranges::any_of(material.frames, shines) || std::ranges::any_of(material.alternate_frames, shines);
 }
 
-// Indices into the map's models.
-std::set<std::size_t> shown_models(const std::vector<world::Entity>& entities) {
-  std::set<std::size_t> shown{0};
-  for (const world::Entity& entity : entities) {
-    const std::string_view model = entity.text("model");
-    std::size_t index = 0;
-    if (!model.starts_with('*') || entity.classname().starts_with("trigger_")) continue;
-    if (std::from_chars(model.data() + 1, model.data() + model.size(), index).ec == std::errc()) shown.insert(index);
-  }
-  return shown;
+// 0 where it names none.
+std::uint32_t submodel_of(const world::Entity& entity, std::size_t models) {
+  const std::string_view model = entity.text("model");
+  std::uint32_t index = 0;
+  if (!model.starts_with('*')) return 0;
+  const auto read = std::from_chars(model.data() + 1, model.data() + model.size(), index);
+  return read.ec == std::errc() && index < models ? index : 0;
+}
+
+template <typename Which>
+std::vector<std::uint32_t> submodels_where(const std::vector<world::Entity>& entities, std::size_t models,
+                                           const Which& which) {
+  std::set<std::uint32_t> found;
+  for (const world::Entity& entity : entities)
+    if (const std::uint32_t index = submodel_of(entity, models); index != 0 && which(entity)) found.insert(index);
+  return {found.begin(), found.end()};
 }
 
 }  // namespace
+
+bool shows_brush_model(const world::Entity& entity) {
+  constexpr int kNotInNormal = 512;  // spawnflags: not in a game of skill 1
+  if (entity.classname().starts_with("trigger_") || entity.classname() == "func_episodegate") return false;
+  return (entity.integer("spawnflags", 0) & kNotInNormal) == 0;
+}
+
+vec3 rest_offset(const world::Entity& entity, const formats::BspModel& model) {
+  if (entity.classname() != "func_plat" || entity.has("targetname")) return vec3(0.0f);
+  constexpr float kLip = 8.0f;  // of its height, that stays up
+  const float height = entity.number("height", 0.0f);
+  return {0.0f, 0.0f, -(height != 0.0f ? height : model.maxs.z - model.mins.z - kLip)};
+}
+
+std::vector<Submodel> shown_submodels(const std::vector<world::Entity>& entities, const formats::Bsp& map) {
+  std::map<std::uint32_t, vec3> found;
+  for (const world::Entity& entity : entities)
+    if (const std::uint32_t index = submodel_of(entity, map.models.size()); index != 0 && shows_brush_model(entity))
+      found.try_emplace(index, rest_offset(entity, map.models[index]));
+  std::vector<Submodel> all;
+  for (const auto& [index, offset] : found) all.push_back({index, offset});
+  return all;
+}
+
+std::vector<std::uint32_t> unshadowed_submodels(const std::vector<world::Entity>& entities, std::size_t models) {
+  return submodels_where(entities, models, [](const world::Entity& entity) {
+    const bool still = entity.classname() == "func_wall" || entity.classname() == "func_illusionary";
+    return still && !(entity.number("_shadow", entity.number("shadow", 0.0f)) > 0.0f);
+  });
+}
 
 bool has_light_source(const Assets& assets, const std::vector<std::uint32_t>& meshes,
                       const std::vector<world::Entity>& entities, const std::vector<EntityLight>& lamps,
                       const Sky& sky) {
   if (!lamps.empty()) return true;
   std::set<std::uint32_t> materials;
-  for (const std::size_t model : shown_models(entities)) {
+  std::vector<std::uint32_t> models = submodels_where(entities, meshes.size(), shows_brush_model);
+  models.push_back(0);
+  for (const std::uint32_t model : models) {
     if (model >= meshes.size() || meshes[model] == kNone) continue;
     for (const MeshTriangle& triangle : assets.meshes[meshes[model]].triangles) materials.insert(triangle.material);
   }

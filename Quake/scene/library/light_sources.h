@@ -8,6 +8,7 @@
 #include "scene/assets.h"
 #include "scene/library/library.h"
 #include "scene/snapshot.h"
+#include "formats/bsp.h"
 #include "world/entity_lump.h"
 
 namespace fb::scene {
@@ -17,5 +18,21 @@ namespace fb::scene {
 bool has_light_source(const Assets& assets, const std::vector<std::uint32_t>& meshes,
                       const std::vector<world::Entity>& entities, const std::vector<EntityLight>& lamps,
                       const Sky& sky);
+
+// Whether a game alone, of skill 1 and before any episode is won, shows an entity's brush model when it begins.
+bool shows_brush_model(const world::Entity& entity);
+// A map's submodel that an entity shows; the world, 0, is none.
+struct Submodel {
+  std::uint32_t index;
+  vec3 offset;  // rest_offset
+};
+// Ascending, each once.
+std::vector<Submodel> shown_submodels(const std::vector<world::Entity>& entities, const formats::Bsp& map);
+// Where an entity's model stands when the game begins, beside where the map has it: platforms are drawn up and begin
+// down.
+vec3 rest_offset(const world::Entity& entity, const formats::BspModel& model);
+// Of these, those that light tools let light through and that never move: func_wall and func_illusionary without
+// `_shadow`.
+std::vector<std::uint32_t> unshadowed_submodels(const std::vector<world::Entity>& entities, std::size_t models);
 
 }  // namespace fb::scene

@@ -59,10 +59,29 @@ float strength_of(const Entity& entity, float value) {
                         entity.integer(either(entity, "_delay"), 0));
 }
 
-float cone_fraction(const Entity& entity) {
-  if (!entity.has("mangle") && !entity.has("target")) return 1.0f;
-  const float angle = entity.number("angle", 0.0f), cone = angle > 0.0f ? angle : kDefaultCone;
-  return 0.5f * (1.0f - std::cos(radians(std::min(cone, 360.0f) * 0.5f)));
+// The way that a spot shines: to what it targets, or by its mangle, of which positive pitch is up.
+std::optional<vec3> spot_axis(const Entity& entity, const std::vector<Entity>& entities) {
+  if (entity.has("target")) {
+    const auto target = std::ranges::find(entities, entity.text("target"),
+                                          [](const Entity& other) { return other.text("targetname"); });
+    if (target != entities.end()) {
+      const vec3 way = target->vector("origin").value_or(vec3(0)) - entity.vector("origin").value_or(vec3(0));
+      if (glm::length(way) > 0.0f) return glm::normalize(way);
+    }
+  }
+  if (const auto mangle = entity.vector("mangle")) return angle_vectors({-mangle->y, mangle->x, 0.0f}).forward;
+  return std::nullopt;
+}
+
+void aim(EntityLight& light, const Entity& entity, const std::vector<Entity>& entities) {
+  const std::optional<vec3> axis = spot_axis(entity, entities);
+  if (!axis) return;
+  const auto half_cosine = [](float cone) { return std::cos(radians(std::min(cone, 360.0f) * 0.5f)); };
+  const float angle = entity.number("angle", 0.0f), soft = entity.number(either(entity, "_softangle"), 0.0f);
+  light.axis = *axis;
+  light.least_cosine = half_cosine(angle > 0.0f ? angle : kDefaultCone);
+  light.full_cosine = std::max(half_cosine(soft), light.least_cosine);
+  if (!(soft > 0.0f)) light.full_cosine = light.least_cosine;
 }
 
 bool is_light(const Entity& entity) { return entity.classname().starts_with("light"); }
@@ -129,14 +148,6 @@ vec3 push_off_walls(const formats::Bsp& bsp, vec3 p, float radius) {
   return p;
 }
 
-double face_area(const formats::Bsp& bsp, const formats::BspFace& face) {
-  vec3 sum(0.0f);
-  for (std::uint32_t k = 1; k + 1 < face.surfedge_count; ++k)
-    sum += glm::cross(bsp.face_vertex(face, k) - bsp.face_vertex(face, 0),
-                      bsp.face_vertex(face, k + 1) - bsp.face_vertex(face, 0));
-  return 0.5 * static_cast<double>(glm::length(sum));
-}
-
 // Yaw and pitch of a mangle give the way the light goes; positive pitch is up, unlike Quake's view angles.
 vec3 towards_sun(const vec3& mangle) { return -angle_vectors({-mangle.y, mangle.x, 0.0f}).forward; }
 
@@ -177,7 +188,7 @@ std::vector<EntityLight> entity_lights(const std::vector<Entity>& entities, cons
   for (const Entity& entity : entities) {
     if (!is_light(entity) || is_sun_entity(entity) || entity.has("_surface")) continue;
     const LightValue light = light_value(entity);
-    const float strength = strength_of(entity, light.value) * cone_fraction(entity);
+    const float strength = strength_of(entity, light.value);
     if (!(strength > 0.0f) || light.color == vec3(0.0f)) continue;
     const vec3 origin = entity.vector("origin").value_or(vec3(0.0f));
     if (!(glm::length(origin) < formats::kMaxBspCoordinate)) continue;
@@ -188,6 +199,7 @@ std::vector<EntityLight> entity_lights(const std::vector<Entity>& entities, cons
     sphere.radius = std::max(room_around(bsp, sphere.position, kLightRadius), kMinLightRadius);
     sphere.power_color = light.color * (strength / (sphere.radius * sphere.radius));
     sphere.style = std::clamp(entity.integer("style", 0), 0, 63);
+    aim(sphere, entity, entities);
     lights.push_back(sphere);
   }
   return lights;
@@ -202,7 +214,7 @@ SurfaceLights surface_lights(const std::vector<Entity>& entities, const formats:
     for (const formats::BspFace& face : bsp.faces) {
       const std::uint32_t texture = bsp.texinfos[face.texinfo].texture;
       if (texture >= bsp.textures.size() || lower_case(bsp.textures[texture].name) != name) continue;
-      const double a = face_area(bsp, face);
+      const double a = world::face_area(bsp, face);
       area += a;
       patches += std::max(1.0, std::ceil(a / (128.0 * 128.0)));
     }

@@ -65,9 +65,25 @@ TEST(Lights, ColorsSpotsAndStyles) {
   EXPECT_NEAR(lights[0].power_color.z / lights[0].power_color.x, 0.2140f, 1e-3f) << "sRGB 0.5";
   EXPECT_EQ(lights[0].style, 5);
   EXPECT_EQ(lights[3].style, 63);
-  EXPECT_NEAR(lights[2].power_color.x / lights[3].power_color.x, 0.0669873f, 1e-5f) << "cone of 60 degrees";
+  EXPECT_EQ(lights[2].power_color, lights[3].power_color) << "a spot is as bright within its cone";
+  EXPECT_NEAR(lights[2].axis.z, -1.0f, 1e-6f);
+  EXPECT_NEAR(lights[2].least_cosine, std::cos(radians(30.0f)), 1e-6f) << "a cone of 60 degrees";
+  EXPECT_EQ(lights[2].full_cosine, lights[2].least_cosine) << "with a hard edge";
+  EXPECT_EQ(lights[3].axis, vec3(0)) << "and no other has an axis";
   EXPECT_EQ(lights[4].power_color, lights[3].power_color) << "angle alone makes no spot";
   EXPECT_EQ(lights[5].power_color, vec3(0, lights[3].power_color.x, 0));
+}
+
+TEST(Lights, SpotsShineAtTheirTargetsAndFade) {
+  const auto lights = lights_of(
+      "{classname light origin \"0 0 100\" target t _softangle 20}{classname info_null targetname t origin \"100 0 "
+      "100\"}"
+      "{classname light target nobody}");
+  ASSERT_EQ(lights.size(), 2u);
+  EXPECT_NEAR(lights[0].axis.x, 1.0f, 1e-6f);
+  EXPECT_NEAR(lights[0].least_cosine, std::cos(radians(20.0f)), 1e-6f) << "40 degrees where nothing is said";
+  EXPECT_NEAR(lights[0].full_cosine, std::cos(radians(10.0f)), 1e-6f);
+  EXPECT_EQ(lights[1].axis, vec3(0)) << "a target that is not there";
 }
 
 TEST(Lights, KeepClearOfWalls) {

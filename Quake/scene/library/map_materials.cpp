@@ -168,6 +168,7 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
   const SurfaceLook look = surface_look(texture.name);
   material.roughness = look.roughness;
   material.specular = look.specular;
+  material.gloss_by_name = look.specular > 0.0f;
   if (is_alpha_texture(texture.name)) material.flags |= kMaterialAlphaTest;
 
   bool glows = false, glossy = false;

@@ -47,6 +47,8 @@ class MapMaterials {
 
   // The material of a texture (index into Bsp::textures, or kNoTexture).
   std::uint32_t material(std::uint32_t texture);
+  // The same of those that were asked for; kNone of others.
+  std::uint32_t known(std::uint32_t texture) const { return materials_[texture]; }
 
  private:
   const TextureSet& texture_set(std::uint32_t texture);

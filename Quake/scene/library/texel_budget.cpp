@@ -76,6 +76,8 @@ void halve(Image& image) {
         case ImageEncoding::kLinearGray:
           mean_of_bytes(from, to, size);
           break;
+        case ImageEncoding::kWords:
+          break;
       }
     }
   }
@@ -93,6 +95,7 @@ std::size_t halve_largest(std::vector<Image>& images, std::uint64_t most) {
   std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(smaller)> largest(smaller);
   for (std::size_t i = 0; i < images.size(); ++i) {
     bytes += texel_bytes(images[i]);
+    if (images[i].encoding == ImageEncoding::kWords) continue;  // no picture
     if (images[i].width > 1 || images[i].height > 1) largest.push(i);
   }
   std::set<std::size_t> halved;

@@ -1,0 +1,137 @@
+// fullbright-lab authored: maps as they are drawn beside what their authors saw.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include "base/progress.h"
+#include "fs/file.h"
+#include "host/lab/lab_numbers.h"
+#include "host/lab/lab_stage.h"
+#include "lab/authored/authored_measure.h"
+#include "lab/image_io.h"
+#include "lab/jobs.h"
+#include "scene/authored/authored_map.h"
+#include "scene/authored/authored_picture.h"
+#include "scene/library/asset_builder.h"
+#include "shared/tone.h"
+#include "world/entity_lump.h"
+
+namespace fb::host {
+namespace {
+
+struct AuthoredOptions {
+  StageOptions stage;
+  std::uint32_t cameras = 12;
+  bool table = false, fog = false;
+};
+
+constexpr float kShownField = 90.0f;  // degrees
+
+std::string row_of(const std::string& name, const lab::AuthoredDistance& d) {
+  return fmt::format("{:28} {:+6.2f} {:6.2f} {:6.2f} {:6.2f}", name, d.median, d.spread, d.correlation, d.color);
+}
+
+// Own and author's picture side by side, as a display shows them.
+Status write_pair(const std::string& path, const lab::Picture& own, const lab::Picture& authors) {
+  std::vector<std::uint32_t> pixels;
+  for (std::uint32_t y = 0; y < own.height; ++y)
+    for (const lab::Picture* picture : {&own, &authors})
+      for (std::uint32_t x = 0; x < own.width; ++x) {
+        const vec3 c = glm::clamp(picture->pixels[std::size_t{y} * own.width + x], vec3(0.0f), vec3(1.0f));
+        std::uint32_t word = 0xff000000u;
+        for (int k = 0; k < 3; ++k)
+          word |= static_cast<std::uint32_t>(shared::srgb_from_linear(c)[k] * 255.0f + 0.5f) << (8 * k);
+        pixels.push_back(word);
+      }
+  return lab::write_png(path, 2 * own.width, own.height, pixels);
+}
+
+void print_table(const scene::AuthoredLight& light) {
+  fmt::print("emitter; factor on its power, red green blue; share of the light, %\n");
+  for (std::size_t i = 0; i < light.emitters.all.size(); ++i) {
+    const vec3& f = light.fit.factors[i];
+    fmt::print("{:48} {:9.4f} {:9.4f} {:9.4f} {:6.2f}\n", light.emitters.all[i].name, f.x, f.y, f.z,
+               100.0f * light.fit.shares[i]);
+  }
+}
+
+scene::AuthoredFog fog_of(const formats::Bsp& bsp) {
+  scene::AuthoredFog fog;
+  const auto entities = world::parse_entity_lump(bsp.entities, "the map's entities");
+  if (!entities || entities->empty()) return fog;
+  const auto numbers = world::parse_numbers(entities->front().text(entities->front().has("fog") ? "fog" : "_fog"), 4);
+  if (numbers.empty()) return fog;
+  fog.density = numbers[0];
+  fog.color = numbers.size() == 4 ? vec3(numbers[1], numbers[2], numbers[3]) : vec3(0.3f);
+  return fog;
+}
+
+int run_authored(const AuthoredOptions& options) {
+  StageOptions o = options.stage;
+  if (o.map.empty()) return fail(Error{"authored: --map names the map"});
+  if (!options.fog) o.sets.insert(o.sets.begin(), "r_fog=0");
+  Stage stage;
+  if (auto status = open_stage(stage, o); !status) return fail(status.error());
+  const scene::ModelLibrary& library = stage.engine->library();
+  const auto lightmaps = library.lightmaps();
+  if (lightmaps == nullptr || lightmaps->empty()) return fail(Error{o.map + ": it has no baked light"});
+  if (!o.out.empty()) {
+    std::error_code failed;
+    std::filesystem::create_directories(o.out, failed);
+    if (failed) return fail(Error{fmt::format("--out {}: {}", o.out, failed.message())});
+  }
+  stage.renderer->resize(stage.size.x, stage.size.y);
+  scene::FrameSnapshot snapshot;
+  if (const auto more = stage.source->next(snapshot); !more) return fail(more.error());
+  if (const auto* light = stage.engine->client().authored().light(); options.table && light != nullptr)
+    print_table(*light);
+  const std::vector<lab::MapCamera> cameras = lab::map_cameras(*library.map(), options.cameras);
+  const scene::AuthoredFog fog = options.fog ? fog_of(*library.map()) : scene::AuthoredFog();
+  const std::vector<float> styles = stage.engine->client().light_style_values();
+  std::vector<lab::AuthoredDistance> distances;
+  fmt::print("{:28} {:>6} {:>6} {:>6} {:>6}\n", "camera", "median", "spread", "corr.", "color");
+  for (const lab::MapCamera& camera : cameras) {
+    snapshot.camera.position = camera.position;
+    snapshot.camera.angles = camera.angles;
+    snapshot.camera.fov_x = kShownField;
+    snapshot.camera.fov_y = 0.0f;
+    snapshot.prev_camera = snapshot.camera;
+    snapshot.cut = true;
+    lab::RenderSummary summary;
+    lab::render_samples(*stage.renderer, stage.settings, snapshot, o.spp, summary, [](std::uint32_t) {});
+    ++snapshot.frame;
+    const lab::Picture own = lab::picture_of(stage.renderer->read().linear(), stage.size);
+    const lab::Picture authors{
+        stage.size.x, stage.size.y,
+        scene::authored_picture(library.lit_map(), *library.assets(), library.map_sky(), *lightmaps, snapshot.camera,
+                                stage.size.x, stage.size.y, fog, styles)};
+    distances.push_back(lab::authored_distance(own, authors));
+    fmt::print("{}\n", row_of(camera.name, distances.back()));
+    if (!o.out.empty())
+      if (auto status = write_pair(fmt::format("{}/{}.png", o.out, camera.name), own, authors); !status)
+        return fail(status.error());
+  }
+  if (distances.empty()) return fail(Error{o.map + ": it names no camera: no start, no intermission, no teleport"});
+  fmt::print("{}\n", row_of("all", lab::mean_distance(distances)));
+  return finish(stage);
+}
+
+}  // namespace
+
+LabCommand add_authored_command(CLI::App& app) {
+  auto options = std::make_shared<AuthoredOptions>();
+  options->stage.size = "160x90";
+  options->stage.estimator = "nee";
+  options->stage.spp = 48;
+  CLI::App* authored = app.add_subcommand(
+      "authored", "draws a map from its starts, intermissions and teleports, beside its textures in its baked light");
+  add_stage_options(*authored, options->stage);
+  add_number(*authored, "--cameras", options->cameras, 1u, 1000u, "at most so many, evenly chosen");
+  authored->add_flag("--fog", options->fog, "with the map's fog, here and there");
+  authored->add_flag("--table", options->table, "print how strong each emitter is by the baked light");
+  authored->add_option("--out", options->stage.out, "folder for pictures: drawn and authored side by side");
+  return {authored, [options] { return run_authored(*options); }};
+}
+
+}  // namespace fb::host

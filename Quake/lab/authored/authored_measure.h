@@ -1,0 +1,33 @@
+// How near a picture of a map is to what its author saw of it: blocks of pixels compared by luminance and colour.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "formats/bsp.h"
+#include "lab/picture.h"
+#include "scene/snapshot.h"
+
+namespace fb::lab {
+
+struct AuthoredDistance {
+  double median = 0;       // of log2(own / author's luminance), over blocks: stops that it is brighter
+  double spread = 0;       // rms of the same less the median
+  double correlation = 0;  // of log2 luminance; 0 where a picture has one luminance alone
+  double color = 0;        // mean over blocks of the sum of absolute differences of the channels' shares
+};
+// Both linear, of one size, cut into 16 x 9 blocks; where a block's channel is over 1, as white as a display gets, it
+// counts as 1.
+AuthoredDistance authored_distance(const Picture& own, const Picture& authors);
+// The root of the mean of squares of medians and of spreads, the means of the others.
+AuthoredDistance mean_distance(const std::vector<AuthoredDistance>& distances);
+
+// Where a map's author thought of somebody looking from.
+struct MapCamera {
+  std::string name;  // class and number
+  vec3 position, angles;
+};
+// At most `most`, evenly chosen: starts of players, intermissions, ends of teleports, at eye height.
+std::vector<MapCamera> map_cameras(const formats::Bsp& bsp, std::size_t most);
+
+}  // namespace fb::lab

@@ -1,0 +1,45 @@
+// AuthoredMap: a library's map lit as its author lit it. Found on a thread beside the game; frames that begin before it
+// is done have the light that the map's keys and textures ask for.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "scene/authored/authored_light.h"
+#include "scene/library/library.h"
+#include "scene/snapshot.h"
+
+namespace fb::scene {
+
+class AuthoredMap {
+ public:
+  explicit AuthoredMap(ModelLibrary& library) : library_(library) {}
+
+  // What was found of the library's map; null where it has no baked light, and until it is found. The first question
+  // about a map begins the work; the first one after its end changes the library's materials.
+  const AuthoredLight* light();
+  void wait();  // until there is an answer
+
+  // Of what is found, for each frame: factors on EntityLights, the even light, and the sky with its suns.
+  vec3 lamp_factor(std::size_t lamp) const { return lamp < lamps_.size() ? lamps_[lamp] : vec3(1.0f); }
+  const vec3& ambient() const { return ambient_; }
+  const GainTable& gains() const { return gains_; }
+  void light_sky(Sky& sky) const;
+
+ private:
+  void look_at_map();
+  void take();
+  void apply(const AuthoredLight& light);
+
+  ModelLibrary& library_;
+  std::shared_ptr<const formats::Bsp> map_;  // that all below is of
+  std::shared_ptr<const Lightmaps> lightmaps_;
+  std::optional<AuthoredLight> light_;
+  std::vector<vec3> lamps_, suns_;
+  vec3 ambient_{0.0f}, even_sky_{0.0f};
+  GainTable gains_;
+  std::unique_ptr<AuthoredTask> task_;  // last: it reads the map
+};
+
+}  // namespace fb::scene

@@ -1,0 +1,172 @@
+#include "scene/library/lightmaps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include "scene/library/asset_builder.h"
+#include "shared/tone.h"
+
+namespace fb::scene {
+namespace {
+
+constexpr float kLuxelUnits = 16.0f;  // of the texture's axes
+constexpr float kPainted = 128.0f;    // the value that shows a texture as it was painted
+constexpr float kDisplayGamma = 2.2f;
+constexpr float kLeastReflectance = 0.003f;  // darker textures stay black on displays in any light
+constexpr std::size_t kDecoupledBytes = 40;
+constexpr int kMostLuxels = 4096;  // on a side; more comes from a damaged file
+
+template <typename T>
+T read(ByteView bytes, std::size_t at) {
+  T value{};
+  std::memcpy(&value, bytes.data() + at, sizeof(T));
+  return value;
+}
+
+ByteView bspx_lump(const formats::Bsp& bsp, std::string_view name) {
+  for (const auto& [lump, bytes] : bsp.bspx)
+    if (lump == name) return bytes;
+  return {};
+}
+
+float encoded(float linear) { return shared::srgb_from_linear(vec3(linear)).x; }
+
+bool is_sane(const vec4& axis) {
+  return std::isfinite(axis.x) && std::isfinite(axis.y) && std::isfinite(axis.z) && std::isfinite(axis.w);
+}
+
+}  // namespace
+
+Lightmaps::Lightmaps(const formats::Bsp& bsp, FileData lit) : lit_(std::move(lit)) {
+  choose_samples(bsp, ByteView(lit_.data(), lit_.size()));
+  if (samples_.empty()) return;
+  const ByteView decoupled = bspx_lump(bsp, "DECOUPLED_LM");
+  const bool has_decoupled = decoupled.size() == bsp.faces.size() * kDecoupledBytes;
+  for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
+    Face face = usual_face(bsp, bsp.faces[i]);
+    std::int64_t offset = bsp.faces[i].light_offset;
+    if (has_decoupled) {
+      const std::size_t at = i * kDecoupledBytes;
+      face.width = read<std::uint16_t>(decoupled, at);
+      face.height = read<std::uint16_t>(decoupled, at + 2);
+      offset = read<std::int32_t>(decoupled, at + 4);
+      for (std::size_t a = 0; a < 2; ++a)
+        for (int c = 0; c < 4; ++c)
+          face.axes[a][c] = read<float>(decoupled, at + 8 + 16 * a + 4 * static_cast<std::size_t>(c));
+    }
+    const bool fits = offset >= 0 && face.width > 0 && face.height > 0 && face.width <= kMostLuxels &&
+                      face.height <= kMostLuxels && is_sane(face.axes[0]) && is_sane(face.axes[1]);
+    if (!fits) {
+      face.styles.fill(kNoStyle);
+    } else {
+      face.first = static_cast<std::uint64_t>(offset);
+      const std::uint64_t luxels = static_cast<std::uint64_t>(face.width) * static_cast<std::uint64_t>(face.height);
+      const std::uint64_t there = samples_.size() / static_cast<std::uint64_t>(channels_);
+      for (std::size_t k = 0; k < 4; ++k)
+        if (face.first + (k + 1) * luxels > there) face.styles[k] = kNoStyle;
+    }
+    faces_.push_back(face);
+  }
+}
+
+void Lightmaps::choose_samples(const formats::Bsp& bsp, ByteView lit) {
+  constexpr std::size_t kLitHeader = 8;
+  if (!lit.empty()) {
+    const bool named = lit.size() >= kLitHeader && std::memcmp(lit.data(), "QLIT", 4) == 0;
+    if (!named || read<std::int32_t>(lit, 4) != 1)
+      lit_error_ = "it is not a QLIT file of version 1";
+    else if (lit.size() - kLitHeader < 3 * bsp.lighting.size() || bsp.lighting.empty())
+      lit_error_ = fmt::format("it has {} bytes of light and the map has {} samples", lit.size() - kLitHeader,
+                               bsp.lighting.size());
+    else {
+      samples_ = lit.subspan(kLitHeader);
+      channels_ = 3;
+      return;
+    }
+  }
+  const ByteView rgb = bspx_lump(bsp, "RGBLIGHTING");
+  if (!rgb.empty() && rgb.size() >= 3 * bsp.lighting.size()) {
+    samples_ = rgb;
+    channels_ = 3;
+  } else {
+    samples_ = bsp.lighting;
+  }
+}
+
+// QuakeSpasm's extents: from the corners' texture coordinates, rounded outwards to whole luxels.
+Lightmaps::Face Lightmaps::usual_face(const formats::Bsp& bsp, const formats::BspFace& face) const {
+  Face out;
+  const formats::BspTexInfo& texinfo = bsp.texinfos[face.texinfo];
+  vec2 low(1e30f), high(-1e30f);
+  for (std::uint32_t k = 0; k < face.surfedge_count; ++k) {
+    const glm::dvec3 p(bsp.face_vertex(face, k));
+    for (int a = 0; a < 2; ++a) {
+      const vec4& axis = texinfo.axes[static_cast<std::size_t>(a)];
+      const auto s = static_cast<float>(glm::dot(glm::dvec3(vec3(axis)), p) + static_cast<double>(axis.w));
+      low[a] = std::min(low[a], s);
+      high[a] = std::max(high[a], s);
+    }
+  }
+  if (face.surfedge_count < 3 || (texinfo.flags & formats::kTexSpecial) != 0) return out;
+  std::array<int, 2> size{};
+  for (int a = 0; a < 2; ++a) {
+    const auto axis = static_cast<std::size_t>(a);
+    const float first = std::floor(low[a] / kLuxelUnits), last = std::ceil(high[a] / kLuxelUnits);
+    if (!(last - first < static_cast<float>(kMostLuxels))) return out;
+    size[axis] = static_cast<int>(last - first) + 1;
+    out.axes[axis] = texinfo.axes[axis] / kLuxelUnits;
+    out.axes[axis].w -= first;
+  }
+  out.width = size[0];
+  out.height = size[1];
+  out.styles = face.styles;
+  for (std::size_t k = 1; k < 4; ++k)
+    if (out.styles[k - 1] == kNoStyle) out.styles[k] = kNoStyle;
+  return out;
+}
+
+bool Lightmaps::has(std::uint32_t face, std::size_t k) const {
+  return face < faces_.size() && faces_[face].styles[k] != kNoStyle;
+}
+
+vec3 Lightmaps::value(std::uint32_t face, std::size_t k, const vec3& point) const {
+  if (!has(face, k)) return vec3(0.0f);
+  const Face& f = faces_[face];
+  const auto place = [&](const vec4& axis, int size) {
+    return std::clamp(glm::dot(vec3(axis), point) + axis.w, 0.0f, static_cast<float>(size - 1));
+  };
+  const float s = place(f.axes[0], f.width), t = place(f.axes[1], f.height);
+  const int s0 = std::min(static_cast<int>(s), f.width - 1), t0 = std::min(static_cast<int>(t), f.height - 1);
+  const int s1 = std::min(s0 + 1, f.width - 1), t1 = std::min(t0 + 1, f.height - 1);
+  const auto luxel = [&](int x, int y) {
+    const std::uint64_t sample =
+        f.first +
+        static_cast<std::uint64_t>(k) * static_cast<std::uint64_t>(f.width) * static_cast<std::uint64_t>(f.height) +
+        static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(f.width) + static_cast<std::uint64_t>(x);
+    const std::size_t at = static_cast<std::size_t>(sample) * static_cast<std::size_t>(channels_);
+    if (channels_ == 1) return vec3(static_cast<float>(samples_[at]));
+    return vec3(static_cast<float>(samples_[at]), static_cast<float>(samples_[at + 1]),
+                static_cast<float>(samples_[at + 2]));
+  };
+  const vec3 upper = glm::mix(luxel(s0, t0), luxel(s1, t0), s - static_cast<float>(s0));
+  const vec3 lower = glm::mix(luxel(s0, t1), luxel(s1, t1), s - static_cast<float>(s0));
+  return glm::mix(upper, lower, t - static_cast<float>(t0)) / kPainted;
+}
+
+vec3 light_of_display(const vec3& displayed, const vec3& reflectance) {
+  vec3 light;
+  for (int c = 0; c < 3; ++c) {
+    const float linear = std::clamp(reflectance[c], kLeastReflectance, 1.0f), painted = encoded(linear);
+    light[c] = linear_from_srgb(std::min(painted * displayed[c], 1.0f)) / linear;
+  }
+  return light;
+}
+
+float light_of_display(float displayed) { return std::pow(std::max(displayed, 0.0f), kDisplayGamma); }
+
+}  // namespace fb::scene

@@ -1,0 +1,90 @@
+#include "scene/library/lightmaps.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "scene/library/test_lit_room.h"
+
+namespace fb::scene {
+namespace {
+
+using test::bake;
+using test::kLitFloor;
+using test::kLitReflectance;
+using test::kLitRoom;
+using test::lit_room;
+
+formats::Bsp baked_room() {
+  formats::Bsp bsp = lit_room().bsp;
+  bake(bsp, [](const vec3& p, const vec3&) { return p.x / kLitRoom; });
+  return bsp;
+}
+
+Bytes lit_file(std::size_t samples, std::array<std::uint8_t, 3> color) {
+  Bytes file{'Q', 'L', 'I', 'T', 1, 0, 0, 0};
+  for (std::size_t i = 0; i < samples; ++i) file.insert(file.end(), color.begin(), color.end());
+  return file;
+}
+
+TEST(Lightmaps, BakedLightComesBackBetweenLuxels) {
+  const formats::Bsp bsp = baked_room();
+  const Lightmaps maps(bsp);
+  ASSERT_TRUE(maps.has(kLitFloor, 0));
+  EXPECT_FALSE(maps.has(kLitFloor, 1)) << "one style";
+  EXPECT_FALSE(maps.colored());
+  for (const float x : {32.0f, 200.0f, 328.0f}) {
+    const vec3 light = light_of_display(maps.value(kLitFloor, 0, vec3(x, 100, 0)), vec3(kLitReflectance));
+    EXPECT_NEAR(light.x, x / kLitRoom, 0.02f) << x;
+  }
+}
+
+TEST(Lightmaps, AMapWithoutLightHasNone) {
+  const formats::Bsp bsp = lit_room().bsp;
+  EXPECT_TRUE(Lightmaps(bsp).empty());
+  EXPECT_FALSE(Lightmaps(bsp).has(kLitFloor, 0));
+  EXPECT_EQ(Lightmaps(bsp).value(kLitFloor, 0, vec3(0)), vec3(0));
+}
+
+TEST(Lightmaps, AFileOfColouredLightIsUsedWhereItFits) {
+  const formats::Bsp bsp = baked_room();
+  const Bytes fits = lit_file(bsp.lighting.size(), {128, 64, 0}), small = lit_file(bsp.lighting.size() - 1, {9, 9, 9});
+  const Lightmaps colored(bsp, fits);
+  EXPECT_TRUE(colored.colored());
+  EXPECT_EQ(colored.value(kLitFloor, 0, vec3(100, 100, 0)), vec3(1.0f, 0.5f, 0.0f));
+  const Lightmaps refused(bsp, small);
+  EXPECT_FALSE(refused.colored());
+  EXPECT_NE(refused.lit_error(), "");
+  const Bytes other{'Q', 'L', 'I', 'T', 2, 0, 0, 0};
+  EXPECT_NE(Lightmaps(bsp, other).lit_error(), "");
+}
+
+TEST(Lightmaps, LuxelsLieWhereALumpSays) {
+  formats::Bsp bsp = baked_room();
+  Bytes lump(bsp.faces.size() * 40, 0);
+  const auto put = [&](std::size_t at, const auto& value) { std::memcpy(&lump[at], &value, sizeof value); };
+  for (std::size_t f = 0; f < bsp.faces.size(); ++f) {
+    put(40 * f, std::uint16_t{2});
+    put(40 * f + 2, std::uint16_t{1});
+    put(40 * f + 4, std::int32_t{0});
+    put(40 * f + 8, 1.0f / kLitRoom);  // s = x / side
+  }
+  bsp.lighting = {0, 128};
+  bsp.bspx.emplace_back("DECOUPLED_LM", lump);
+  const Lightmaps maps(bsp);
+  EXPECT_NEAR(maps.value(kLitFloor, 0, vec3(0.25f * kLitRoom, 0, 0)).x, 0.25f, 1e-5f);
+  put(4, std::int32_t{1});  // the first face's would end beyond the lump
+  bsp.bspx.back().second = lump;
+  EXPECT_FALSE(Lightmaps(bsp).has(0, 0));
+  EXPECT_TRUE(Lightmaps(bsp).has(1, 0));
+}
+
+TEST(Lightmaps, DisplaysDecodeWhatQuakeMultiplies) {
+  EXPECT_NEAR(light_of_display(vec3(1), vec3(0.2f)).x, 1.0f, 1e-4f) << "as painted";
+  EXPECT_NEAR(light_of_display(vec3(0.5f), vec3(0.9f)).x, 0.21f, 0.02f) << "about a power of 2.2";
+  EXPECT_NEAR(light_of_display(vec3(0.25f), vec3(0.004f)).x, 0.25f, 0.03f) << "the dark end of sRGB is linear";
+  EXPECT_NEAR(light_of_display(vec3(2), vec3(0.5f)).x, 2.0f, 1e-4f) << "white is white";
+}
+
+}  // namespace
+}  // namespace fb::scene
