@@ -20,6 +20,7 @@ constexpr double kFrame = 1.0 / 72.0;  // seconds
 // A client, the files of its game, what it prints and tells to be heard.
 struct DemoPlayer {
   explicit DemoPlayer(FileLoader loader) : library(loader), client(console, library, loader) {
+    console.set("r_authored", "0");  // found on a thread, some frame or other
     log_listener = add_log_listener([this](LogLevel, std::string_view line) { log += std::string(line) + "\n"; });
     client.set_sound_listener([this](const scene::SoundEvent& event) { heard.push_back(event); });
   }
