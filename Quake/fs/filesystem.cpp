@@ -420,11 +420,10 @@ int FileSystem::game_index_of(std::string_view name) const {
 }
 
 bool FileSystem::is_of_base_game(std::string_view name) const {
-  const auto hit = impl_->locate(name);
-  if (!hit || hit->place->game_index > 0) return false;
+  const int index = game_index_of(name);
   std::error_code failed;
-  return hit->place->game_index < 0 ||
-         std::filesystem::equivalent(impl_->options.base_dir, impl_->options.base_game, failed);
+  if (index == 0) return std::filesystem::equivalent(impl_->options.base_dir, impl_->options.base_game, failed);
+  return index < 0 && exists(name);
 }
 
 std::vector<FoundFile> FileSystem::find(std::string_view prefix, std::string_view extension) const {
