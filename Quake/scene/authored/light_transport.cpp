@@ -100,7 +100,6 @@ class Transport {
       : map_(map),
         emitters_(emitters),
         points_(points),
-        mirrors_(mirrors),
         ray_count_(rays),
         rays_(map.bsp),
         nearest_(mirrors),
@@ -227,7 +226,6 @@ class Transport {
   const LitMap& map_;
   const MapEmitters& emitters_;
   const std::vector<LuxelPoint>& points_;
-  const std::vector<LuxelPoint>& mirrors_;
   int ray_count_;
   MapRays rays_;
   NearestPoint nearest_;
