@@ -8,10 +8,16 @@
 #     leaves these files out unless FULLBRIGHT_ALL_TESTS is set.
 #   intersector: NAME_intersector, which runs INTERSECTOR, a filter of GoogleTest ("A*:B*"). What another driver may do
 #     otherwise; "*" labels the whole program, else label repeats, too: the host code is run by NAME already.
+#   sequences: NAME_sequences, which runs SEQUENCES, a filter: tests that compile many shaders or draw many frames, whose host
+#     code others run; label repeats, too.
 # SHARDS n: each of these in n parts, which may run side by side.
 # COST n: about how many seconds the longest of them take on two cores under the sanitizers; ctest begins with those, so
 # that none is left running alone at the end.
+#
+# FULLBRIGHT_TESTED: modules whose test programs are built; empty: all. CI's release build leaves those to its sanitized one
+# that neither draw nor depend on the optimizer.
 option(FULLBRIGHT_ALL_TESTS "Build the statistical tests under the sanitizers, too" OFF)
+set(FULLBRIGHT_TESTED "" CACHE STRING "Modules whose test programs are built; empty: all")
 set(FB_STATISTICAL_SUITES "*Statistics.*:*Statistics/*")
 
 function(fb_add_gtest name program filter label shards cost)
@@ -31,7 +37,7 @@ function(fb_add_gtest name program filter label shards cost)
 endfunction()
 
 function(fb_module name)
-  cmake_parse_arguments(M "" "INTERSECTOR;SHARDS;COST" "SOURCES;LINKS;PRIVATE_LINKS;TESTS;TEST_LINKS;BENCHMARKS;BENCHMARK_LINKS;FUZZERS" ${ARGN})
+  cmake_parse_arguments(M "" "INTERSECTOR;SEQUENCES;SHARDS;COST" "SOURCES;LINKS;PRIVATE_LINKS;TESTS;TEST_LINKS;BENCHMARKS;BENCHMARK_LINKS;FUZZERS" ${ARGN})
   if(M_SOURCES)
     add_library(fb_${name} STATIC ${M_SOURCES})
     target_link_libraries(fb_${name} PUBLIC fb_options ${M_LINKS} PRIVATE ${M_PRIVATE_LINKS})
@@ -39,7 +45,7 @@ function(fb_module name)
     add_library(fb_${name} INTERFACE)
     target_link_libraries(fb_${name} INTERFACE fb_options ${M_LINKS})
   endif()
-  if(M_TESTS AND FULLBRIGHT_TESTS)
+  if(M_TESTS AND FULLBRIGHT_TESTS AND (NOT FULLBRIGHT_TESTED OR name IN_LIST FULLBRIGHT_TESTED))
     set(statistical ${M_TESTS})
     list(FILTER statistical INCLUDE REGEX "_statistics_test\\.cpp$")
     if(statistical AND FULLBRIGHT_SANITIZE AND NOT FULLBRIGHT_ALL_TESTS)
@@ -66,6 +72,10 @@ function(fb_module name)
     elseif(M_INTERSECTOR)
       list(APPEND moved "${M_INTERSECTOR}")
       fb_add_gtest(${name}_intersector ${name}_test "${M_INTERSECTOR}" "intersector;repeats" ${M_SHARDS} ${M_COST})
+    endif()
+    if(M_SEQUENCES)
+      list(APPEND moved "${M_SEQUENCES}")
+      fb_add_gtest(${name}_sequences ${name}_test "${M_SEQUENCES}" "sequences;repeats" 1 ${M_COST})
     endif()
     if(moved)
       string(JOIN ":" moved ${moved})

@@ -9,6 +9,7 @@
 #include "scene/animation.h"
 #include "scene/library/lightmaps.h"
 #include "scene/library/asset_builder.h"
+#include "shared/spot.h"
 
 namespace fb::cl {
 namespace {
@@ -264,6 +265,9 @@ void SnapshotBuilder::add_entity(const SnapshotInput& input, scene::FrameSnapsho
                                  model.mesh, instance.transform, camera_.position);
       return;
     case scene::ModelKind::kAlias:
+      // A torch: its light is its lamp's, which baked light was asked of.
+      if (snapshot.authored && model.glows && id >= scene::kIdStatic)
+        instance.visibility &= static_cast<std::uint32_t>(scene::kSeenByCamera);
       instance.transform =
           entity_transform(e.drawn_origin, {-e.drawn_angles.x, e.drawn_angles.y, e.drawn_angles.z}, scale);
       add_alias(input, snapshot, instance, e, model, number);
@@ -400,15 +404,20 @@ void SnapshotBuilder::add_lights(const SnapshotInput& input, scene::FrameSnapsho
       instance.mesh = input.library.sphere_mesh();
       instance.material_base = input.library.entity_light_material();
       instance.transform = ball(light.position, light.radius);
-      instance.flags &= ~static_cast<std::uint32_t>(scene::kInstanceSpot);
+      instance.flags &= ~(scene::kInstanceSpot | 7u << scene::kInstanceFallShift);
       instance.color = vec3(0.0f);
       if (light.axis != vec3(0.0f)) {
+        instance.color = vec3(light.least_cosine, light.full_cosine, 0.0f);
         const vec3 side =
             glm::normalize(glm::cross(light.axis, std::fabs(light.axis.z) < 0.9f ? vec3(0, 0, 1) : vec3(1, 0, 0)));
         instance.transform = mat4x3(light.axis * light.radius, side * light.radius,
                                     glm::cross(light.axis, side) * light.radius, light.position);
         instance.flags |= scene::kInstanceSpot;
-        instance.color = vec3(light.least_cosine, light.full_cosine, 0.0f);
+      }
+      if (snapshot.authored && light.fall != shared::kFallSquare) {
+        if ((instance.flags & scene::kInstanceSpot) == 0) instance.color = vec3(-2.0f);  // all ways
+        instance.flags |= scene::kInstanceSpot | light.fall << scene::kInstanceFallShift;
+        instance.color.z = light.fall_scale;
       }
       instance.emission = light.power_color * (snapshot.authored ? input.authored->lamp_factor(i) : vec3(1.0f)) *
                           (brightness * settings.r_entlights);

@@ -70,7 +70,8 @@ std::uint64_t content_key(const scene::FrameSnapshot& s) {
       }
   }
   if (s.authored && s.assets)
-    for (const scene::Material& m : s.assets->materials) key = hash_bytes(&m.cast, sizeof m.cast, key);
+    for (const scene::Material& m : s.assets->materials)
+      key = hash_value(m.cast_fall, hash_bytes(&m.cast, sizeof m.cast, key));
   return hash_value(s.time, hash_bytes(&s.ambient, sizeof s.ambient, key));
 }
 

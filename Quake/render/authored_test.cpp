@@ -9,6 +9,7 @@
 #include "scene/shapes.h"
 #include "shared/denoise.h"
 #include "shared/gain_field.h"
+#include "shared/spot.h"
 
 namespace fb::render {
 namespace {
@@ -51,6 +52,89 @@ TEST_F(AuthoredTest, GainsAreAFactorOnAllThatTheFirstVertexReflects) {
   snapshot.authored = false;
   renderer->render(snapshot, nullptr, s);
   EXPECT_EQ(renderer->read().linear(), plain);
+}
+
+// A closed room with a lamp that the camera does not see.
+scene::FrameSnapshot lamp_room(const vec3& position, float radius) {
+  scene::FrameSnapshot snapshot = scene::furnace(0.5f, 0.0f);
+  auto assets = std::make_shared<scene::Assets>(*snapshot.assets);
+  assets->generation = scene::next_generation();
+  scene::Material glows;
+  glows.name = "lamp";
+  glows.emission_kind = scene::EmissionKind::kConstant;
+  glows.emission = vec3(1.0f);
+  assets->materials.push_back(glows);
+  assets->meshes.push_back(scene::make_sphere());
+  scene::Instance lamp;
+  lamp.id = scene::kIdEntityLight;
+  lamp.mesh = static_cast<std::uint32_t>(assets->meshes.size() - 1);
+  lamp.material_base = static_cast<std::uint32_t>(assets->materials.size() - 1);
+  lamp.visibility = scene::kSeenByIndirect;
+  lamp.flags = scene::kInstanceColor;
+  lamp.color = vec3(0.0f);
+  lamp.emission = vec3(100.0f);
+  lamp.transform = lamp.prev_transform = mat4x3(vec3(radius, 0, 0), vec3(0, radius, 0), vec3(0, 0, radius), position);
+  snapshot.instances.push_back(lamp);
+  snapshot.assets = std::move(assets);
+  return snapshot;
+}
+
+// The same random numbers, so that pictures differ by the law alone: at each pixel by its value for a point of the
+// lamp.
+TEST_F(AuthoredTest, LampsFallOffByTheirOwnLaws) {
+  const vec3 at(64, 20, 10);
+  const float radius = 2.0f, scale = 1.0f / 60.0f;
+  RenderSettings s = plain_settings("nee", 1);
+  s.deterministic = 1;
+  scene::FrameSnapshot snapshot = lamp_room(at, radius);
+  const auto picture = [&] {
+    auto renderer = make_renderer(s, 24, 16);  // which has learnt nothing yet
+    renderer->render(snapshot, nullptr, s);
+    return renderer->read().linear();
+  };
+  const auto plain = picture();
+  for (const std::uint32_t law : {shared::kFallLinear, shared::kFallInverse, shared::kFallNone, shared::kFallOffset}) {
+    scene::Instance& lamp = snapshot.instances.back();
+    lamp.flags = scene::kInstanceColor | scene::kInstanceSpot | law << scene::kInstanceFallShift;
+    lamp.color = vec3(-2.0f, -2.0f, scale);
+    const auto fallen = picture();
+    int compared = 0;
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      if (plain[i].x < 1e-3f) continue;
+      const float across = (static_cast<float>(i % 24) + 0.5f) / 12.0f - 1.0f;
+      const float down = (static_cast<float>(i / 24) + 0.5f) / 12.0f - 16.0f / 24.0f;
+      const float d =
+          glm::length(vec3(128.0f, -128.0f * across, -128.0f * down) - at);  // the wall ahead fills the picture
+      const float a = shared::fall_share(law, (d - 1.1f * radius) * scale),
+                  b = shared::fall_share(law, (d + 1.1f * radius) * scale);
+      const float ratio = fallen[i].x / plain[i].x;
+      EXPECT_GE(ratio, std::min(a, b) - 1e-2f) << law << " at " << d;
+      EXPECT_LE(ratio, std::max(a, b) + 1e-2f + 0.02f * b) << law << " at " << d;
+      ++compared;
+    }
+    EXPECT_GT(compared, 100);
+  }
+}
+
+TEST_F(AuthoredTest, ScatteredRaysFindTheSameLightOfSuchLamps) {
+  scene::FrameSnapshot snapshot = lamp_room(vec3(64, 20, 10), 24.0f);
+  scene::Instance& lamp = snapshot.instances.back();
+  lamp.flags = scene::kInstanceColor | scene::kInstanceSpot | shared::kFallLinear << scene::kInstanceFallShift;
+  lamp.color = vec3(0.0f, 0.5f, 1.0f / 80.0f);  // a spot besides
+  const auto mean = [&](const char* estimator) {
+    RenderSettings s = plain_settings(estimator, 2);
+    auto renderer = make_renderer(s, 24, 16);
+    double sum = 0;
+    for (int frame = 0; frame < 128; ++frame) {
+      snapshot.frame = static_cast<std::uint32_t>(frame);
+      renderer->render(snapshot, nullptr, s);
+      for (const vec4& p : renderer->read().linear()) sum += static_cast<double>(p.x);
+    }
+    return sum;
+  };
+  const double looked_for = mean("nee");
+  EXPECT_GT(looked_for, 0.0);
+  EXPECT_NEAR(mean("pt") / looked_for, 1.0, 0.05);
 }
 
 TEST_F(AuthoredTest, ASkyMayShineUnseen) {

@@ -39,6 +39,7 @@ enum InstanceFlags : std::uint32_t {
   kInstanceViewModel = 1u << 2,  // moves with the camera; may be drawn closer to the eye
   kInstanceNew = 1u << 3,        // was not there in the previous frame: its motion means nothing
   kInstanceSpot = 1u << 5,       // shines about its x axis alone: color.x and .y are cosines where it ends and is whole
+  kInstanceFallShift = 6,        // three bits, of a spot: its law of distance (shared/spot.h), of the scale color.z
   kInstanceShareTime = 1u << 4,  // animation time is FrameSnapshot::time, not time - time_offset
 };
 

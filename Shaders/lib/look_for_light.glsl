@@ -38,7 +38,7 @@ vec3 light_emission(Hit hit, vec3 direction, bool stopped) {
   GpuMaterial m = material_of(hit.instance, hit.triangle);
   if (shows_sky(m, hit.instance)) return sky_radiance(direction) * m.emission.rgb;
   float seen = FEATURE_WATER && stopped && (m.flags & kMaterialDielectric) != 0u ? m.opaque_share : 1.0;
-  seen *= lamp_share(hit.instance, direction);
+  seen *= emission_share(hit.instance, m, direction, hit.t);
   return seen * shade_point(m, hit.instance, hit_uv(instance_at(hit.instance).first_attribute + hit.triangle, hit.bary), kNearest).emission;
 }
 

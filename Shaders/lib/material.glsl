@@ -41,12 +41,16 @@ vec2 footprint_tap(TextureFilter filtered, vec2 quarter) {
   return filtered.footprint * (frame.tap_size * (0.5 * quarter - 0.25) + frame.tap_shift * jitter);
 }
 
-// The share of its radiance that a lamp sends along a ray that meets it.
-float lamp_share(uint instance_index, vec3 direction) {
+// The share of its radiance that what glows sends along a ray that meets it after a distance.
+float emission_share(uint instance_index, GpuMaterial m, vec3 direction, float distance_to) {
   GpuInstance lamp = instance_at(instance_index);
-  if ((lamp.flags & kInstanceIsSpot) == 0u) return 1.0;
+  if ((lamp.flags & kInstanceIsSpot) == 0u) {
+    float scale = unpackHalf2x16(m.seen_b).y;
+    return scale > 0.0 ? fall_share(kFallLinear, distance_to * scale) : 1.0;
+  }
   vec3 axis = vec3(lamp.to_world[0].x, lamp.to_world[1].x, lamp.to_world[2].x);
-  return spot_share(-dot(direction, axis) * inversesqrt(dot(axis, axis)), lamp.color.w, lamp.emission.w);
+  float fall = fall_share((lamp.flags >> kInstanceFallShift) & 7u, distance_to * lamp.pose_scale.x);
+  return fall * spot_share(-dot(direction, axis) * inversesqrt(dot(axis, axis)), lamp.color.w, lamp.emission.w);
 }
 
 // Colour and own radiance of a point; a sky's radiance is added by who knows the direction. All texels come through one fetch

@@ -88,7 +88,7 @@ vec3 trace_path(Vertex v, inout Path path, inout uint rng) {
     Surface s;
     s.emission = vec3(0.0);
     s.sky = true;
-    if (!dark || !(kLearns || kRecords)) s = load_surface(incident.way.hit, incident.way.direction, kFilterNearest, path.last);
+    if (!dark || !(kLearns || kRecords)) s = load_surface(incident.way.hit, incident.way.direction, kFilterNearest, path.last, false);
     if (kLooksForLight) s.emission *= met_share(v, incident.way, proposal, s.emission, path);
     vec3 left = incident.way.left;
     incident.sky = s.sky;

@@ -11,9 +11,9 @@ const GBufferTexel kNothingSeen = GBufferTexel(vec4(0.0), vec4(0.0, 0.0, 0.0, 1.
 
 // A surface as the camera sees it: one may glow for the eye alone, or more than it lights its room.
 Surface load_seen_surface(Hit hit, vec3 direction, bool missed) {
-  Surface s = load_surface(hit, direction, uint(frame.texture_filter), missed);
+  Surface s = load_surface(hit, direction, uint(frame.texture_filter), missed, true);
   if (s.sky) s.emission -= frame.sky_even.rgb * (hit.instance != kNoIndex ? material_at(s.material).emission.rgb : vec3(1.0));
-  if (hit.instance != kNoIndex) s.emission *= seen_emission(material_at(s.material));
+  if (s.sky && hit.instance != kNoIndex) s.emission *= seen_emission(material_at(s.material));
   return s;
 }
 

@@ -153,7 +153,8 @@ mat2 uv_footprint(GpuTriangle t, GpuAttribute a, vec3 ray, float depth) {
 
 // The surface that a ray meets; where it meets none (hit.instance is kNoIndex), emission is the sky's and nothing else
 // counts. `end_of_path`: emission is all that is wanted. `filter_kind`: of textures, kFilterFootprint for camera rays alone.
-Surface load_surface(Hit hit, vec3 direction, uint filter_kind, bool end_of_path) {
+// `seen`: by the camera itself, to which it may glow otherwise than on what it lights.
+Surface load_surface(Hit hit, vec3 direction, uint filter_kind, bool end_of_path, bool seen) {
   Surface s;
   s.emission = vec3(0.0);
   vec3 sky_factor = vec3(1.0);
@@ -169,7 +170,7 @@ Surface load_surface(Hit hit, vec3 direction, uint filter_kind, bool end_of_path
       filtered.footprint = uv_footprint(world_triangle(hit.instance, hit.triangle), a, direction,
                                         hit.t * dot(direction, frame.camera_forward.xyz));
     Shade shade = shade_point(m, hit.instance, uv, filtered);
-    s.emission = shade.emission * lamp_share(hit.instance, direction);
+    s.emission = shade.emission * (seen ? seen_emission(m) : vec3(emission_share(hit.instance, m, direction, hit.t)));
     sky = m.emission_kind == kEmissionSky && (instance_at(hit.instance).flags & kInstanceHasColor) == 0u;
     sky_factor = m.emission.rgb;
     if (!end_of_path) {

@@ -56,7 +56,8 @@ FB_CONST uint kInstanceMaskBits = 3u;
 FB_CONST uint kInstanceHasColor = 4u;
 FB_CONST uint kInstanceMoves = 64u;        // its points were elsewhere in the former frame
 FB_CONST uint kInstanceIsNew = 128u;       // it was not there
-FB_CONST uint kInstanceIsSpot = 256u;      // it shines about its x axis alone (shared/spot.h)
+FB_CONST uint kInstanceIsSpot = 256u;      // it shines about its x axis alone, by a law of distance (shared/spot.h)
+FB_CONST uint kInstanceFallShift = 9u;     // three bits: that law; pose_scale.x is its scale
 FB_CONST uint kInstanceTranslucent = 32u;  // alpha < 1: candidate hits must ask
 
 // A copy of a mesh for one instance and this frame; a workgroup makes it. Posed triangles in the mesh's space, for
@@ -91,8 +92,10 @@ struct GpuMaterial {               // 96 bytes
   uint emission_kind;                              // scene::EmissionKind
   float extinction_r, extinction_g, extinction_b;  // kMaterialDielectric: of what is behind it, 1/unit
   float scattering;                                // likewise, the part of extinction that is scattered
-  float opaque_share;    // kMaterialDielectric: of its surface, which glows and ends a ray; the rest is the interface
-  uint seen_rg, seen_b;  // halves: factor on emission for what the camera sees itself (seen_emission)
+  float opaque_share;  // kMaterialDielectric: of its surface, which glows and ends a ray; the rest is the interface
+  uint seen_rg,
+      seen_b;  // halves: factor on emission for what the camera sees itself (seen_emission); high half of seen_b: scale
+               // of the linear law by which what it lights falls off (shared/spot.h), 0: by the square
 };
 
 // The list of lights, a buffer of four tables. First a uint for each instance: the number of the light that its

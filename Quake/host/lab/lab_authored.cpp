@@ -56,6 +56,14 @@ void print_table(const scene::AuthoredLight& light) {
   }
 }
 
+// The author's picture has the map alone: models go, torches among them, whose lamps stay.
+void remove_models(scene::FrameSnapshot& snapshot) {
+  std::erase_if(snapshot.instances, [&](const scene::Instance& i) {
+    if (i.id == scene::kIdWorld || i.id >= scene::kIdDynamicLight) return false;
+    return !snapshot.assets->meshes[i.mesh].name.starts_with('*');
+  });
+}
+
 scene::AuthoredFog fog_of(const formats::Bsp& bsp) {
   scene::AuthoredFog fog;
   const auto entities = world::parse_entity_lump(bsp.entities, "the map's entities");
@@ -84,6 +92,7 @@ int run_authored(const AuthoredOptions& options) {
   stage.renderer->resize(stage.size.x, stage.size.y);
   scene::FrameSnapshot snapshot;
   if (const auto more = stage.source->next(snapshot); !more) return fail(more.error());
+  remove_models(snapshot);
   if (const auto* light = stage.engine->client().authored().light(); options.table && light != nullptr)
     print_table(*light);
   const std::vector<lab::MapCamera> cameras = lab::map_cameras(*library.map(), options.cameras);

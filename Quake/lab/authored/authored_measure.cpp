@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/check.h"
+#include "scene/library/light_sources.h"
 #include "shared/color.h"
 #include "world/bsp_query.h"
 #include "world/entity_lump.h"
@@ -22,6 +23,11 @@ constexpr float kEyes = 22.0f;     // units over an entity's origin
 struct Block {
   dvec3 own{0.0}, authors{0.0};
 };
+
+bool is_open(const formats::Bsp& bsp, const vec3& point, std::uint32_t model) {
+  const std::int32_t contents = world::point_contents(bsp, point, model);
+  return contents == formats::kContentsEmpty || contents == formats::kContentsWater;
+}
 
 double luminance_of(const dvec3& c) { return static_cast<double>(shared::luminance(vec3(c))); }
 
@@ -102,6 +108,7 @@ std::vector<MapCamera> map_cameras(const formats::Bsp& bsp, std::size_t most) {
   std::vector<MapCamera> all;
   const auto entities = world::parse_entity_lump(bsp.entities, "the map's entities");
   if (!entities) return all;
+  const auto submodels = scene::shown_submodels(*entities, bsp);
   std::map<std::string, int, std::less<>> numbers;
   for (const world::Entity& entity : *entities) {
     const std::string_view name = entity.classname();
@@ -115,7 +122,10 @@ std::vector<MapCamera> map_cameras(const formats::Bsp& bsp, std::size_t most) {
     else
       camera.position.z += kEyes;
     if (const float yaw = entity.number("angle", 0.0f); !intermission && yaw >= 0.0f) camera.angles.y = yaw;
-    if (world::point_contents(bsp, camera.position) == formats::kContentsSolid) continue;
+    if (!is_open(bsp, camera.position, 0)) continue;
+    const bool inside = std::ranges::any_of(
+        submodels, [&](const scene::Submodel& s) { return !is_open(bsp, camera.position - s.offset, s.index); });
+    if (inside) continue;  // of a door, or of lava that is to flow away
     all.push_back(std::move(camera));
   }
   if (all.size() <= most) return all;

@@ -25,7 +25,7 @@ shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternat
       painted ? glm::max(m.emission, vec3(kLeastCast)) * scene::usual_emission(m.emission_kind) : vec3(1.0f);
   const vec3 seen = 1.0f / (cast * own);
   out.seen_rg = glm::packHalf2x16(vec2(seen.x, seen.y));
-  out.seen_b = glm::packHalf2x16(vec2(seen.z, 0.0f));
+  out.seen_b = glm::packHalf2x16(vec2(seen.z, authored ? m.cast_fall : 0.0f));
   out.roughness = m.roughness;
   out.specular = m.specular;
   out.metalness = m.metalness;
@@ -183,10 +183,12 @@ shared::GpuInstance make_gpu_instance(const MeshRecord& mesh, const scene::Insta
   out.time_offset = instance.time_offset;
   out.triangle_count = mesh.triangle_count;
   const bool spot = (instance.flags & scene::kInstanceSpot) != 0;
-  if (spot) out.flags |= shared::kInstanceIsSpot;
+  if (spot)
+    out.flags |= shared::kInstanceIsSpot | ((instance.flags >> scene::kInstanceFallShift) & 7u)
+                                               << shared::kInstanceFallShift;
   out.color = spot ? vec4(0.0f, 0.0f, 0.0f, instance.color.x) : vec4(instance.color, 0);
   out.emission = vec4(instance.emission * scale, spot ? instance.color.y : 0.0f);
-  out.pose_scale = vec4(mesh.pose_scale, 0);
+  out.pose_scale = spot ? vec4(instance.color.z, 0.0f, 0.0f, 0.0f) : vec4(mesh.pose_scale, 0);
   out.pose_origin = vec4(mesh.pose_origin, 0);
   return out;
 }

@@ -8,6 +8,7 @@
 #include "base/rng.h"
 #include "scene/authored/map_rays.h"
 #include "scene/library/test_lit_room.h"
+#include "shared/spot.h"
 
 namespace fb::scene {
 namespace {
@@ -50,6 +51,24 @@ TEST(AuthoredLight, PowersComeBackFromWhatTheyBaked) {
   EXPECT_NEAR(room.factor(1), 1.8f, 0.18f);
   EXPECT_LT(room.found->fit.stops_after, 0.25);
   EXPECT_GT(room.found->fit.stops_before, 0.5);
+}
+
+TEST(AuthoredLight, ALampKeepsItsLawOfDistance) {
+  formats::Bsp bsp = lit_room().bsp;
+  std::vector<EntityLight> lamps{lit_lamp(vec3(120, 130, 300), 20000)};
+  const auto stops_after = [&](std::uint32_t law) {
+    lamps[0].fall = law;
+    lamps[0].fall_scale = 2.0f / 700.0f;
+    LitMap map = lit_map(bsp);
+    map.lamps = lamps;
+    const auto found = find_authored_light(map, Lightmaps(bsp));
+    return found ? found->fit.stops_after : 1e9;
+  };
+  bake(bsp, [&](const vec3& p, const vec3& n) {
+    const float scaled = glm::length(lamps[0].position - p) * 2.0f / 700.0f;
+    return 0.5f * lamp_light(lamps[0], p, n) * shared::fall_share(shared::kFallLinear, scaled);
+  });
+  EXPECT_LT(stops_after(shared::kFallLinear), 0.5 * stops_after(shared::kFallSquare));
 }
 
 TEST(AuthoredLight, NoiseInTheBakeIsEvenedOut) {

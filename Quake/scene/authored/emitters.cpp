@@ -96,8 +96,14 @@ MapEmitters find_emitters(const LitMap& map) {
     if (surface == nullptr || face.surfedge_count < 3 || !(luminance(surface->radiance) > 1e-4f)) continue;
     const auto [at, added] = of_material.try_emplace(surface->material, static_cast<std::uint32_t>(out.all.size()));
     if (added)
-      out.all.push_back(
-          {EmitterKind::kTexture, "texture " + surface->name, surface->material, {}, 0, surface->radiance, vec3(0.0f)});
+      out.all.push_back({EmitterKind::kTexture,
+                         "texture " + surface->name,
+                         surface->material,
+                         {},
+                         surface->style,
+                         surface->fall_scale,
+                         surface->radiance,
+                         vec3(0.0f)});
     glowing.emplace_back(f, at->second);
     area += world::face_area(map.bsp, face);
   }
@@ -110,10 +116,12 @@ MapEmitters find_emitters(const LitMap& map) {
                        static_cast<std::uint32_t>(i),
                        {},
                        0,
+                       0.0f,
                        map.suns[i].irradiance / kPi,
                        vec3(0.0f)});
-  out.all.push_back({EmitterKind::kSky, "sky", 0, {}, 0, glm::max(map.sky, kLeastSky), map.sky});
-  out.all.push_back({EmitterKind::kAmbient, "even light", 0, {}, 0, glm::max(map.ambient, kLeastAmbient), map.ambient});
+  out.all.push_back({EmitterKind::kSky, "sky", 0, {}, 0, 0.0f, glm::max(map.sky, kLeastSky), map.sky});
+  out.all.push_back(
+      {EmitterKind::kAmbient, "even light", 0, {}, 0, 0.0f, glm::max(map.ambient, kLeastAmbient), map.ambient});
   for (Emitter& e : out.all)
     if (e.kind != EmitterKind::kSky && e.kind != EmitterKind::kAmbient) e.own = e.power;
   return out;

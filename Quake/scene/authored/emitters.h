@@ -20,6 +20,7 @@ struct Emitter {
   std::uint32_t index = 0;           // kTexture: material; kSun: Sky::suns
   std::vector<std::uint32_t> lamps;  // kLamp: EntityLights
   int style = 0;
+  float fall_scale = 0.0f;  // kTexture: of the linear law of distance; 0: the square's
   // As the map's rules have it. kTexture, kSky, kAmbient: radiance; kSun: irradiance / pi; kLamp: radiance times
   // radius^2, of all of them.
   vec3 power{0.0f};

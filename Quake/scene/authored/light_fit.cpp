@@ -55,15 +55,18 @@ double off_by(const LightEquation& equation, double sum) {
 std::vector<LightEquation> equations_of(std::size_t channel, const std::vector<Emitter>& emitters,
                                         const std::vector<LuxelPoint>& points, const LightTransport& transport) {
   std::vector<LightEquation> out;
+  const auto add = [&](const float* row, int style, float value) {
+    LightEquation equation{{}, value};
+    for (std::uint32_t e = 0; e < emitters.size(); ++e)
+      if (emitters[e].style == style && row[e] > kLeastTerm) equation.terms.push_back({e, row[e]});
+    if (!equation.terms.empty()) out.push_back(std::move(equation));
+  };
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (transport.outside[i] != 0) continue;
     const float* const row = &transport.light[channel][i * transport.emitters];
     for (std::size_t k = 0; k < 4; ++k) {
       if (points[i].styles[k] == Lightmaps::kNoStyle) continue;
-      LightEquation equation{{}, points[i].baked[k][static_cast<int>(channel)]};
-      for (std::uint32_t e = 0; e < emitters.size(); ++e)
-        if (emitters[e].style == points[i].styles[k] && row[e] > kLeastTerm) equation.terms.push_back({e, row[e]});
-      if (!equation.terms.empty()) out.push_back(std::move(equation));
+      add(row, points[i].styles[k], points[i].baked[k][static_cast<int>(channel)]);
     }
   }
   return out;

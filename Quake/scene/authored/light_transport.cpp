@@ -172,7 +172,9 @@ class Transport {
     const float spot = lamp.axis == vec3(0.0f) ? 1.0f
                                                : shared::spot_share(-glm::dot(way, lamp.axis) / distance,
                                                                     lamp.least_cosine, lamp.full_cosine);
-    const vec3 light = lamp.power_color * (lamp.radius * lamp.radius * cosine_times / (square * distance) * spot);
+    const float fall = shared::fall_share(lamp.fall, distance * lamp.fall_scale);
+    const vec3 light =
+        lamp.power_color * (lamp.radius * lamp.radius * cosine_times / (square * distance) * spot * fall);
     if (std::max({light.x, light.y, light.z}) < kLeastLight) return vec3(0.0f);
     if (!sees(seen, lamp_leafs_[index]) || !rays_.is_clear(p.position, lamp.position)) return vec3(0.0f);
     return light;
@@ -202,7 +204,10 @@ class Transport {
         const vec3 way = patch.middle - p.position;
         const float here = glm::dot(way, p.normal), there = -glm::dot(way, patch.normal);
         const float square = glm::dot(way, way);
-        if (here > 0.0f && there > 0.0f) sum += patch.area * here * there / (square * (kPi * square + patch.area));
+        const float scale = emitters_.all[range.emitter].fall_scale;
+        const float fall = scale > 0.0f ? shared::fall_share(shared::kFallLinear, std::sqrt(square) * scale) : 1.0f;
+        if (here > 0.0f && there > 0.0f)
+          sum += patch.area * here * there * fall / (square * (kPi * square + patch.area));
         up_to.push_back(sum);
       }
       const vec3 light = emitters_.all[range.emitter].power * sum;

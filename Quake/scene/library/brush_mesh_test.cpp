@@ -366,7 +366,7 @@ TEST(MapMaterials, SurfaceLightsGlow) {
   MapBuilder map;
   map.add_square(0, 0, 0, 64, map.add_texture(texture("Panel", 200)));
   map.add_square(0, 0, 64, 64, map.add_texture(texture("*lava1", 200)));
-  const auto built = build(map, {}, {}, {{"panel", vec3(2, 1, 0)}, {"*lava1", vec3(9)}});
+  const auto built = build(map, {}, {}, {{"panel", {vec3(2, 1, 0)}}, {"*lava1", {vec3(9)}}});
   for (const Material& material : built->builder->assets().materials) {
     if (material.name == "*lava1") {
       EXPECT_EQ(material.emission_kind, EmissionKind::kLava);

@@ -128,6 +128,7 @@ struct ModelLibrary::Impl {
   AmbientLight ambient;
   Sky sky;
   std::vector<std::uint32_t> map_materials;  // of the map's textures
+  std::vector<SurfaceLight> texture_lights;  // that its _surface lights give
   std::shared_ptr<const Lightmaps> lightmaps;
   std::vector<Submodel> submodels;        // that entities show
   std::vector<std::uint32_t> unshadowed;  // light_sources.h
@@ -227,7 +228,8 @@ void ModelLibrary::Impl::take_map(const std::string& path, formats::Bsp bsp, con
   lightmaps = std::make_shared<const Lightmaps>(*map, lit_file ? std::move(*lit_file) : FileData());
   if (!lightmaps->lit_error().empty())
     log_warning("{}: {}; the map's own light is used", with_extension(path, ".lit"), lightmaps->lit_error());
-  MapMaterials materials(*builder, *map, path, liquid_alphas(entities), surface_lights(entities, *map));
+  const SurfaceLights glowing = surface_lights(entities, *map);
+  MapMaterials materials(*builder, *map, path, liquid_alphas(entities), glowing);
   for (std::uint32_t i = 0; i < map->models.size(); ++i)
     map_meshes.push_back(add_brush_mesh(*builder, *map, i, materials, i == 0 ? path : fmt::format("*{}", i)));
   lights = scene::entity_lights(entities, *map);
@@ -236,18 +238,22 @@ void ModelLibrary::Impl::take_map(const std::string& path, formats::Bsp bsp, con
   ambient.radiance = ambient_radiance(entities);
   if (ambient.radiance == vec3(0.0f) && !has_light_source(builder->assets(), map_meshes, entities, lights, sky))
     ambient = {vec3(1.0f), true};
-  for (std::uint32_t t = 0; t < map->textures.size(); ++t) map_materials.push_back(materials.known(t));
+  for (std::uint32_t t = 0; t < map->textures.size(); ++t) {
+    map_materials.push_back(materials.known(t));
+    const auto lit = glowing.find(lower_case(map->textures[t].name));
+    texture_lights.push_back(lit != glowing.end() ? lit->second : SurfaceLight());
+  }
   submodels = shown_submodels(entities, *map);
   unshadowed = unshadowed_submodels(entities, map->models.size());
 }
 
 LitMap ModelLibrary::Impl::lit_map() const {
-  return {*map,
-          lit_surfaces(builder->assets(), map_materials),
-          lights,
-          sky.suns,
-          mean_of_sky(builder->assets(), sky),
-          ambient.radiance,
+  std::vector<LitSurface> surfaces = lit_surfaces(builder->assets(), map_materials);
+  for (std::size_t t = 0; t < surfaces.size(); ++t) {
+    surfaces[t].style = texture_lights[t].style;
+    surfaces[t].fall_scale = texture_lights[t].fall_scale;
+  }
+  return {*map,     std::move(surfaces), lights, sky.suns, mean_of_sky(builder->assets(), sky), ambient.radiance,
           submodels};
 }
 
@@ -259,6 +265,7 @@ void ModelLibrary::Impl::forget_map() {
   sky = {};
   ambient = {};
   map_materials.clear();
+  texture_lights.clear();
   submodels.clear();
   unshadowed.clear();
   lightmaps.reset();
@@ -274,8 +281,10 @@ std::shared_ptr<const formats::Bsp> ModelLibrary::shared_map() const { return im
 std::shared_ptr<const Lightmaps> ModelLibrary::lightmaps() const { return impl_->lightmaps; }
 bool ModelLibrary::of_base_game() const { return own_files_ && own_files_(impl_->map_path); }
 LitMap ModelLibrary::lit_map() const { return impl_->lit_map(); }
-void ModelLibrary::set_cast(std::uint32_t material, const vec3& cast) {
-  impl_->builder->assets().materials[material].cast = cast;
+void ModelLibrary::set_cast(std::uint32_t material, const vec3& cast, float fall) {
+  Material& m = impl_->builder->assets().materials[material];
+  m.cast = cast;
+  m.cast_fall = fall;
 }
 std::uint32_t ModelLibrary::add_words(const std::vector<std::uint32_t>& words) {
   constexpr std::size_t kRow = 4096;  // the last row is filled up
@@ -341,7 +350,11 @@ Model ModelLibrary::Impl::load_model(const std::string& name) {
     auto mdl = formats::parse_mdl(*bytes, name);
     if (!mdl) return refuse(mdl.error());
     log_all(mdl->warnings);
-    return alias_model(*builder, *mdl, name);
+    Model model = alias_model(*builder, *mdl, name);
+    model.glows = std::ranges::any_of(model.skin_materials, [&](std::uint32_t m) {
+      return builder->assets().materials[m].emission_kind != EmissionKind::kNone;
+    });
+    return model;
   }
   if (magic == "IDSP") {
     auto spr = formats::parse_spr(*bytes, name);

@@ -54,6 +54,7 @@ struct Model {
   // Brush: the submodel's contents-independent facts.
   vec3 mins{0.0f}, maxs{0.0f};
   bool shadowless = false;  // light tools let light through it, and it gives none (light_sources.h)
+  bool glows = false;       // alias: a skin of it does
 };
 
 class Lightmaps;
@@ -68,6 +69,9 @@ struct EntityLight {
   // A spot's axis, unit, and the cosines of half its cone's angle, where it begins to fade and where it ends; zero: it
   // shines all ways.
   vec3 axis{0.0f};
+  // How its light falls off as the author had it (shared/spot.h), and the scale of that law, 1 / units.
+  std::uint32_t fall = 0;
+  float fall_scale = 0.0f;
   float full_cosine = -1.0f, least_cosine = -1.0f;
 };
 
@@ -109,8 +113,8 @@ class ModelLibrary {
   std::shared_ptr<const Lightmaps> lightmaps() const;
   LitMap lit_map() const;
   bool of_base_game() const;  // the map is this project's own
-  // Material::cast of a material, and words for shaders as an image of their own (ImageEncoding::kWords).
-  void set_cast(std::uint32_t material, const vec3& cast);
+  // Material::cast and cast_fall of a material, and words for shaders as an image of their own (ImageEncoding::kWords).
+  void set_cast(std::uint32_t material, const vec3& cast, float fall = 0.0f);
   std::uint32_t add_words(const std::vector<std::uint32_t>& words);
   const Sky& map_sky() const;  // layers or black, suns; the client overrides by svc_skybox / "sky" key
   Sky make_skybox(std::string_view name, const Sky& fallback);  // gfx/env/<name>{rt,bk,lf,ft,up,dn}.{png,tga,pcx}

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "scene/library/asset_builder.h"
+#include "shared/spot.h"
 #include "world/bsp_query.h"
 
 namespace fb::scene {
@@ -182,6 +183,29 @@ float light_strength(float value, float wait, int delay) {
   }
 }
 
+void set_fall(EntityLight& light, float value, float wait, int delay) {
+  const float w = wait > 0.0f ? std::max(wait, kMinWait) : 1.0f;
+  light.fall = shared::kFallSquare;
+  light.fall_scale = w / kLightmapUnit;
+  switch (delay) {
+    case 1:
+      light.fall = shared::kFallInverse;
+      break;
+    case 2:
+      break;
+    case 3:
+      light.fall = shared::kFallNone;
+      light.fall_scale = 1.0f / kLightmapUnit;
+      break;
+    case 5:
+      light.fall = shared::kFallOffset;
+      break;
+    default:
+      light.fall = shared::kFallLinear;
+      light.fall_scale = 2.0f * w / std::clamp(value, 1.0f, kMaxLight);
+  }
+}
+
 std::vector<EntityLight> entity_lights(const std::vector<Entity>& entities, const formats::Bsp& bsp) {
   std::vector<EntityLight> lights;
   if (bsp.models.empty()) return lights;
@@ -200,6 +224,8 @@ std::vector<EntityLight> entity_lights(const std::vector<Entity>& entities, cons
     sphere.power_color = light.color * (strength / (sphere.radius * sphere.radius));
     sphere.style = std::clamp(entity.integer("style", 0), 0, 63);
     aim(sphere, entity, entities);
+    set_fall(sphere, light.value, entity.number(either(entity, "_wait"), 1.0f),
+             entity.integer(either(entity, "_delay"), 0));
     lights.push_back(sphere);
   }
   return lights;
@@ -220,10 +246,17 @@ SurfaceLights surface_lights(const std::vector<Entity>& entities, const formats:
     }
     const LightValue light = light_value(entity);
     const float strength = strength_of(entity, light.value);
-    if (area < 1.0 || !(strength > 0.0f)) continue;
+    const bool begins_off = entity.has("targetname") && (entity.integer("spawnflags", 0) & 1) != 0;
+    if (area < 1.0 || !(strength > 0.0f) || begins_off) continue;
     // A patch of radiance R' and area A has the intensity R' A to its front; the sphere has pi r^2 R.
     const auto radiance = static_cast<float>(kPi * strength * patches / area);
-    result[name] += light.color * std::min(radiance, kMaxSurfaceRadiance);
+    SurfaceLight& surface = result[name];
+    surface.radiance += light.color * std::min(radiance, kMaxSurfaceRadiance);
+    surface.style = std::clamp(entity.integer("style", 0), 0, 63);
+    EntityLight law;
+    set_fall(law, light.value, entity.number(either(entity, "_wait"), 1.0f),
+             entity.integer(either(entity, "_delay"), 0));
+    surface.fall_scale = law.fall == shared::kFallLinear ? law.fall_scale : 0.0f;
   }
   return result;
 }

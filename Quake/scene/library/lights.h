@@ -35,13 +35,23 @@ constexpr float kMinLightRadius = 1.0f;  // in narrow places; the radiance then 
 // R r^2 of the table above for one light (radiance times units^2); 0 for what gives no light.
 float light_strength(float value, float wait, int delay);
 
+// The same light's own law of distance (shared/spot.h), which authored light keeps: equal to the square's at the
+// distances above.
+void set_fall(EntityLight& light, float value, float wait, int delay);
+
 // Spheres of all entities whose class begins with "light". Their centres are moved off walls by up to the radius, and
 // a light inside of something solid is moved out of it, or dropped when there is no open space within 24 units.
 std::vector<EntityLight> entity_lights(const std::vector<world::Entity>& entities, const formats::Bsp& bsp);
 
 // Radiance by lower-case texture name that _surface lights give: ericw-tools puts a light on every 128 x 128 units of
-// such faces; here the faces glow, with the same power over their area.
-using SurfaceLights = std::map<std::string, vec3>;
+// such faces; here the faces glow, with the same power over their area. Those that are off when the map begins
+// (spawnflags 1 with a targetname) give none.
+struct SurfaceLight {
+  vec3 radiance{0.0f};
+  int style = 0;            // of the last of a texture's lights
+  float fall_scale = 0.0f;  // of its linear law of distance, 1 / units; 0: it has another
+};
+using SurfaceLights = std::map<std::string, SurfaceLight>;
 SurfaceLights surface_lights(const std::vector<world::Entity>& entities, const formats::Bsp& bsp);
 
 // _sunlight (with _sun_mangle, _sunlight_mangle, _sun_angle or the same without underscore; _sunlight_color;

@@ -9,6 +9,7 @@
 #include "scene/library/asset_builder.h"
 #include "scene/library/sky_images.h"
 #include "scene/library/test_maps.h"
+#include "shared/spot.h"
 #include "world/bsp_query.h"
 
 namespace fb::scene {
@@ -42,6 +43,22 @@ TEST(Lights, MatchQuakeAtTheirDistance) {
   EXPECT_NEAR(brightness(lights[3], 256.0f), 100.0f / 128.0f, 1e-4f);
   EXPECT_NEAR(brightness(lights[4], 128.0f), 25.0f / 128.0f, 1e-4f);
   EXPECT_FLOAT_EQ(lights[0].radius, kLightRadius);
+}
+
+TEST(Lights, TheirOwnLawsAreTheTools) {
+  const float value = 200.0f, wait = 2.0f;
+  const auto shown = [&](int delay, float d) {
+    EntityLight light{};
+    set_fall(light, value, wait, delay);
+    return light_strength(value, wait, delay) / (d * d) * shared::fall_share(light.fall, d * light.fall_scale);
+  };
+  for (const float d : {5.0f, 20.0f, 64.0f, 90.0f, 130.0f}) {
+    EXPECT_NEAR(shown(0, d), std::max(value - wait * d, 0.0f) / 128.0f, 1e-4f) << d;
+    EXPECT_NEAR(shown(1, d), value / (wait * d), 1e-3f) << d;
+    EXPECT_NEAR(shown(2, d), value * 128.0f / (wait * d * wait * d), 1e-2f) << d;
+    EXPECT_NEAR(shown(3, d), value / 128.0f, 1e-4f) << d;
+    EXPECT_NEAR(shown(5, d), value * 128.0f / ((wait * d + 128.0f) * (wait * d + 128.0f)), 1e-4f) << d;
+  }
 }
 
 TEST(Lights, NoLightIsNone) {
@@ -114,9 +131,12 @@ TEST(Lights, SurfaceLightsHaveThePowerOfTheirSpheres) {
   test::MapBuilder map;
   map.add_square(0, 0, 0, 128, map.add_texture(test::texture("Panel")));
   const auto lights = surface_lights(
-      entities_of("{classname light _surface panel light 128 delay 2}{classname light _surface nothing}"), map.bsp);
+      entities_of("{classname light _surface panel light 128 delay 2 style 5}{classname light _surface nothing}"
+                  "{classname light _surface panel targetname t spawnflags 1}"),
+      map.bsp);
   ASSERT_EQ(lights.size(), 1u);
-  const vec3 radiance = lights.at("panel");
+  const vec3 radiance = lights.at("panel").radiance;
+  EXPECT_EQ(lights.at("panel").style, 5);
   // Far in front: radiance * area / d^2 = pi * brightness; delay 2 is exact at all distances.
   const float d = 1000.0f;
   EXPECT_NEAR(radiance.x * 128 * 128 / (d * d), kPi * light_strength(128, 1, 2) / (d * d), 1e-5f);

@@ -20,6 +20,8 @@ struct LitSurface {
   std::uint32_t material = kNone;  // kNone: no face has it
   std::string name;
   vec3 reflectance{0.0f}, radiance{0.0f};  // means; radiance at the usual factors of emission
+  int style = 0;                           // of the light that it gives
+  float fall_scale = 0.0f;                 // Material::cast_fall
 };
 
 // A map as it was loaded, with all that is asked of its images: it may be read while others are added.

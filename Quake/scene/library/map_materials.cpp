@@ -215,7 +215,7 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
     // Every texel glows in its colour, times a factor: a dark texture has a larger one, within bounds.
     const vec3 mean = mean_color(builder_.palette(), builder_.assets().images[material.frames.front().base]);
     material.emission_kind = EmissionKind::kFullbright;
-    material.emission = lit->second / std::max({mean.x, mean.y, mean.z, 0.05f});
+    material.emission = lit->second.radiance / std::max({mean.x, mean.y, mean.z, 0.05f});
     for (auto* sets : {&material.frames, &material.alternate_frames})
       for (TextureSet& set : *sets) set.luma = set.base;
   }

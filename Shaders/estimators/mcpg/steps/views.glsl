@@ -27,7 +27,7 @@ GuideState strongest_state(Vertex v, GuideCell cell, out bool collides) {
 // What a ray from a vertex meets: the light of it that guiding is for.
 vec3 light_met(Vertex v, Field here, Proposal p, Path path, inout uint rng) {
   Segment way = segment_from(v, p.direction, kRayEnd, kTurnByChance, rng);
-  Surface s = load_surface(way.hit, way.direction, kFilterNearest, false);
+  Surface s = load_surface(way.hit, way.direction, kFilterNearest, false, false);
   if (kLooksForLight) s.emission *= met_share(v, way, p, s.emission, path);
   if (way.hit.instance == kNoIndex || most_reflections() <= 1u) return s.emission * way.left;
   Vertex next = end_of_segment(way, s);

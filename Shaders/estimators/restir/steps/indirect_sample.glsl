@@ -87,7 +87,7 @@ IndirectWay indirect_way(Domain d, IndirectPoint p) {
   float emitted = 1.0;
   vec3 sent = p.radiance;
   if (!keeps_radiance()) {
-    Surface s = load_surface(p.second, w.direction, kFilterNearest, false);
+    Surface s = load_surface(p.second, w.direction, kFilterNearest, false, false);
     s.position = at;
     w.second = surface_vertex(s, -w.direction);
     w.light = way_to_light(domain_of(w.second, d.former), p.light);
