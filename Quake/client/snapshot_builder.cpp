@@ -9,7 +9,6 @@
 #include "scene/animation.h"
 #include "scene/library/lightmaps.h"
 #include "scene/library/asset_builder.h"
-#include "shared/spot.h"
 
 namespace fb::cl {
 namespace {
@@ -414,7 +413,7 @@ void SnapshotBuilder::add_lights(const SnapshotInput& input, scene::FrameSnapsho
                                     glm::cross(light.axis, side) * light.radius, light.position);
         instance.flags |= scene::kInstanceSpot;
       }
-      if (snapshot.authored && light.fall != shared::kFallSquare) {
+      if (snapshot.authored && light.fall != 0) {
         if ((instance.flags & scene::kInstanceSpot) == 0) instance.color = vec3(-2.0f);  // all ways
         instance.flags |= scene::kInstanceSpot | light.fall << scene::kInstanceFallShift;
         instance.color.z = light.fall_scale;

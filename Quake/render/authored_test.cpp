@@ -1,6 +1,7 @@
 // What a map's baked light asks of the picture: gains at the first vertex, skies that shine unseen, spots.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/renderer.h"
