@@ -14,10 +14,12 @@ namespace {
 constexpr int kSamples = 4;  // of a pixel, each way
 constexpr float kFar = 65536.0f;
 constexpr float kFogUnits = 64.0f;
+constexpr int kMostHoles = 32;        // of textures that let see through, one behind the other
+constexpr float kPastHole = 0.0625f;  // units
 
 struct Texel {
   vec3 color;  // as displayed
-  bool glows;
+  bool glows, hole = false;
 };
 
 Texel texel_at(const Assets& assets, std::uint32_t image_index, vec2 uv) {
@@ -31,10 +33,11 @@ Texel texel_at(const Assets& assets, std::uint32_t image_index, vec2 uv) {
   constexpr std::uint8_t kFirstGlowing = 224;
   if (image.encoding == ImageEncoding::kPalette) {
     const auto& rgb = assets.palette.rgb[image.texels[at]];
-    return {vec3(rgb[0], rgb[1], rgb[2]) / 255.0f, image.texels[at] >= kFirstGlowing};
+    return {vec3(rgb[0], rgb[1], rgb[2]) / 255.0f, image.texels[at] >= kFirstGlowing, image.texels[at] == 255};
   }
   if (image.encoding != ImageEncoding::kSrgba) return {vec3(0.5f), false};
-  return {vec3(image.texels[4 * at], image.texels[4 * at + 1], image.texels[4 * at + 2]) / 255.0f, false};
+  return {vec3(image.texels[4 * at], image.texels[4 * at + 1], image.texels[4 * at + 2]) / 255.0f, false,
+          image.texels[4 * at + 3] < 128};
 }
 
 class Painter {
@@ -45,8 +48,12 @@ class Painter {
     sky_ = mean_of_sky(assets, sky) / glm::max(sky.color, vec3(1e-3f));
   }
 
-  vec3 color(const vec3& from, const vec3& direction) const {
-    const auto hit = rays_.first_face(from, from + direction * kFar, true);
+  vec3 color(const vec3& from, const vec3& direction) const { return color_beyond(from, from, direction, kMostHoles); }
+
+ private:
+  // Of the line from `start` on; `from` is the eye.
+  vec3 color_beyond(const vec3& from, const vec3& start, const vec3& direction, int holes) const {
+    const auto hit = rays_.first_face(start, start + direction * kFar, true);
     if (!hit) return vec3(0.0f);
     if (rays_.is_sky(hit->face)) return sky_;
     const formats::BspFace& face = map_.bsp.faces[hit->face];
@@ -61,6 +68,8 @@ class Painter {
           (glm::dot(vec3(texinfo.axes[0]), hit->point) + texinfo.axes[0].w) / static_cast<float>(texture.width),
           (glm::dot(vec3(texinfo.axes[1]), hit->point) + texinfo.axes[1].w) / static_cast<float>(texture.height));
       const Texel texel = texel_at(assets_, material->frames.front().base, uv);
+      if (texel.hole && (material->flags & kMaterialAlphaTest) != 0 && holes > 0)
+        return color_beyond(from, hit->point + hit->offset + direction * kPastHole, direction, holes - 1);
       shown = texel.color;
       glows = liquid_kind(texture.name) != LiquidKind::kNone ||
               (texel.glows && (material->flags & kMaterialNoFullbright) == 0);
@@ -69,12 +78,11 @@ class Painter {
         shown += texel_at(assets_, material->frames.front().luma, uv).color;
     }
     shown = glm::clamp(shown, vec3(0.0f), vec3(1.0f));
-    const float way = fog_.density / kFogUnits * glm::length(hit->point - from);
+    const float way = fog_.density / kFogUnits * glm::length(hit->point + hit->offset - from);
     shown = glm::mix(fog_.color, shown, std::exp(-way * way));
     return {linear_from_srgb(shown.x), linear_from_srgb(shown.y), linear_from_srgb(shown.z)};
   }
 
- private:
   vec3 light_at(const MapRays::Hit& hit) const {
     if (lightmaps_.empty()) return vec3(1.0f);
     vec3 light(0.0f);

@@ -93,7 +93,7 @@ std::optional<MapRays::Hit> MapRays::first_face(const vec3& start, const vec3& e
     offset = submodel.offset;
   }
   if (!first) return std::nullopt;
-  return Hit{first->face, start - offset + (end - start) * first->fraction};
+  return Hit{first->face, start - offset + (end - start) * first->fraction, offset};
 }
 
 std::optional<MapRays::Meeting> MapRays::first_of(std::uint32_t model, const vec3& start, const vec3& end,

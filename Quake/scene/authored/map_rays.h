@@ -18,6 +18,7 @@ class MapRays {
   struct Hit {
     std::uint32_t face;  // Bsp::faces
     vec3 point;          // where the map has the face
+    vec3 offset;         // of where it stands
   };
   // The first face that the line from `start` to `end` meets from its front. Water and slime let it through
   // unless `liquids`, as does what tools alone see. Nothing where it ends in the open, or in something solid whose face
