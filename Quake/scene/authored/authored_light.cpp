@@ -47,9 +47,23 @@ std::optional<AuthoredLight> find_authored_light(const LitMap& map, const Lightm
   });
   if (points.size() < kLeastPoints || !lit) return std::nullopt;
   out.points = points.size();
-  const LightTransport transport = transport_light(map, out.emitters, points, kReflections);
+  LightTransport transport = transport_light(map, out.emitters, points, kReflections);
   if (map.stopped()) return std::nullopt;
   out.fit = fit_light(out.emitters.all, points, transport);
+  if (std::ranges::any_of(out.emitters.all, [](const Emitter& e) { return e.fall_scale > 0.0f; })) {
+    // Tools put a few points of light on a large face: whether it is nearer to their law or to the square's, luxels
+    // say.
+    MapEmitters by_square = out.emitters;
+    for (Emitter& e : by_square.all) e.fall_scale = 0.0f;
+    LightTransport other = transport_light(map, by_square, points, kReflections);
+    if (map.stopped()) return std::nullopt;
+    LightFit other_fit = fit_light(by_square.all, points, other);
+    if (other_fit.stops_after < out.fit.stops_after) {
+      out.emitters = std::move(by_square);
+      transport = std::move(other);
+      out.fit = std::move(other_fit);
+    }
+  }
   const std::vector<LuxelPoint> many = choose_luxels(map, lightmaps, many_points(map));
   out.gains = make_gain_field(
       map.bsp, many, light_at(map, out.emitters, out.fit.factors, many, points, fitted_light(transport, out.fit)));
