@@ -11,8 +11,9 @@
 namespace fb::scene {
 
 MapRays::MapRays(const formats::Bsp& bsp, std::vector<Submodel> submodels)
-    : bsp_(bsp), submodels_(std::move(submodels)), kinds_(bsp.faces.size(), kOpaque) {
+    : bsp_(bsp), submodels_(std::move(submodels)), kinds_(bsp.faces.size(), kOpaque), bounds_(bsp.faces.size()) {
   for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
+    for (std::uint32_t k = 0; k < bsp.faces[i].surfedge_count; ++k) bounds_[i].add(bsp.face_vertex(bsp.faces[i], k));
     const std::uint32_t texture = bsp.texinfos[bsp.faces[i].texinfo].texture;
     if (texture >= bsp.textures.size()) continue;
     const std::string& name = bsp.textures[texture].name;
@@ -39,6 +40,9 @@ bool MapRays::is_clear(const vec3& start, const vec3& end) const {
 // In the plane's two axes that show the polygon largest; its corners run one way round.
 bool MapRays::contains(std::uint32_t face, const vec3& point) const {
   constexpr float kSlack = 0.05f;  // units: rays between two faces meet one of them
+  const Bounds& within = bounds_[face];
+  if (glm::any(glm::lessThan(point, within.min - 1.0f)) || glm::any(glm::greaterThan(point, within.max + 1.0f)))
+    return false;
   const formats::BspFace& f = bsp_.faces[face];
   const vec3 n = glm::abs(bsp_.planes[f.plane].normal);
   const int drop = n.x > n.y ? (n.x > n.z ? 0 : 2) : (n.y > n.z ? 1 : 2);

@@ -49,7 +49,8 @@ class MapRays {
 
   const formats::Bsp& bsp_;
   std::vector<Submodel> submodels_;
-  std::vector<Kind> kinds_;  // of faces
+  std::vector<Kind> kinds_;     // of faces
+  std::vector<Bounds> bounds_;  // likewise
 };
 
 }  // namespace fb::scene
