@@ -8,8 +8,8 @@
 #     leaves these files out unless FULLBRIGHT_ALL_TESTS is set.
 #   intersector: NAME_intersector, which runs INTERSECTOR, a filter of GoogleTest ("A*:B*"). What another driver may do
 #     otherwise; "*" labels the whole program, else label repeats, too: the host code is run by NAME already.
-#   sequences: NAME_sequences, which runs SEQUENCES, a filter: tests that compile many shaders or draw many frames, whose host
-#     code others run; label repeats, too.
+#   sequences: NAME_sequences, which runs SEQUENCES, a filter: tests that compile many shaders, draw many frames or calculate for
+#     long, whose host code others run; label repeats, too.
 # SHARDS n: each of these in n parts, which may run side by side.
 # COST n: about how many seconds the longest of them take on two cores under the sanitizers; ctest begins with those, so
 # that none is left running alone at the end.
