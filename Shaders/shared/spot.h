@@ -19,7 +19,7 @@ FB_CONST uint kFallLinear = 1u;
 FB_CONST uint kFallInverse = 2u;
 FB_CONST uint kFallNone = 3u;
 FB_CONST uint kFallOffset = 4u;
-FB_CONST float kMostScaledFall = 64.0f;
+FB_CONST float kMostScaledFall = 64.0f;  // from there on a light without falloff has the square's again
 FB_FN float fall_share(uint law, float scaled) {
   float x = min(scaled, kMostScaledFall);
   if (law == kFallLinear) return x * x * max(2.0f - x, 0.0f);

@@ -55,14 +55,23 @@ TEST(AuthoredMeasure, CamerasStandWhereTheMapSays) {
   formats::BspLeaf solid{}, empty{};
   solid.contents = formats::kContentsSolid;
   empty.contents = formats::kContentsEmpty;
-  bsp.leafs = {solid, empty};
-  formats::BspModel model{};
+  formats::BspLeaf lava{};
+  lava.contents = formats::kContentsLava;
+  bsp.leafs = {solid, empty, lava};
+  formats::BspNode door{};  // of lava beyond x = 100
+  bsp.planes = {{vec3(1, 0, 0), 100.0f, 0}};
+  door.children = {~2, ~1};
+  bsp.nodes = {door};
+  formats::BspModel model{}, submodel{};
   model.head_nodes = {~1, -1, -1, -1};
-  bsp.models = {model};
+  submodel.head_nodes = {0, -1, -1, -1};
+  bsp.models = {model, submodel};
   bsp.entities =
       "{\"classname\" \"info_player_start\" \"origin\" \"1 2 3\" \"angle\" \"90\"}"
       "{\"classname\" \"info_intermission\" \"origin\" \"4 5 6\" \"mangle\" \"10 20 0\"}"
-      "{\"classname\" \"light\" \"origin\" \"7 8 9\"}{\"classname\" \"info_player_deathmatch\"}";
+      "{\"classname\" \"light\" \"origin\" \"7 8 9\"}{\"classname\" \"info_player_deathmatch\"}"
+      "{\"classname\" \"func_door\" \"model\" \"*1\"}"
+      "{\"classname\" \"info_teleport_destination\" \"origin\" \"150 0 0\"}";
   const std::vector<MapCamera> cameras = map_cameras(bsp, 10);
   ASSERT_EQ(cameras.size(), 2u);
   EXPECT_EQ(cameras[0].position, vec3(1, 2, 25));

@@ -13,9 +13,11 @@
 //   delay 4 (a minimum, not a light): dropped
 //   delay 5 (L * (128 / (wait d + 128))^2), at d = 128/wait: R r^2 = L * 32 / wait^2
 //
-// Colours are what a white wall shows on screen, so they are taken as sRGB. Light of a spot (mangle or target) goes all
-// ways here: its power is scaled by the cone's share of the sphere, (1 - cos(angle / 2)) / 2, angle 40 degrees unless
-// said. Lights of negative value, which darken in Quake, are dropped.
+// Where authored light counts, lamps keep their own law of distance instead (set_fall).
+//
+// Colours are what a white wall shows on screen, so they are taken as sRGB. A spot (mangle or target) is as bright as
+// another light within its cone, 40 degrees unless angle says otherwise, and dark beyond it. Lights of negative value,
+// which darken in Quake, are dropped.
 #pragma once
 
 #include <map>
