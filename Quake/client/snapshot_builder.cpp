@@ -7,6 +7,7 @@
 #include "base/rng.h"
 #include "client/camera_liquid.h"
 #include "scene/animation.h"
+#include "scene/authored/displayed_fog.h"
 #include "scene/library/lightmaps.h"
 #include "scene/library/asset_builder.h"
 
@@ -55,7 +56,7 @@ vec3 ambient_light(const SnapshotInput& input, bool authored) {
 // Quake's fog leaves exp(-(density z / 64)^2) of the light: ours, whose logarithm is linear, leaves half at the same
 // distance. Its colour is what is scattered of white light all around, so that thick fog in such light looks as
 // Quake's.
-scene::Medium medium_of(const Fog& fog, const SkyFog& sky_fog, const Settings& settings) {
+scene::Medium medium_of(const Fog& fog, const SkyFog& sky_fog, const Settings& settings, bool authored) {
   scene::Medium medium;
   const float density = fog.density * std::max(settings.r_fog, 0.0f);
   if (!(density > 0.0f)) return medium;
@@ -68,6 +69,7 @@ scene::Medium medium_of(const Fog& fog, const SkyFog& sky_fog, const Settings& s
   // From Quake's own half on all of the fog's light is before the sky; less fades, and with 0 the sky is as without
   // fog.
   medium.before_sky = std::min(2.0f * covers, 1.0f);
+  if (authored) scene::show_as_in_quake(medium, density, medium.albedo, covers);
   return medium;
 }
 
@@ -175,7 +177,8 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
   snapshot.authored = is_authored(input);
   snapshot.ambient = input.active ? ambient_light(input, snapshot.authored) : vec3(0.0f);
   snapshot.medium =
-      input.active ? medium_of(fog_at(state.fog, state.time), state.sky_fog, input.session.settings) : scene::Medium();
+      input.active ? medium_of(fog_at(state.fog, state.time), state.sky_fog, input.session.settings, snapshot.authored)
+                   : scene::Medium();
   snapshot.liquid_opacity = liquid_opacity(input.session.settings);
   snapshot.camera_liquid = scene::kNone;
   if (input.active && input.library.map())
@@ -192,6 +195,10 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
   snapshot.sky = input.sky;
   snapshot.gains = snapshot.authored ? input.authored->gains() : scene::GainTable();
   if (snapshot.authored) input.authored->light_sky(snapshot.sky);
+  snapshot.baked = input.active && input.authored != nullptr ? input.authored->baked() : scene::BakedTable();
+  if (snapshot.baked.image != scene::kNone)
+    for (std::size_t i = 0; i < std::min(snapshot.baked.styles.size(), state.light_styles.size()); ++i)
+      snapshot.baked.styles[i] = light_style_value(state.light_styles[i], state.time);
   if (input.active) {
     const Settings& settings = input.session.settings;
     if (input.world && input.world->mesh != scene::kNone && settings.r_drawworld != 0.0f) {

@@ -8,6 +8,7 @@
 
 #include "client/session/interpolate.h"
 #include "client/session/test_session.h"
+#include "scene/authored/displayed_fog.h"
 
 namespace fb::cl {
 namespace {
@@ -328,6 +329,19 @@ TEST(Snapshot, FogLeavesHalfWhereQuakesDoes) {
     EXPECT_NEAR(std::exp(-s.build().medium.extinction * half), 0.25f, 1e-6f) << density;
     s.settings.r_fog = 1.0f;
   }
+}
+
+TEST(Snapshot, FogIsAsInQuakeWhereItsAuthorSawItSo) {
+  scene::Medium medium;
+  scene::show_as_in_quake(medium, 0.1f, vec3(0.5f, 0.2f, 0.1f), 0.25f);
+  const float near = 100.0f, depth = 0.1f * near / 64.0f;
+  // The power of 1.4 that stands for the display's.
+  EXPECT_NEAR(std::exp(-medium.square * near * near), std::pow(std::exp(-depth * depth), 1.4f), 1e-6f);
+  EXPECT_EQ(medium.glow, vec3(0.5f, 0.2f, 0.1f));
+  EXPECT_NEAR(medium.sky, std::pow(0.75f, 1.4f), 1e-6f);
+  EXPECT_NEAR(medium.glow_before_sky, std::pow(0.25f, 1.4f), 1e-6f);
+  scene::show_as_in_quake(medium, 1e30f, vec3(1.0f), 1.0f);
+  EXPECT_TRUE(std::isfinite(medium.square)) << "whatever a server sends";
 }
 
 TEST(Snapshot, FogScattersItsColourInLinearLight) {

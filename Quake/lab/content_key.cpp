@@ -1,5 +1,7 @@
 #include "lab/content_key.h"
 
+#include <cstddef>
+#include <cstring>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -35,6 +37,14 @@ std::uint64_t material_key(const scene::Material& m, std::uint64_t key) {
   return hash_value(m.flags, hash_value(static_cast<std::uint32_t>(m.emission_kind), key));
 }
 
+// Without their faces, which are not seen: keys of stored pictures stay.
+std::uint64_t triangles_key(const std::vector<scene::MeshTriangle>& triangles, std::uint64_t key) {
+  constexpr std::size_t kSeen = offsetof(scene::MeshTriangle, face);
+  std::vector<std::byte> bytes(triangles.size() * kSeen);
+  for (std::size_t i = 0; i < triangles.size(); ++i) std::memcpy(bytes.data() + i * kSeen, &triangles[i], kSeen);
+  return hash_bytes(bytes.data(), bytes.size(), hash_bytes(nullptr, 0, key ^ triangles.size()));
+}
+
 std::uint64_t assets_key(const scene::Assets& assets, bool authored) {
   std::uint64_t key = hash_bytes(&assets.palette, sizeof assets.palette);
   for (const scene::Image& image : assets.images)
@@ -43,7 +53,7 @@ std::uint64_t assets_key(const scene::Assets& assets, bool authored) {
                         hash_value(image.width, hash_value(static_cast<std::uint32_t>(image.encoding), key)));
   for (const scene::Material& material : assets.materials) key = material_key(material, key);
   for (const scene::Mesh& mesh : assets.meshes) {
-    key = hash_vector(mesh.triangles, key);
+    key = triangles_key(mesh.triangles, key);
     key = hash_vector(mesh.positions, hash_vector(mesh.normals, hash_vector(mesh.poses, key)));
     const float pose[] = {mesh.pose_scale.x,  mesh.pose_scale.y,  mesh.pose_scale.z,
                           mesh.pose_origin.x, mesh.pose_origin.y, mesh.pose_origin.z};
@@ -59,7 +69,11 @@ std::uint64_t content_key(const scene::FrameSnapshot& s) {
   std::uint64_t key = s.assets ? assets_key(*s.assets, s.authored) : 0;
   key = hash_vector(s.instances, key);
   key = render::sky_key(s.sky, hash_bytes(&s.camera, sizeof s.camera, key));
-  key = hash_value(s.camera_liquid, hash_bytes(&s.medium, sizeof s.medium, key));
+  key = hash_value(s.camera_liquid, hash_bytes(&s.medium, offsetof(scene::Medium, square), key));
+  if (s.medium.square > 0.0f) {
+    const float own[] = {s.medium.square, s.medium.glow.x, s.medium.glow.y, s.medium.glow.z, s.medium.glow_before_sky};
+    key = hash_span(std::span<const float>(own), key);
+  }
   if (s.liquid_opacity != scene::LiquidOpacity()) {  // else it changes nothing: keys of stored pictures stay
     key = hash_bytes(&s.liquid_opacity, sizeof s.liquid_opacity, key);
     if (s.assets)

@@ -229,8 +229,11 @@ void Panel::draw_scene(const Facts& facts) {
     text(fmt::format("  sun from {:.2f} {:.2f} {:.2f}, {:.3g} {:.3g} {:.3g}", sun.direction.x, sun.direction.y,
                      sun.direction.z, sun.irradiance.x, sun.irradiance.y, sun.irradiance.z));
   text(fmt::format("even light: {:.3g} {:.3g} {:.3g}", snapshot.ambient.x, snapshot.ambient.y, snapshot.ambient.z));
-  if (snapshot.medium.scatters())
-    text(fmt::format("fog: half of the light left after {:.0f} units", std::log(2.0f) / snapshot.medium.extinction));
+  const scene::Medium& fog = snapshot.medium;
+  if (fog.scatters())
+    text(fmt::format("fog: half of the light left after {:.0f} units{}",
+                     fog.square > 0.0f ? std::sqrt(std::log(2.0f) / fog.square) : std::log(2.0f) / fog.extinction,
+                     fog.square > 0.0f ? ", by Quake's law" : ""));
   else
     text("no fog");
   ImGui::Separator();

@@ -2,15 +2,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "render/renderer.h"
 #include "render/test_device.h"
+#include "scene/in_code/code_scene_parts.h"
 #include "scene/in_code/scenes_in_code.h"
 #include "scene/shapes.h"
+#include "shared/baked_words.h"
+#include "shared/debug_views.h"
 #include "shared/denoise.h"
 #include "shared/gain_field.h"
 #include "shared/spot.h"
+#include "shared/tone.h"
 
 namespace fb::render {
 namespace {
@@ -149,6 +154,60 @@ TEST_F(AuthoredTest, ASkyMayShineUnseen) {
   auto renderer = make_renderer(s, 24, 16);
   renderer->render(snapshot, nullptr, s);
   for (const vec4& p : renderer->read().linear()) ASSERT_NEAR(p.x, 0.125f, 1e-6f);
+}
+
+// A wall across the view, a face of two luxels in each of two styles.
+scene::FrameSnapshot baked_wall() {
+  auto assets = scene::new_code_assets();
+  const std::uint32_t wall = scene::add_material(*assets, "wall", vec3(0.25f, 0.5f, 0.1f), vec3(0.0f));
+  scene::Mesh mesh;
+  scene::add_quad(mesh, {100, -200, 200}, {0, 400, 0}, {0, 0, -400}, wall);
+  for (scene::MeshTriangle& t : mesh.triangles) t.face = 0;
+  std::vector<std::uint32_t> words(shared::kBakedFaceWords, 0u);
+  words[shared::kBakedAxes + 1] = std::bit_cast<std::uint32_t>(0.02f);  // y from -25 to 25
+  words[shared::kBakedAxes + 3] = std::bit_cast<std::uint32_t>(0.5f);
+  words[shared::kBakedSize] = 2u | 1u << 16u;
+  words[shared::kBakedFirst] = shared::kBakedFaceWords;
+  words[shared::kBakedStyles] = 0xffff0500u;  // 0 and 5
+  for (const std::uint32_t luxel : {0x204080u, 0x808080u, 0x404040u, 0x404040u}) words.push_back(luxel);
+  scene::Image image{"words", scene::ImageEncoding::kWords, static_cast<int>(words.size()), 1, {}};
+  for (const std::uint32_t word : words)
+    for (int byte = 0; byte < 4; ++byte) image.texels.push_back(static_cast<std::uint8_t>(word >> (8 * byte)));
+  assets->images.push_back(std::move(image));
+  scene::FrameSnapshot snapshot = scene::still(assets, scene::camera_at(vec3(0.0f), vec3(0.0f), 60.0f));
+  snapshot.baked.image = static_cast<std::uint32_t>(assets->images.size() - 1);
+  snapshot.baked.faces = 1;
+  snapshot.baked.styles[0] = 1.0f;
+  snapshot.baked.styles[5] = 0.5f;
+  snapshot.instances.push_back(
+      scene::make_instance(scene::kIdWorld, scene::add_finished(*assets, std::move(mesh), "wall")));
+  return snapshot;
+}
+
+TEST_F(AuthoredTest, TheViewOfBakedLightIsPaintTimesLuxelsAsDisplaysHaveThem) {
+  RenderSettings s = plain_settings("pt", 1);
+  s.debug_view = shared::kViewAuthored;
+  auto renderer = make_renderer(s, 32, 18);
+  scene::FrameSnapshot snapshot = baked_wall();
+  const auto expect_picture = [&](bool baked) {
+    renderer->render(snapshot, nullptr, s);
+    const auto picture = renderer->read().output();
+    const auto gbuffer = renderer->read().gbuffer();
+    const vec3 painted = shared::srgb_from_linear(vec3(0.25f, 0.5f, 0.1f));
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+      const float f = std::clamp(gbuffer[i].position_t.y * 0.02f + 0.5f, 0.0f, 1.0f);
+      vec3 light = glm::mix(vec3(0x80, 0x40, 0x20), vec3(0x80), f) / 128.0f + 0.5f * vec3(0x40) / 128.0f;
+      if (!baked) light = vec3(1.0f);
+      for (int c = 0; c < 3; ++c) {
+        const auto byte = static_cast<float>(picture[i] >> (8 * c) & 255u);
+        ASSERT_NEAR(byte, 255.0f * std::min(painted[c] * light[c], 1.0f), 0.6f) << i << " channel " << c;
+      }
+    }
+  };
+  expect_picture(true);
+  snapshot.baked = {};
+  ++snapshot.frame;
+  expect_picture(false);
 }
 
 }  // namespace

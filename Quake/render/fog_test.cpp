@@ -126,6 +126,56 @@ TEST_F(FogTest, WhatIsScatteredBeforeTheSkyHasAFactor) {
   }
 }
 
+// --- Quake's law ---
+
+// A black room that glows all around: what fog of albedo 1 takes on the camera's way it gives, and on other ways it
+// takes nothing, so that the room's light is whole; and the fog's own light is before it.
+TEST_F(FogTest, QuakesLawScattersWhatItTakesAndHasLightOfItsOwn) {
+  const float emission = 0.7f;
+  const vec3 glow(0.1f, 0.2f, 0.4f);
+  const RenderSettings s = settings("pt", 2);
+  auto renderer = make_renderer(s, 24, 16);
+  for (const float square : {1e-12f, 1e-6f, 3e-5f, 1e-2f, 100.0f}) {
+    scene::FrameSnapshot snapshot = scene::furnace(0.0f, emission);
+    snapshot.medium.extinction = 0.01f;  // counts for nothing
+    snapshot.medium.albedo = vec3(1.0f, 0.5f, 0.0f);
+    snapshot.medium.square = square;
+    snapshot.medium.glow = glow;
+    draw(*renderer, snapshot, s, 2);
+    const auto image = renderer->read().linear();
+    const auto gbuffer = renderer->read().gbuffer();
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      const double t = static_cast<double>(gbuffer[i].position_t.w), depth = static_cast<double>(square) * t * t;
+      const double left = std::exp(-depth), covers = std::pow(-std::expm1(-depth / 1.4), 1.4);
+      for (int c = 0; c < 3; ++c) {
+        const double albedo = static_cast<double>(snapshot.medium.albedo[c]);
+        const double expected = static_cast<double>(emission) * (left + albedo * -std::expm1(-depth)) +
+                                static_cast<double>(glow[c]) * covers;
+        ASSERT_NEAR(image[i][c], expected, 2e-5) << square << " channel " << c;
+      }
+    }
+  }
+}
+
+// It covers the sky by its share alone, however near the face is that shows it.
+TEST_F(FogTest, QuakesLawCoversTheSkyEvenly) {
+  const vec3 color(0.3f, 0.5f, 0.9f), glow(0.5f, 0.1f, 0.2f);
+  const RenderSettings s = settings("pt", 1);
+  auto renderer = make_renderer(s, 24, 16);
+  for (const float distance : {1.0f, 20000.0f})
+    for (const float square : {1e-9f, 1.0f}) {
+      scene::FrameSnapshot snapshot = face_of_sky(distance, color);
+      snapshot.medium.extinction = 0.01f;
+      snapshot.medium.square = square;
+      snapshot.medium.glow = glow;
+      snapshot.medium.sky = 0.25f;
+      snapshot.medium.glow_before_sky = 0.5f;
+      draw(*renderer, snapshot, s, 1);
+      for (const vec4& pixel : renderer->read().linear())
+        for (int c = 0; c < 3; ++c) ASSERT_NEAR(pixel[c], 0.25f * color[c] + 0.5f * glow[c], 1e-6f) << distance;
+    }
+}
+
 // --- hard numbers ---
 
 // Optically thin or thick, 29,440 units away.

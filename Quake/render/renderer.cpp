@@ -343,7 +343,7 @@ PassList Renderer::Impl::list_passes() {
   final_passes ? technique->add_final_passes(own) : technique->add_passes(own);
   frame("accumulate", shaders.get(medium ? "accumulate_medium" : "accumulate"), groups_over(render_size, 8));
   denoiser.add_passes(list, shaders, in_medium, has_interfaces() ? work().groups(shared::kWorkSecond) : AskedGroups());
-  add_lens(list, shaders, constants, {.water = has_interfaces()});
+  add_lens(list, shaders, constants, {.water = has_interfaces()}, variant);
   const uvec2 smooth(constants.smooth_width, constants.smooth_height);
   const char* over_time = smooth == render_size ? "temporal_antialias" : "temporal_upscale";
   frame("antialias", shaders.get(constants.taa != 0 ? over_time : "antialias"), groups_over(smooth, 8));

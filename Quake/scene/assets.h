@@ -128,9 +128,10 @@ struct MeshTriangle {
   std::uint32_t material;  // added to Instance::material_base
   std::array<vec2, 3> uv;  // in units of the texture's size: 1 is one repeat
   std::uint32_t liquid_in_front =
-      0;  // 1, kMaterialDielectric: the liquid is on the side that the triangle faces, not behind
+      0;                       // 1, kMaterialDielectric: the liquid is on the side that the triangle faces, not behind
+  std::uint32_t face = kNone;  // of the map, formats::Bsp::faces
 };
-static_assert(sizeof(MeshTriangle) == 44, "hashed as bytes: no padding");
+static_assert(sizeof(MeshTriangle) == 48, "hashed as bytes: no padding");
 
 // Triangles face the side from which their vertices run counter-clockwise (right-handed coordinates).
 // A rigid mesh has `positions` (and optionally `normals`); a posed one has `poses` instead: the renderer interpolates

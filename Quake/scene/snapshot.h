@@ -90,7 +90,7 @@ struct Sky {
   bool beyond_everything = false;  // a ray that leaves the scene sees the sky too (else black)
 };
 
-// What fills the space between surfaces: homogeneous, without emission.
+// What fills the space between surfaces.
 struct Medium {
   float extinction = 0.0f;  // 1/unit; 0: there is none
   vec3 albedo{0.0f};        // share of what it takes from light that it scatters, linear
@@ -98,6 +98,12 @@ struct Medium {
   float alpha = 0.0f;       // the same: 0 is Henyey and Greenstein's
   float sky = 1.0f;         // share of the sky's light that the camera sees through it
   float before_sky = 1.0f;  // factor on what it scatters to the camera where that sees the sky behind it
+  // Quake's fog, where its author has seen it so: the camera sees what is left by a law of the square (1/unit^2,
+  // Shaders/shared/medium.h, Haze), no light is lost elsewhere, and besides what it scatters the fog has light of its
+  // own: radiance where it hides all, and a factor on it before the sky. 0: none of this.
+  float square = 0.0f;
+  vec3 glow{0.0f};
+  float glow_before_sky = 1.0f;
   bool scatters() const { return extinction > 0.0f; }
 };
 
@@ -125,6 +131,13 @@ struct GainTable {
   std::uint32_t width = 0, depth = 0, height = 0;
 };
 
+// Baked light for the view of it (shared/baked_words.h).
+struct BakedTable {
+  std::uint32_t image = kNone;  // kNone: there is none
+  std::uint32_t faces = 0;
+  std::array<float, 64> styles{};  // factors as they are now
+};
+
 struct FrameSnapshot {
   std::shared_ptr<const Assets> assets;
   double time = 0.0, prev_time = 0.0;  // seconds: animation, warps, sky
@@ -135,6 +148,7 @@ struct FrameSnapshot {
   Sky sky;
   bool authored = false;  // Material::cast and `gains` count
   GainTable gains;
+  BakedTable baked;
   vec3 ambient{0.0f};  // radiance from everywhere: what the camera sees reflects it, unoccluded and only once
   Medium medium;
   LiquidOpacity liquid_opacity;

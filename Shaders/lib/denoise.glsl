@@ -3,6 +3,7 @@
 #ifndef FB_LIB_DENOISE
 #define FB_LIB_DENOISE
 #include "lib/gbuffer_texel.glsl"
+#include "lib/haze.glsl"
 #include "lib/second_surface.glsl"
 #include "lib/pixel.glsl"
 #include "shared/denoise.h"
@@ -57,7 +58,8 @@ float at_middle(float inverse_depth, vec2 slope) {
 
 // What the medium leaves of a surface's light; exactly 1 where there is none. `ray`: to the pixel, 1 along the view.
 float left_by_medium(uint at, vec3 ray) {
-  return frame.camera_fog > 0.0 ? exp(-frame.camera_fog * uintBitsToFloat(gbuffer_quad(at, 4u).z) * length(ray)) : 1.0;
+  Haze haze = camera_haze();
+  return haze.linear + haze.square > 0.0 ? haze_left(haze, uintBitsToFloat(gbuffer_quad(at, 4u).z) * length(ray)) : 1.0;
 }
 
 // `words`: the texel's fourth quad. The coat is taken at the geometric normal's angle: Schlick's weight of a normal map at

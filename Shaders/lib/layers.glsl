@@ -51,8 +51,8 @@ uint place_of(LayerThere there) { return pack_surface(1.0 / max(there.depth, 1e-
 // place, where light scatters in the mean. `ray`: to the pixel, 1 along the view.
 LayerThere medium_there(uint at, vec3 ray) {
   float depth = uintBitsToFloat(gbuffer_quad(at, 4u).z), reach = depth > 0.0 ? depth * length(ray) : 1e6;
-  vec3 factor = frame.medium.rgb * opacity(frame.camera_fog, reach);
-  float distance = mean_interaction(frame.camera_fog, reach);
+  vec3 factor = frame.medium.rgb * haze_opacity(camera_haze(), reach);
+  float distance = haze_mean(camera_haze(), reach);
   if (frame.turbid != 0u) {
     uvec4 words = gbuffer_quad(at, kLiquidPlane);
     vec2 rest = unpackHalf2x16(words.y);

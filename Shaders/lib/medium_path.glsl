@@ -19,8 +19,18 @@ struct MediumPiece {
   uint liquid;
   vec3 extinction;
   float least;     // of the channels
-  vec3 scattered;  // per unit, and the camera's share of it
+  float square;    // of fog (Haze): positive, in place of extinction
+  vec3 scattered;  // of what interacts, and the camera's share of it
 };
+
+// What a piece scatters at a distance, per unit, and what is left of it on the way to the camera.
+vec3 scattered_at(MediumPiece p, float distance) {
+  if (p.square > 0.0) {
+    Haze haze = Haze(0.0, p.square);
+    return p.scattered * (haze_density(haze, distance) * haze_left(haze, distance));
+  }
+  return p.scattered * transmittance(p.extinction, distance);
+}
 
 // What counts of the fog's light before what a pixel shows: less before the sky where the map or the player wants that.
 float before_surface(GBufferTexel g) {
@@ -30,17 +40,17 @@ float before_surface(GBufferTexel g) {
 }
 
 MediumPiece fog_piece(vec3 direction, GBufferTexel g, float reach) {
-  float extinction = frame.camera_fog;
-  return MediumPiece(frame.camera_position.xyz, direction, 0.0, reach, kNoIndex, vec3(extinction), extinction,
-                     frame.medium.rgb * (extinction * before_surface(g)));
+  Haze haze = camera_haze();
+  return MediumPiece(frame.camera_position.xyz, direction, 0.0, reach, kNoIndex, vec3(haze.linear), haze.linear, haze.square,
+                     frame.medium.rgb * ((haze.square > 0.0 ? 1.0 : haze.linear) * before_surface(g)));
 }
 
 MediumPiece piece_of(LiquidPiece p, vec3 ray) {
   GpuMaterial m = material_at(p.liquid & kNoMaterial);
   vec3 extinction = extinction_of(m);
   return MediumPiece(frame.camera_position.xyz + ray * p.start, p.direction, p.start, p.reach, p.liquid, extinction,
-                     min(extinction.r, min(extinction.g, extinction.b)),
-                     vec3(m.scattering * p.through * transmittance(frame.camera_fog, p.start)));
+                     min(extinction.r, min(extinction.g, extinction.b)), 0.0,
+                     vec3(m.scattering * p.through * haze_left(camera_haze(), p.start)));
 }
 
 // Into the second section of `radiance`.
@@ -57,18 +67,18 @@ void light_in_medium(PathPixel p) {
     float there = luminance(scattered_by(liquid));
     if (there > 0.0) {
       within = piece_of(liquid, ray);
-      of_liquid = there / (there + luminance(frame.medium.rgb) * opacity(frame.camera_fog, reach));
+      of_liquid = there / (there + luminance(frame.medium.rgb) * haze_opacity(camera_haze(), reach));
     }
   }
   radiance.at[frame.width * frame.height + at] = vec4(0.0);
   bool guides = kLearns && frame.fog_guided > 0.0;
-  if (of_liquid == 0.0 && frame.camera_fog == 0.0) {
+  if (of_liquid == 0.0 && fog.least + fog.square == 0.0) {
     if (guides) learn_distances(p.block, Distances(0.0, 0.0, 0.0, 0.0), vec3(0.0));
     return;
   }
   Distances known = Distances(0.0, 0.0, 0.0, 0.0);
   if (guides) {
-    float mean = of_liquid > 0.0 ? within.start + mean_interaction(within.least, within.reach) : mean_interaction(fog.least, reach);
+    float mean = of_liquid > 0.0 ? within.start + mean_interaction(within.least, within.reach) : haze_mean(camera_haze(), reach);
     vec3 before = previous_pixel(frame.camera_position.xyz + ray * mean);
     known = former_distances(before.z > 0.0 ? before.xy : vec2(pixel) + 0.5);
   }
@@ -86,11 +96,12 @@ void light_in_medium(PathPixel p) {
     vec3 place;
     bool about = point_of_light(rng, place);
     DistanceMix distances = distance_mix(piece.least, piece.reach, about ? frame.fog_about : 0.0, place - piece.origin, piece.direction);
+    distances.square = piece.square;
     if (guides) distances = guided_by(known, distances, piece.start);
     float distance = sample_distance(distances, rng_uniform(rng));
     Vertex v = medium_vertex(piece.origin + piece.direction * distance, -piece.direction, piece.liquid);
     Path path = path_of(p, i);
-    path.factor = piece.scattered * transmittance(piece.extinction, distance) / max(pdf_distance(distances, distance) * chance, 1e-30);
+    path.factor = scattered_at(piece, distance) / max(pdf_distance(distances, distance) * chance, 1e-30);
     vec3 estimate = trace_path(v, path, rng);
     take_finite(estimate);
     estimate *= path.factor;

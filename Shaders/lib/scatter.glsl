@@ -7,6 +7,7 @@
 // Directions are in the world and point away from the vertex; `view` points to the viewer.
 #ifndef FB_LIB_SCATTER
 #define FB_LIB_SCATTER
+#include "lib/haze.glsl"
 #include "lib/surface.glsl"
 #include "shared/medium.h"
 #include "shared/phase.h"

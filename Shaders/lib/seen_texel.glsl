@@ -20,13 +20,15 @@ Surface load_seen_surface(Hit hit, vec3 direction, bool missed) {
 // The sky is beyond the medium, however near the face that shows it.
 float seen_through_medium(Surface s, float distance) {
   if (!FEATURE_MEDIUM) return 1.0;
-  return s.sky ? frame.medium_phase.z : transmittance(frame.camera_fog, distance);
+  return s.sky ? frame.medium_phase.z : haze_left(camera_haze(), distance);
 }
 
-// Even light that the medium scatters on the way: as much from every point, so without noise.
-vec3 scattered_even_light(Surface s, float distance) {
+// Light of the fog itself, even light that it scatters: as much from every point, so without noise. Quake's covers the sky
+// evenly, however near the face that shows it.
+vec3 light_of_fog(Surface s, float distance) {
   if (!FEATURE_MEDIUM) return vec3(0.0);
-  return frame.medium.rgb * frame.ambient.rgb * (opacity(frame.camera_fog, distance) * (s.sky ? frame.ambient.w : 1.0));
+  float covers = s.sky && frame.camera_fog_square > 0.0 ? 1.0 : haze_covers(camera_haze(), distance);
+  return frame.fog_glow.rgb * (covers * (s.sky ? frame.fog_glow.w : 1.0));
 }
 
 // What a map's baked light asks of all light that a point reflects; 1 where nothing is known.
@@ -59,7 +61,7 @@ void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float 
   texel.position_t = vec4(s.position, hit.t);
   texel.albedo_roughness = vec4(s.bsdf.albedo, sqrt(s.bsdf.alpha));
   // Even light is reflected here and nowhere else: no path brings it, so that it is the same in every estimator.
-  texel.emission_specular = vec4((s.emission + s.bsdf.albedo * frame.ambient.rgb) * seen_through_medium(s, hit.t) + scattered_even_light(s, hit.t),
+  texel.emission_specular = vec4((s.emission + s.bsdf.albedo * frame.ambient.rgb) * seen_through_medium(s, hit.t) + light_of_fog(s, hit.t),
                                 s.bsdf.specular);
   texel.normal = pack_direction(s.normal);
   texel.shading_normal = pack_direction(s.shading_normal);
@@ -70,7 +72,7 @@ void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float 
   texel.motion = vec4(before.xy - point, depth, before.z);
 }
 
-vec4 sky_seen(Surface s) { return vec4(s.emission * seen_through_medium(s, kRayEnd) + scattered_even_light(s, kRayEnd), 0.0); }
+vec4 sky_seen(Surface s) { return vec4(s.emission * seen_through_medium(s, kRayEnd) + light_of_fog(s, kRayEnd), 0.0); }
 
 // Where in the picture a pixel is seen through.
 vec2 point_of(uvec2 pixel) { return vec2(pixel) + 0.5 + jitter_of(pixel); }

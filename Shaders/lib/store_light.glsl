@@ -36,7 +36,7 @@ void store_emission(PathPixel p, GBufferTexel g) {
 
 // The mean of so many samples.
 void store_light(PathPixel p, GBufferTexel g, PixelLight light, float samples) {
-  float left = FEATURE_MEDIUM ? transmittance(frame.camera_fog, g.position_t.w) : 1.0;
+  float left = FEATURE_MEDIUM ? haze_left(camera_haze(), g.position_t.w) : 1.0;
   if (FEATURE_MEDIUM) light.sum *= left;
   if (FEATURE_WATER) radiance.at[second_radiance_at(p.at)] = vec4(light.second.rgb * left, light.second.w) / samples;
   radiance.at[p.at] = vec4(g.emission_specular.rgb + light.sum / samples, light.lost);
@@ -45,7 +45,7 @@ void store_light(PathPixel p, GBufferTexel g, PixelLight light, float samples) {
 // More light that a pixel's surface reflects, where paths have been stored.
 void add_light(PathPixel p, GBufferTexel g, vec3 light) {
   take_finite(light);
-  if (FEATURE_MEDIUM) light *= transmittance(frame.camera_fog, g.position_t.w);
+  if (FEATURE_MEDIUM) light *= haze_left(camera_haze(), g.position_t.w);
   radiance.at[p.at].rgb += light;
 }
 #endif

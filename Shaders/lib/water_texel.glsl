@@ -36,7 +36,7 @@ vec3 scattered_by(LiquidPiece p) {
   GpuMaterial m = material_at(p.liquid & kNoMaterial);
   vec3 way = vec3(transmittance_integral(m.extinction_r, p.reach), transmittance_integral(m.extinction_g, p.reach),
                   transmittance_integral(m.extinction_b, p.reach));
-  return way * (m.scattering * p.through * transmittance(frame.camera_fog, p.start));
+  return way * (m.scattering * p.through * haze_left(camera_haze(), p.start));
 }
 
 void store_water(uint at, WaterTexel w, LiquidPiece p) {

@@ -8,11 +8,12 @@
 #include "shared/common.h"
 FB_NAMESPACE_BEGIN
 
-// Who draws a view: passes/debug_view.comp, the same with the former frame's G-buffer beside this one's, or the
-// techniques of a folder, which has a number of its own from kViewOfTechniques on.
+// Who draws a view: passes/debug_view.comp, the same with the former frame's G-buffer beside this one's,
+// passes/authored_view.comp, or the techniques of a folder, which has a number of its own from kViewOfTechniques on.
 FB_CONST uint kViewOfFrame = 0u;
 FB_CONST uint kViewOfFormer = 1u;
 FB_CONST uint kViewOfTechniques = 2u;
+FB_CONST uint kViewOfMap = 1000u;
 
 // clang-format off
 #define FB_FRAME_VIEWS(X) \
@@ -34,6 +35,7 @@ FB_CONST uint kViewOfTechniques = 2u;
   X(kViewDenoised, 15u, kViewOfFrame, "denoised", "denoiser: filtered irradiance") \
   X(kViewNoisy, 16u, kViewOfFrame, "noisy", "denoiser: irradiance before the filter") \
   X(kViewFormer, 17u, kViewOfFormer, "former", "albedo where the former frame saw each point; red: it did not") \
+  X(kViewAuthored, 18u, kViewOfMap, "authored", "textures in their baked light, as QuakeSpasm shows a map; models as painted") \
   X(kViewNotFinite, 30u, kViewOfFrame, "not_finite", "pixels with samples that were not finite, in red")
 // clang-format on
 

@@ -35,7 +35,9 @@ struct FrameConstants {
   vec4 medium;            // rgb: albedo; w: extinction, 1/unit, 0: there is no medium
   vec4 medium_phase;  // xy: g and alpha of its phase function; z: share of the sky's light that it lets the camera see;
                       // w: g of liquids
+  vec4 fog_glow;      // rgb: radiance of the fog itself where it hides all; w: factor on it before the sky
   vec4 gain_origin;   // of the gain field (shared/gain_field.h); w: cells a unit
+  vec4 light_styles[16];  // factors of the 64 styles on baked light, as displayed, of kViewOfMap
   vec4 screen_tint;
   uint width, height;  // rendered pixels
   uint output_width, output_height;
@@ -70,7 +72,7 @@ struct FrameConstants {
   float water_height, water_size;  // of its waves (shared/waves.h)
   uint water_clock;
   uint camera_liquid;                    // that the camera is in, as Vertex::liquid has it (lib/interaction.glsl)
-  float camera_fog;                      // extinction along the camera's rays: the medium's, 0 in a liquid
+  float camera_fog, camera_fog_square;   // along the camera's rays (Haze of shared/medium.h); 0 in a liquid
   uint turbid;                           // some liquid or glass scatters light
   uint mirrors;                          // some surface is an interface of a liquid
   float warp_phase;                      // of the picture's waves (shared/picture_warp.h), radians
@@ -80,6 +82,7 @@ struct FrameConstants {
   // Which pixel of a block was lit in the former frame.
   uint former_light_x, former_light_y, former_light_block;
   uint former_first, former_instances;  // where instances of the former frame are now: the texel of the table, how many
+  uint baked_image, baked_faces;        // baked light as words (shared/baked_words.h); kNoIndex: none
   FB_FRAME_SETTINGS(FB_UNIFORM_FIELD)
   FB_DENOISER_SETTINGS(FB_UNIFORM_FIELD)
 };

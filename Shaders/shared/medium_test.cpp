@@ -60,6 +60,43 @@ TEST(Medium, DistancesFollowTransmittance) {
   }
 }
 
+TEST(Medium, QuakesLawIsSampledByWhatItTakes) {
+  for (const float square : {1e-16f, 1e-9f, 1e-4f, 1.0f, 100.0f}) {
+    for (const float reach : kReaches) {
+      const Real all = -std::expm1(-static_cast<Real>(square) * reach * reach);
+      for (const float u : kMediumNumbers) {
+        const float d = sample_square_law(square, reach, u);
+        ASSERT_TRUE(d >= 0 && d <= reach) << square << " " << reach << " " << u;
+        // The share of what is taken before it is u, but where float's 1 - v has no digits left.
+        const Real before = -std::expm1(-static_cast<Real>(square) * d * d);
+        ASSERT_NEAR(static_cast<double>(before / all), u, 4e-6 * u + 2e-7 + 1e-38) << square << " " << reach;
+        if (!(d > 0)) continue;
+        const Haze haze{0.0f, square};
+        const Real weight = static_cast<Real>(haze_density(haze, d)) * haze_left(haze, d);
+        if (weight > 1e-30L) {
+          ASSERT_NEAR(static_cast<double>(weight / pdf_square_law(square, reach, d) / all), 1, 1e-5);
+        }
+      }
+      const Haze haze{0.0f, square};
+      ASSERT_NEAR(haze_opacity(haze, reach), static_cast<double>(all), 1e-6 * static_cast<double>(all) + 1e-30);
+      const auto taken = [&](Real s) { return 2 * square * s * s * std::exp(-static_cast<Real>(square) * s * s); };
+      const Real far = std::min<Real>(reach, 8 / std::sqrt(static_cast<Real>(square)));
+      const Real mean = integrate(taken, 0, far, 2000) / all;
+      ASSERT_NEAR(haze_mean(haze, reach) / static_cast<double>(mean), 1, 0.06) << square << " " << reach;
+    }
+  }
+}
+
+TEST(Medium, HazeOfNoSquareIsExtinction) {
+  const Haze haze{0.01f, 0.0f};
+  for (const float distance : kReaches) {
+    EXPECT_EQ(haze_left(haze, distance), transmittance(0.01f, distance));
+    EXPECT_EQ(haze_opacity(haze, distance), opacity(0.01f, distance));
+    EXPECT_EQ(haze_covers(haze, distance), opacity(0.01f, distance));
+    EXPECT_EQ(haze_mean(haze, distance), mean_interaction(0.01f, distance));
+  }
+}
+
 TEST(Medium, AnglesAreExactToRounding) {
   for (int i = 0; i <= 4000; ++i) {
     const Real a = reference::kPi * i / 4000;

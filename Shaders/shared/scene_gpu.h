@@ -20,7 +20,7 @@ struct GpuAttribute {              // 48 bytes
   uint material;                   // added to GpuInstance::material_base
   vec2 uv0, uv1, uv2;              // 1 is one repeat of the texture
   uint flags;                      // kTriangle*
-  uint pad;
+  uint face;                       // of the map (scene::MeshTriangle::face), or kNoIndex
 };
 FB_CONST uint kTriangleAsks = 1u;
 FB_CONST uint kTriangleVisibilityShift = 1u;

@@ -8,6 +8,7 @@
 #include "host/game/game.h"
 #include "host/game/save_picture.h"
 #include "platform/clock.h"
+#include "render/passes/debug_views.h"
 #include "render/picture/picture_size.h"
 
 namespace fb::host {
@@ -120,6 +121,8 @@ bool Game::draw_frame() {
   const render::RenderSettings wanted = settings();
   const uvec2 view = screen_.picture_area(client, drawer_->size(wanted)).size;
   client.set_view_size(static_cast<int>(view.x), static_cast<int>(view.y));
+  client.authored().show_baked(render::shows_baked_light(static_cast<std::uint32_t>(wanted.debug_view)));
+  if (records() || demo_capture_.active() || client.timing()) client.settle();  // each frame in the light that is kept
   client.build_snapshot(snapshot_);
   if (!client.active()) snapshot_.assets = nullptr;  // frees the GPU memory of a level that was left
   snapshot_.frame = frame_;

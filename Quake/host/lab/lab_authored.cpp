@@ -71,6 +71,8 @@ scene::AuthoredFog fog_of(const formats::Bsp& bsp) {
   const auto numbers = world::parse_numbers(entities->front().text(entities->front().has("fog") ? "fog" : "_fog"), 4);
   if (numbers.empty()) return fog;
   fog.density = numbers[0];
+  const std::string sky = entities->front().has("skyfog") ? "skyfog" : "_skyfog";
+  fog.covers = entities->front().number(sky, fog.covers);
   fog.color = numbers.size() == 4 ? vec3(numbers[1], numbers[2], numbers[3]) : vec3(0.3f);
   return fog;
 }

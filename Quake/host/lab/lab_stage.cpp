@@ -19,6 +19,7 @@
 #include "lab/client_source.h"
 #include "lab/lambert_source.h"
 #include "platform/program_directory.h"
+#include "render/passes/debug_views.h"
 
 namespace fb::host {
 namespace {
@@ -81,6 +82,8 @@ Status open_source(Stage& stage, const StageOptions& o) {
   if (!source) return source.error();
   stage.source = std::move(*source);
   stage.settings = render::read_render_settings(stage.engine->console());
+  stage.engine->client().authored().show_baked(
+      render::shows_baked_light(static_cast<std::uint32_t>(stage.settings.debug_view)));
   return ok_status();
 }
 

@@ -24,6 +24,9 @@ std::span<const DebugView> debug_views();
 // The largest number of one.
 std::uint32_t last_debug_view();
 
+// Whether a view needs FrameSnapshot::baked.
+inline bool shows_baked_light(std::uint32_t number) { return number == shared::kViewAuthored; }
+
 // Who draws a view; shared::kViewOfFrame where there is none of that number.
 std::uint32_t view_owner(std::uint32_t number);
 

@@ -33,7 +33,7 @@ void Work::begin(gpu::Commands& commands) const {
   std::array<std::uint32_t, shared::kWorkKinds * shared::kWorkWords> words{};
   for (std::uint32_t kind = 0; kind < shared::kWorkKinds; ++kind) {
     const uvec2 most = groups(kind).most;
-    const bool everywhere = kind == shared::kWorkMedium && constants.medium.w > 0;
+    const bool everywhere = kind == shared::kWorkMedium && constants.medium.w + constants.camera_fog_square > 0;
     const bool counts = kind == shared::kWorkWater;
     const std::array<std::uint32_t, shared::kWorkWords> work{everywhere ? most.x : 0, counts ? 0 : most.y, 1, 0};
     std::ranges::copy(work, words.begin() + shared::kWorkWords * kind);

@@ -105,6 +105,10 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
   const scene::GainTable& gains = snapshot.gains;
   c.gain_image = snapshot.authored ? gains.image : shared::kNoIndex;
   c.gain_origin = vec4(gains.origin, 1.0f / gains.side);
+  c.baked_image = snapshot.baked.image;
+  c.baked_faces = snapshot.baked.faces;
+  for (std::size_t i = 0; i < snapshot.baked.styles.size(); ++i)
+    c.light_styles[i / 4][static_cast<int>(i % 4)] = snapshot.baked.styles[i];
   c.gain_width = gains.width;
   c.gain_depth = gains.depth;
   c.gain_height = gains.height;
@@ -137,12 +141,20 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
     c.sun_radiance[i] = vec4(radiance, (radiance.x + radiance.y + radiance.z) * sky_factor);
   }
   c.ambient = vec4(snapshot.ambient, std::clamp(snapshot.medium.before_sky, 0.0f, 1.0f));
+  c.fog_glow = vec4(0, 0, 0, c.ambient.w);
   c.medium_phase.z = 1.0f;  // shaders that know of a medium go on when there is none any more
   if (snapshot.medium.scatters()) {
     const scene::Medium& m = snapshot.medium;
     c.medium = vec4(glm::clamp(m.albedo, 0.0f, 1.0f), m.extinction);
     const shared::PhaseFunction phase = shared::phase_function(m.g, m.alpha);
     c.medium_phase = vec4(phase.g, phase.alpha, std::clamp(m.sky, 0.0f, 1.0f), 0);
+    if (m.square > 0.0f) {
+      c.medium.w = 0.0f;
+      c.camera_fog_square = m.square;
+      c.fog_glow = vec4(glm::max(m.glow, vec3(0.0f)), std::clamp(m.glow_before_sky, 0.0f, 1.0f));
+    } else {
+      c.fog_glow = vec4(vec3(c.medium) * vec3(c.ambient), c.ambient.w);
+    }
   }
   c.water_height = settings.water_waves;
   c.water_size = kWaveSize;
@@ -150,6 +162,7 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
   constexpr std::uint32_t kMostInside = 0xffff;  // materials that a point can be in (lib/interaction.glsl)
   const bool in_liquid = settings.water > 0 && snapshot.camera_liquid < kMostInside;
   c.camera_fog = in_liquid ? 0.0f : c.medium.w;
+  if (in_liquid) c.camera_fog_square = 0.0f;
   c.medium_phase.w = std::clamp(settings.water_g, -shared::kPhaseMaxG, shared::kPhaseMaxG);
   c.camera_liquid = in_liquid ? kMostInside << 16 | snapshot.camera_liquid : shared::kNoIndex;
   c.screen_tint = in_liquid ? snapshot.tint_in_liquid : snapshot.screen_tint;

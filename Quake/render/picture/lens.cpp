@@ -1,8 +1,11 @@
 #include "render/picture/lens.h"
 
+#include "render/passes/debug_views.h"
+
 namespace fb::render {
 
-void add_lens(PassList& list, ShaderSet& shaders, const shared::FrameConstants& constants, const Variant& layered) {
+void add_lens(PassList& list, ShaderSet& shaders, const shared::FrameConstants& constants, const Variant& layered,
+              const Variant& traced) {
   const uvec2 render(constants.width, constants.height);
   const auto frame = [&](const char* name, const gpu::ComputePipeline& pipeline, uvec2 groups) {
     list.dispatch(name, PassKind::kFrame, pipeline, groups);
@@ -15,9 +18,13 @@ void add_lens(PassList& list, ShaderSet& shaders, const shared::FrameConstants& 
     const uvec2 small = groups_over({shared::kBloomWidth, shared::kBloomHeight}, 8);
     for (const char* step : {"bloom_small", "bloom_x", "bloom_y"}) frame(step, shaders.get(step), small);
   }
-  frame("tonemap",
-        constants.debug_view != 0 ? shaders.get("debug_view", layered) : shaders.get(lens ? "tonemap_lens" : "tonemap"),
-        groups_over(render, 8));
+  const auto last = [&]() -> const gpu::ComputePipeline& {
+    if (constants.debug_view == 0) return shaders.get(lens ? "tonemap_lens" : "tonemap");
+    if (view_owner(static_cast<std::uint32_t>(constants.debug_view)) == shared::kViewOfMap)
+      return shaders.get("authored_view", traced);
+    return shaders.get("debug_view", layered);
+  };
+  frame("tonemap", last(), groups_over(render, 8));
 }
 
 }  // namespace fb::render

@@ -9,7 +9,8 @@
 
 namespace fb::render {
 
-// `layered`: of a pass that knows the denoiser's layers.
-void add_lens(PassList& list, ShaderSet& shaders, const shared::FrameConstants& constants, const Variant& layered);
+// `layered`: of a pass that knows the denoiser's layers; `traced`: of one that traces the camera's rays.
+void add_lens(PassList& list, ShaderSet& shaders, const shared::FrameConstants& constants, const Variant& layered,
+              const Variant& traced);
 
 }  // namespace fb::render

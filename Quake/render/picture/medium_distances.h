@@ -12,7 +12,9 @@ namespace fb::render {
 class MediumDistances {
  public:
   // Paths begin in a medium in this frame.
-  static bool scatters(const shared::FrameConstants& c) { return (c.medium.w > 0 || c.turbid != 0) && c.bounces > 0; }
+  static bool scatters(const shared::FrameConstants& c) {
+    return (c.medium.w + c.camera_fog_square > 0 || c.turbid != 0) && c.bounces > 0;
+  }
   // Says where both halves are, after the medium's blocks are known. A cut leaves nothing of the past.
   void fill(shared::FrameConstants& c, bool cut) {
     c.distances_former = block_ == c.medium_block && !cut ? half_ : shared::kNoIndex;

@@ -323,7 +323,7 @@ MeshRecord SceneAssets::add_mesh(const scene::Assets& assets, const scene::Mesh&
     if (t.liquid_in_front != 0) flags |= shared::kTriangleLiquidInFront;
     record.asks |= (flags & shared::kTriangleAlphaTest) != 0;
     batch.attributes.push_back(
-        {t.vertices[0], t.vertices[1], t.vertices[2], t.material, t.uv[0], t.uv[1], t.uv[2], flags, 0});
+        {t.vertices[0], t.vertices[1], t.vertices[2], t.material, t.uv[0], t.uv[1], t.uv[2], flags, t.face});
     record.materials.push_back(t.material);
     record.order.push_back(used[at]);
   }

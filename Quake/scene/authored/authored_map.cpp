@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/log.h"
+#include "scene/authored/baked_words.h"
 
 namespace fb::scene {
 
@@ -12,6 +13,7 @@ void AuthoredMap::look_at_map() {
   if (map == map_) return;
   task_.reset();
   light_.reset();
+  baked_ = {};
   map_ = std::move(map);
   lightmaps_ = library_.lightmaps();
   // The base game's lights are made for this renderer, and its lightmaps for others.
@@ -34,6 +36,16 @@ const AuthoredLight* AuthoredMap::light() {
 void AuthoredMap::wait() {
   look_at_map();
   if (task_) take();
+}
+
+BakedTable AuthoredMap::baked() {
+  if (!shows_baked_) return {};
+  look_at_map();
+  if (baked_.image == kNone && map_ != nullptr && lightmaps_ != nullptr && !lightmaps_->empty()) {
+    baked_.image = library_.add_words(baked_words(*map_, *lightmaps_));
+    baked_.faces = static_cast<std::uint32_t>(lightmaps_->faces().size());
+  }
+  return baked_;
 }
 
 void AuthoredMap::apply(const AuthoredLight& light) {

@@ -27,6 +27,10 @@ class AuthoredMap {
   const GainTable& gains() const { return gains_; }
   void light_sky(Sky& sky) const;
 
+  // Whether the view of the map's baked light is wanted, from the next baked() on.
+  void show_baked(bool wanted) { shows_baked_ = wanted; }
+  BakedTable baked();  // without styles; none where it is not wanted
+
  private:
   void look_at_map();
   void take();
@@ -39,6 +43,8 @@ class AuthoredMap {
   std::vector<vec3> lamps_, suns_;
   vec3 ambient_{0.0f}, even_sky_{0.0f};
   GainTable gains_;
+  bool shows_baked_ = false;
+  BakedTable baked_;
   std::unique_ptr<AuthoredTask> task_;  // last: it reads the map
 };
 

@@ -7,6 +7,7 @@
 #include "scene/authored/map_rays.h"
 #include "scene/library/asset_builder.h"
 #include "scene/library/surface_names.h"
+#include "shared/tone.h"
 
 namespace fb::scene {
 namespace {
@@ -55,7 +56,7 @@ class Painter {
   vec3 color_beyond(const vec3& from, const vec3& start, const vec3& direction, int holes) const {
     const auto hit = rays_.first_face(start, start + direction * kFar, true);
     if (!hit) return vec3(0.0f);
-    if (rays_.is_sky(hit->face)) return sky_;
+    if (rays_.is_sky(hit->face)) return fog_.density > 0.0f ? sky_in_fog() : sky_;
     const formats::BspFace& face = map_.bsp.faces[hit->face];
     const formats::BspTexInfo& texinfo = map_.bsp.texinfos[face.texinfo];
     const LitSurface* surface = map_.surface_of(face);
@@ -80,6 +81,11 @@ class Painter {
     shown = glm::clamp(shown, vec3(0.0f), vec3(1.0f));
     const float way = fog_.density / kFogUnits * glm::length(hit->point + hit->offset - from);
     shown = glm::mix(fog_.color, shown, std::exp(-way * way));
+    return {linear_from_srgb(shown.x), linear_from_srgb(shown.y), linear_from_srgb(shown.z)};
+  }
+
+  vec3 sky_in_fog() const {
+    const vec3 shown = glm::mix(shared::srgb_from_linear(sky_), fog_.color, fog_.covers);
     return {linear_from_srgb(shown.x), linear_from_srgb(shown.y), linear_from_srgb(shown.z)};
   }
 

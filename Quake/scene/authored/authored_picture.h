@@ -14,6 +14,7 @@ namespace fb::scene {
 struct AuthoredFog {
   float density = 0.0f;  // QuakeSpasm's
   vec3 color{0.0f};      // as displayed
+  float covers = 0.5f;   // of the sky
 };
 
 // width x height colours, row-major, top row first: what the display shows as linear Rec.709, a texture as painted is

@@ -48,7 +48,8 @@ class BrushMeshBuilder {
   BrushMeshBuilder(const formats::Bsp& bsp, std::uint32_t model, MapMaterials& materials)
       : bsp_(bsp), model_(model), materials_(materials) {}
 
-  void add_face(const formats::BspFace& face) {
+  void add_face(std::uint32_t number) {
+    const formats::BspFace& face = bsp_.faces[number];
     if (face.surfedge_count < 3) return;
     const formats::BspTexInfo& texinfo = bsp_.texinfos[face.texinfo];
     const formats::BspTexture* texture =
@@ -64,14 +65,15 @@ class BrushMeshBuilder {
     // Quake's faces run clockwise as seen from the front; ours the other way.
     if (glm::dot(normal, front) < 0.0f) std::ranges::reverse(polygon);
     if (texture != nullptr && liquid_kind(texture->name) != LiquidKind::kNone)
-      liquids_.push_back({face.texinfo, texinfo.texture, face.plane, face.back_side, std::move(polygon)});
+      liquids_.push_back({face.texinfo, texinfo.texture, face.plane, face.back_side, std::move(polygon), number});
     else
-      add_fan(polygon, texinfo, texture);
+      add_fan(polygon, texinfo, texture, number);
   }
 
   Mesh take(std::string name) {
     for (const LiquidFace& face : without_coincident(std::move(liquids_)))
-      add_fan(face.polygon, bsp_.texinfos[face.texinfo], &bsp_.textures[face.texture], liquid_in_front(face));
+      add_fan(face.polygon, bsp_.texinfos[face.texinfo], &bsp_.textures[face.texture], face.number,
+              liquid_in_front(face));
     mesh_.name = std::move(name);
     finish_mesh(mesh_);
     return std::move(mesh_);
@@ -93,7 +95,7 @@ class BrushMeshBuilder {
 
  private:
   void add_fan(const std::vector<vec3>& polygon, const formats::BspTexInfo& texinfo, const formats::BspTexture* texture,
-               bool liquid_in_front = false) {
+               std::uint32_t number, bool liquid_in_front = false) {
     const std::size_t n = polygon.size(), start = best_fan_start(polygon);
     const vec2 size = units_of(texinfo, texture);
     const auto uv_at = [&](const vec3& p) {
@@ -112,7 +114,7 @@ class BrushMeshBuilder {
       const std::array<std::size_t, 3> ids{start, (start + k) % n, (start + k + 1) % n};
       const vec3 cross = triangle_cross(polygon[ids[0]], polygon[ids[1]], polygon[ids[2]]);
       if (glm::length(cross) < 2.0f * kMinTriangleArea) continue;
-      MeshTriangle triangle{{corners[0], corners[k], corners[k + 1]}, material, {}, liquid_in_front ? 1u : 0u};
+      MeshTriangle triangle{{corners[0], corners[k], corners[k + 1]}, material, {}, liquid_in_front ? 1u : 0u, number};
       for (std::size_t c = 0; c < 3; ++c) triangle.uv[c] = uv_at(polygon[ids[c]]) - shift;
       mesh_.triangles.push_back(triangle);
     }
@@ -147,7 +149,7 @@ class BrushMeshBuilder {
 Mesh make_brush_mesh(const formats::Bsp& bsp, std::uint32_t model, MapMaterials& materials, std::string name) {
   BrushMeshBuilder builder(bsp, model, materials);
   const formats::BspModel& m = bsp.models[model];
-  for (std::uint32_t i = 0; i < m.face_count; ++i) builder.add_face(bsp.faces[m.first_face + i]);
+  for (std::uint32_t i = 0; i < m.face_count; ++i) builder.add_face(m.first_face + i);
   return builder.take(std::move(name));
 }
 

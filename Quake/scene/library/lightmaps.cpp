@@ -134,6 +134,15 @@ bool Lightmaps::has(std::uint32_t face, std::size_t k) const {
   return face < faces_.size() && faces_[face].styles[k] != kNoStyle;
 }
 
+std::array<std::uint8_t, 3> Lightmaps::luxel(const Face& face, std::size_t k, int x, int y) const {
+  const auto width = static_cast<std::uint64_t>(face.width), height = static_cast<std::uint64_t>(face.height);
+  const std::uint64_t sample =
+      face.first + k * width * height + static_cast<std::uint64_t>(y) * width + static_cast<std::uint64_t>(x);
+  const std::size_t at = static_cast<std::size_t>(sample) * static_cast<std::size_t>(channels_);
+  if (channels_ == 1) return {samples_[at], samples_[at], samples_[at]};
+  return {samples_[at], samples_[at + 1], samples_[at + 2]};
+}
+
 vec3 Lightmaps::value(std::uint32_t face, std::size_t k, const vec3& point) const {
   if (!has(face, k)) return vec3(0.0f);
   const Face& f = faces_[face];
@@ -143,18 +152,12 @@ vec3 Lightmaps::value(std::uint32_t face, std::size_t k, const vec3& point) cons
   const float s = place(f.axes[0], f.width), t = place(f.axes[1], f.height);
   const int s0 = std::min(static_cast<int>(s), f.width - 1), t0 = std::min(static_cast<int>(t), f.height - 1);
   const int s1 = std::min(s0 + 1, f.width - 1), t1 = std::min(t0 + 1, f.height - 1);
-  const auto luxel = [&](int x, int y) {
-    const std::uint64_t sample =
-        f.first +
-        static_cast<std::uint64_t>(k) * static_cast<std::uint64_t>(f.width) * static_cast<std::uint64_t>(f.height) +
-        static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(f.width) + static_cast<std::uint64_t>(x);
-    const std::size_t at = static_cast<std::size_t>(sample) * static_cast<std::size_t>(channels_);
-    if (channels_ == 1) return vec3(static_cast<float>(samples_[at]));
-    return vec3(static_cast<float>(samples_[at]), static_cast<float>(samples_[at + 1]),
-                static_cast<float>(samples_[at + 2]));
+  const auto at = [&](int x, int y) {
+    const std::array<std::uint8_t, 3> bytes = luxel(f, k, x, y);
+    return vec3(bytes[0], bytes[1], bytes[2]);
   };
-  const vec3 upper = glm::mix(luxel(s0, t0), luxel(s1, t0), s - static_cast<float>(s0));
-  const vec3 lower = glm::mix(luxel(s0, t1), luxel(s1, t1), s - static_cast<float>(s0));
+  const vec3 upper = glm::mix(at(s0, t0), at(s1, t0), s - static_cast<float>(s0));
+  const vec3 lower = glm::mix(at(s0, t1), at(s1, t1), s - static_cast<float>(s0));
   return glm::mix(upper, lower, t - static_cast<float>(t0)) / kPainted;
 }
 

@@ -33,13 +33,17 @@ class Lightmaps {
   // Baked value / 128 at a point of the face, between luxels as a texture filter has it; displayed, not linear, values.
   vec3 value(std::uint32_t face, std::size_t k, const vec3& point) const;
 
- private:
   struct Face {
     std::array<vec4, 2> axes;  // luxel = dot(axes.xyz, point) + axes.w
     int width = 0, height = 0;
     std::uint64_t first = 0;  // sample
     std::array<std::uint8_t, 4> styles{kNoStyle, kNoStyle, kNoStyle, kNoStyle};
   };
+  const std::vector<Face>& faces() const { return faces_; }  // of the map; none where it is empty
+  // A luxel of the k-th of a face's styles, which it has, as bytes.
+  std::array<std::uint8_t, 3> luxel(const Face& face, std::size_t k, int x, int y) const;
+
+ private:
   void choose_samples(const formats::Bsp& bsp, ByteView lit);
   Face usual_face(const formats::Bsp& bsp, const formats::BspFace& face) const;
 

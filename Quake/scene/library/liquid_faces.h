@@ -14,6 +14,7 @@ struct LiquidFace {
   std::uint32_t texinfo, texture, plane;
   bool back_side;
   std::vector<vec3> polygon;  // convex, counter-clockwise about the face's front
+  std::uint32_t number = 0;   // of the map's face
 };
 
 // Of every plane and texture the side with the larger area stays as it is; of the other side what is not covered.
