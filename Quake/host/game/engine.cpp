@@ -12,6 +12,7 @@
 #include "fs/path.h"
 #include "host/game/file_commands.h"
 #include "host/game/language.h"
+#include "host/game/light_store.h"
 #include "host/game/mod_check.h"
 #include "render/passes/settings.h"
 
@@ -143,6 +144,7 @@ void Engine::make_client() {
   client_->set_network(*network_);
   client_->set_write_path([this](std::string_view name) { return files_.write_path(name); });
   if (!server_) return;
+  client_->authored().set_store(light_store(files_));  // the game's: a measurement finds light anew
   client_->set_local_server(
       {[this]() -> std::unique_ptr<net::Connection> { return server_->active() ? loopback_.connect(now_) : nullptr; },
        [this] { server_->shutdown(); }});

@@ -9,6 +9,7 @@
 #include "host/lab/lab_numbers.h"
 #include "host/lab/lab_stage.h"
 #include "lab/authored/authored_measure.h"
+#include "lab/authored/authored_report.h"
 #include "lab/image_io.h"
 #include "lab/jobs.h"
 #include "scene/authored/authored_map.h"
@@ -101,6 +102,7 @@ int run_authored(const AuthoredOptions& options) {
   const scene::AuthoredFog fog = options.fog ? fog_of(*library.map()) : scene::AuthoredFog();
   const std::vector<float> styles = stage.engine->client().light_style_values();
   std::vector<lab::AuthoredDistance> distances;
+  lab::AuthoredPage page{o.map + ": drawn, and as its author saw it", {}, {}, {}};
   fmt::print("{:28} {:>6} {:>6} {:>6} {:>6}\n", "camera", "median", "spread", "corr.", "color");
   for (const lab::MapCamera& camera : cameras) {
     snapshot.camera.position = camera.position;
@@ -119,12 +121,21 @@ int run_authored(const AuthoredOptions& options) {
                                 stage.size.x, stage.size.y, fog, styles)};
     distances.push_back(lab::authored_distance(own, authors));
     fmt::print("{}\n", row_of(camera.name, distances.back()));
+    page.rows.push_back({camera.name, camera.name + ".png", distances.back()});
     if (!o.out.empty())
       if (auto status = write_pair(fmt::format("{}/{}.png", o.out, camera.name), own, authors); !status)
         return fail(status.error());
   }
   if (distances.empty()) return fail(Error{o.map + ": it names no camera: no start, no intermission, no teleport"});
-  fmt::print("{}\n", row_of("all", lab::mean_distance(distances)));
+  page.mean = lab::mean_distance(distances);
+  fmt::print("{}\n", row_of("all", page.mean));
+  if (!o.out.empty()) {
+    if (const auto* light = stage.engine->client().authored().light(); light != nullptr)
+      for (std::size_t i = 0; i < light->emitters.all.size(); ++i)
+        page.emitters.push_back({light->emitters.all[i].name, light->fit.factors[i], light->fit.shares[i]});
+    if (auto status = fs::write_text_atomically(o.out + "/index.html", lab::authored_html(page)); !status)
+      return fail(status.error());
+  }
   return finish(stage);
 }
 
@@ -141,7 +152,8 @@ LabCommand add_authored_command(CLI::App& app) {
   add_number(*authored, "--cameras", options->cameras, 1u, 1000u, "at most so many, evenly chosen");
   authored->add_flag("--fog", options->fog, "with the map's fog, here and there");
   authored->add_flag("--table", options->table, "print how strong each emitter is by the baked light");
-  authored->add_option("--out", options->stage.out, "folder for pictures: drawn and authored side by side");
+  authored->add_option("--out", options->stage.out,
+                       "folder for a page, index.html, and its pictures: drawn and authored side by side");
   return {authored, [options] { return run_authored(*options); }};
 }
 

@@ -1,4 +1,5 @@
 #include "lab/authored/authored_measure.h"
+#include "lab/authored/authored_report.h"
 
 #include <gtest/gtest.h>
 
@@ -79,6 +80,18 @@ TEST(AuthoredMeasure, CamerasStandWhereTheMapSays) {
   EXPECT_EQ(cameras[1].position, vec3(4, 5, 6));
   EXPECT_EQ(cameras[1].angles, vec3(10, 20, 0));
   EXPECT_EQ(map_cameras(bsp, 1).size(), 1u);
+}
+
+TEST(AuthoredReport, ThePageHasPicturesAndEmittersAndNoMarkupOfTheirs) {
+  AuthoredPage page{
+      "start <b>", {{"info_1", "info_1.png", {-0.5, 0.25, 0.875, 0.0625}}}, {-0.5, 0.25, 0.875, 0.0625}, {}};
+  EXPECT_EQ(authored_html(page).find("Emitters"), std::string::npos);
+  page.emitters.push_back({"texture \"a\" & b", vec3(0.5f, 1.0f, 2.0f), 0.125f});
+  const std::string html = authored_html(page);
+  for (const char* part :
+       {"start &lt;b&gt;", "<img src=\"info_1.png\"", "<td>-0.50</td><td>0.25</td><td>0.88</td><td>0.06</td>",
+        "texture &quot;a&quot; &amp; b", "<td>0.5000</td><td>1.0000</td><td>2.0000</td><td>12.50</td>"})
+    EXPECT_NE(html.find(part), std::string::npos) << part;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/log.h"
+#include "scene/authored/authored_bytes.h"
 #include "scene/authored/baked_words.h"
 
 namespace fb::scene {
@@ -17,14 +18,22 @@ void AuthoredMap::look_at_map() {
   map_ = std::move(map);
   lightmaps_ = library_.lightmaps();
   // The base game's lights are made for this renderer, and its lightmaps for others.
-  if (map_ && lightmaps_ && !lightmaps_->empty() && !library_.of_base_game())
-    task_ = std::make_unique<AuthoredTask>(library_.lit_map(), *lightmaps_);
+  if (!map_ || !lightmaps_ || lightmaps_->empty() || library_.of_base_game()) return;
+  const LitMap lit = library_.lit_map();
+  if (store_.read) {
+    key_ = authored_key(lit, *lightmaps_);
+    if (const auto kept = store_.read(key_)) light_ = read_authored(ByteView(kept->data(), kept->size()), key_, lit);
+  }
+  if (light_) return apply(*light_);
+  task_ = std::make_unique<AuthoredTask>(lit, *lightmaps_);
 }
 
 void AuthoredMap::take() {
   light_ = task_->take();
   task_.reset();
-  if (light_) apply(*light_);
+  if (!light_) return;
+  apply(*light_);
+  if (store_.write) store_.write(key_, authored_bytes(*light_, key_));
 }
 
 const AuthoredLight* AuthoredMap::light() {

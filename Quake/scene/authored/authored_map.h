@@ -2,19 +2,32 @@
 // is done have the light that the map's keys and textures ask for.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "base/bytes.h"
+#include "base/file_data.h"
 #include "scene/authored/authored_light.h"
 #include "scene/library/library.h"
 #include "scene/snapshot.h"
 
 namespace fb::scene {
 
+// Where what was found is kept from run to run.
+struct AuthoredStore {
+  std::function<std::optional<FileData>(std::uint64_t key)> read;
+  std::function<void(std::uint64_t key, const Bytes& bytes)> write;
+};
+
 class AuthoredMap {
  public:
   explicit AuthoredMap(ModelLibrary& library) : library_(library) {}
+  // Before the first map; none: every map is looked at anew.
+  void set_store(AuthoredStore store) { store_ = std::move(store); }
 
   // What was found of the library's map; null where it has no baked light, and until it is found. The first question
   // about a map begins the work; the first one after its end changes the library's materials.
@@ -37,6 +50,8 @@ class AuthoredMap {
   void apply(const AuthoredLight& light);
 
   ModelLibrary& library_;
+  AuthoredStore store_;
+  std::uint64_t key_ = 0;                    // of the map
   std::shared_ptr<const formats::Bsp> map_;  // that all below is of
   std::shared_ptr<const Lightmaps> lightmaps_;
   std::optional<AuthoredLight> light_;

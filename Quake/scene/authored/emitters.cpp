@@ -13,7 +13,8 @@
 namespace fb::scene {
 namespace {
 
-constexpr float kPatchSide = 64.0f;  // units
+constexpr float kPatchSide = 64.0f;     // units
+constexpr float kClusterSide = 256.0f;  // likewise
 constexpr std::size_t kMostPatches = 20000, kMostLampGroups = 384;
 constexpr vec3 kLeastAmbient{1e-3f};  // what an even light that the map does not ask for begins with
 constexpr vec3 kLeastSky{2e-2f};
@@ -43,6 +44,35 @@ void add_patches(const formats::Bsp& bsp, const formats::BspFace& face, std::uin
   };
   for (std::uint32_t k = 1; k + 1 < face.surfedge_count; ++k)
     cut(cut, bsp.face_vertex(face, 0), bsp.face_vertex(face, k), bsp.face_vertex(face, k + 1), 0);
+}
+
+// Sorts patches by emitter, way and place, and makes clusters of those that have all three in common.
+void make_clusters(MapEmitters& out) {
+  const auto key = [](const EmitterPatch& p) {
+    const auto whole = [](float x) { return static_cast<int>(std::floor(x)); };
+    const vec3 cell = p.middle / kClusterSide, way = p.normal * 64.0f + 0.5f;
+    return std::array{static_cast<int>(p.emitter),
+                      whole(way.x),
+                      whole(way.y),
+                      whole(way.z),
+                      whole(cell.x),
+                      whole(cell.y),
+                      whole(cell.z)};
+  };
+  std::ranges::stable_sort(out.patches, {}, key);
+  for (std::uint32_t i = 0; i < out.patches.size();) {
+    PatchCluster c{i, i, out.patches[i].emitter, vec3(0.0f), out.patches[i].normal, 0.0f, 0.0f};
+    while (c.end < out.patches.size() && key(out.patches[c.end]) == key(out.patches[i])) {
+      c.area += out.patches[c.end].area;
+      c.middle += out.patches[c.end].middle * out.patches[c.end].area;
+      ++c.end;
+    }
+    c.middle /= c.area;
+    for (std::uint32_t k = c.first; k < c.end; ++k)
+      c.radius = std::max(c.radius, glm::length(out.patches[k].middle - c.middle));
+    out.clusters.push_back(c);
+    i = c.end;
+  }
 }
 
 // Groups are cubes of a side that grows until there are few enough.
@@ -109,7 +139,7 @@ MapEmitters find_emitters(const LitMap& map) {
   }
   const float side = std::max(kPatchSide, static_cast<float>(std::sqrt(2.0 * area / kMostPatches)));
   for (const auto& [face, emitter] : glowing) add_patches(map.bsp, map.bsp.faces[face], emitter, side, out.patches);
-  std::ranges::stable_sort(out.patches, {}, &EmitterPatch::emitter);
+  make_clusters(out);
   for (std::size_t i = 0; i < map.suns.size(); ++i)
     out.all.push_back({EmitterKind::kSun,
                        fmt::format("sun {}", i + 1),

@@ -36,9 +36,18 @@ struct EmitterPatch {
   std::uint32_t emitter;
 };
 
+// Patches of one emitter that lie near each other and face one way: from afar they are one.
+struct PatchCluster {
+  std::uint32_t first, end;  // patches
+  std::uint32_t emitter;
+  vec3 middle, normal;  // of their area
+  float area, radius;   // of a ball about the middle that has all patches' middles
+};
+
 struct MapEmitters {
   std::vector<Emitter> all;
-  std::vector<EmitterPatch> patches;  // of kTexture
+  std::vector<EmitterPatch> patches;   // of kTexture, by cluster
+  std::vector<PatchCluster> clusters;  // by emitter
 };
 
 // The world's faces and those of the submodels.

@@ -19,6 +19,7 @@ constexpr int kRays = 64;      // from each point, over the hemisphere
 constexpr int kFewRays = 12;   // the same where a point is one of many
 constexpr int kPatchRays = 4;  // to the patches of one texture
 constexpr float kRayLength = 32768.0f;
+constexpr float kFarAway = 2.0f;      // radii from which a cluster of patches is one
 constexpr float kLeastLight = 2e-4f;  // of one emitter that is asked for: less is dark on any display
 constexpr std::size_t kPiece = 64;    // points that a thread takes at a time
 
@@ -106,11 +107,12 @@ class Transport {
         met_(points.size()),
         lost_(points.size(), 0) {
     for (const EntityLight& lamp : map.lamps) lamp_leafs_.push_back(world::point_in_leaf(map.bsp, lamp.position));
-    for (std::uint32_t i = 0; i < emitters.patches.size(); ++i) {
-      const EmitterPatch& patch = emitters.patches[i];
+    for (const EmitterPatch& patch : emitters.patches)
       patch_leafs_.push_back(world::point_in_leaf(map.bsp, patch.middle));
-      if (patches_.empty() || patches_.back().emitter != patch.emitter) patches_.push_back({patch.emitter, i, i});
-      patches_.back().end = i + 1;
+    for (std::uint32_t i = 0; i < emitters.clusters.size(); ++i) {
+      const std::uint32_t emitter = emitters.clusters[i].emitter;
+      if (textures_.empty() || textures_.back().emitter != emitter) textures_.push_back({emitter, i, i});
+      textures_.back().end = i + 1;
     }
     for (std::size_t e = 0; e < emitters.all.size(); ++e)
       if (emitters.all[e].kind == EmitterKind::kSky) sky_ = e;
@@ -190,34 +192,58 @@ class Transport {
     return hit && rays_.is_sky(hit->face) ? emitter.power * cosine : vec3(0.0f);
   }
 
+  // What an area gives a point, of radiance 1, if nothing stands between.
+  static float light_of_area(const LuxelPoint& p, const vec3& middle, const vec3& normal, float area,
+                             float fall_scale) {
+    const vec3 way = middle - p.position;
+    const float here = glm::dot(way, p.normal), there = -glm::dot(way, normal), square = glm::dot(way, way);
+    if (here <= 0.0f || there <= 0.0f) return 0.0f;
+    const float fall =
+        fall_scale > 0.0f ? shared::fall_share(shared::kFallLinear, std::sqrt(square) * fall_scale) : 1.0f;
+    return area * here * there * fall / (square * (kPi * square + area));
+  }
+
+  struct Part {  // of a texture: patches whose light goes up to this, of all so far
+    float up_to;
+    std::uint32_t first, count;
+  };
+  // A cluster's patches one by one, or from afar as one.
+  float add_parts(const LuxelPoint& p, const PatchCluster& cluster, float sum, std::vector<Part>& parts) const {
+    const float scale = emitters_.all[cluster.emitter].fall_scale;
+    const vec3 way = cluster.middle - p.position;
+    if (glm::dot(way, cluster.normal) >= 0.0f || glm::dot(way, p.normal) <= -cluster.radius) return sum;
+    if (glm::dot(way, way) > kFarAway * kFarAway * cluster.radius * cluster.radius) {
+      const float light = light_of_area(p, cluster.middle, cluster.normal, cluster.area, scale);
+      if (light > 0.0f) parts.push_back({sum += light, cluster.first, cluster.end - cluster.first});
+      return sum;
+    }
+    for (std::uint32_t k = cluster.first; k < cluster.end; ++k) {
+      const EmitterPatch& patch = emitters_.patches[k];
+      const float light = light_of_area(p, patch.middle, patch.normal, patch.area, scale);
+      if (light > 0.0f) parts.push_back({sum += light, k, 1});
+    }
+    return sum;
+  }
+
   // The light of all of a texture's patches, times the share of it that some of them, chosen by their light, show
   // unhindered.
   template <typename Add>
   void light_by_patches(std::size_t i, const std::vector<bool>& seen, Rng& rng, const Add& add) const {
     const LuxelPoint& p = points_[i];
-    std::vector<float> up_to;
-    for (const Range& range : patches_) {
-      up_to.clear();
+    std::vector<Part> parts;
+    for (const Range& range : textures_) {
+      parts.clear();
       float sum = 0.0f;
-      for (std::uint32_t k = range.first; k < range.end; ++k) {
-        const EmitterPatch& patch = emitters_.patches[k];
-        const vec3 way = patch.middle - p.position;
-        const float here = glm::dot(way, p.normal), there = -glm::dot(way, patch.normal);
-        const float square = glm::dot(way, way);
-        const float scale = emitters_.all[range.emitter].fall_scale;
-        const float fall = scale > 0.0f ? shared::fall_share(shared::kFallLinear, std::sqrt(square) * scale) : 1.0f;
-        if (here > 0.0f && there > 0.0f)
-          sum += patch.area * here * there * fall / (square * (kPi * square + patch.area));
-        up_to.push_back(sum);
-      }
+      for (std::uint32_t c = range.first; c < range.end; ++c) sum = add_parts(p, emitters_.clusters[c], sum, parts);
       const vec3 light = emitters_.all[range.emitter].power * sum;
       if (std::max({light.x, light.y, light.z}) < kLeastLight) continue;
       int clear_rays = 0;
       for (int k = 0; k < kPatchRays; ++k) {
         const float at = (static_cast<float>(k) + rng.uniform()) / static_cast<float>(kPatchRays) * sum;
-        const auto chosen =
-            std::min<std::ptrdiff_t>(std::ranges::upper_bound(up_to, at) - up_to.begin(), std::ssize(up_to) - 1);
-        const std::size_t patch = range.first + static_cast<std::size_t>(chosen);
+        const auto chosen = std::ranges::upper_bound(parts, at, {}, &Part::up_to);
+        const Part& part = chosen == parts.end() ? parts.back() : *chosen;
+        const float within = rng.uniform() * static_cast<float>(part.count);
+        const std::size_t patch = part.first + std::min(static_cast<std::uint32_t>(within), part.count - 1);
         if (sees(seen, patch_leafs_[patch]) && rays_.is_clear(p.position, emitters_.patches[patch].middle))
           ++clear_rays;
       }
@@ -225,7 +251,7 @@ class Transport {
     }
   }
 
-  struct Range {
+  struct Range {  // clusters of a texture
     std::uint32_t emitter, first, end;
   };
   const LitMap& map_;
@@ -234,7 +260,7 @@ class Transport {
   int ray_count_;
   MapRays rays_;
   NearestPoint nearest_;
-  std::vector<Range> patches_;
+  std::vector<Range> textures_;
   std::vector<std::uint32_t> lamp_leafs_, patch_leafs_;
   std::vector<std::vector<std::uint32_t>> met_;
   std::vector<int> lost_;  // rays that left the map

@@ -11,9 +11,26 @@
 namespace fb::scene {
 
 MapRays::MapRays(const formats::Bsp& bsp, std::vector<Submodel> submodels)
-    : bsp_(bsp), submodels_(std::move(submodels)), kinds_(bsp.faces.size(), kOpaque), bounds_(bsp.faces.size()) {
+    : bsp_(bsp),
+      submodels_(std::move(submodels)),
+      kinds_(bsp.faces.size(), kOpaque),
+      bounds_(bsp.faces.size()),
+      polygons_(bsp.faces.size()) {
   for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
-    for (std::uint32_t k = 0; k < bsp.faces[i].surfedge_count; ++k) bounds_[i].add(bsp.face_vertex(bsp.faces[i], k));
+    const formats::BspFace& face = bsp.faces[i];
+    Polygon& polygon = polygons_[i];
+    polygon.normal = bsp.planes[face.plane].normal * (face.back_side ? -1.0f : 1.0f);
+    const vec3 n = glm::abs(polygon.normal);
+    const int drop = n.x > n.y ? (n.x > n.z ? 0 : 2) : (n.y > n.z ? 1 : 2);
+    polygon.u = (drop + 1) % 3;
+    polygon.v = (drop + 2) % 3;
+    polygon.first = static_cast<std::uint32_t>(corners_.size());
+    polygon.count = face.surfedge_count;
+    for (std::uint32_t k = 0; k < face.surfedge_count; ++k) {
+      const vec3& corner = bsp.face_vertex(face, k);
+      bounds_[i].add(corner);
+      corners_.emplace_back(corner[polygon.u], corner[polygon.v]);
+    }
     const std::uint32_t texture = bsp.texinfos[bsp.faces[i].texinfo].texture;
     if (texture >= bsp.textures.size()) continue;
     const std::string& name = bsp.textures[texture].name;
@@ -27,36 +44,33 @@ MapRays::MapRays(const formats::Bsp& bsp, std::vector<Submodel> submodels)
   }
 }
 
-vec3 MapRays::normal(std::uint32_t face) const {
-  const formats::BspFace& f = bsp_.faces[face];
-  return bsp_.planes[f.plane].normal * (f.back_side ? -1.0f : 1.0f);
-}
+vec3 MapRays::normal(std::uint32_t face) const { return polygons_[face].normal; }
 
 bool MapRays::is_clear(const vec3& start, const vec3& end) const {
   const world::LineHit hit = world::trace_line(bsp_, start, end);
   return !hit.hit && !hit.start_solid;
 }
 
-// In the plane's two axes that show the polygon largest; its corners run one way round.
+// Its corners run one way round.
 bool MapRays::contains(std::uint32_t face, const vec3& point) const {
   constexpr float kSlack = 0.05f;  // units: rays between two faces meet one of them
   const Bounds& within = bounds_[face];
   if (glm::any(glm::lessThan(point, within.min - 1.0f)) || glm::any(glm::greaterThan(point, within.max + 1.0f)))
     return false;
-  const formats::BspFace& f = bsp_.faces[face];
-  const vec3 n = glm::abs(bsp_.planes[f.plane].normal);
-  const int drop = n.x > n.y ? (n.x > n.z ? 0 : 2) : (n.y > n.z ? 1 : 2);
-  const int u = (drop + 1) % 3, v = (drop + 2) % 3;
+  const Polygon& polygon = polygons_[face];
+  if (polygon.count < 3) return false;
+  const vec2 at(point[polygon.u], point[polygon.v]);
   bool left = true, right = true;
-  for (std::uint32_t k = 0; k < f.surfedge_count; ++k) {
-    const vec3& a = bsp_.face_vertex(f, k);
-    const vec3& b = bsp_.face_vertex(f, k + 1 < f.surfedge_count ? k + 1 : 0);
-    const float cross = (b[u] - a[u]) * (point[v] - a[v]) - (b[v] - a[v]) * (point[u] - a[u]);
-    const float slack = kSlack * (std::fabs(b[u] - a[u]) + std::fabs(b[v] - a[v]));
+  vec2 a = corners_[polygon.first + polygon.count - 1];
+  for (std::uint32_t k = 0; k < polygon.count && (left || right); ++k) {
+    const vec2 b = corners_[polygon.first + k], way = b - a;
+    const float cross = way.x * (at.y - a.y) - way.y * (at.x - a.x);
+    const float slack = kSlack * (std::fabs(way.x) + std::fabs(way.y));
     left &= cross >= -slack;
     right &= cross <= slack;
+    a = b;
   }
-  return f.surfedge_count >= 3 && (left || right);
+  return left || right;
 }
 
 std::optional<std::uint32_t> MapRays::face_at(std::int32_t node, const vec3& point, const vec3& along,
@@ -103,7 +117,9 @@ std::optional<MapRays::Hit> MapRays::first_face(const vec3& start, const vec3& e
 std::optional<MapRays::Meeting> MapRays::first_of(std::uint32_t model, const vec3& start, const vec3& end,
                                                   bool liquids) const {
   // Pieces of the line that remain, the nearest on top: trees may be too deep for recursion.
-  std::vector<Piece> pieces{{bsp_.models[model].head_nodes[0], 0.0f, 1.0f, -1}};
+  thread_local std::vector<Piece> pieces;
+  pieces.clear();
+  pieces.push_back({bsp_.models[model].head_nodes[0], 0.0f, 1.0f, -1});
   const vec3 along = end - start;
   while (!pieces.empty()) {
     Piece piece = pieces.back();

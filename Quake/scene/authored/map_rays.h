@@ -49,8 +49,16 @@ class MapRays {
 
   const formats::Bsp& bsp_;
   std::vector<Submodel> submodels_;
-  std::vector<Kind> kinds_;     // of faces
-  std::vector<Bounds> bounds_;  // likewise
+  // A face's corners in the two axes of its plane that show it largest.
+  struct Polygon {
+    std::uint32_t first = 0, count = 0;  // corners_
+    int u = 0, v = 1;
+    vec3 normal{0.0f};
+  };
+  std::vector<Kind> kinds_;        // of faces
+  std::vector<Bounds> bounds_;     // likewise
+  std::vector<Polygon> polygons_;  // likewise
+  std::vector<vec2> corners_;
 };
 
 }  // namespace fb::scene

@@ -25,6 +25,7 @@ class Lightmaps {
 
   bool empty() const { return samples_.empty(); }
   bool colored() const { return channels_ == 3; }
+  ByteView samples() const { return samples_; }
   const std::string& lit_error() const { return lit_error_; }
 
   // Whether a face has light baked for the k-th of its styles (k < 4), and which style that is.
