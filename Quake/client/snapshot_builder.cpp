@@ -195,6 +195,10 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
   snapshot.sky = input.sky;
   snapshot.gains = snapshot.authored ? input.authored->gains() : scene::GainTable();
   if (snapshot.authored) input.authored->light_sky(snapshot.sky);
+  snapshot.light_styles = scene::all_styles_of_one();
+  if (snapshot.authored)
+    for (std::size_t i = 0; i < std::min(snapshot.light_styles.size(), state.light_styles.size()); ++i)
+      snapshot.light_styles[i] = scene::light_of_display(light_style_value(state.light_styles[i], state.time));
   snapshot.baked = input.active && input.authored != nullptr ? input.authored->baked() : scene::BakedTable();
   if (snapshot.baked.image != scene::kNone)
     for (std::size_t i = 0; i < std::min(snapshot.baked.styles.size(), state.light_styles.size()); ++i)
@@ -259,6 +263,7 @@ void SnapshotBuilder::add_entity(const SnapshotInput& input, scene::FrameSnapsho
     case scene::ModelKind::kBrush:
       if (model.mesh == scene::kNone) return;
       instance.mesh = model.mesh;
+      if (input.session.settings.r_ambient < 0.0f) instance.emission = model.even;
       if (snapshot.authored && model.shadowless)
         instance.visibility &= static_cast<std::uint32_t>(scene::kSeenByCamera);
       instance.transform = entity_transform(e.drawn_origin, e.drawn_angles, scale);

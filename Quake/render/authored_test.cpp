@@ -156,6 +156,25 @@ TEST_F(AuthoredTest, ASkyMayShineUnseen) {
   for (const vec4& p : renderer->read().linear()) ASSERT_NEAR(p.x, 0.125f, 1e-6f);
 }
 
+TEST_F(AuthoredTest, AnInstancesEvenLightIsReflectedByItAlone) {
+  RenderSettings s = plain_settings("pt", 1);
+  scene::FrameSnapshot snapshot = scene::furnace(0.5f, 0.0f);
+  auto renderer = make_renderer(s, 24, 16);
+  const auto mean = [&] {
+    renderer->render(snapshot, nullptr, s);
+    vec3 sum(0.0f);
+    const auto image = renderer->read().linear();
+    for (const vec4& p : image) sum += vec3(p) / static_cast<float>(image.size());
+    return sum;
+  };
+  EXPECT_EQ(mean(), vec3(0.0f));
+  for (scene::Instance& instance : snapshot.instances) instance.emission = vec3(0.5f, 1.0f, 0.0f);
+  const vec3 lit = mean();  // albedo times it, once: nothing of it is traced
+  EXPECT_NEAR(lit.x, 0.25f, 1e-5f);
+  EXPECT_NEAR(lit.y, 0.5f, 1e-5f);
+  EXPECT_EQ(lit.z, 0.0f);
+}
+
 // A wall across the view, a face of two luxels in each of two styles.
 scene::FrameSnapshot baked_wall() {
   auto assets = scene::new_code_assets();

@@ -50,10 +50,11 @@ struct Instance {
   PoseBlend pose, prev_pose;                     // posed meshes only
   std::uint32_t visibility = kSeenByAll;
   std::uint32_t flags = 0;
-  std::uint32_t material_base = 0;   // added to each triangle's material
-  float alpha = 1.0f;                // coverage of the whole instance
-  float time_offset = 0.0f;          // seconds, of groups that start at random
-  vec3 color{1.0f}, emission{0.0f};  // linear reflectance; radiance factor (kInstanceColor)
+  std::uint32_t material_base = 0;  // added to each triangle's material
+  float alpha = 1.0f;               // coverage of the whole instance
+  float time_offset = 0.0f;         // seconds, of groups that start at random
+  vec3 color{1.0f};                 // kInstanceColor: linear reflectance
+  vec3 emission{0.0f};  // kInstanceColor: radiance factor; else even light of its own, as FrameSnapshot::ambient
 };
 
 // Ranges of Instance::id, so that ids of different kinds never meet. An entity with several meshes is not a thing of
@@ -138,6 +139,12 @@ struct BakedTable {
   std::array<float, 64> styles{};  // factors as they are now
 };
 
+constexpr std::array<float, 64> all_styles_of_one() {
+  std::array<float, 64> styles{};
+  styles.fill(1.0f);
+  return styles;
+}
+
 struct FrameSnapshot {
   std::shared_ptr<const Assets> assets;
   double time = 0.0, prev_time = 0.0;  // seconds: animation, warps, sky
@@ -148,6 +155,7 @@ struct FrameSnapshot {
   Sky sky;
   bool authored = false;  // Material::cast and `gains` count
   GainTable gains;
+  std::array<float, 64> light_styles = all_styles_of_one();  // factors on light, of Material::cast_style
   BakedTable baked;
   vec3 ambient{0.0f};  // radiance from everywhere: what the camera sees reflects it, unoccluded and only once
   Medium medium;

@@ -60,8 +60,10 @@ void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float 
   s.bsdf.albedo *= authored_gain(s.position, s.normal);
   texel.position_t = vec4(s.position, hit.t);
   texel.albedo_roughness = vec4(s.bsdf.albedo, sqrt(s.bsdf.alpha));
+  bool colored = (instance_at(hit.instance).flags & kInstanceHasColor) != 0u;
+  vec3 even = frame.ambient.rgb + (colored ? vec3(0.0) : instance_at(hit.instance).emission.rgb);
   // Even light is reflected here and nowhere else: no path brings it, so that it is the same in every estimator.
-  texel.emission_specular = vec4((s.emission + s.bsdf.albedo * frame.ambient.rgb) * seen_through_medium(s, hit.t) + light_of_fog(s, hit.t),
+  texel.emission_specular = vec4((s.emission + s.bsdf.albedo * even) * seen_through_medium(s, hit.t) + light_of_fog(s, hit.t),
                                 s.bsdf.specular);
   texel.normal = pack_direction(s.normal);
   texel.shading_normal = pack_direction(s.shading_normal);

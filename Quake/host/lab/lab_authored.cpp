@@ -81,6 +81,7 @@ scene::AuthoredFog fog_of(const formats::Bsp& bsp) {
 int run_authored(const AuthoredOptions& options) {
   StageOptions o = options.stage;
   if (o.map.empty()) return fail(Error{"authored: --map names the map"});
+  o.sets.insert(o.sets.begin(), "r_ambient=-1");  // even light is a part of what authors saw
   if (!options.fog) o.sets.insert(o.sets.begin(), "r_fog=0");
   Stage stage;
   if (auto status = open_stage(stage, o); !status) return fail(status.error());

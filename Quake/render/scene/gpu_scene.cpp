@@ -426,7 +426,7 @@ void GpuScene::prepare(const scene::FrameSnapshot& snapshot, const EmissionScale
     s.known_materials = materials;
   }
   s.material_table.begin(*snapshot.assets, snapshot.time, emission, interfaces, snapshot.liquid_opacity,
-                         snapshot.authored);
+                         snapshot.authored, snapshot.light_styles);
   s.interfaces = interfaces;
   s.collect(snapshot);
   s.fill(snapshot, emission);

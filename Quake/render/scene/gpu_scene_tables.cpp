@@ -10,7 +10,8 @@ namespace {
 constexpr float kLeastCast = 1e-3f;  // what its inverse, a half, can still be
 
 shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternate, const EmissionScales& scales,
-                            Interfaces interfaces, scene::LiquidOpacity opacity, bool authored, std::size_t number) {
+                            Interfaces interfaces, scene::LiquidOpacity opacity, bool authored, float style,
+                            std::size_t number) {
   const scene::TextureSet& set = scene::texture_at(m, time, alternate);
   shared::GpuMaterial out{};
   out.base = set.base;
@@ -18,7 +19,7 @@ shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternat
   out.normal = set.normal;
   out.gloss = set.gloss;
   out.base_color = vec4(m.base_color, m.alpha);
-  const vec3 cast = authored ? glm::max(m.cast, vec3(kLeastCast)) : vec3(1.0f);
+  const vec3 cast = authored ? glm::max(m.cast * style, vec3(kLeastCast)) : vec3(1.0f);
   out.emission = vec4(m.emission * emission_scale(scales, m.emission_kind) * cast, 0);
   const bool painted = authored && m.emission_kind != scene::EmissionKind::kConstant;
   const vec3 own =
@@ -74,7 +75,7 @@ float emission_scale(const EmissionScales& scales, scene::EmissionKind kind) {
 }
 
 void MaterialTable::begin(const scene::Assets& assets, double time, const EmissionScales& scales, Interfaces interfaces,
-                          scene::LiquidOpacity opacity, bool authored) {
+                          scene::LiquidOpacity opacity, bool authored, const std::array<float, 64>& styles) {
   entries_.clear();
   entries_.reserve(2 * assets.materials.size());
   time_ = time;
@@ -82,10 +83,17 @@ void MaterialTable::begin(const scene::Assets& assets, double time, const Emissi
   interfaces_ = interfaces;
   opacity_ = opacity;
   authored_ = authored;
+  styles_ = styles;
   for (bool alternate : {false, true}) {
     for (const scene::Material& m : assets.materials)
-      entries_.push_back(resolve(m, time, alternate, scales, interfaces, opacity, authored, entries_.size()));
+      entries_.push_back(
+          resolve(m, time, alternate, scales, interfaces, opacity, authored, style_of(m), entries_.size()));
   }
+}
+
+float MaterialTable::style_of(const scene::Material& m) const {
+  const auto style = static_cast<std::size_t>(m.cast_style);
+  return style < styles_.size() ? styles_[style] : 1.0f;
 }
 
 std::uint32_t MaterialTable::base_for(const scene::Assets& assets, const MeshRecord& mesh,
@@ -97,7 +105,7 @@ std::uint32_t MaterialTable::base_for(const scene::Assets& assets, const MeshRec
     const scene::Material& m = assets.materials[index];
     if (m.frames.size() > 1 || m.alternate_frames.size() > 1) {
       entries_.push_back(resolve(m, time_ - static_cast<double>(instance.time_offset), alternate, scales_, interfaces_,
-                                 opacity_, authored_, entries_.size()));
+                                 opacity_, authored_, style_of(m), entries_.size()));
       return static_cast<std::uint32_t>(entries_.size()) - 1 - mesh.materials[0];
     }
   }
@@ -187,7 +195,8 @@ shared::GpuInstance make_gpu_instance(const MeshRecord& mesh, const scene::Insta
     out.flags |= shared::kInstanceIsSpot | ((instance.flags >> scene::kInstanceFallShift) & 7u)
                                                << shared::kInstanceFallShift;
   out.color = spot ? vec4(0.0f, 0.0f, 0.0f, instance.color.x) : vec4(instance.color, 0);
-  out.emission = vec4(instance.emission * scale, spot ? instance.color.y : 0.0f);
+  const bool colored = (instance.flags & scene::kInstanceColor) != 0;  // else it is even light
+  out.emission = vec4(instance.emission * (colored ? scale : 1.0f), spot ? instance.color.y : 0.0f);
   out.pose_scale = spot ? vec4(instance.color.z, 0.0f, 0.0f, 0.0f) : vec4(mesh.pose_scale, 0);
   out.pose_origin = vec4(mesh.pose_origin, 0);
   return out;

@@ -16,9 +16,10 @@ namespace fb::render {
 // entries of instances whose animation runs on a clock of their own.
 class MaterialTable {
  public:
-  // `authored`: whether Material::cast counts.
+  // `authored`: whether Material::cast counts, times its style's factor.
   void begin(const scene::Assets& assets, double time, const EmissionScales& scales, Interfaces interfaces = {},
-             scene::LiquidOpacity opacity = {}, bool authored = false);
+             scene::LiquidOpacity opacity = {}, bool authored = false,
+             const std::array<float, 64>& styles = scene::all_styles_of_one());
   // What to add to the triangles' materials for this instance.
   std::uint32_t base_for(const scene::Assets& assets, const MeshRecord& mesh, const scene::Instance& instance);
   const std::vector<shared::GpuMaterial>& entries() const { return entries_; }
@@ -30,6 +31,8 @@ class MaterialTable {
   Interfaces interfaces_;
   scene::LiquidOpacity opacity_;
   bool authored_ = false;
+  std::array<float, 64> styles_ = scene::all_styles_of_one();
+  float style_of(const scene::Material& m) const;
 };
 
 // What an instance's materials ask of the shaders; `known` is false if it names a material that does not exist.

@@ -103,6 +103,25 @@ TEST_F(Tables, WhatAMaterialLightsIsNotHowItLooksWhereItsAuthorsLightCounts) {
   EXPECT_TRUE(std::isfinite(glm::unpackHalf2x16(entry(instance).seen_rg).x)) << "one that casts nothing can be seen";
 }
 
+TEST_F(Tables, WhatAStyledTextureLightsPulsesAndItsLookDoesNot) {
+  assets.materials[1].cast_style = 5;
+  std::array<float, 64> styles = scene::all_styles_of_one();
+  scene::Instance instance;
+  instance.material_base = 1;
+  const auto emission = [&](bool authored) {
+    table.begin(assets, 0.0, scales, {}, {}, authored, styles);
+    const shared::GpuMaterial m = entry(instance);
+    return vec2(m.emission.x, m.emission.x * glm::unpackHalf2x16(m.seen_rg).x);
+  };
+  const vec2 whole = emission(true), plain = emission(false);
+  styles[5] = 0.25f;
+  EXPECT_FLOAT_EQ(emission(true).x, 0.25f * whole.x);
+  EXPECT_NEAR(emission(true).y, whole.y, 1e-3f * whole.y);
+  EXPECT_EQ(emission(false), plain);
+  styles[5] = 0.0f;
+  EXPECT_TRUE(std::isfinite(emission(true).y));
+}
+
 TEST_F(Tables, GlossByNameIsNoAuthors) {
   assets.materials[0].roughness = 0.3f;
   assets.materials[0].specular = 0.04f;

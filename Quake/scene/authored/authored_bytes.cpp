@@ -92,16 +92,13 @@ std::uint64_t authored_key(const LitMap& map, const Lightmaps& lightmaps) {
   key.add_bytes(lightmaps.samples().data(), lightmaps.samples().size());
   for (const LitSurface& s : map.surfaces)
     key.add(s.material).add(s.reflectance).add(s.radiance).add(s.style).add(s.fall_scale);
-  for (const EntityLight& l : map.lamps)
-    key.add(l.position)
-        .add(l.radius)
-        .add(l.power_color)
-        .add(l.style)
-        .add(l.axis)
-        .add(l.fall)
-        .add(l.fall_scale)
-        .add(l.full_cosine)
-        .add(l.least_cosine);
+  for (const std::vector<EntityLight>* lamps : {&map.lamps, &map.darkening}) {
+    key.add(lamps->size());
+    for (const EntityLight& l : *lamps) {
+      key.add(l.position).add(l.radius).add(l.power_color).add(l.style).add(l.axis);
+      key.add(l.fall).add(l.fall_scale).add(l.full_cosine).add(l.least_cosine);
+    }
+  }
   for (const Sun& s : map.suns) key.add(s.direction).add(s.irradiance);
   key.add(map.sky).add(map.ambient);
   for (const Submodel& s : map.submodels) key.add(s.index).add(s.offset);

@@ -41,7 +41,8 @@ std::optional<AuthoredLight> find_authored_light(const LitMap& map, const Lightm
   AuthoredLight out;
   out.emitters = find_emitters(map);
   const std::size_t count = std::min(kPoints, kMostProducts / std::max<std::size_t>(out.emitters.all.size(), 1));
-  const std::vector<LuxelPoint> points = choose_luxels(map, lightmaps, count);
+  std::vector<LuxelPoint> points = choose_luxels(map, lightmaps, count);
+  give_back_darkness(map, points);
   const bool lit = std::ranges::any_of(points, [](const LuxelPoint& p) {
     return std::ranges::any_of(p.baked, [](const vec3& l) { return std::max({l.x, l.y, l.z}) > kLeastBaked; });
   });

@@ -71,6 +71,21 @@ TEST(AuthoredLight, ALampKeepsItsLawOfDistance) {
   EXPECT_LT(stops_after(shared::kFallLinear), 0.5 * stops_after(shared::kFallSquare));
 }
 
+TEST(AuthoredLight, WhatADarkeningLightTookIsGivenBack) {
+  formats::Bsp bsp = lit_room().bsp;
+  const EntityLight lamp = lit_lamp(vec3(120, 130, 300), 20000), dark = lit_lamp(vec3(300, 300, 200), 4000);
+  bake(bsp, [&](const vec3& p, const vec3& n) {
+    return std::max(0.0f, 1.5f * lamp_light(lamp, p, n) - lamp_light(dark, p, n));
+  });
+  LitMap map = lit_map(bsp);
+  map.lamps = {lamp};
+  const auto factor = [&] { return find_authored_light(map, Lightmaps(bsp))->fit.factors[0].y; };
+  const float without = factor();
+  map.darkening = {dark};
+  EXPECT_NEAR(factor(), 1.5f, 0.15f);
+  EXPECT_LT(without, 1.3f) << "the lamp alone is thought weaker";
+}
+
 TEST(AuthoredLight, NoiseInTheBakeIsEvenedOut) {
   TwoLamps room;
   room.find(0.5f, 1.0f, 0.3f);

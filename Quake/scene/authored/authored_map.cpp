@@ -71,7 +71,7 @@ void AuthoredMap::apply(const AuthoredLight& light) {
         for (const std::uint32_t lamp : emitter.lamps) lamps_[lamp] = factor;
         break;
       case EmitterKind::kTexture:
-        library_.set_cast(emitter.index, factor, emitter.fall_scale);
+        library_.set_cast(emitter.index, factor, emitter.fall_scale, emitter.style);
         break;
       case EmitterKind::kSun:
         suns_[emitter.index] = factor;

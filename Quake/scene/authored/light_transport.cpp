@@ -93,6 +93,20 @@ class NearestPoint {
   std::map<Cell, std::vector<std::uint32_t>> by_cell_;
 };
 
+// Zero where it would be dark on any display.
+vec3 unshadowed_light(const EntityLight& lamp, const LuxelPoint& p) {
+  const vec3 way = lamp.position - p.position;
+  const float cosine_times = glm::dot(way, p.normal), square = std::max(glm::dot(way, way), lamp.radius * lamp.radius);
+  if (cosine_times <= 0.0f) return vec3(0.0f);
+  const float distance = std::sqrt(square);
+  const float spot = lamp.axis == vec3(0.0f) ? 1.0f
+                                             : shared::spot_share(-glm::dot(way, lamp.axis) / distance,
+                                                                  lamp.least_cosine, lamp.full_cosine);
+  const float fall = shared::fall_share(lamp.fall, distance * lamp.fall_scale);
+  const vec3 light = lamp.power_color * (lamp.radius * lamp.radius * cosine_times / (square * distance) * spot * fall);
+  return std::max({light.x, light.y, light.z}) < kLeastLight ? vec3(0.0f) : light;
+}
+
 // Light at points, straight and by what reflects it: `mirrors`, points themselves.
 class Transport {
  public:
@@ -166,19 +180,9 @@ class Transport {
 
   vec3 lamp_light(const LuxelPoint& p, std::uint32_t index, const std::vector<bool>& seen) const {
     const EntityLight& lamp = map_.lamps[index];
-    const vec3 way = lamp.position - p.position;
-    const float cosine_times = glm::dot(way, p.normal),
-                square = std::max(glm::dot(way, way), lamp.radius * lamp.radius);
-    if (cosine_times <= 0.0f) return vec3(0.0f);
-    const float distance = std::sqrt(square);
-    const float spot = lamp.axis == vec3(0.0f) ? 1.0f
-                                               : shared::spot_share(-glm::dot(way, lamp.axis) / distance,
-                                                                    lamp.least_cosine, lamp.full_cosine);
-    const float fall = shared::fall_share(lamp.fall, distance * lamp.fall_scale);
-    const vec3 light =
-        lamp.power_color * (lamp.radius * lamp.radius * cosine_times / (square * distance) * spot * fall);
-    if (std::max({light.x, light.y, light.z}) < kLeastLight) return vec3(0.0f);
-    if (!sees(seen, lamp_leafs_[index]) || !rays_.is_clear(p.position, lamp.position)) return vec3(0.0f);
+    const vec3 light = unshadowed_light(lamp, p);
+    if (light == vec3(0.0f) || !sees(seen, lamp_leafs_[index]) || !rays_.is_clear(p.position, lamp.position))
+      return vec3(0.0f);
     return light;
   }
 
@@ -308,6 +312,18 @@ std::vector<LuxelPoint> choose_luxels(const LitMap& map, const Lightmaps& lightm
     points.push_back(p);
   }
   return points;
+}
+
+void give_back_darkness(const LitMap& map, std::vector<LuxelPoint>& points) {
+  if (map.darkening.empty()) return;
+  const MapRays rays(map.bsp);
+  for (const EntityLight& lamp : map.darkening)
+    for (LuxelPoint& p : points)
+      for (std::size_t k = 0; k < p.styles.size(); ++k) {
+        if (p.styles[k] != lamp.style) continue;
+        const vec3 taken = unshadowed_light(lamp, p);
+        if (taken != vec3(0.0f) && rays.is_clear(p.position, lamp.position)) p.baked[k] += taken;
+      }
 }
 
 LightTransport transport_light(const LitMap& map, const MapEmitters& emitters, const std::vector<LuxelPoint>& points,

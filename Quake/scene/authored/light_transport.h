@@ -23,6 +23,9 @@ struct LuxelPoint {
 // Points spread evenly over the area of what has baked light, in the open; about `count`, the same each time.
 std::vector<LuxelPoint> choose_luxels(const LitMap& map, const Lightmaps& lightmaps, std::size_t count);
 
+// Adds what lights of negative value took, by their keys: what is left is what the others gave.
+void give_back_darkness(const LitMap& map, std::vector<LuxelPoint>& points);
+
 // Irradiance / pi at each point from each emitter at its power, after 0 .. `reflections` reflections.
 struct LightTransport {
   std::size_t points = 0, emitters = 0;

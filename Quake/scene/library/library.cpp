@@ -124,7 +124,7 @@ struct ModelLibrary::Impl {
   std::string map_path;
   std::shared_ptr<formats::Bsp> map;
   std::vector<std::uint32_t> map_meshes;  // a submodel; kNone: nothing to draw
-  std::vector<EntityLight> lights;
+  std::vector<EntityLight> lights, darkening;
   AmbientLight ambient;
   Sky sky;
   std::vector<std::uint32_t> map_materials;  // of the map's textures
@@ -132,6 +132,7 @@ struct ModelLibrary::Impl {
   std::shared_ptr<const Lightmaps> lightmaps;
   std::vector<Submodel> submodels;        // that entities show
   std::vector<std::uint32_t> unshadowed;  // light_sources.h
+  std::map<std::uint32_t, vec3> even;     // likewise
 
   std::uint32_t sphere = kNone, tetrahedron = kNone;
   std::uint32_t particle = kNone, dynamic_light = kNone, entity_light = kNone;
@@ -233,6 +234,7 @@ void ModelLibrary::Impl::take_map(const std::string& path, formats::Bsp bsp, con
   for (std::uint32_t i = 0; i < map->models.size(); ++i)
     map_meshes.push_back(add_brush_mesh(*builder, *map, i, materials, i == 0 ? path : fmt::format("*{}", i)));
   lights = scene::entity_lights(entities, *map);
+  darkening = darkening_lights(entities, *map);
   sky = make_layered_sky(*builder, *map, dome_radiance(entities));
   sky.suns = suns(entities);
   ambient.radiance = ambient_radiance(entities);
@@ -245,6 +247,7 @@ void ModelLibrary::Impl::take_map(const std::string& path, formats::Bsp bsp, con
   }
   submodels = shown_submodels(entities, *map);
   unshadowed = unshadowed_submodels(entities, map->models.size());
+  even = even_light_of_submodels(entities, map->models.size());
 }
 
 LitMap ModelLibrary::Impl::lit_map() const {
@@ -254,7 +257,7 @@ LitMap ModelLibrary::Impl::lit_map() const {
     surfaces[t].fall_scale = texture_lights[t].fall_scale;
   }
   return {*map,     std::move(surfaces), lights, sky.suns, mean_of_sky(builder->assets(), sky), ambient.radiance,
-          submodels};
+          darkening, submodels};
 }
 
 void ModelLibrary::Impl::forget_map() {
@@ -262,12 +265,14 @@ void ModelLibrary::Impl::forget_map() {
   map_path.clear();
   map_meshes.clear();
   lights.clear();
+  darkening.clear();
   sky = {};
   ambient = {};
   map_materials.clear();
   texture_lights.clear();
   submodels.clear();
   unshadowed.clear();
+  even.clear();
   lightmaps.reset();
 }
 
@@ -281,10 +286,11 @@ std::shared_ptr<const formats::Bsp> ModelLibrary::shared_map() const { return im
 std::shared_ptr<const Lightmaps> ModelLibrary::lightmaps() const { return impl_->lightmaps; }
 bool ModelLibrary::of_base_game() const { return own_files_ && own_files_(impl_->map_path); }
 LitMap ModelLibrary::lit_map() const { return impl_->lit_map(); }
-void ModelLibrary::set_cast(std::uint32_t material, const vec3& cast, float fall) {
+void ModelLibrary::set_cast(std::uint32_t material, const vec3& cast, float fall, int style) {
   Material& m = impl_->builder->assets().materials[material];
   m.cast = cast;
   m.cast_fall = fall;
+  m.cast_style = style;
 }
 std::uint32_t ModelLibrary::add_words(const std::vector<std::uint32_t>& words) {
   constexpr std::size_t kRow = 4096;  // the last row is filled up
@@ -328,6 +334,7 @@ Model ModelLibrary::Impl::load_submodel(const std::string& name) {
     }
   }
   Model model = brush_model(*map, index, name, map_meshes[index]);
+  if (const auto own = even.find(index); own != even.end()) model.even = own->second;
   model.shadowless = std::ranges::binary_search(unshadowed, index) && model.mesh != kNone && !glows(model.mesh);
   return model;
 }

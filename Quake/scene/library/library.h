@@ -55,6 +55,7 @@ struct Model {
   vec3 mins{0.0f}, maxs{0.0f};
   bool shadowless = false;  // light tools let light through it, and it gives none (light_sources.h)
   bool glows = false;       // alias: a skin of it does
+  vec3 even{0.0f};          // brush: the entity's own even light (_minlight), radiance from everywhere
 };
 
 class Lightmaps;
@@ -114,7 +115,7 @@ class ModelLibrary {
   LitMap lit_map() const;
   bool of_base_game() const;  // the map is this project's own
   // Material::cast and cast_fall of a material, and words for shaders as an image of their own (ImageEncoding::kWords).
-  void set_cast(std::uint32_t material, const vec3& cast, float fall = 0.0f);
+  void set_cast(std::uint32_t material, const vec3& cast, float fall = 0.0f, int style = 0);
   std::uint32_t add_words(const std::vector<std::uint32_t>& words);
   const Sky& map_sky() const;  // layers or black, suns; the client overrides by svc_skybox / "sky" key
   Sky make_skybox(std::string_view name, const Sky& fallback);  // gfx/env/<name>{rt,bk,lf,ft,up,dn}.{png,tga,pcx}

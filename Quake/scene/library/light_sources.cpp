@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "scene/library/asset_builder.h"
+#include "scene/library/lights.h"
 
 namespace fb::scene {
 namespace {
@@ -91,6 +92,14 @@ std::vector<std::uint32_t> unshadowed_submodels(const std::vector<world::Entity>
     const bool still = entity.classname() == "func_wall" || entity.classname() == "func_illusionary";
     return still && !(entity.number("_shadow", entity.number("shadow", 0.0f)) > 0.0f);
   });
+}
+
+std::map<std::uint32_t, vec3> even_light_of_submodels(const std::vector<world::Entity>& entities, std::size_t models) {
+  std::map<std::uint32_t, vec3> found;
+  for (const world::Entity& entity : entities)
+    if (const std::uint32_t index = submodel_of(entity, models); index != 0)
+      if (const vec3 light = minimum_light(entity); light != vec3(0.0f)) found.try_emplace(index, light);
+  return found;
 }
 
 bool has_light_source(const Assets& assets, const std::vector<std::uint32_t>& meshes,

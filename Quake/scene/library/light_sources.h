@@ -33,6 +33,8 @@ std::vector<Submodel> shown_submodels(const std::vector<world::Entity>& entities
 vec3 rest_offset(const world::Entity& entity, const formats::BspModel& model);
 // Of these, those that light tools let light through and that never move: func_wall and func_illusionary without
 // `_shadow`.
+// Radiance from everywhere at brush models whose entity has _minlight (_minlight_color, _mincolor), by model.
+std::map<std::uint32_t, vec3> even_light_of_submodels(const std::vector<world::Entity>& entities, std::size_t models);
 std::vector<std::uint32_t> unshadowed_submodels(const std::vector<world::Entity>& entities, std::size_t models);
 
 }  // namespace fb::scene

@@ -149,6 +149,13 @@ vec3 push_off_walls(const formats::Bsp& bsp, vec3 p, float radius) {
   return p;
 }
 
+vec3 minimum_light(const Entity& entity, float value) {
+  if (!(value > 0.0f)) return vec3(0.0f);
+  const bool long_name = entity.has(either(entity, "_minlight_color"));
+  const vec3 color = entity.color(either(entity, long_name ? "_minlight_color" : "_mincolor")).value_or(vec3(1.0f));
+  return linear_color(color * (std::min(kLightToolRange * value, kMaxLightmap) / kLightmapUnit));
+}
+
 // Yaw and pitch of a mangle give the way the light goes; positive pitch is up, unlike Quake's view angles.
 vec3 towards_sun(const vec3& mangle) { return -angle_vectors({-mangle.y, mangle.x, 0.0f}).forward; }
 
@@ -206,12 +213,16 @@ void set_fall(EntityLight& light, float value, float wait, int delay) {
   }
 }
 
-std::vector<EntityLight> entity_lights(const std::vector<Entity>& entities, const formats::Bsp& bsp) {
+namespace {
+
+// Of lights whose value has this sign.
+std::vector<EntityLight> lamps_of(const std::vector<Entity>& entities, const formats::Bsp& bsp, float sign) {
   std::vector<EntityLight> lights;
   if (bsp.models.empty()) return lights;
   for (const Entity& entity : entities) {
     if (!is_light(entity) || is_sun_entity(entity) || entity.has("_surface")) continue;
-    const LightValue light = light_value(entity);
+    LightValue light = light_value(entity);
+    light.value *= sign;
     const float strength = strength_of(entity, light.value);
     if (!(strength > 0.0f) || light.color == vec3(0.0f)) continue;
     const vec3 origin = entity.vector("origin").value_or(vec3(0.0f));
@@ -229,6 +240,16 @@ std::vector<EntityLight> entity_lights(const std::vector<Entity>& entities, cons
     lights.push_back(sphere);
   }
   return lights;
+}
+
+}  // namespace
+
+std::vector<EntityLight> entity_lights(const std::vector<Entity>& entities, const formats::Bsp& bsp) {
+  return lamps_of(entities, bsp, 1.0f);
+}
+
+std::vector<EntityLight> darkening_lights(const std::vector<Entity>& entities, const formats::Bsp& bsp) {
+  return lamps_of(entities, bsp, -1.0f);
 }
 
 SurfaceLights surface_lights(const std::vector<Entity>& entities, const formats::Bsp& bsp) {
@@ -308,12 +329,12 @@ float dome_radiance(const std::vector<Entity>& entities) {
 vec3 ambient_radiance(const std::vector<Entity>& entities) {
   if (entities.empty()) return vec3(0.0f);
   const Entity& world = entities.front();
-  const std::string_view minlight = either(world, "_minlight");
-  const float value = world.number(world.has(minlight) ? minlight : "light", 0.0f);
-  if (!(value > 0.0f)) return vec3(0.0f);
-  const bool long_name = world.has(either(world, "_minlight_color"));
-  const vec3 color = world.color(either(world, long_name ? "_minlight_color" : "_mincolor")).value_or(vec3(1.0f));
-  return linear_color(color * (std::min(kLightToolRange * value, kMaxLightmap) / kLightmapUnit));
+  return minimum_light(
+      world, world.number(world.has(either(world, "_minlight")) ? either(world, "_minlight") : "light", 0.0f));
+}
+
+vec3 minimum_light(const Entity& entity) {
+  return minimum_light(entity, entity.number(either(entity, "_minlight"), 0.0f));
 }
 
 }  // namespace fb::scene

@@ -16,8 +16,8 @@
 // Where authored light counts, lamps keep their own law of distance instead (set_fall).
 //
 // Colours are what a white wall shows on screen, so they are taken as sRGB. A spot (mangle or target) is as bright as
-// another light within its cone, 40 degrees unless angle says otherwise, and dark beyond it. Lights of negative value,
-// which darken in Quake, are dropped.
+// another light within its cone, 40 degrees unless angle says otherwise, and dark beyond it. Lights of negative value
+// darken in Quake; they give none here, but what they took from baked light is known (darkening_lights).
 #pragma once
 
 #include <map>
@@ -44,6 +44,8 @@ void set_fall(EntityLight& light, float value, float wait, int delay);
 // Spheres of all entities whose class begins with "light". Their centres are moved off walls by up to the radius, and
 // a light inside of something solid is moved out of it, or dropped when there is no open space within 24 units.
 std::vector<EntityLight> entity_lights(const std::vector<world::Entity>& entities, const formats::Bsp& bsp);
+// The same of lights of negative value, which take light away in the tools: as if they gave it.
+std::vector<EntityLight> darkening_lights(const std::vector<world::Entity>& entities, const formats::Bsp& bsp);
 
 // Radiance by lower-case texture name that _surface lights give: ericw-tools puts a light on every 128 x 128 units of
 // such faces; here the faces glow, with the same power over their area. Those that are off when the map begins
@@ -69,5 +71,7 @@ float dome_radiance(const std::vector<world::Entity>& entities);
 // The tools' lightmaps hold half of the value (of _minlight 22, 11), which shows a white wall at value / 256 on screen
 // and as light is much less (sRGB): 20 is 0.007. To the tools it is a minimum; here it comes on top, as light adds up.
 vec3 ambient_radiance(const std::vector<world::Entity>& entities);
+// The same of _minlight of any entity.
+vec3 minimum_light(const world::Entity& entity);
 
 }  // namespace fb::scene

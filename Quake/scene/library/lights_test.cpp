@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "scene/library/asset_builder.h"
+#include "scene/library/light_sources.h"
 #include "scene/library/sky_images.h"
 #include "scene/library/test_maps.h"
 #include "shared/spot.h"
@@ -165,6 +166,24 @@ TEST(Suns, KeysOfTheWorld) {
                        "\"0 0 100\"}{targetname t origin \"100 0 0\"}"));
   ASSERT_EQ(entity.size(), 1u);
   EXPECT_NEAR(glm::length(entity[0].direction - glm::normalize(vec3(-1, 0, 1))), 0.0f, 1e-5f);
+}
+
+TEST(Lights, WhatDarkensIsKnownApart) {
+  const auto dark = darkening_lights(entities_of("{classname light light -200 delay 2}{classname light light 100}"),
+                                     test::MapBuilder().bsp);
+  ASSERT_EQ(dark.size(), 1u);
+  EXPECT_NEAR(brightness(dark[0], 128.0f), 200.0f / 128.0f, 1e-4f);
+}
+
+TEST(Ambient, BrushEntitiesHaveTheirOwn) {
+  const auto even = even_light_of_submodels(
+      entities_of("{classname worldspawn _minlight 99}{classname func_wall model *2 _minlight 32}"
+                  "{classname func_door model *1}{classname func_door model *3 minlight 64 _mincolor \"0 1 0\"}"),
+      4);
+  ASSERT_EQ(even.size(), 2u);
+  EXPECT_NEAR(even.at(2).x, linear_from_srgb(32.0f / 256.0f), 1e-6f);
+  EXPECT_EQ(even.at(3).x, 0.0f);
+  EXPECT_NEAR(even.at(3).y, linear_from_srgb(64.0f / 256.0f), 1e-6f);
 }
 
 TEST(Ambient, KeysOfTheWorld) {

@@ -31,6 +31,7 @@ struct LitMap {
   std::vector<EntityLight> lamps;
   std::vector<Sun> suns;
   vec3 sky{0.0f}, ambient{0.0f};            // mean radiance of the sky; the even light
+  std::vector<EntityLight> darkening;       // lights of negative value, as if they gave light
   std::vector<Submodel> submodels;          // that entities show when the map begins
   const std::atomic<bool>* stop = nullptr;  // work on it ends early, with no result, once this is true
 

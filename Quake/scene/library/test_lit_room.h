@@ -52,7 +52,7 @@ inline MapBuilder lit_room(bool sky_above = false) {
 
 // The surfaces of such a room, and nothing that shines.
 inline LitMap lit_map(const formats::Bsp& bsp) {
-  LitMap map{bsp, {}, {}, {}, vec3(0.0f), vec3(0.0f), {}};
+  LitMap map{bsp, {}, {}, {}, vec3(0.0f), vec3(0.0f), {}, {}};
   for (std::uint32_t t = 0; t < bsp.textures.size(); ++t)
     map.surfaces.push_back({t, bsp.textures[t].name, vec3(kLitReflectance), vec3(0.0f)});
   return map;
