@@ -256,8 +256,9 @@ LitMap ModelLibrary::Impl::lit_map() const {
     surfaces[t].style = texture_lights[t].style;
     surfaces[t].fall_scale = texture_lights[t].fall_scale;
   }
-  return {*map,     std::move(surfaces), lights, sky.suns, mean_of_sky(builder->assets(), sky), ambient.radiance,
-          darkening, submodels};
+  return {
+      *map,     std::move(surfaces), lights, sky.suns, mean_of_sky(builder->assets(), sky), ambient.radiance, darkening,
+      submodels};
 }
 
 void ModelLibrary::Impl::forget_map() {
