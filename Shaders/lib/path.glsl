@@ -50,9 +50,10 @@ vec3 control_variate(Vertex v, Guidance g, Field here, Proposal p) {
 }
 
 // Radiance that reaches the first vertex's viewer by reflection: of what path.most - path.depth reflections more bring. Where light
-// is looked for, the last of several vertices is apart: its one ray does for both, and what is known there guides neither.
+// is looked for, the last of several vertices is apart: its one ray does for both, and what is known there guides neither. Not where
+// paths end in the field: those that go on are there to teach it, and it wants all light at their last vertex, too.
 vec3 trace_path(Vertex v, inout Path path, inout uint rng) {
-  const bool last_apart = kLooksForLight && !SMALL && !ONE_BOUNCE;
+  const bool last_apart = kLooksForLight && !kEndsInField && !SMALL && !ONE_BOUNCE;
   uint end_depth = last_apart && path.most > 1u ? path.most - 1u : path.most;  // of the vertices that are alike
   vec3 sum = vec3(0.0), throughput = vec3(1.0);
   Field here = field_at(v, path);

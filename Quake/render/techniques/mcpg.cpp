@@ -1,6 +1,6 @@
-// Markov chain path guiding (`mcpg`, `mcpg_nee`, `mcpg_tail`): what it remembers from frame to frame (the table of
-// states, the irradiance cache) and, where frames must not depend on the order of threads, the proposals of a frame.
-// Layouts: Shaders/estimators/mcpg/.
+// Markov chain path guiding (`mcpg`, `mcpg_nee`, `mcpg_tail`, `mcpg_nee_tail`): what it remembers from frame to frame
+// (the table of states, the irradiance cache) and, where frames must not depend on the order of threads, the proposals
+// of a frame. Layouts: Shaders/estimators/mcpg/.
 #include "render/techniques/guided_technique.h"
 
 #include <algorithm>
@@ -200,6 +200,16 @@ extern constinit const TechniqueInfo kMcpgTail{
     .bias = Bias::kBiased,
     .make = make<GuidedTailTechnique>,
     .frames = Frames::kLearning,
+    .views = shared::kViewOfMcpg};
+extern constinit const TechniqueInfo kMcpgNeeTail{
+    .name = "mcpg_nee_tail",
+    .description =
+        "mcpg_nee at the first vertex, and the irradiance cache beyond it, as in mcpg_tail: a Lambertian tail of any "
+        "number of reflections",
+    .bias = Bias::kBiased,
+    .make = make<GuidedTailTechnique>,
+    .frames = Frames::kLearning,
+    .wants_lights = true,
     .views = shared::kViewOfMcpg};
 
 }  // namespace fb::render

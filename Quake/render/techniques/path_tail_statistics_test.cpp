@@ -1,5 +1,5 @@
-// Estimator mcpg_tail: paths that end in the irradiance cache, which knows any number of reflections. Biased, so that
-// it is held to closed forms and to pt within stated tolerances, not to a test of means.
+// Estimators mcpg_tail and mcpg_nee_tail: paths that end in the irradiance cache, which knows any number of
+// reflections. Biased, so that it is held to closed forms and to pt within stated tolerances, not to a test of means.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,6 +12,7 @@ namespace fb::render {
 namespace {
 
 using PathTailStatistics = DeviceTest;
+constexpr const char* kTails[]{"mcpg_tail", "mcpg_nee_tail"};
 
 RenderSettings settings_of(const char* estimator, int spp, int bounces) {
   RenderSettings s;
@@ -42,15 +43,16 @@ double mean_after(Renderer& renderer, const scene::FrameSnapshot& snapshot, cons
 // shrinks by a share of r_mc_cache_alpha (1 - a) at most each time that a cell is trained; cells out of sight are
 // trained seldom, so that the brighter room needs every path to go on.
 TEST_F(PathTailStatistics, FurnaceGivesTheSumOfAllReflections) {
-  for (const bool objects : {false, true}) {
+  for (const char* tail : kTails) {
     for (const float albedo : {0.3f, 0.7f}) {
+      const bool objects = albedo > 0.5f;
       const float emission = 0.7f;
-      RenderSettings s = settings_of("mcpg_tail", 1, 2);
+      RenderSettings s = settings_of(tail, 1, 2);
       if (albedo > 0.5f) s.mc_tail_train = 1;
       auto renderer = make_renderer(s, 48, 32);
       const double found = mean_after(*renderer, scene::furnace(albedo, emission, objects), s, 150, 16);
       const double expected = emission / (1.0 - albedo);
-      EXPECT_NEAR(found, expected, 0.02 * expected) << objects << ' ' << albedo;
+      EXPECT_NEAR(found, expected, 0.02 * expected) << tail << ' ' << albedo;
       EXPECT_EQ(renderer->read().counters().not_finite, 0u);
       EXPECT_EQ(renderer->read().counters().states_not_finite, 0u);
     }
@@ -85,12 +87,14 @@ TEST_F(PathTailStatistics, CornellBoxIsNearAllReflections) {
     return mean;
   };
   const double two = of(settings_of("pt", 64, 2), 0, 4), many = of(settings_of("pt", 64, 16), 0, 4);
-  const double found = of(settings_of("mcpg_tail", 4, 2), 150, 48);
   RecordProperty("two", std::to_string(two));
   RecordProperty("many", std::to_string(many));
-  RecordProperty("found", std::to_string(found));
-  EXPECT_NEAR(found, many, 0.05 * many) << two;
-  EXPECT_GT(found, two);
+  for (const char* tail : kTails) {
+    const double found = of(settings_of(tail, 4, 2), 150, 48);
+    RecordProperty(tail, std::to_string(found));
+    EXPECT_NEAR(found, many, 0.05 * many) << tail << ' ' << two;
+    EXPECT_GT(found, two) << tail;
+  }
 }
 
 }  // namespace

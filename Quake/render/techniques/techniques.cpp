@@ -10,6 +10,7 @@
   X(kMcpg)               \
   X(kMcpgNee)            \
   X(kMcpgTail)           \
+  X(kMcpgNeeTail)        \
   X(kRestirDi)           \
   X(kRestirGi)           \
   X(kRestirGuided)       \

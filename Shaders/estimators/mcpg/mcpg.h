@@ -55,7 +55,7 @@ FB_CONST uint kSpecGuides = kSpecTechnique + 3u;    // vertices take states from
   X(float, mc_cache_alpha, "r_mc_cache_alpha", 0.15f, 0.001f, 1, "path guiding: least weight of a new frame in the irradiance cache; larger adapts faster, smaller is smoother") \
   X(float, mc_cache_pixels, "r_mc_cache_pixels", 8, 0, 256, "path guiding: least width of a cell of the irradiance cache, pixels") \
   X(int, mc_train, "r_mc_train", 2, 1, 64, "path guiding: where the irradiance cache is well sampled, one in this many paths trains the states; light that no lobe explains is always learnt") \
-  X(int, mc_tail_train, "r_mc_tail_train", 8, 1, 64, "path guiding: with mcpg_tail, one in this many paths is traced one reflection further, to train the irradiance cache out of the camera's sight") \
+  X(int, mc_tail_train, "r_mc_tail_train", 8, 1, 64, "path guiding: with mcpg_tail and mcpg_nee_tail, one in this many paths is traced one reflection further, to train the irradiance cache out of the camera's sight") \
   X(int, mc_loss, "r_mc_loss", 1, 0, 1, "path guiding: discard states whose light is gone") \
   X(int, mc_predict, "r_mc_predict", 1, 0, 1, "path guiding: extrapolate targets by the velocity of their light") \
   X(int, mc_apparent, "r_mc_apparent", 1, 0, 1, "path guiding: 1 the target of light that an interface of water bent is where it appears to be (Ruppert 2020), 0 where it is") \
