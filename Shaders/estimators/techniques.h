@@ -3,16 +3,18 @@
 #ifndef FB_ESTIMATORS_TECHNIQUES_H
 #define FB_ESTIMATORS_TECHNIQUES_H
 #include "estimators/mcpg/mcpg.h"
+#include "estimators/pstf/pstf.h"
 #include "estimators/restir/restir.h"
 #include "estimators/ssmm/ssmm.h"
 
 // Groups of settings: G(title, rows, X), X being what is made of each row (shared/settings.h).
-#define FB_TECHNIQUE_SETTINGS(G, X)      \
-  G("Path guiding", FB_MCPG_SETTINGS, X) \
-  G("ReSTIR", FB_RESTIR_SETTINGS, X)     \
-  G("Screen-space mixtures", FB_SSMM_SETTINGS, X)
+#define FB_TECHNIQUE_SETTINGS(G, X)               \
+  G("Path guiding", FB_MCPG_SETTINGS, X)          \
+  G("ReSTIR", FB_RESTIR_SETTINGS, X)              \
+  G("Screen-space mixtures", FB_SSMM_SETTINGS, X) \
+  G("Fields of light", FB_PSTF_SETTINGS, X)
 
 // Debug views.
-#define FB_TECHNIQUE_VIEWS(X) FB_MCPG_VIEWS(X) FB_RESTIR_VIEWS(X) FB_SSMM_VIEWS(X)
+#define FB_TECHNIQUE_VIEWS(X) FB_MCPG_VIEWS(X) FB_RESTIR_VIEWS(X) FB_SSMM_VIEWS(X) FB_PSTF_VIEWS(X)
 
 #endif

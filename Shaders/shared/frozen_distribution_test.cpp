@@ -200,7 +200,7 @@ TEST(FrozenDistribution, WithoutWeightsItIsUniform) {
   for (const float weight : {0.0f, -1.0f, nan, infinite, -infinite}) {
     const Built b = built(8, 0.25f, [&](std::uint32_t) { return weight; });
     for (std::uint32_t cell = 0; cell < 64; ++cell) EXPECT_EQ(parts_of(b, cell), 1024u);
-    for (int i = 0; i < 1000; ++i) EXPECT_FLOAT_EQ(pdf(b, uniform_direction(rng)), 0.25f / kFrozenPi);
+    for (int i = 0; i < 1000; ++i) EXPECT_FLOAT_EQ(pdf(b, uniform_direction(rng)), 0.25f / kSpherePi);
   }
 }
 
@@ -213,7 +213,7 @@ TEST(FrozenDistribution, NoDirectionIsLeftOut) {
         return cell == 1 ? 1e30f : cell == 2 ? NAN : 0.0f;
       });
       const float even = 65536.0f / static_cast<float>(side * side);
-      const float lowest = std::max(std::clamp(least, 0.0f, 1.0f), 1 / even) * 0.25f / kFrozenPi;
+      const float lowest = std::max(std::clamp(least, 0.0f, 1.0f), 1 / even) * 0.25f / kSpherePi;
       for (int i = 0; i < 10000; ++i) ASSERT_GE(pdf(b, uniform_direction(rng)), lowest * 0.999999f) << side << least;
       for (const float u : {0.0f, 0.25f, 0x1.fffffep-1f}) {
         const FrozenSample s = frozen_draw(b.words.data(), b.map, vec2(u, 0x1.fffffep-1f));

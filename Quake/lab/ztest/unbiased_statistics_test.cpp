@@ -201,6 +201,23 @@ const Row kMixtures[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Mixtures, UnbiasedStatistics, testing::ValuesIn(kMixtures), row_name);
 
+// Fields of light in the world: control variates that are wrong on purpose, trees, and the forms that are printed,
+// which are biased.
+const Row kFields[] = {
+    {"cbox_glossy",
+     "pstf_cv_nee",
+     {"r_pstf_learn_beta=0", "r_pstf_beta=2", "r_pstf_noise=1"},
+     warm(),
+     2,
+     false,
+     {},
+     "nee"},
+    {"moving", "pstf_is_cv_nee", {"r_pstf_learn_beta=0"}, plan(12, 4, 8), 2, false, {}, "nee"},
+    {"cbox_glossy", "pstf_cv_nee", {"r_pstf_learn_beta=0", "r_pstf_form=1"}, warm(), 2, true, {}, "nee"},
+    {"cbox_glossy", "pstf_cv_nee", {"r_pstf_learn_beta=0", "r_pstf_form=2"}, warm(), 2, true, {}, "nee"},
+};
+INSTANTIATE_TEST_SUITE_P(Fields, UnbiasedStatistics, testing::ValuesIn(kFields), row_name);
+
 // Fog, with light straight from what glows and with what surfaces reflect into it. Shafts are held to nee, whose mean
 // is that of pt (below) and of integrals (render/fog_statistics_test.cpp).
 const Row kFog[] = {
@@ -241,6 +258,12 @@ TEST_P(MoreUnbiasedStatistics, HasTheMeanOfPt) {
 }
 
 const Row kFeatures[] = {
+    {"lava", "pstf_cv", {"r_pstf_learn_beta=0", "r_pstf_noise=2"}, warm(), 2},
+    {"lava", "pstf_is_cv", {"r_pstf_learn_beta=0", "r_pstf_beta=2"}, cold(), 2},
+    {"rocket", "pstf_is_nee", {}, plan(12, 6, 4), 4, false, {}, "nee"},
+    {"lightsout", "pstf_cv_nee", {"r_pstf_learn_beta=0"}, plan(12, 8, 96), 4, false, {}, "nee"},
+    {"ripple_above", "pstf_is_cv_nee", {}, warm(), 8, false, {"r_water=1"}, "nee"},
+    {"slab", "pstf_is_cv", {"r_pstf_key=1", "r_pstf_directions=3"}, warm(), 4},
     {"kinds", "mcpg", {}, warm(), 8},
     {"ripple_above", "mcpg", {}, warm(), 8, false, {"r_water=1"}},
     {"ripple_murky_above", "mcpg_nee", {}, cold(), 8, false, {"r_water=1", "r_fog_bounces=2"}},

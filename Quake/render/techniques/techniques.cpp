@@ -15,7 +15,15 @@
   X(kRestirGi)           \
   X(kRestirGuided)       \
   X(kSsmm)               \
-  X(kSsmmNee)
+  X(kSsmmNee)            \
+  X(kPstfCv)             \
+  X(kPstfCvNee)          \
+  X(kPstfIs)             \
+  X(kPstfIsNee)          \
+  X(kPstfIsCv)           \
+  X(kPstfIsCvNee)        \
+  X(kPstfB)              \
+  X(kPstfBNee)
 
 namespace fb::render {
 

@@ -1,0 +1,99 @@
+// Blends this frame's samples into the cells that have any (Eq. 10 and 11), and gives claimed cells away.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "estimators/pstf/pstf_tree.h"
+#include "estimators/pstf/steps/cells.glsl"
+
+layout(constant_id = kSpecTrees) const bool TREES = false;
+FB_TECHNIQUE_ARRAY(kPstfTrees, 4, , PstfTreeArray, uint, pstf_trees)
+FB_TECHNIQUE_ARRAY(kPstfTreeSums, 4, , PstfTreeSumArray, uint, pstf_tree_sums)
+
+layout(local_size_x = 64) in;
+
+vec4 light_sum(uint word, float scale) {
+  vec4 sum;
+  for (uint i = 0u; i < 4u; ++i) sum[i] = signed_sum(pstf_sums.at[word + i], kPstfSteps) * scale;
+  return sum;
+}
+vec2 color_sum(uint word, float scale) {
+  return vec2(signed_sum(pstf_sums.at[word + 4u], kPstfSteps), signed_sum(pstf_sums.at[word + 5u], kPstfSteps)) * scale;
+}
+float moment_sum(uint word, float scale) { return signed_sum(pstf_sums.at[word], kPstfMomentSteps) * scale; }
+
+void store_tree(uint slot, DirectionTree t) {
+  for (uint i = 0u; i < kTreeLeaves; ++i) {
+    pstf_trees.at[slot * 2u * kTreeLeaves + i] = t.leaf[i];
+    pstf_trees.at[slot * 2u * kTreeLeaves + kTreeLeaves + i] = floatBitsToUint(t.light[i]);
+  }
+}
+
+const uint kTreeSteps = 2u;  // of splitting and collapsing, a frame
+
+void fold_tree(uint slot, float each, float blend) {
+  DirectionTree t;
+  for (uint i = 0u; i < kTreeLeaves; ++i) {
+    uint sum = slot * kTreeLeaves + i;
+    t.leaf[i] = pstf_trees.at[slot * 2u * kTreeLeaves + i];
+    float before = uintBitsToFloat(pstf_trees.at[slot * 2u * kTreeLeaves + kTreeLeaves + i]);
+    t.light[i] = mix(before, unsigned_sum(pstf_tree_sums.at[sum], kPstfSteps) * each, blend);
+    pstf_tree_sums.at[sum] = 0u;
+  }
+  uint step = 0u;
+  do split_and_collapse(t, pstf.pstf_split);
+  while (++step < kTreeSteps);
+  set_probabilities(t);
+  store_tree(slot, t);
+}
+
+void fold_cell(uint slot, float samples) {
+  uint cell = slot * (kPstfCellWords / 4u), sums = pstf_sums_at(slot);
+  float directed = float(pstf_sums.at[sums + kPstfSumDirected]);
+  float each = 1.0 / samples, each_directed = directed > 0.0 ? 1.0 / directed : 0.0;
+
+  uvec4 head = pstf_cells.at[cell];
+  vec4 outgoing = uintBitsToFloat(pstf_cells.at[cell + 1u]), colors = uintBitsToFloat(pstf_cells.at[cell + 2u]);
+  vec4 incident = uintBitsToFloat(pstf_cells.at[cell + 3u]), normal = uintBitsToFloat(pstf_cells.at[cell + 4u]);
+  vec4 moments = uintBitsToFloat(pstf_cells.at[cell + 5u]);
+  vec4 outgoing_now = light_sum(sums, each);
+  float second_now = moment_sum(sums + kPstfSumSecond, each);
+
+  float before = uintBitsToFloat(head.w);
+  if (has_changed(outgoing_now.x, outgoing.x, moments.w, samples, pstf.pstf_change)) before = 0.0;
+  float blend = pstf_blend(samples, before, pstf.pstf_window), directed_blend = directed > 0.0 ? blend : 0.0;
+  if (TREES) fold_tree(slot, each_directed, directed_blend);
+  vec3 normal_now;
+  for (uint i = 0u; i < 3u; ++i) normal_now[i] = signed_sum(pstf_sums.at[sums + kPstfSumNormal + i], kPstfSteps) * each;
+  // A sample's share was taken in so many: the crowd is all of them.
+  float share = min(float(pstf.pstf_samples) / max(uintBitsToFloat(head.z), 1.0), 1.0);
+  ControlMoments control = joined_moments(
+      ControlMoments(moments.x, moments.y, moments.z, normal.w),
+      ControlMoments(moment_sum(sums + kPstfSumMoments, each_directed), moment_sum(sums + kPstfSumMoments + 1u, each_directed),
+                     moment_sum(sums + kPstfSumMoments + 2u, each_directed), incident.x > 0.0 ? directed : 0.0));
+
+  pstf_cells.at[cell] = uvec4(head.x, pstf.frame_number, floatBitsToUint(samples / share), floatBitsToUint(before + samples));
+  pstf_cells.at[cell + 1u] = floatBitsToUint(mix(outgoing, outgoing_now, blend));
+  pstf_cells.at[cell + 2u] = floatBitsToUint(vec4(mix(colors.xy, color_sum(sums, each), blend),
+                                                  mix(colors.zw, color_sum(sums + kPstfSumIncident, each_directed), directed_blend)));
+  pstf_cells.at[cell + 3u] = floatBitsToUint(mix(incident, light_sum(sums + kPstfSumIncident, each_directed), directed_blend));
+  pstf_cells.at[cell + 4u] = floatBitsToUint(vec4(mix(normal.xyz, normal_now, blend), control.samples));
+  pstf_cells.at[cell + 5u] = floatBitsToUint(vec4(control.gh, control.hh, control.gg, mix(moments.w, second_now, blend)));
+}
+
+void main() {
+  uint touched = pstf_sums.at[pstf_count_at(pstf.frame_number)], stride = gl_NumWorkGroups.x * 64u;
+  if (gl_GlobalInvocationID.x == 0u) pstf_sums.at[pstf_count_at(pstf.frame_number + 1u)] = 0u;
+  for (uint i = gl_GlobalInvocationID.x; i < touched; i += stride) {
+    uint slot = pstf_sums.at[pstf_list_at() + i], cell = slot * (kPstfCellWords / 4u);
+    uint samples = pstf_sums.at[pstf_samples_at(slot)] & ~kPstfClaimed;
+    if (samples > 0u) {
+      fold_cell(slot, float(samples));
+      for (uint word = 0u; word < kPstfSumWords; ++word) pstf_sums.at[pstf_sums_at(slot) + word] = 0u;
+    } else {  // its owner did not come
+      pstf_cells.at[cell] = uvec4(pstf_sums.at[pstf_claim_at(slot)], pstf.frame_number, 0u, 0u);
+      for (uint texel = 1u; texel < kPstfCellWords / 4u; ++texel) pstf_cells.at[cell + texel] = uvec4(0u);
+      if (TREES) store_tree(slot, even_tree());
+    }
+    pstf_sums.at[pstf_samples_at(slot)] = 0u;
+    pstf_sums.at[pstf_claim_at(slot)] = 0u;
+  }
+}

@@ -1,0 +1,21 @@
+// Technique `pstf_b_nee`: as `pstf_b`, and every vertex looks for a light, as in `nee`.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#if INTERSECTOR_QUERY
+#extension GL_EXT_ray_query : require
+#endif
+#include "estimators/pstf/pstf.h"
+layout(constant_id = kSpecEndsInField) const bool kEndsInField = false;  // at second vertices
+const bool kPredicts = true;                                             // at first ones, else
+#include "estimators/pstf/steps/control.glsl"
+#include "estimators/pstf/steps/direct_predicted.glsl"
+uint light_candidates() { return uint(pstf.nee_candidates); }
+uint remembered_candidates() { return uint(pstf.nee_remembered); }
+uint light_seen_stride() { return pstf.seen_stride; }
+bool knows_ways() { return pstf.nee_visibility != 0; }
+uint known_ways() { return pstf.seen_ways; }
+#include "estimators/pstf/steps/learn.glsl"
+#include "estimators/pstf/steps/views.glsl"
+
+#include "lib/paths_main.glsl"
