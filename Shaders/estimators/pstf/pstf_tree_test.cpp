@@ -1,5 +1,6 @@
 // Trees over directions: density and samples agree, leaves cover all directions once and stay as many.
 #include "estimators/pstf/pstf_tree.h"
+#include "estimators/pstf/pstf_mixture.h"
 
 #include <gtest/gtest.h>
 
@@ -151,6 +152,35 @@ TEST(PstfTree, DrawnDirectionsAreInTheirLeaf) {
   }
   EXPECT_LT(off, 5) << "only at the very edge of a leaf of no light";
   for (const vec2& u : {vec2(0, 0), vec2(0.99999994f, 0.99999994f)}) EXPECT_TRUE(std::isfinite(tree_sample(t, u).x));
+}
+
+// Two densities over a few places, of which one is in proportion to the light: with half of the samples of each, and
+// the factor that is learnt, no variance is left, whichever of them it is. A factor of one sign mends one case alone.
+TEST(PstfMixture, TheBetterDensityTakesAllVariance) {
+  constexpr std::array<double, 4> kLight{0.1, 0.4, 0.3, 0.2}, kOther{0.4, 0.1, 0.1, 0.4};
+  for (const bool first : {false, true}) {
+    const auto& p1 = first ? kLight : kOther;
+    const auto& p0 = first ? kOther : kLight;
+    ControlMoments m{0, 0, 0, 1e9f};
+    for (std::size_t i = 0; i < kLight.size(); ++i) {
+      const double p = (p0[i] + p1[i]) / 2, g = kLight[i] / p - 1, h = (p1[i] - p0[i]) / p;
+      m.gh += static_cast<float>(p * g * h);
+      m.hh += static_cast<float>(p * h * h);
+      m.gg += static_cast<float>(p * g * g);
+    }
+    const double beta = static_cast<double>(learnt_mixture_beta(m));
+    EXPECT_NEAR(beta, first ? 0.5 : -0.5, 1e-3);
+    double mean = 0, square = 0;
+    for (std::size_t i = 0; i < kLight.size(); ++i) {
+      const double p = (p0[i] + p1[i]) / 2, estimate = (kLight[i] - beta * (p1[i] - p0[i])) / p;
+      mean += p * estimate;
+      square += p * estimate * estimate;
+    }
+    EXPECT_NEAR(mean, 1, 1e-12) << "no integral is to be added";
+    EXPECT_NEAR(square, 1, 1e-5);
+  }
+  EXPECT_EQ(learnt_mixture_beta({-1, 1, 1, 15}), 0);
+  EXPECT_EQ(learnt_mixture_beta({-9, 1, 100, 1e6f}), -kMostMixtureBeta);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "estimators/pstf/steps/cells.glsl"
 
 // Where paths end in the field, so many go on: else no one would teach what only second vertices see.
-const float kLeastGamma = 1.0 / 32.0;
+const float kLeastGamma = 1.0 / 8.0;
 
 // Of paths whose first vertex's light is predicted.
 struct FirstVertex {

@@ -9,7 +9,10 @@
 #include "estimators/pstf/steps/no_trees.glsl"
 #include "estimators/pstf/steps/guidance.glsl"
 
-void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g) { prepare_cell(v, here, path, g); }
+void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g) {
+  prepare_cell(v, here, path, g);
+  g.beta = beta_at(path, learnt_beta(g.moments));
+}
 
 Proposal propose(Vertex v, inout Guidance g, inout uint rng) {
   Proposal p = propose_scattered(v, rng);

@@ -23,6 +23,7 @@ struct Guidance {
   vec3 mean;         // of incident light in the cell; zero: it is unknown
   float luminance;
   LinearLight light; // by direction, over that mean
+  ControlMoments moments;
   float beta;
   vec3 outgoing;     // of the field: where that is taken for the integral
   float pdf;         // of the direction that was drawn, and
@@ -37,6 +38,12 @@ vec3 lambert_albedo(Scatter s, vec3 view) {
   if (!FEATURE_SPECULAR || !bsdf_has_coat(s.bsdf)) return s.bsdf.albedo;
   float f0 = s.bsdf.specular, seen = max(dot(view, s.shading_normal), 0.0);
   return s.bsdf.albedo * ((1.0 - s.bsdf.metalness) * (1.0 - f0) * (1.0 - f0 - (1.0 - f0) * schlick_weight(seen)));
+}
+
+// Of the control variate: as learnt, or as set; 0 beyond the vertices that have one.
+float beta_at(Path path, float learnt) {
+  if (path.depth >= uint(pstf.pstf_vertices)) return 0.0;
+  return pstf.pstf_learn_beta != 0 ? learnt : pstf.pstf_beta;
 }
 
 float noise_at(uint slot, uint of) {
@@ -67,6 +74,7 @@ void prepare_cell(Vertex v, Field here, inout Path path, out Guidance g) {
   g.mean = g.outgoing = vec3(0.0);
   g.prediction = Prediction(vec3(0.0), 1.0, 1.0, vec3(0.0));
   g.light = LinearLight(1.0, vec3(0.0));
+  g.moments = ControlMoments(0.0, 0.0, 0.0, 0.0);
   if (kPredicts && path.depth == 0u) path.own.first = FirstVertex(g.place, 0.0, g.normal, g.reflectance, 1.0, vec3(0.0));
   // Of a surface seen from below its shading normal nothing is drawn.
   if (here.place.slot == kNoIndex || (FEATURE_SPECULAR && dot(v.view, g.normal) <= 0.0)) return;
@@ -83,11 +91,8 @@ void prepare_cell(Vertex v, Field here, inout Path path, out Guidance g) {
     g.light.b += vec3(noise_at(slot, 3u), noise_at(slot, 4u), noise_at(slot, 5u));
     g.light.a += noise_at(slot, 6u);
   }
-  uvec4 moments = pstf_texel(slot, 5u);
-  bool applies = path.depth < uint(pstf.pstf_vertices);
-  float samples = uintBitsToFloat(pstf_texel(slot, 4u).w);
-  float learnt = learnt_beta(ControlMoments(uintBitsToFloat(moments.x), uintBitsToFloat(moments.y), uintBitsToFloat(moments.z), samples));
-  g.beta = !applies ? 0.0 : pstf.pstf_learn_beta != 0 ? learnt : pstf.pstf_beta;
+  vec3 moments = uintBitsToFloat(pstf_texel(slot, 5u).xyz);
+  g.moments = ControlMoments(moments.x, moments.y, moments.z, uintBitsToFloat(pstf_texel(slot, 4u).w));
   if (kPredicts && path.depth == 0u) predict(path, g);
   if (pstf.pstf_form == 2) g.outgoing = outgoing_light(slot, g.normal);
 }

@@ -4,15 +4,17 @@
 // Eq. 27 has no integral to add, since two densities differ by none: h is (p_tree - cos / pi) times a factor. The cosine takes the
 // BSDF's density's place: of a coat's reflections some go below the surface, so that its density is not whole. Trees reach below the
 // surface, too: what is drawn there brings nothing, and counts. The factor is the light that the cell knows times beta, learnt as
-// covariance over variance in each cell: as printed one number is to serve all integrals, which Hua 2023 shows to be what kept such
-// control variates from being of use.
+// covariance over variance in each cell, of either sign: as printed one number is to serve all integrals, which Hua 2023 shows to be
+// what kept such control variates from being of use.
 #ifndef FB_PSTF_GUIDE
 #define FB_PSTF_GUIDE
+#include "estimators/pstf/pstf_mixture.h"
 #include "estimators/pstf/steps/trees.glsl"
 #include "estimators/pstf/steps/guidance.glsl"
 
 void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g) {
   prepare_cell(v, here, path, g);
+  g.beta = beta_at(path, learnt_mixture_beta(g.moments));
   if (g.taught >= kTreeTaught) g.tree = load_tree(here.place.slot);
 }
 
