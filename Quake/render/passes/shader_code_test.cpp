@@ -29,8 +29,9 @@ std::map<std::uint32_t, int> array_copies(std::span<const std::uint32_t> words) 
 // A function that takes the traversal's stack copies it, and NVIDIA's compiler leaves the copies in: the G-buffer took
 // eight times as long. (The lobes of path guiding, whose number is a specialisation constant, it does find.)
 TEST(ShaderCode, NoTraversalCopiesItsStack) {
-  for (const std::string name : {"gbuffer", "trace_rays", "pt", "pt_medium", "nee", "nee_medium", "mcpg", "mcpg_medium",
-                                 "mcpg_nee", "mcpg_nee_medium", "mcpg_tail", "mcpg_tail_medium", "mcpg_nee_tail", "mcpg_nee_tail_medium"})
+  for (const std::string name :
+       {"gbuffer", "trace_rays", "pt", "pt_medium", "nee", "nee_medium", "mcpg", "mcpg_medium", "mcpg_nee",
+        "mcpg_nee_medium", "mcpg_tail", "mcpg_tail_medium", "mcpg_nee_tail", "mcpg_nee_tail_medium"})
     for (const bool by_address : {false, true})
       for (const auto& [length, times] : array_copies(shader_code(name, false, by_address)))
         ADD_FAILURE() << fmt::format("{} copies an array of {} {} times", name, length, times);
