@@ -16,10 +16,10 @@
 #include "render/passes/debug_views.h"
 #include "render/picture/frame_constants.h"
 #include "render/passes/frame_keys.h"
+#include "render/picture/last_step.h"
 #include "render/picture/lens.h"
 #include "render/scene/intersector_choice.h"
 #include "render/picture/medium_distances.h"
-#include "render/picture/overlay.h"
 #include "render/picture/picture_size.h"
 #include "render/passes/shader_set.h"
 #include "render/passes/work.h"
@@ -38,7 +38,7 @@ struct Renderer::Impl {
         ray_query(options.ray_query),
         table(d),
         scene(d, table, options),
-        overlay(d, table),
+        last_step(d, table),
         shaders(d, table, arrays_by_address(d, options.by_address), lanes_of_gpu(d, options.gpu_lanes)),
         denoiser(d, table),
         timer(d) {
@@ -88,12 +88,12 @@ struct Renderer::Impl {
   bool ray_query;
   gpu::BindingTable table;
   GpuScene scene;
-  Overlay overlay;
+  LastStep last_step;
   ShaderSet shaders;
   Denoiser denoiser;
   gpu::PassTimer timer;
 
-  Buffer uniform, gbuffer, previous_gbuffer, radiance, mean, m2, ldr, smoothed, output, exposure, counters;
+  Buffer uniform, gbuffer, previous_gbuffer, radiance, mean, m2, ldr, exposure, counters;
   uvec2 output_size{640, 360}, render_size{0, 0}, allocated_output{0, 0};
   scene::Area picture;  // in the output, as it was asked for last; empty: all of it
   std::uint32_t gbuffer_planes = 0;
@@ -158,7 +158,6 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output, const Ren
     return;
   render_size = allocated_output = uvec2(0);  // until all are there
   const VkDeviceSize pixels = static_cast<VkDeviceSize>(render.x) * render.y;
-  const VkDeviceSize shown = static_cast<VkDeviceSize>(wanted_output.x) * wanted_output.y;
   const auto make = [&](Buffer& buffer, std::uint32_t binding, VkDeviceSize bytes, const char* name) {
     buffer = Buffer();  // the old one's memory goes first
     table.set_array(shared::kSetFrame, binding, buffer);
@@ -174,8 +173,7 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output, const Ren
   make(mean, shared::kBindMean, pixels * 16, "mean radiance");
   make(m2, shared::kBindM2, pixels * 16, "squared deviations");
   make(ldr, shared::kBindLdr, pixels * 4, "tone-mapped picture");
-  make(smoothed, shared::kBindSmooth, shown * 4, "anti-aliased picture");
-  make(output, shared::kBindOutput, shown * 4, "output");
+  last_step.resize(wanted_output, wanted_output);  // the picture is no larger than the output
   render_size = render;
   allocated_output = wanted_output;
   gbuffer_planes = planes;
@@ -299,9 +297,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   constants.bloom = std::max(settings.bloom, 0.0f);
   warps = warps_picture(snapshot, settings);
   constants.swap_red_blue = swap_red_blue;
-  constants.draw_quads = !overlay.empty();
-  constants.quad_tiles_x = overlay.tiles_x();
-  constants.atlas_width = overlay.atlas_width();
+  last_step.fill(constants);
   constants.technique_view = shows_view();
   constants.previous_gbuffer = previous_valid && !snapshot.cut;
   constants.work_parity = work_parity ^= 1u;
@@ -344,17 +340,14 @@ PassList Renderer::Impl::list_passes() {
   frame("accumulate", shaders.get(medium ? "accumulate_medium" : "accumulate"), groups_over(render_size, 8));
   denoiser.add_passes(list, shaders, in_medium, has_interfaces() ? work().groups(shared::kWorkSecond) : AskedGroups());
   add_lens(list, shaders, constants, {.water = has_interfaces()}, variant);
-  const uvec2 smooth(constants.smooth_width, constants.smooth_height);
-  const char* over_time = smooth == render_size ? "temporal_antialias" : "temporal_upscale";
-  frame("antialias", shaders.get(constants.taa != 0 ? over_time : "antialias"), groups_over(smooth, 8));
-  overlay.add_present(list, shaders.get(warps ? "present_warped" : "present"), output_size);
+  last_step.add_passes(list, shaders, constants, warps);
   return list;
 }
 
 Status Renderer::fit(const RenderSettings& settings) {
   return within_memory([&] {
     impl_->finish();
-    impl_->fit(settings);
+    impl_->fit(with_last_step(settings, impl_->device.is_software()));
     return ok_status();
   });
 }
@@ -390,9 +383,11 @@ void Renderer::Impl::finish() {
   if (!under_way) return;
   const auto start = std::chrono::steady_clock::now();
   device.finish();
+  const std::optional<PassTime> on_host = last_step.finish();
   wait_milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   under_way = false;
   pass_times = passes.times(timer.read());
+  if (on_host) pass_times.push_back(*on_host);
   if (finished) finished();
 }
 
@@ -405,7 +400,7 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
     return begin(empty, draw, asked);
   }
   choose_technique(asked.estimator);
-  const RenderSettings settings = technique->adapt(asked);
+  const RenderSettings settings = with_last_step(technique->adapt(asked), device.is_software());
   scene.prepare(snapshot, emission_scales(settings), info->wants_lights,
                 {settings.water > 0, settings.glass > 0, settings.water_scatter});
   finish();
@@ -430,7 +425,7 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   FB_CHECK(!final_passes || info->ends_iterations);
   technique->prepare({snapshot, settings, render_size, lit, 2 * half_pixel_tangent(camera, render_size.y), number++,
                       cut, !cut && scene_now == last_scene, snapshot.medium.scatters(), scene.features().turbid});
-  overlay.prepare(draw, output_size.x, output_size.y);
+  last_step.prepare(draw, output_size, settings);
   fill_constants(snapshot, settings, scene_now);
   table.flush();
 
@@ -466,13 +461,13 @@ const std::string& Renderer::intersector_name() const {
 
 const gpu::Buffer& Renderer::output_pixels() const {
   impl_->finish();
-  return impl_->output;
+  return impl_->last_step.output();
 }
 Readback Renderer::read() const {
   impl_->finish();
   const Impl& r = *impl_;
-  return Readback({r.device, r.output, r.mean, r.m2, r.gbuffer, r.counters, r.exposure, r.denoiser, r.allocated_output,
-                   r.render_size, r.constants.work_parity});
+  return Readback({r.device, r.last_step.output(), r.mean, r.m2, r.gbuffer, r.counters, r.exposure, r.denoiser,
+                   r.allocated_output, r.render_size, r.constants.work_parity});
 }
 std::uint64_t Renderer::learnt_bytes() const { return impl_->technique ? impl_->technique->bytes() : 0; }
 const Denoiser& Renderer::denoiser() const { return impl_->denoiser; }

@@ -17,6 +17,12 @@ namespace {
 constexpr double kLongestLoading = 60.0, kLongestLeaving = 0.5;  // seconds that a plaque stays where no level comes
 constexpr double kShortestStart = 0.04;                          // seconds between two of the start's pictures
 
+double milliseconds_of(const std::vector<render::PassTime>& passes, std::string_view name) {
+  double sum = 0.0;
+  for (const render::PassTime& pass : passes) sum += pass.name == name ? pass.milliseconds : 0.0;
+  return sum;
+}
+
 }  // namespace
 
 render::RenderSettings Game::settings() const {
@@ -186,15 +192,19 @@ bool Game::draws_ahead() const {
 void Game::show_drawn() {
   const Drawn drawn = drawn_;
   if (!std::exchange(pictured_, true)) start_picture_.release();
+  const double drawn_at = platform::now_seconds();
   if (swapchain_ && !swapchain_->present({&renderer_->output_pixels(), drawn.size.x, drawn.size.y})) fit_to_window();
   const double now = platform::now_seconds();
   const FrameTimes times{1e3 * (now - std::exchange(shown_time_, now)), renderer_->wait_milliseconds(),
                          1e3 * (now - drawn.input_time)};
   // Of a frame that is drawn ahead the device's work goes on while the host sleeps.
-  const double host = std::max(0.0, times.whole - times.waited - 1e3 * std::exchange(slept_, 0.0));
+  const double shown = 1e3 * (now - drawn_at);  // by the window system: nothing else goes on beside it
+  const double host = std::max(0.0, times.whole - times.waited - shown - 1e3 * std::exchange(slept_, 0.0));
   const double device = std::max(renderer_->gpu_milliseconds(), times.waited);
+  const bool ahead = draws_ahead();
   if (engine_->client().active())
-    governor_.add(drawn.governed, draws_ahead() ? std::max(host, device) : host + device, times.whole, now);
+    governor_.add(drawn.governed, shown + (ahead ? std::max(host, device) : host + device),
+                  shown + milliseconds_of(renderer_->pass_times(), "present") + (ahead ? 0.0 : host), times.whole, now);
   if (engine_->client().active() && !engine_->client().timing()) follow_measurement(device, now);
   if (drawn.timed && !std::exchange(first_timed_, false)) {
     pass_report_.add(renderer_->pass_times(), times);
@@ -202,8 +212,8 @@ void Game::show_drawn() {
   }
   panel_.add_frame(renderer_->pass_times(), times.whole);
   if (engine_->console().cvar("host_speeds").on())
-    log_info("{:7.2f} ms, host {:6.2f}, input to picture {:7.2f}", times.whole, times.whole - times.waited,
-             times.latency);
+    log_info("{:7.2f} ms, host {:6.2f}, shown in {:6.2f}, input to picture {:7.2f}", times.whole,
+             times.whole - times.waited, shown, times.latency);
   capture(drawn.number);
   if (drawn.captured) demo_capture_.add(drawn.size, read_picture());
 }

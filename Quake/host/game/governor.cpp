@@ -13,16 +13,18 @@ namespace fb::host {
 namespace {
 
 constexpr double kPixelsOfStep = 0.85;
-constexpr double kFixed = 0.1;  // share of a frame's work that pixels have no part in
+constexpr double kFixed = 0.1;  // share of the device's work on a picture that pixels have no part in
 constexpr std::size_t kRemembered = 12;
 constexpr double kOnCpu = 100.0;  // milliseconds
-
-// A frame's work at `step`, relative to that at `other`.
-double work(int step, int other) { return kFixed + (1.0 - kFixed) * std::pow(kPixelsOfStep, step - other); }
 
 }  // namespace
 
 float Governor::scale_of(int step) { return static_cast<float>(std::pow(kPixelsOfStep, 0.5 * step)); }
+
+double Governor::Seen::at(int other) const {
+  const double pixels = kFixed + (1.0 - kFixed) * std::pow(kPixelsOfStep, other - step);
+  return fixed + (milliseconds - fixed) * pixels;
+}
 
 void Governor::follow(double target, float most) {
   if (target != target_) {
@@ -39,7 +41,7 @@ void Governor::follow(double target, float most) {
 
 double Governor::foreseen(int step, double share) const {
   std::vector<double> times;
-  for (const Seen& frame : seen_) times.push_back(frame.milliseconds * work(step, frame.step));
+  for (const Seen& frame : seen_) times.push_back(frame.at(step));
   const auto at = times.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(times.size() - 1));
   std::nth_element(times.begin(), at, times.end());
   return *at;
@@ -54,24 +56,23 @@ void Governor::move_to(int step, double now) {
   last_change_ = now;
 }
 
-void Governor::add(int step, double milliseconds, double whole, double now) {
+void Governor::add(int step, double milliseconds, double fixed, double whole, double now) {
   if (target_ <= 0.0) return;
   changed_ = false;
   ++frames_;
   const double over = whole - target_;
   held_ += over <= kWithin * target_ && (over >= -kWithin * target_ || step <= least_) ? 1 : 0;
   scales_ += static_cast<double>(scale_of(step));
-  seen_.push_back({milliseconds, step});
+  seen_.push_back({milliseconds, std::clamp(fixed, 0.0, milliseconds), step});
   if (seen_.size() > kRemembered) seen_.pop_front();
   if (seen_.size() < 2) return;
 
   // What comes into view may double a frame's work. More than that is an accident, unless it happens twice.
   const Seen &last = seen_.back(), &former = seen_[seen_.size() - 2];
-  double now_takes = last.milliseconds * work(step_, last.step);
-  if (now_takes > kAccident * target_) now_takes = std::min(now_takes, former.milliseconds * work(step_, former.step));
-  if (now_takes > kTooLong * target_) {
+  const Seen& taken = last.at(step_) > kAccident * target_ && former.at(step_) < last.at(step_) ? former : last;
+  if (taken.at(step_) > kTooLong * target_) {
     int down = step_;
-    while (down < kSteps && now_takes * work(down, step_) > kFull * target_) ++down;
+    while (down < kSteps && taken.at(down) > kFull * target_ && taken.at(down) - taken.fixed > kLeast * target_) ++down;
     return move_to(down, now);
   }
   // Nine frames of ten of those seen lately would leave room a step further up.

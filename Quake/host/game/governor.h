@@ -25,8 +25,9 @@ class Governor {
   void follow(double target, float most);
   float scale(float most) const { return target_ > 0.0 ? std::min(most, scale_of(step_)) : most; }
   int step() const { return step_; }
-  // A frame that was drawn at `step` took `milliseconds` of work, and `whole` with the waiting; `now` in seconds.
-  void add(int step, double milliseconds, double whole, double now);
+  // A frame that was drawn at `step` took `milliseconds` of work, `fixed` of them whatever is rendered (the window's
+  // pixels, the host), and `whole` with the waiting; `now` in seconds.
+  void add(int step, double milliseconds, double fixed, double whole, double now);
   // The next frame is the first of its size.
   bool changed() const { return changed_; }
   // Frames are not to be shorter than this, milliseconds: an even pace is worth more than a frame now and then that
@@ -41,6 +42,7 @@ class Governor {
   static constexpr double kFull = 0.92;     // of the target: work that leaves room for a frame that takes longer
   static constexpr double kTooLong = 1.04;  // of the target: above it fewer pixels are rendered
   static constexpr double kAccident = 2.0;  // of the target
+  static constexpr double kLeast = 0.2;  // of the target: fewer pixels than these take save nothing that is worth them
   static constexpr double kPatience = 1.5;  // seconds between the last change and the next one up
   static constexpr double kWithin = 0.15;   // of the target: a frame that is held
 
@@ -49,8 +51,9 @@ class Governor {
   void move_to(int step, double now);
 
   struct Seen {
-    double milliseconds;
+    double milliseconds, fixed;
     int step;
+    double at(int step) const;  // what it would take at another step
   };
   double target_ = 0.0;
   int step_ = 8, least_ = 0;

@@ -38,7 +38,7 @@ Drawn draw(Governor& governor, double target, double seconds, const std::functio
     now += 1e-3 * whole;
     drawn.held += std::abs(whole - target) <= 0.15 * target ? 1 : 0;
     drawn.mean_scale += static_cast<double>(scale);
-    governor.add(step, work, whole, now);
+    governor.add(step, work, 0.0, whole, now);
   }
   drawn.mean_scale /= drawn.frames;
   return drawn;
@@ -75,9 +75,9 @@ TEST(Governor, OneFrameThatTakesLongChangesNothing) {
   Governor governor;
   draw(governor, 100.0, 30.0, [](double) { return 300.0; });
   const int step = governor.step();
-  governor.add(step, 2000.0, 2000.0, 32.0);
+  governor.add(step, 2000.0, 0.0, 2000.0, 32.0);
   EXPECT_EQ(governor.step(), step);
-  for (int i = 0; i < 2; ++i) governor.add(governor.step(), 300.0, 300.0, 33.0 + i);
+  for (int i = 0; i < 2; ++i) governor.add(governor.step(), 300.0, 0.0, 300.0, 33.0 + i);
   EXPECT_GT(governor.step(), step) << "two do, at once";
 }
 
@@ -86,7 +86,7 @@ TEST(Governor, KeepsToTheLargestScaleThatIsAllowed) {
   draw(
       governor, 100.0, 30.0, [](double) { return 20.0; }, 0.4f);
   EXPECT_EQ(governor.scale(0.4f), 0.4f);
-  for (int i = 0; i < 2; ++i) governor.add(governor.step(), 190.0, 190.0, 40.0);
+  for (int i = 0; i < 2; ++i) governor.add(governor.step(), 190.0, 0.0, 190.0, 40.0);
   EXPECT_TRUE(governor.changed());
   governor.follow(0.0, 0.4f);
   EXPECT_EQ(governor.scale(0.7f), 0.7f) << "at rest";
@@ -99,6 +99,25 @@ TEST(Governor, TheLeastPictureIsStillOne) {
   Governor governor;
   draw(governor, 20.0, 10.0, [](double) { return 1e5; });
   EXPECT_GT(governor.scale(1.0f), 0.1f);
+}
+
+// What the window takes whatever is rendered is no reason to render next to nothing, and tells what room is left.
+TEST(Governor, StarvesNoPictureForWhatPixelsHaveNoPartIn) {
+  const auto settled = [](double fixed, double whole) {
+    Governor governor;
+    double now = 0.0, pixels = 0.0;
+    for (int i = 0; i < 200; ++i) {
+      governor.follow(100.0, 1.0f);
+      pixels = whole * std::pow(static_cast<double>(governor.scale(1.0f)), 2);
+      governor.add(governor.step(), fixed + pixels, fixed, fixed + pixels, now += 0.1);
+    }
+    return fixed + pixels;
+  };
+  EXPECT_GT(settled(150.0, 200.0), 160.0) << "the aim cannot be reached: the least picture would take 156";
+  for (const double fixed : {0.0, 20.0, 50.0}) {
+    EXPECT_LT(settled(fixed, 400.0), 104.0) << fixed;
+    EXPECT_GT(settled(fixed, 400.0), 75.0) << fixed;
+  }
 }
 
 TEST(Governor, ByDefaultItHoldsTenFramesASecondInAWindowOnACpu) {

@@ -13,9 +13,18 @@
 #include "estimators/techniques.h"
 #include "shared/settings.h"
 
+// The last step's, which the host alone reads: rows as in Shaders/shared/settings.h.
+// clang-format off
+#define FB_LAST_STEP_SETTINGS(X) \
+  X(int, host_present, "r_host_present", -1, -1, 1, "who scales the picture up to the window's pixels and draws over it: 1 the host, where the device is a CPU, 0 the device; -1: 1 where it can") \
+  X(float, taa_scale, "r_taa_scale", -1, -1, 8, "width and height at which the picture is anti-aliased over time, relative to the rendered one's, at most the window's, to which a filter scales it up; 0: the window's; -1: 1 where the device is a CPU, else 0") \
+  X(float, sharpness, "r_sharpness", 0.8f, 0, 1, "how sharp the filter is that scales up (C of a cubic with B = 0): 0.5 is Catmull and Rom's")
+// clang-format on
+
 #define FB_PICTURE_SETTINGS(X) \
   FB_FRAME_SETTINGS(X)         \
-  FB_RENDERER_SETTINGS(X)
+  FB_RENDERER_SETTINGS(X)      \
+  FB_LAST_STEP_SETTINGS(X)
 
 // Groups of rows, for manual, panel and menu: G(title, rows, X), X being what is made of each row.
 #define FB_SETTING_GROUPS(G, X)                 \

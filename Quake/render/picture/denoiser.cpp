@@ -50,6 +50,12 @@ std::uint64_t Denoiser::history_bytes(uvec2 render, uvec2 smooth, const Blocks& 
   return sizeof(glm::uvec4) * (texels + layer_texels(render, blocks.medium) + layer_texels(render, blocks.second));
 }
 
+uvec2 Denoiser::smooth_size(uvec2 render, uvec2 output, const RenderSettings& settings) {
+  if (!antialiases(settings)) return render;
+  if (settings.taa_scale <= 0) return output;
+  return glm::min(output, uvec2(glm::max(vec2(render) * settings.taa_scale + 0.5f, vec2(render))));
+}
+
 void Denoiser::resize(uvec2 render, uvec2 output, const RenderSettings& settings, Layers layers) {
   on_ = wanted(settings);
   const uvec2 size = on_ ? render : uvec2(0), smooth = on_ ? smooth_size(render, output, settings) : uvec2(0);

@@ -35,10 +35,8 @@ class Denoiser {
   // Blocks of a picture.
   static uvec2 light_size(uvec2 render, std::uint32_t block) { return groups_over(render, block); }
 
-  // The anti-aliased picture's size: the output's where temporal anti-aliasing scales up.
-  static uvec2 smooth_size(uvec2 render, uvec2 output, const RenderSettings& settings) {
-    return antialiases(settings) ? output : render;
-  }
+  // The anti-aliased picture's size: temporal anti-aliasing scales up as far as r_taa_scale says.
+  static uvec2 smooth_size(uvec2 render, uvec2 output, const RenderSettings& settings);
   // What is denoised apart from pixels' own surfaces: what a medium scatters, and light on what is seen beside another
   // surface by way of water.
   struct Layers {

@@ -37,6 +37,7 @@ class TemporalUpscaleTest : public DeviceTest {
     s.bounces = 0;
     s.auto_exposure = 0;
     s.scale = scale;
+    s.taa_scale = 0;
     return s;
   }
   static std::vector<vec3> shown(const Renderer& renderer) {
@@ -85,6 +86,7 @@ class TemporalUpscaleTest : public DeviceTest {
   static RenderSettings of_one_frame(float scale) {
     RenderSettings s = settings_for(scale);
     s.taa = s.fxaa = 0;
+    s.host_present = 0;  // bilinear
     return s;
   }
 
