@@ -25,6 +25,10 @@ TimeSettings read_time_settings(const con::Console& console) {
   return {value("host_framerate"), value("host_timescale"), value("host_maxfps")};
 }
 
+bool draws_ahead(float asked, bool demo, bool menu_or_console) {
+  return !menu_or_console && (asked < 0 ? demo : asked > 0);
+}
+
 FramePlan FrameTimer::plan(double passed, const TimeSettings& settings) {
   const double real = std::clamp(passed, kShortest, kLongest);
   const bool scaled = settings.time_scale > 0.0, fixed = !scaled && settings.frame_rate > 0.0;

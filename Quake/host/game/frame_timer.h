@@ -23,6 +23,10 @@ struct TimeSettings {
 void register_time_cvars(con::Console& console);
 TimeSettings read_time_settings(const con::Console& console);
 
+// Whether the host prepares a frame while the device draws the one before, by r_frames_ahead: input then waits for one
+// frame more. Who types or is in a menu wants to see it.
+bool draws_ahead(float asked, bool demo, bool menu_or_console);
+
 struct FramePlan {
   double seconds = 0.0;  // client time
   int ticks = 0;

@@ -65,5 +65,14 @@ TEST(FrameTimer, TimescaleComesBeforeFramerate) {
   EXPECT_DOUBLE_EQ(plan.tick_seconds, FrameTimer::kTick / 2) << "as often as ever, with less time in each";
 }
 
+TEST(DrawsAhead, NeverUnderAMenuOrTheConsole) {
+  EXPECT_TRUE(draws_ahead(-1, true, false));
+  EXPECT_FALSE(draws_ahead(-1, false, false));
+  EXPECT_TRUE(draws_ahead(1, false, false));
+  EXPECT_FALSE(draws_ahead(0, true, false));
+  for (const float asked : {-1.0f, 0.0f, 1.0f})
+    for (const bool demo : {true, false}) EXPECT_FALSE(draws_ahead(asked, demo, true)) << asked << demo;
+}
+
 }  // namespace
 }  // namespace fb::host

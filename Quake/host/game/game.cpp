@@ -30,7 +30,7 @@ void register_host_cvars(con::Console& console) {
   console.add_cvar(
       {"r_frames_ahead", "-1",
        "frames that the host prepares while the device draws: 0 none, so that input is shown sooner; 1, for "
-       "more frames a second; -1: 1 while a demo is played, else 0",
+       "more frames a second; -1: 1 while a demo is played, else 0. While a menu or the console is open: none",
        con::kCvarArchive, -1.0f, 1.0f, true});
   console.add_cvar({"host_speeds", "0", "1: print the times of every frame: in all, the host's, from input to picture",
                     con::kCvarPlain, 0.0f, 1.0f, true});
@@ -61,7 +61,8 @@ Game::Game(const GameOptions& options, std::unique_ptr<Engine> engine)
       demo_capture_(engine_->console(), engine_->files(), sound_),
       panel_(engine_->console()),
       screen_(engine_->console(), bar_services(*engine_), keys_, engine_->rules()),
-      timedemo_report_(*engine_) {
+      timedemo_report_(*engine_),
+      chooser_(engine_->console()) {
   facts_.set_reads_at_once(options.headless);
   facts_.set_display_size([this] { return window_ ? window_->display_size() : uvec2(0); });
   keys_.set_demo_keys([this](const platform::InputEvent& event) { return demo_controls_.handle(event); });
@@ -300,6 +301,7 @@ void Game::save_history() const {
 // Returns false if there is nothing more to do.
 bool Game::frame() {
   mouse_ = vec2(0.0f);
+  if (std::exchange(resized_while_waiting_, false)) fit_to_window();
   handle_events();
   input_time_ = platform::now_seconds();
   show_start("reading the level");

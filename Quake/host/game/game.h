@@ -77,9 +77,11 @@ class Game {
   void draw_panel(scene::DrawList& list, ui::Atlas& atlas, uvec2 output, double now);
   void show_loading();
   void show_start(std::string_view what);
+  void wait_for_shaders();
+  void keep_picture(const render::RenderSettings& wanted);
   bool waits_for_level();
   bool starts_with_level() const;
-  bool draws_ahead() const;
+  bool frames_ahead() const;
   void show_drawn();
   std::vector<std::uint32_t> read_picture() const;
   void capture(std::uint64_t frame);
@@ -125,11 +127,10 @@ class Game {
   double last_time_ = -1;
   FrameTimer timer_;
   Governor governor_;
-  std::optional<DeviceSpeed> speed_;       // while it is measured
-  const Preset* measured_with_ = nullptr;  // what is drawn then
-  double slept_ = 0;                       // seconds since a picture was shown last
-  vec2 mouse_{0.0f};                       // mouse counts in this frame
-  double input_time_ = 0;                  // when this frame's input was read
+  PresetChooser chooser_;
+  double slept_ = 0;       // seconds since a picture was shown last
+  vec2 mouse_{0.0f};       // mouse counts in this frame
+  double input_time_ = 0;  // when this frame's input was read
   // The frame that the renderer was given last.
   struct Drawn {
     std::uint64_t number = 0;
@@ -143,6 +144,9 @@ class Game {
   };
   Drawn drawn_;
   StartPicture start_picture_;
+  std::optional<render::RenderSettings> drawn_settings_;  // of the last frame, but for the scale
+  lab::FilmFrame waiting_picture_;  // behind what is said while shaders are compiled; may be empty
+  bool resized_while_waiting_ = false;
   bool pictured_ = false;                       // the renderer has drawn a picture
   double start_since_ = -1, start_shown_ = -1;  // when the start's picture was shown first, and last
   double drawn_time_ = 0;                       // when the last frame's 2D was drawn

@@ -96,26 +96,47 @@ void Game::govern() {
 // What the device can do is not known yet; the preset that is likely to fit draws what it is measured by.
 void Game::measure_device() {
   if (!window_) return log_info("preset: without a window nothing is measured");
-  measured_with_ = find_preset(device_->is_software() ? "lavapipe" : "balanced");
-  apply_preset(engine_->console(), *measured_with_);
-  engine_->console().set("r_preset", "");  // if the program ends before, the next start measures
-  speed_.emplace();
+  chooser_.begin(*find_preset(device_->is_software() ? "lavapipe" : "balanced"));
 }
 
-// A frame of a level took the device so long.
+// A frame of a level took the device so long, without what the window's pixels took.
 void Game::follow_measurement(double milliseconds, double now) {
-  if (!speed_ || !renderer_->settled()) return;
-  con::Console& console = engine_->console();
-  if (preset_in_force(console) != measured_with_) return speed_.reset();  // the player has chosen
+  if (!window_ || records() || !renderer_->settled()) return;
   const uvec2 rendered = renderer_->render_size();
-  speed_->add(*measured_with_, static_cast<double>(rendered.x) * rendered.y, milliseconds, now);
-  const auto speed = speed_->measured();
-  if (!speed) return;
-  const Preset& chosen = preset_for(*speed, drawer_->size(settings()));
-  apply_preset(console, chosen);
-  log_info("preset {}: {} renders {:.2g} million pixels a second. Options, Video has others", chosen.name,
-           device_->report().name, 1e-3 * *speed);
-  speed_.reset();
+  const std::string said =
+      chooser_.add(static_cast<double>(rendered.x) * rendered.y, milliseconds, drawer_->size(settings()), now);
+  if (!said.empty()) log_info("{}", said);
+}
+
+// Before a frame that may want shaders which are not there: what is shown meanwhile.
+void Game::keep_picture(const render::RenderSettings& wanted) {
+  if (!swapchain_ || !pictured_) return;
+  render::RenderSettings same = wanted;
+  same.scale = 1;  // the governor's, which no shader depends on
+  same.first_spp = 0;
+  const bool changed = drawn_settings_ && *drawn_settings_ != same;
+  drawn_settings_ = same;
+  if (changed)
+    waiting_picture_ = {renderer_->output_size(), read_picture()};
+  else
+    waiting_picture_ = {};
+}
+
+// Some twenty times a second. The former picture stays, and says why; keys that are pressed meanwhile are nobody's.
+void Game::wait_for_shaders() {
+  if (!pictured_) return show_start("compiling shaders");
+  if (!window_) return;
+  for (const platform::InputEvent& event : window_->poll_events()) {
+    using Kind = platform::InputEvent::Kind;
+    if (event.kind == Kind::kQuit) quit_ = true;
+    if (event.kind == Kind::kResize) resized_while_waiting_ = true;
+    if (counts_while_waiting(event)) keys_.handle(event);
+  }
+  if (!swapchain_ || waiting_picture_.pixels.empty() || resized_while_waiting_) return;
+  const uvec2 size(swapchain_->width(), swapchain_->height());
+  const double now = platform::now_seconds();
+  start_picture_.show(*device_, *swapchain_, screen_.draw_start(engine_->client(), size, now, "compiling shaders"),
+                      waiting_picture_);
 }
 
 bool Game::draw_frame() {
@@ -142,7 +163,9 @@ bool Game::draw_frame() {
     if (panel_.open() && !client.timing())
       moment.panel = [&](scene::DrawList& list, ui::Atlas& atlas) { draw_panel(list, atlas, moment.size, now); };
   }
+  keep_picture(wanted);
   drawer_->draw(snapshot_, &screen_.draw(client, moment), wanted);
+  start_picture_.release();
   drawn_ = {frame_,
             renderer_->output_size(),
             input_time_,
@@ -153,7 +176,7 @@ bool Game::draw_frame() {
             demo_capture_.active() && client.playing()};
   // What a timedemo's first frame loads and compiles is done before its clock starts, which is at the second.
   const bool first_timed = client.timing() && first_timed_;
-  if (pictured || first_timed || !draws_ahead()) renderer_->finish();
+  if (pictured || first_timed || !frames_ahead()) renderer_->finish();
   if (pictured) take_save_picture();
   ++frame_;
   return true;
@@ -183,9 +206,9 @@ void Game::take_save_picture() {
 }
 
 // Where the device draws a frame while the host prepares the next, that one's input waits for it.
-bool Game::draws_ahead() const {
-  const float asked = engine_->console().cvar("r_frames_ahead").value();
-  return asked < 0 ? engine_->client().playing() : asked > 0;
+bool Game::frames_ahead() const {
+  return draws_ahead(engine_->console().cvar("r_frames_ahead").value(), engine_->client().playing(),
+                     keys_.menu_open() || keys_.console_open());
 }
 
 // The renderer has finished the frame that it was given last.
@@ -201,11 +224,12 @@ void Game::show_drawn() {
   const double shown = 1e3 * (now - drawn_at);  // by the window system: nothing else goes on beside it
   const double host = std::max(0.0, times.whole - times.waited - shown - 1e3 * std::exchange(slept_, 0.0));
   const double device = std::max(renderer_->gpu_milliseconds(), times.waited);
-  const bool ahead = draws_ahead();
+  const bool ahead = frames_ahead();
   if (engine_->client().active())
     governor_.add(drawn.governed, shown + (ahead ? std::max(host, device) : host + device),
                   shown + milliseconds_of(renderer_->pass_times(), "present") + (ahead ? 0.0 : host), times.whole, now);
-  if (engine_->client().active() && !engine_->client().timing()) follow_measurement(device, now);
+  if (engine_->client().active() && !engine_->client().timing())
+    follow_measurement(device - milliseconds_of(renderer_->pass_times(), "present"), now);
   if (drawn.timed && !std::exchange(first_timed_, false)) {
     pass_report_.add(renderer_->pass_times(), times);
     timedemo_report_.add(drawn.message, drawn.demo_seconds, renderer_->pass_times(), times);

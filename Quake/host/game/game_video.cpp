@@ -94,7 +94,7 @@ Status Game::open_device() {
   if (!renderer) return renderer.error();
   renderer_ = std::move(*renderer);
   renderer_->set_finished([this] { show_drawn(); });
-  renderer_->set_waiting([this] { show_start("compiling shaders"); });
+  renderer_->set_waiting([this] { wait_for_shaders(); });
   renderer_->set_precompiles(window_ != nullptr);  // who measures or records reads times and waits for no picture
   drawer_.emplace(*renderer_);
   drawer_->resize(size);
@@ -143,9 +143,7 @@ void Game::apply_video() {
   if (!configured_) {
     configured_ = engine_->console().buffer_empty();
     video_asked_ = configured_ && options_.size.x == 0 && !options_.fullscreen;
-    const con::Console& console = engine_->console();
-    const bool chosen = !console.cvar("r_preset").string().empty() || !presets_untouched(console);
-    if (configured_ && window_ && options_.capture.empty() && !chosen) measure_device();
+    if (configured_ && window_ && options_.capture.empty() && chooser_.asked()) measure_device();
   }
   if (!window_ || !std::exchange(video_asked_, false)) return;
   renderer_->finish();  // what is under way is of the former size

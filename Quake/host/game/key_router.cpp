@@ -307,6 +307,11 @@ void KeyRouter::run_binding(const platform::InputEvent& event) {
   bindings_.key_event(event.key, event.down);
 }
 
+bool counts_while_waiting(const platform::InputEvent& event) {
+  using Kind = platform::InputEvent::Kind;
+  return event.kind == Kind::kKey ? !event.down : event.kind != Kind::kText && event.kind != Kind::kMouseMotion;
+}
+
 void KeyRouter::handle(const platform::InputEvent& happened) {
   using Kind = platform::InputEvent::Kind;
   const platform::InputEvent event = pad_layer_.meant(happened, behind_ == Behind::kGame && !holds_game());

@@ -17,6 +17,10 @@
 
 namespace fb::host {
 
+// Whether an event counts that comes while the program can't answer: what ends does, so that no key is held for ever;
+// what begins would be done later, all at once.
+bool counts_while_waiting(const platform::InputEvent& event);
+
 class KeyRouter {
  public:
   // What is behind the menu and the console.

@@ -420,5 +420,21 @@ TEST_F(KeyRouterTest, AStickMovesStepByStep) {
   EXPECT_EQ(keys.menu().selected()->label, "Multiplayer");
 }
 
+TEST(CountsWhileWaiting, WhatEndsAndWhatTheWindowIsToldDo) {
+  using Kind = platform::InputEvent::Kind;
+  const auto counts = [](Kind kind, bool down) {
+    platform::InputEvent event;
+    event.kind = kind;
+    event.key = platform::kKeySpace;
+    event.down = down;
+    return counts_while_waiting(event);
+  };
+  EXPECT_FALSE(counts(Kind::kKey, true));
+  EXPECT_TRUE(counts(Kind::kKey, false)) << "a button is not held for ever";
+  EXPECT_FALSE(counts(Kind::kText, false));
+  EXPECT_FALSE(counts(Kind::kMouseMotion, false));
+  for (const Kind kind : {Kind::kFocus, Kind::kResize, Kind::kQuit}) EXPECT_TRUE(counts(kind, false));
+}
+
 }  // namespace
 }  // namespace fb::host

@@ -12,9 +12,8 @@ namespace fb::host {
 namespace {
 
 constexpr std::size_t kUncounted = 8;  // frames
-constexpr double kMeasuring = 2.0;     // seconds
 constexpr std::size_t kFewest = 5;     // frames, however long they take
-constexpr const char* kChosen = "r_preset";
+constexpr const char *kChosen = "r_preset", *kAutomatic = "auto";
 
 // Costs: measurements.md, "Presets".
 constexpr std::array kPresets{
@@ -61,6 +60,11 @@ bool has_values(const con::Console& console, const Preset& preset) {
   return true;
 }
 
+void set_values(con::Console& console, const Preset& preset) {
+  for (std::size_t i = 0; i < kPresetCvars.size(); ++i)
+    console.set(kPresetCvars[i], con::number_text(preset.values[i]));
+}
+
 std::string list_of_presets(const con::Console& console) {
   const Preset* now = preset_in_force(console);
   std::string text = fmt::format("preset: {}\n", now ? now->name : "none; settings were changed one by one");
@@ -91,8 +95,7 @@ bool presets_untouched(const con::Console& console) {
 }
 
 void apply_preset(con::Console& console, const Preset& preset) {
-  for (std::size_t i = 0; i < kPresetCvars.size(); ++i)
-    console.set(kPresetCvars[i], con::number_text(preset.values[i]));
+  set_values(console, preset);
   console.set(kChosen, preset.name);
 }
 
@@ -118,18 +121,68 @@ void DeviceSpeed::add(const Preset& preset, double pixels, double milliseconds, 
 }
 
 std::optional<double> DeviceSpeed::measured() const {
-  if (speeds_.size() < kFewest || until_ - since_ < kMeasuring) return std::nullopt;
+  if (speeds_.size() < kFewest || until_ - since_ < seconds_) return std::nullopt;
   std::vector<double> speeds = speeds_;
   const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
   std::nth_element(speeds.begin(), middle, speeds.end());
   return *middle;
 }
 
+bool PresetChooser::asked() const {
+  const std::string& chosen = console_.cvar(kChosen).string();
+  return (chosen.empty() && presets_untouched(console_)) || (chosen == kAutomatic && preset_in_force(console_));
+}
+
+void PresetChooser::begin(const Preset& likely) {
+  const Preset* former = console_.cvar(kChosen).string() == kAutomatic ? preset_in_force(console_) : nullptr;
+  drawn_ = former && former->milliseconds > 0.0 ? former : &likely;
+  wished_ = nullptr;
+  chosen_ = false;
+  set_values(console_, *drawn_);
+  console_.set(kChosen, kAutomatic);
+  speed_ = DeviceSpeed();
+}
+
+std::string PresetChooser::choose(const Preset& preset, double speed, bool again) {
+  drawn_ = &preset;
+  wished_ = nullptr;
+  chosen_ = true;
+  set_values(console_, preset);
+  return fmt::format("preset {}: {} {:.2g} million pixels a second. Options, Video has others", preset.name,
+                     again ? "what was measured no longer fits;" : "measured", 1e-3 * speed);
+}
+
+// Another preset, if this one's place is elsewhere by more than a margin.
+const Preset* PresetChooser::wished(double speed, uvec2 window) const {
+  const Preset &slower = preset_for(speed * kMargin, window), &faster = preset_for(speed / kMargin, window);
+  if (&slower < drawn_) return &slower;
+  return &faster > drawn_ ? &faster : nullptr;
+}
+
+std::string PresetChooser::add(double pixels, double milliseconds, uvec2 window, double now) {
+  if (!drawn_) return "";
+  if (preset_in_force(console_) != drawn_ || console_.cvar(kChosen).string() != kAutomatic) {
+    if (console_.cvar(kChosen).string() == kAutomatic) console_.set(kChosen, "");  // settings were changed one by one
+    drawn_ = nullptr;
+    return "";
+  }
+  speed_.add(*drawn_, pixels, milliseconds, now);
+  const auto speed = speed_.measured();
+  if (!speed) return "";
+  speed_ = DeviceSpeed(kWatched);
+  if (!chosen_) return choose(preset_for(*speed, window), *speed, false);
+  const Preset* wish = wished(*speed, window);
+  if (wish && wish == std::exchange(wished_, wish)) return choose(*wish, *speed, true);
+  wished_ = wish;
+  return "";
+}
+
 void register_presets(con::Console& console, std::function<void()> measure) {
-  console.add_cvar({kChosen, "",
-                    "the preset that was chosen last; empty: two seconds of the next game are measured, and one is "
-                    "chosen, unless its settings were changed",
-                    con::kCvarArchive});
+  console.add_cvar(
+      {kChosen, "",
+       "the preset that was chosen last; auto: the program chooses by what it measures, at every start and "
+       "again when that no longer fits; empty: likewise, unless its settings were changed",
+       con::kCvarArchive});
   console.add_command("preset",
                       "preset [name|auto]: list the presets of the picture, choose one, or measure and choose",
                       [&console, measure = std::move(measure)](const con::Args& args) {

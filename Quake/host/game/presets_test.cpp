@@ -76,5 +76,70 @@ TEST(DeviceSpeed, ASlowDeviceHasFiveFramesAtLeast) {
   EXPECT_TRUE(speed.measured());
 }
 
+class PresetChooserTest : public PresetsTest {
+ protected:
+  // Frames for so long, of a device that renders so many pixels of `lavapipe` in a millisecond; what was said.
+  std::string draw(double speed, double seconds) {
+    std::string said;
+    for (const double end = now + seconds; now < end; now += 0.1) {
+      const Preset* preset = preset_in_force(console);
+      const double cost = preset ? preset->cost : 1.0;
+      said += chooser.add(50000.0, 50000.0 * cost / speed, uvec2(1280, 720), now);
+    }
+    return said;
+  }
+  std::string in_force() const {
+    const Preset* preset = preset_in_force(console);
+    return preset ? preset->name : "none";
+  }
+  PresetChooser chooser{console};
+  double now = 1.0;
+};
+
+TEST_F(PresetChooserTest, WhatWasMeasuredUnderLoadDoesNotStay) {
+  EXPECT_TRUE(chooser.asked());
+  chooser.begin(*find_preset("lavapipe"));
+  EXPECT_THAT(draw(100, 3.5), testing::HasSubstr("preset potato: measured"));
+  EXPECT_EQ(in_force(), "potato");
+  EXPECT_EQ(draw(100, 60), "") << "it fits";
+  EXPECT_EQ(draw(320, 60), "") << "hardly more than another needs";
+  EXPECT_THAT(draw(600, 30), testing::HasSubstr("preset lavapipe: what was measured no longer fits"));
+  EXPECT_EQ(in_force(), "lavapipe");
+  EXPECT_EQ(draw(600, 60), "");
+  EXPECT_THAT(draw(100, 30), testing::HasSubstr("preset potato"));
+}
+
+TEST_F(PresetChooserTest, OneBusyMomentChangesNothing) {
+  chooser.begin(*find_preset("lavapipe"));
+  draw(600, 15);
+  EXPECT_EQ(in_force(), "lavapipe");
+  EXPECT_EQ(draw(100, 8), "");
+  EXPECT_EQ(draw(600, 60), "");
+}
+
+TEST_F(PresetChooserTest, TheNextStartMeasuresAgainAndThePlayersChoiceStays) {
+  chooser.begin(*find_preset("lavapipe"));
+  draw(100, 4);
+  EXPECT_EQ(console.cvar("r_preset").string(), "auto");
+  PresetChooser next(console);  // the configuration holds the same
+  EXPECT_TRUE(next.asked());
+  next.begin(*find_preset("lavapipe"));
+  EXPECT_EQ(in_force(), "potato") << "measured with what was chosen";
+  console.execute("preset balanced");
+  EXPECT_EQ(draw(100, 60), "");
+  EXPECT_EQ(in_force(), "balanced");
+  EXPECT_FALSE(PresetChooser(console).asked());
+}
+
+TEST_F(PresetChooserTest, SettingsThatThePlayerChangesAreTheirOwn) {
+  chooser.begin(*find_preset("lavapipe"));
+  draw(600, 4);
+  console.execute("r_bounces 3");
+  EXPECT_EQ(draw(100, 60), "");
+  EXPECT_EQ(console.cvar("r_bounces").value(), 3.0f);
+  EXPECT_EQ(console.cvar("r_preset").string(), "");
+  EXPECT_FALSE(PresetChooser(console).asked());
+}
+
 }  // namespace
 }  // namespace fb::host

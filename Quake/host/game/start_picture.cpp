@@ -8,7 +8,8 @@
 
 namespace fb::host {
 
-void StartPicture::show(gpu::Device& device, gpu::Swapchain& swapchain, const scene::DrawList& list) {
+void StartPicture::show(gpu::Device& device, gpu::Swapchain& swapchain, const scene::DrawList& list,
+                        const lab::FilmFrame& under) {
   const uvec2 size(swapchain.width(), swapchain.height());
   if (size.x == 0 || size.y == 0) return;
   try {
@@ -17,7 +18,10 @@ void StartPicture::show(gpu::Device& device, gpu::Swapchain& swapchain, const sc
       pixels_.emplace(device, gpu::BufferUse::kUpload, std::size_t{size.x} * size.y * sizeof(std::uint32_t),
                       "start picture");
     }
-    frame_.pixels.assign(std::size_t{size.x} * size.y, 0xff000000u);
+    if (under.size == size && under.pixels.size() == std::size_t{size.x} * size.y)
+      frame_.pixels = under.pixels;
+    else
+      frame_.pixels.assign(std::size_t{size.x} * size.y, 0xff000000u);
     draw_over(frame_, list);
     if (swapchain.swaps_red_and_blue())
       for (std::uint32_t& p : frame_.pixels) p = (p & 0xff00ff00u) | ((p & 0xffu) << 16u) | ((p >> 16u) & 0xffu);

@@ -12,8 +12,10 @@ namespace fb::host {
 
 class StartPicture {
  public:
-  // Over black, in the swapchain's size. What cannot be shown is not: the picture is a help, no more.
-  void show(gpu::Device& device, gpu::Swapchain& swapchain, const scene::DrawList& list);
+  // Over `under`, if it has the swapchain's size, else over black. What cannot be shown is not: the picture is a help,
+  // no more.
+  void show(gpu::Device& device, gpu::Swapchain& swapchain, const scene::DrawList& list,
+            const lab::FilmFrame& under = {});
   void release() { pixels_.reset(); }
 
  private:
