@@ -5,6 +5,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/layers.glsl"
+#include "lib/light_change.glsl"
 #include "lib/work.glsl"
 
 #if SECOND
@@ -81,6 +82,7 @@ void main() {
   bool still = frame.still != 0u;
   uint place = place_of(there);  // hardly farther or nearer a frame ago
   LayerLight m = gathered(layer, still ? vec2(pixel) + 0.5 : x.point, place);
+  m.frames = frames_after_change(m.frames, kept_by_change(vec2(pixel)));
   bool known = present && (x.known || (x.guessed && m.frames == 0.0));
   float gain = float(frame.history_gain), frames = min(m.frames + (known ? gain : 0.0), float(kMaxHistory));
   float least = gain / max(frames, gain), weight = known ? still ? least : max(least, frame.svgf_alpha) : 0.0;

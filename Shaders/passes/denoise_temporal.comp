@@ -3,7 +3,7 @@
 // the luminance give the variance of what was gathered.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/denoise.glsl"
+#include "lib/light_change.glsl"
 
 struct History {
   vec3 irradiance;
@@ -118,7 +118,7 @@ void main() {
   float inverse_depth = at_middle(1.0 / max(motion.z, 1e-3), slope), depth_before = frame.still != 0u ? motion.z : motion.w;
   vec2 point = vec2(pixel) + (frame.still != 0u ? vec2(0.0) : motion.xy);
   History h = find_history(point, at_middle(1.0 / max(depth_before, 1e-3), slope), slope, geometric, id);
-  h.frames = kept_frames(h.frames, point);
+  h.frames = frames_after_change(kept_frames(h.frames, point), kept_by_change(vec2(pixel)));
 #if SPARSE
   Light light = light_about(pixel, inverse_depth, slope, geometric, id);
 #else

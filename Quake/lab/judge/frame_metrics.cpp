@@ -79,6 +79,31 @@ Picture shown(const Picture& linear, double exposure, bool tone_map) {
   return picture;
 }
 
+double lag(const Picture& two_frames_ago, const Picture& now, const Picture& test) {
+  FB_CHECK(now.same_size(test));
+  FB_CHECK(now.same_size(two_frames_ago));
+  constexpr std::uint32_t kSide = 8;
+  constexpr double kChanged = 0.25;
+  double missing = 0, changed = 0;
+  for (std::uint32_t y = 0; y + kSide <= now.height; y += kSide) {
+    for (std::uint32_t x = 0; x + kSide <= now.width; x += kSide) {
+      const auto light = [&](const Picture& picture) {
+        double sum = 0;
+        for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+          const vec3 p = picture.pixels[static_cast<std::size_t>(y + i / kSide) * now.width + x + i % kSide];
+          if (finite(p)) sum += static_cast<double>(p.x + p.y + p.z);
+        }
+        return sum;
+      };
+      const double before = light(two_frames_ago), is = light(now), change = is - before;
+      if (std::abs(change) <= kChanged * std::max(before, is)) continue;
+      missing += (is - light(test)) * (change > 0 ? 1 : -1);
+      changed += std::abs(change);
+    }
+  }
+  return changed > 0 ? missing / changed : std::numeric_limits<double>::quiet_NaN();
+}
+
 IsolatedPixels isolated_pixels(const Picture& reference, const Picture& test) {
   FB_CHECK(reference.same_size(test));
   const std::vector<float> truth = lumas(reference), luma = lumas(test);

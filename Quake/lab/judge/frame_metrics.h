@@ -48,6 +48,12 @@ Reference pixels_where(const Reference& reference, const std::vector<bool>& chos
 // Mean of a map over the chosen pixels; not a number if there is none.
 double mean_where(const std::vector<float>& map, const std::vector<bool>& chosen);
 
+// How far a picture is behind light that changes: of what the light of blocks of 8x8 pixels has changed in two frames,
+// the share that is missing in the picture: 0 it has followed, 1 it shows what was two frames ago, below 0 it does more
+// than the light. Of blocks whose light has changed by more than a quarter, each by how much; not a number if none has.
+// All are linear radiance; the camera must stand still.
+double lag(const Picture& two_frames_ago, const Picture& now, const Picture& test);
+
 // What the reference's own noise does to FLIP: FLIP of the reference, shown, against itself with one more draw of its
 // noise (normal, of its variance, the channels together). Errors of about this size are the reference's.
 double reference_flip(const Reference& reference, double exposure, bool tone_map);

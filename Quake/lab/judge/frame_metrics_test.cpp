@@ -192,5 +192,20 @@ TEST(FrameMetrics, FlipOfTheReferencesNoise) {
   EXPECT_TRUE(std::isnan(reference_flip(reference, 1, true)));
 }
 
+// A block that stays says nothing; one whose light changes, how much of it is shown.
+TEST(FrameMetrics, LagIsTheShareOfAChangeThatIsMissing) {
+  const auto picture = [](float left, float right) {
+    Picture p{16, 8, {}};
+    for (std::size_t i = 0; i < 16 * 8; ++i) p.pixels.emplace_back(i % 16 < 8 ? left : right);
+    return p;
+  };
+  EXPECT_TRUE(std::isnan(lag(picture(1, 2), picture(1.1f, 2), picture(3, 3))));
+  EXPECT_NEAR(lag(picture(1, 2), picture(1, 4), picture(1, 4)), 0, 1e-6);
+  EXPECT_NEAR(lag(picture(1, 2), picture(1, 4), picture(9, 3)), 0.5, 1e-6);
+  EXPECT_NEAR(lag(picture(8, 2), picture(2, 2), picture(8, 2)), 1, 1e-6) << "and where light goes";
+  EXPECT_NEAR(lag(picture(8, 2), picture(2, 4), picture(2, 3)), 0.125, 1e-6) << "by how much it changes";
+  EXPECT_LT(lag(picture(8, 2), picture(2, 2), picture(1, 2)), 0);
+}
+
 }  // namespace
 }  // namespace fb::lab

@@ -84,6 +84,8 @@ Measured measure_frame(const ViewTruth& truth, const std::vector<JudgedFrame>& f
     m.figures[kFlicker] = flicker({truth.shown_at(index - 1), frames[index - 1].shown, truth.at(index - 1).guides},
                                   {truth.shown_at(index), frame.shown, reference.guides});
   }
+  if (index > 1 && frame.linear)
+    m.figures[kLag] = lag(truth.at(index - 2).radiance.mean, reference.radiance.mean, *frame.linear);
   const Reference& inside = truth.interior_at(index);
   if (!frame.linear || inside.mean.pixels.empty()) return m;
   const Picture test = pixels_where(*frame.linear, truth.inside_at(index));

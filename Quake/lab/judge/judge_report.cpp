@@ -41,9 +41,9 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
 }
 
 const std::vector<std::string>& heads() {
-  static const std::vector<std::string> texts{"",       "FLIP",    "silhouettes", "relMSE",        "trimmed",
-                                              "bias %", "flicker", "dark (most)", "bright (most)", "top %",
-                                              "all ms", "paths",   "gbuffer",     "denoiser"};
+  static const std::vector<std::string> texts{"",       "FLIP",    "silhouettes", "relMSE",      "trimmed",
+                                              "bias %", "flicker", "lag %",       "dark (most)", "bright (most)",
+                                              "top %",  "all ms",  "paths",       "gbuffer",     "denoiser"};
   return texts;
 }
 
@@ -60,6 +60,7 @@ std::vector<std::string> cells(const std::string& name, const EstimateOf& estima
           with_interval(estimate(kRelMseTrimmed)),
           with_interval(estimate(kBias), 100),
           plain(kFlicker),
+          plain(kLag, 100),
           isolated(kDark, most_dark),
           isolated(kBright, most_bright),
           plain(kTopShare, 100),

@@ -60,6 +60,7 @@ const FigureInfo& info(JudgeFigure figure) {
                                                               {"relmse_trimmed", true, kFewestRuns},
                                                               {"bias", false},
                                                               {"flicker", true},
+                                                              {"lag", false},
                                                               {"isolated_dark", false},
                                                               {"isolated_bright", false},
                                                               {"top_share", false},

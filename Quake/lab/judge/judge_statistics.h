@@ -18,6 +18,7 @@ enum JudgeFigure : std::size_t {
   kRelMseTrimmed,  // without the worst 0.1% of pixels
   kBias,           // mean(x - r) / mean(r) of the linear radiance, there
   kFlicker,        // frame_metrics.h
+  kLag,            // likewise
   kDark,
   kBright,    // isolated pixels of a frame
   kTopShare,  // of the squared error there, what the worst 0.1% of pixels hold

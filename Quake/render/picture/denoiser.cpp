@@ -6,6 +6,7 @@
 #include <glm/packing.hpp>
 
 #include "shared/denoise.h"
+#include "shared/light_change.h"
 
 namespace fb::render {
 namespace {
@@ -31,6 +32,11 @@ std::uint64_t layer_texels(uvec2 render, std::uint32_t block) {
   return std::uint64_t{shared::kLayerSlots} * blocks.x * blocks.y;
 }
 
+std::uint64_t change_texels(uvec2 render) {
+  const uvec2 tiles = groups_over(render, shared::kChangeTile);
+  return std::uint64_t{tiles.x} * tiles.y * shared::kChangeWords / 4;
+}
+
 }  // namespace
 
 std::uint32_t Denoiser::light_block(const RenderSettings& settings) const {
@@ -47,7 +53,8 @@ std::uint32_t Denoiser::medium_block(const RenderSettings& settings) const {
 std::uint64_t Denoiser::history_bytes(uvec2 render, uvec2 smooth, const Blocks& blocks) {
   const std::uint64_t pixels = std::uint64_t{render.x} * render.y, shown = std::uint64_t{smooth.x} * smooth.y;
   const std::uint64_t texels = shared::kSectionPicture * pixels + (pixels + 1) / 2 + (shown + 1) / 2;  // whole ones
-  return sizeof(glm::uvec4) * (texels + layer_texels(render, blocks.medium) + layer_texels(render, blocks.second));
+  return sizeof(glm::uvec4) *
+         (texels + change_texels(render) + layer_texels(render, blocks.medium) + layer_texels(render, blocks.second));
 }
 
 uvec2 Denoiser::smooth_size(uvec2 render, uvec2 output, const RenderSettings& settings) {
@@ -95,7 +102,8 @@ void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snaps
   if (!on_) return;
   const bool again = still && snapshot.frame == last_frame_;
   parity_ ^= 1u;
-  c.medium_layer = shared::first_layer(size_.x * size_.y, smooth_.x * smooth_.y);
+  c.medium_layer =
+      shared::first_layer(size_.x * size_.y, smooth_.x * smooth_.y) + static_cast<std::uint32_t>(change_texels(size_));
   c.second_layer = c.medium_layer + static_cast<std::uint32_t>(layer_texels(size_, room_.medium));
   levels_ = settings.svgf_levels > 0 ? std::max(settings.svgf_levels, 2) : levels_for(size_);
   c.history_parity = parity_;
@@ -131,11 +139,26 @@ void Denoiser::add_passes(PassList& list, ShaderSet& shaders, const AskedGroups&
     list.dispatch("denoise_light", PassKind::kFrame, shaders.get("denoise_light", variant),
                   groups_over(light_size(size_, light_block_), 8));
   }
+  add_change(list, shaders, variant);
   list.dispatch("denoise_temporal", PassKind::kFrame,
                 shaders.get(light_block_ > 1 ? "denoise_temporal_sparse" : "denoise_temporal", variant), groups);
   if (medium) add_layer(list, shaders, variant, "denoise_medium", medium);
   if (second) add_layer(list, shaders, variant, "denoise_second", second);
   add_wavelets(list, shaders, variant);
+}
+
+// How much of the history each tile of pixels keeps.
+void Denoiser::add_change(PassList& list, ShaderSet& shaders, const Variant& variant) const {
+  const gpu::ComputePipeline& sums =
+      shaders.get(light_block_ > 1 ? "denoise_change_sparse" : "denoise_change", variant);
+  const gpu::ComputePipeline& decide = shaders.get("denoise_change_decide");
+  const uvec2 groups = groups_over(groups_over(size_, shared::kChangeTile), 8);
+  list.add("denoise_change", PassKind::kFrame, [&sums, &decide, groups](gpu::Commands& commands) {
+    for (const gpu::ComputePipeline* step : {&sums, &decide}) {
+      commands.dispatch(*step, groups.x, groups.y);
+      commands.barrier();
+    }
+  });
 }
 
 // Its light ends in slot 3 (shared/denoise.h).

@@ -270,7 +270,7 @@ TEST_F(DenoiserTest, LightThatChangesIsFollowed) {
     }
     RecordProperty(darker ? "frames_darker" : "frames_brighter", needed);
     // With the least weight of 0.04 alone it would take ln 0.1 / ln 0.96 = 56 frames.
-    EXPECT_LE(needed, 20) << darker;
+    EXPECT_LE(needed, 2) << darker;
   }
 }
 
