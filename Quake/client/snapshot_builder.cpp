@@ -176,9 +176,10 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
   snapshot.instances.clear();
   snapshot.authored = is_authored(input);
   snapshot.ambient = input.active ? ambient_light(input, snapshot.authored) : vec3(0.0f);
-  snapshot.medium =
-      input.active ? medium_of(fog_at(state.fog, state.time), state.sky_fog, input.session.settings, snapshot.authored)
-                   : scene::Medium();
+  const bool shows_baked = input.authored != nullptr && input.authored->shows_baked();
+  snapshot.medium = input.active ? medium_of(fog_at(state.fog, state.time), state.sky_fog, input.session.settings,
+                                             snapshot.authored || shows_baked)
+                                 : scene::Medium();
   snapshot.liquid_opacity = liquid_opacity(input.session.settings);
   snapshot.camera_liquid = scene::kNone;
   if (input.active && input.library.map())

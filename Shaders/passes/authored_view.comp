@@ -6,6 +6,7 @@
 #endif
 #include "lib/seen_texel.glsl"
 #include "shared/baked_words.h"
+#include "shared/displayed_fog.h"
 #include "shared/tone.h"
 
 uint baked_word(uint at) { return texels.at[image_at(frame.baked_image).first + at]; }
@@ -27,7 +28,8 @@ vec3 baked_light(uint face, vec3 point) {
   for (uint a = 0u; a < 2u; ++a) {
     vec4 axis;
     for (uint c = 0u; c < 4u; ++c) axis[c] = uintBitsToFloat(baked_word(record + kBakedAxes + 4u * a + c));
-    at[a] = clamp(dot(axis.xyz, point) + axis.w, 0.0, most[a]);
+    float to = dot(axis.xyz, point) + axis.w;
+    at[a] = to > 0.0 ? min(to, most[a]) : 0.0;
   }
   uvec2 low = uvec2(at), high = min(low + 1u, uvec2(most));
   vec2 f = at - vec2(low);
@@ -48,7 +50,10 @@ vec3 authored_color(vec3 direction, Hit hit) {
   if (missed && frame.sky_beyond == 0u) return vec3(0.0);
   Surface s = load_surface(hit, direction, kFilterNearest, missed, true);
   vec3 glow = srgb_from_linear(clamp(s.emission, 0.0, 1.0));
-  float left = s.sky ? 1.0 - pow(frame.fog_glow.w, 1.0 / kDisplayedMix) : exp(-haze_depth(camera_haze(), hit.t) / kDisplayedMix);
+  bool fog = FEATURE_MEDIUM && frame.camera_fog_square > 0.0;
+  vec3 fog_color = srgb_from_linear(frame.fog_glow.rgb);
+  float depth = haze_depth(camera_haze(), hit.t) / (kDisplayedMix * displayed_fog_rate(fog_color));
+  float left = s.sky ? 1.0 - pow(frame.fog_glow.w, 1.0 / kDisplayedMix) : exp(-depth);
   vec3 shown = glow;
   if (!s.sky) {
     uint record = instance_at(hit.instance).first_attribute + hit.triangle;
@@ -59,7 +64,7 @@ vec3 authored_color(vec3 direction, Hit hit) {
     bool whole = s.emission != vec3(0.0) && material_at(s.material).luma == kNoIndex;
     shown = whole ? max(glow, painted) : painted * baked_light(attribute_at(record).face, point) + glow;
   }
-  return FEATURE_MEDIUM ? mix(srgb_from_linear(frame.fog_glow.rgb), min(shown, vec3(1.0)), left) : shown;
+  return fog ? mix(fog_color, min(shown, vec3(1.0)), left) : shown;
 }
 
 void main() {

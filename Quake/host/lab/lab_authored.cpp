@@ -1,6 +1,7 @@
 // fullbright-lab authored: maps as they are drawn beside what their authors saw.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -71,10 +72,11 @@ scene::AuthoredFog fog_of(const formats::Bsp& bsp) {
   if (!entities || entities->empty()) return fog;
   const auto numbers = world::parse_numbers(entities->front().text(entities->front().has("fog") ? "fog" : "_fog"), 4);
   if (numbers.empty()) return fog;
-  fog.density = numbers[0];
+  const auto held = [](float x, float most) { return x > 0.0f ? std::min(x, most) : 0.0f; };
+  fog.density = held(numbers[0], 640.0f);
   const std::string sky = entities->front().has("skyfog") ? "skyfog" : "_skyfog";
-  fog.covers = entities->front().number(sky, fog.covers);
-  fog.color = numbers.size() == 4 ? vec3(numbers[1], numbers[2], numbers[3]) : vec3(0.3f);
+  fog.covers = held(entities->front().number(sky, fog.covers), 1.0f);
+  fog.color = numbers.size() == 4 ? vec3(held(numbers[1], 1), held(numbers[2], 1), held(numbers[3], 1)) : vec3(0.3f);
   return fog;
 }
 
@@ -129,7 +131,9 @@ int run_authored(const AuthoredOptions& options) {
   }
   if (distances.empty()) return fail(Error{o.map + ": it names no camera: no start, no intermission, no teleport"});
   page.mean = lab::mean_distance(distances);
-  fmt::print("{}\n", row_of("all", page.mean));
+  // Of medians and spreads the root of the mean square, which has no sign.
+  fmt::print("{:28} {:6.2f} {:6.2f} {:6.2f} {:6.2f}\n", "all", page.mean.median, page.mean.spread,
+             page.mean.correlation, page.mean.color);
   if (!o.out.empty()) {
     if (const auto* light = stage.engine->client().authored().light(); light != nullptr)
       for (std::size_t i = 0; i < light->emitters.all.size(); ++i)

@@ -8,9 +8,20 @@
 #include "render/scene/gpu_scene_copies.h"
 #include "scene/library/asset_builder.h"
 #include "scene/shapes.h"
+#include "shared/spot.h"
 
 namespace fb::render {
 namespace {
+
+constexpr float kUsualDistance = 200.0f;  // units, of what a lamp lights
+
+// Of what a lamp would light by the square's law of distance, what it lights by its own: a strong one of a flat law
+// would be drawn in the place of all others.
+float share_by_law(const shared::GpuInstance& lamp) {
+  const std::uint32_t law = (lamp.flags >> shared::kInstanceFallShift) & 7u;
+  if ((lamp.flags & shared::kInstanceIsSpot) == 0 || law == shared::kFallSquare) return 1.0f;
+  return shared::fall_share(law, std::clamp(kUsualDistance * lamp.pose_scale.x, 1e-6f, 1.0f));
+}
 
 float sum(const vec3& v) { return v.x + v.y + v.z; }
 
@@ -84,7 +95,7 @@ std::vector<LightList::Glowing> LightList::find_glowing(std::span<const Source> 
     g.mesh = s.instance->mesh;
     g.material_base = s.gpu->material_base;
     g.colored = (s.gpu->flags & shared::kInstanceHasColor) != 0;
-    g.color = g.colored ? sum(vec3(s.gpu->emission)) : 0.0f;
+    g.color = g.colored ? sum(vec3(s.gpu->emission)) * share_by_law(*s.gpu) : 0.0f;
     const auto& materials = s.mesh->materials;
     if (g.colored ? !(g.color > 0.0f) : std::none_of(materials.begin(), materials.end(), [&](std::uint32_t material) {
           return glow[material + g.material_base] > 0.0f;

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "base/hash.h"
+#include "shared/gain_field.h"
 
 namespace fb::scene {
 namespace {
 
-constexpr std::uint32_t kAuthoredVersion = 1;      // of how light is found: goes up with every change to it
+constexpr std::uint32_t kAuthoredVersion = 2;      // of how light is found: goes up with every change to it
 constexpr std::uint32_t kMagic = 0x544c4246;       // FBLT
 constexpr std::size_t kMostGainCells = 1u << 21u;  // of all ways
 
@@ -147,6 +148,8 @@ std::optional<AuthoredLight> read_authored(ByteView bytes, std::uint64_t key, co
   const std::uint32_t cells = in.u32();
   if (in.failed() || cells > kMostGainCells || in.remaining() != std::size_t{cells} * sizeof(std::uint32_t))
     return std::nullopt;
+  const double whole_box = static_cast<double>(gains.width) * gains.depth * gains.height * shared::kGainWays;
+  if (static_cast<double>(cells) != whole_box) return std::nullopt;
   for (std::uint32_t i = 0; i < cells; ++i) gains.cells.push_back(in.u32());
   return light;
 }

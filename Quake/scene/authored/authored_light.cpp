@@ -1,6 +1,7 @@
 #include "scene/authored/authored_light.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <utility>
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr std::size_t kPoints = 4000, kLeastPoints = 16;
 constexpr std::size_t kMostProducts = 3'000'000;              // points times emitters
+constexpr std::size_t kMostRays = 12'000'000;                 // points times lamps
 constexpr double kPointArea = 1200.0, kMostPoints = 16000.0;  // units^2 to a point of the gain field
 constexpr int kReflections = 2;                               // as r_bounces has it
 constexpr float kLeastBaked = 0.004f;                         // as light: below it all luxels are dark
@@ -21,6 +23,18 @@ std::size_t many_points(const LitMap& map) {
   for (std::uint32_t f = 0; f < world.face_count; ++f)
     area += world::face_area(map.bsp, map.bsp.faces[world.first_face + f]);
   return static_cast<std::size_t>(std::clamp(area / kPointArea, static_cast<double>(kPoints), kMostPoints));
+}
+
+// What no luxel of any face has the style of has lit nothing.
+void put_out_unbaked_styles(const Lightmaps& lightmaps, const MapEmitters& emitters, LightFit& fit) {
+  std::array<bool, 256> baked{};
+  for (const Lightmaps::Face& face : lightmaps.faces())
+    for (const std::uint8_t style : face.styles) baked[style] = true;
+  for (std::size_t e = 0; e < emitters.all.size(); ++e) {
+    const Emitter& emitter = emitters.all[e];
+    const bool has_style = emitter.kind == EmitterKind::kLamp || emitter.kind == EmitterKind::kTexture;
+    if (has_style && !baked[static_cast<std::uint8_t>(emitter.style)]) fit.factors[e] = vec3(0.0f);
+  }
 }
 
 std::vector<vec3> fitted_light(const LightTransport& transport, const LightFit& fit) {
@@ -40,7 +54,9 @@ std::optional<AuthoredLight> find_authored_light(const LitMap& map, const Lightm
   const auto start = std::chrono::steady_clock::now();
   AuthoredLight out;
   out.emitters = find_emitters(map);
-  const std::size_t count = std::min(kPoints, kMostProducts / std::max<std::size_t>(out.emitters.all.size(), 1));
+  const std::size_t lamps = std::max<std::size_t>(map.lamps.size(), 1);
+  const std::size_t count =
+      std::min({kPoints, kMostProducts / std::max<std::size_t>(out.emitters.all.size(), 1), kMostRays / lamps});
   std::vector<LuxelPoint> points = choose_luxels(map, lightmaps, count);
   give_back_darkness(map, points);
   const bool lit = std::ranges::any_of(points, [](const LuxelPoint& p) {
@@ -65,7 +81,8 @@ std::optional<AuthoredLight> find_authored_light(const LitMap& map, const Lightm
       out.fit = std::move(other_fit);
     }
   }
-  const std::vector<LuxelPoint> many = choose_luxels(map, lightmaps, many_points(map));
+  put_out_unbaked_styles(lightmaps, out.emitters, out.fit);
+  const std::vector<LuxelPoint> many = choose_luxels(map, lightmaps, std::min(many_points(map), kMostRays / lamps));
   out.gains = make_gain_field(
       map.bsp, many, light_at(map, out.emitters, out.fit.factors, many, points, fitted_light(transport, out.fit)));
   if (map.stopped()) return std::nullopt;

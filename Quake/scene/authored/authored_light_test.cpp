@@ -71,6 +71,18 @@ TEST(AuthoredLight, ALampKeepsItsLawOfDistance) {
   EXPECT_LT(stops_after(shared::kFallLinear), 0.5 * stops_after(shared::kFallSquare));
 }
 
+TEST(AuthoredLight, ALampOfAStyleThatNoLuxelHasGivesNothing) {
+  formats::Bsp bsp = lit_room().bsp;
+  LitMap map = lit_map(bsp);
+  map.lamps = {lit_lamp(vec3(120, 130, 300), 20000), lit_lamp(vec3(300, 300, 200), 20000)};
+  map.lamps[1].style = 40;
+  bake(bsp, [&](const vec3& p, const vec3& n) { return lamp_light(map.lamps[0], p, n); });
+  const auto found = find_authored_light(map, Lightmaps(bsp));
+  ASSERT_TRUE(found);
+  for (std::size_t e = 0; e < 2; ++e) EXPECT_EQ(found->fit.factors[e].y > 0.0f, found->emitters.all[e].style == 0);
+  EXPECT_NEAR(found->fit.factors[0].y, 1.0f, 0.1f) << "and takes nothing from the others";
+}
+
 TEST(AuthoredLight, WhatADarkeningLightTookIsGivenBack) {
   formats::Bsp bsp = lit_room().bsp;
   const EntityLight lamp = lit_lamp(vec3(120, 130, 300), 20000), dark = lit_lamp(vec3(300, 300, 200), 4000);
@@ -149,7 +161,7 @@ TEST(AuthoredLight, EachStyleIsFittedToItsOwnLight) {
   const auto found = find_authored_light(map, Lightmaps(bsp));
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->fit.factors[1].x, 0.5f, 0.05f);
-  EXPECT_GT(found->fit.factors[0].x, 0.3f) << "the other's own style has no light to be held to";
+  EXPECT_EQ(found->fit.factors[0].x, 0.0f) << "no luxel has the other's style: it lit nothing";
 }
 
 TEST(AuthoredLight, WithoutBakedLightNothingIsFound) {

@@ -24,15 +24,21 @@ void AuthoredMap::look_at_map() {
     key_ = authored_key(lit, *lightmaps_);
     if (const auto kept = store_.read(key_)) light_ = read_authored(ByteView(kept->data(), kept->size()), key_, lit);
   }
-  if (light_) return apply(*light_);
+  if (light_) {
+    apply(*light_);
+    return log_info("light as baked: {} emitters, kept from an earlier run", light_->emitters.all.size());
+  }
   task_ = std::make_unique<AuthoredTask>(lit, *lightmaps_);
 }
 
 void AuthoredMap::take() {
   light_ = task_->take();
   task_.reset();
-  if (!light_) return;
+  if (!light_) return log_info("the map's baked light says nothing: it is lit by its keys and textures");
   apply(*light_);
+  log_info("light as baked: {} emitters at {} points, {:.2f} stops off, {:.2f} before, {:.2f} s",
+           light_->emitters.all.size(), light_->points, light_->fit.stops_after, light_->fit.stops_before,
+           light_->seconds);
   if (store_.write) store_.write(key_, authored_bytes(*light_, key_));
 }
 
@@ -98,8 +104,6 @@ void AuthoredMap::apply(const AuthoredLight& light) {
   gains_ = {};
   if (!field.empty())
     gains_ = {library_.add_words(field.cells), field.origin, field.side, field.width, field.depth, field.height};
-  log_info("light as baked: {} emitters at {} points, {:.2f} stops off, {:.2f} before, {:.2f} s",
-           light.emitters.all.size(), light.points, light.fit.stops_after, light.fit.stops_before, light.seconds);
 }
 
 void AuthoredMap::light_sky(Sky& sky) const {

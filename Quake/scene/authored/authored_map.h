@@ -42,6 +42,7 @@ class AuthoredMap {
 
   // Whether the view of the map's baked light is wanted, from the next baked() on.
   void show_baked(bool wanted) { shows_baked_ = wanted; }
+  bool shows_baked() const { return shows_baked_; }
   BakedTable baked();  // without styles; none where it is not wanted
 
  private:

@@ -13,6 +13,7 @@ constexpr double kLoose = 0.02;    // the same of what the map does not ask for
 constexpr double kLeastTerm = 1e-6;
 constexpr double kWhite = 4.4;  // as light: what luxels of 251 and more hold
 constexpr double kMostStep = 1.0;
+constexpr double kAbsurd = 1e-3;                           // a factor that says so of an emitter's keys
 constexpr double kLeastLog = -12.0;                        // how far a factor goes from where it began
 constexpr double kMostOfLamps = 2.5, kMostOfOthers = 7.0;  // textures' and skies' powers are guesses before
 constexpr int kIterations = 40;
@@ -92,6 +93,25 @@ double common_log(const std::vector<LightEquation>& equations, const std::vector
   return *middle;
 }
 
+// Where each emitter begins: at 1, but for those whose keys are absurd (a light of 100,000), which begin at what the
+// baked light allows, so that others are not thought as weak.
+std::vector<double> first_factors(const std::vector<LightEquation>& equations, std::size_t emitters) {
+  std::vector<std::vector<double>> allowed(emitters);
+  for (const LightEquation& e : equations)
+    for (const auto& term : e.terms)
+      if (term.coefficient > 0.0f)
+        allowed[term.unknown].push_back(std::max(static_cast<double>(e.value), kDark) /
+                                        static_cast<double>(term.coefficient));
+  std::vector<double> factors(emitters, 1.0);
+  for (std::size_t i = 0; i < emitters; ++i) {
+    if (allowed[i].empty()) continue;
+    const auto high = allowed[i].begin() + std::ssize(allowed[i]) * 19 / 20;
+    std::ranges::nth_element(allowed[i], high);
+    if (*high < kAbsurd) factors[i] = *high;
+  }
+  return factors;
+}
+
 std::vector<double> exponentials(const std::vector<double>& logs) {
   std::vector<double> out;
   for (const double u : logs) out.push_back(std::exp(u));
@@ -148,12 +168,14 @@ LightFit fit_light(const std::vector<Emitter>& emitters, const std::vector<Luxel
   for (std::size_t c = 0; c < 3; ++c) {
     const std::vector<LightEquation> equations = equations_of(c, emitters, points, transport);
     const std::vector<double> ones(emitters.size(), 1.0);
-    const double common = common_log(equations, ones);
+    const std::vector<double> first = first_factors(equations, emitters.size());
+    const double common = common_log(equations, first);
     fit.common[static_cast<int>(c)] = static_cast<float>(std::exp(common));
     std::vector<double> begin, firmness, most;
-    for (const Emitter& e : emitters) {
+    for (std::size_t i = 0; i < emitters.size(); ++i) {
+      const Emitter& e = emitters[i];
       const bool added = e.kind == EmitterKind::kAmbient;
-      begin.push_back(added ? 0.0 : common);
+      begin.push_back(added ? 0.0 : common + std::log(first[i]));
       firmness.push_back(added ? kLoose : kFirmness);
       most.push_back(e.kind == EmitterKind::kLamp ? kMostOfLamps : kMostOfOthers);
     }

@@ -19,7 +19,8 @@ constexpr float kPainted = 128.0f;    // the value that shows a texture as it wa
 constexpr float kDisplayGamma = 2.2f;
 constexpr float kLeastReflectance = 0.003f;  // darker textures stay black on displays in any light
 constexpr std::size_t kDecoupledBytes = 40;
-constexpr int kMostLuxels = 4096;  // on a side; more comes from a damaged file
+constexpr float kMostAxis = 1e6f, kMostOffset = 1e12f;  // luxels a unit, luxels: likewise
+constexpr int kMostLuxels = 4096;                       // on a side; more comes from a damaged file
 
 template <typename T>
 T read(ByteView bytes, std::size_t at) {
@@ -37,7 +38,8 @@ ByteView bspx_lump(const formats::Bsp& bsp, std::string_view name) {
 float encoded(float linear) { return shared::srgb_from_linear(vec3(linear)).x; }
 
 bool is_sane(const vec4& axis) {
-  return std::isfinite(axis.x) && std::isfinite(axis.y) && std::isfinite(axis.z) && std::isfinite(axis.w);
+  const auto fits = [](float x, float most) { return std::fabs(x) <= most; };  // false of what is not a number
+  return fits(axis.x, kMostAxis) && fits(axis.y, kMostAxis) && fits(axis.z, kMostAxis) && fits(axis.w, kMostOffset);
 }
 
 }  // namespace
@@ -147,7 +149,8 @@ vec3 Lightmaps::value(std::uint32_t face, std::size_t k, const vec3& point) cons
   if (!has(face, k)) return vec3(0.0f);
   const Face& f = faces_[face];
   const auto place = [&](const vec4& axis, int size) {
-    return std::clamp(glm::dot(vec3(axis), point) + axis.w, 0.0f, static_cast<float>(size - 1));
+    const float at = glm::dot(vec3(axis), point) + axis.w;
+    return at > 0.0f ? std::min(at, static_cast<float>(size - 1)) : 0.0f;
   };
   const float s = place(f.axes[0], f.width), t = place(f.axes[1], f.height);
   const int s0 = std::min(static_cast<int>(s), f.width - 1), t0 = std::min(static_cast<int>(t), f.height - 1);

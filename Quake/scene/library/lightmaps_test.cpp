@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <cstring>
 
 #include "scene/library/test_lit_room.h"
@@ -77,6 +79,15 @@ TEST(Lightmaps, LuxelsLieWhereALumpSays) {
   bsp.bspx.back().second = lump;
   EXPECT_FALSE(Lightmaps(bsp).has(0, 0));
   EXPECT_TRUE(Lightmaps(bsp).has(1, 0));
+  // Axes whose products are no numbers, and the largest that are taken.
+  for (const float axis : {3e38f, -3e38f, 9e5f}) {
+    for (std::size_t c = 0; c < 8; ++c) put(40 + 8 + 4 * c, c % 2 != 0 ? axis : -axis);
+    bsp.bspx.back().second = lump;
+    const Lightmaps wild(bsp);
+    EXPECT_EQ(wild.has(1, 0), axis == 9e5f);
+    for (const vec3& p : {vec3(0), vec3(kLitRoom), vec3(-3e4f, 3e4f, 1)})
+      EXPECT_TRUE(std::isfinite(wild.value(1, 0, p).x)) << axis;
+  }
 }
 
 TEST(Lightmaps, DisplaysDecodeWhatQuakeMultiplies) {
