@@ -53,7 +53,7 @@ vec3 unpack(std::uint32_t p) { return vec3(channel(p, 0), channel(p, 1), channel
 // One row of the anti-aliased picture, distorted and tinted.
 void take_row(const PresentedPicture& picture, std::span<const std::uint32_t> pixels, std::uint32_t y,
               std::uint32_t* to) {
-  const auto [width, height] = std::pair(static_cast<int>(picture.size.x), static_cast<int>(picture.size.y));
+  const int width = static_cast<int>(picture.size.x), height = static_cast<int>(picture.size.y);
   const vec2 size(picture.size), place(picture.place.size);
   const auto at = [&](int x, int row) {
     return unpack(pixels[static_cast<std::size_t>(std::clamp(row, 0, height - 1)) * picture.size.x +
