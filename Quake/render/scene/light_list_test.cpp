@@ -15,6 +15,7 @@
 #include "scene/in_code/scene_of_kinds.h"
 #include "scene/in_code/scenes_in_code.h"
 #include "scene/shapes.h"
+#include "shared/spot.h"
 
 namespace fb::render {
 namespace {
@@ -301,6 +302,24 @@ TEST(LightList, IsMadeAnewWhereWhatGlowsHasChangedAndOnlyThere) {
   expect_as_new(true, "something came");
   s.instances.pop_back();
   expect_as_new(true, "it went");
+}
+
+// By what it lights 200 units away, or half its range away where that is less: never more than by the square's law.
+TEST(LightList, ALampOfAFlatLawIsDrawnByWhatItLights) {
+  scene::FrameSnapshot s = scene::light_of_every_kind();
+  const std::size_t lamp = 4;  // the flash, painted
+  const auto odds = [&] {
+    const double p = Listed(s).of_instance(s, lamp);
+    return p / (1.0 - p);
+  };
+  const double plain = odds();
+  ASSERT_GT(plain, 0.0);
+  s.instances[lamp].flags |= scene::kInstanceSpot | shared::kFallLinear << scene::kInstanceFallShift;
+  s.instances[lamp].color = vec3(-2.0f, -2.0f, 1e-3f);
+  const double x = 0.2;
+  EXPECT_NEAR(odds() / plain, x * x * (2.0 - x), 1e-3);
+  s.instances[lamp].color.z = 1.0f;
+  EXPECT_NEAR(odds() / plain, 1.0, 1e-3) << "of short range: as by the square";
 }
 
 // Which lamps a technique that reuses the former frame's samples may look for there.
