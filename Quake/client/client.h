@@ -113,11 +113,11 @@ class Client {
   // Tells the server what the player wants to do, and commands that wait. At each tick of the server's.
   void send();
 
-  // Moves time on by `seconds` (0 keeps it) and everything with it.
   // Waits for what is still found out about the map beside the game, so that the next frame has all of it.
   void settle();
   scene::AuthoredMap& authored();
   std::vector<float> light_style_values() const;  // as they are now, by number; 1 is a lightmap as it is
+  // Moves time on by `seconds` (0 keeps it) and everything with it.
   void advance(double seconds);
   // Is there a world to show, and are the signon messages complete?
   bool active() const;
