@@ -200,7 +200,7 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
   if (snapshot.authored)
     for (std::size_t i = 0; i < std::min(snapshot.light_styles.size(), state.light_styles.size()); ++i)
       snapshot.light_styles[i] = scene::light_of_display(light_style_value(state.light_styles[i], state.time));
-  snapshot.baked = input.active && input.authored != nullptr ? input.authored->baked() : scene::BakedTable();
+  snapshot.baked = snapshot.authored || (input.active && shows_baked) ? input.authored->baked() : scene::BakedTable();
   if (snapshot.baked.image != scene::kNone)
     for (std::size_t i = 0; i < std::min(snapshot.baked.styles.size(), state.light_styles.size()); ++i)
       snapshot.baked.styles[i] = light_style_value(state.light_styles[i], state.time);

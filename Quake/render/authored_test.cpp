@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 
 #include "render/renderer.h"
 #include "render/test_device.h"
@@ -227,6 +229,106 @@ TEST_F(AuthoredTest, TheViewOfBakedLightIsPaintTimesLuxelsAsDisplaysHaveThem) {
   snapshot.baked = {};
   ++snapshot.frame;
   expect_picture(false);
+}
+
+// Under a sky that is the same everywhere each sample is the sky's light, so that all of the denoiser's blending shows.
+class BakedPastTest : public DeviceTest {
+ protected:
+  static constexpr float kSky = 0.5f, kAlbedo = 0.5f;  // of green
+  static constexpr int kFirst = 4;
+
+  BakedPastTest() {
+    settings_ = plain_settings("pt", 1);
+    settings_.denoise = 1;
+    settings_.taa = 0;
+    settings_.light_scale = 1;
+    settings_.first_spp = kFirst;
+    settings_.accumulate = 0;
+    snapshot_ = baked_wall();
+    snapshot_.authored = true;
+    snapshot_.baked.styles[5] = 0.0f;
+    snapshot_.sky.mode = scene::SkyMode::kConstant;
+    snapshot_.sky.color = vec3(kSky);
+    snapshot_.sky.beyond_everything = true;
+  }
+
+  void draw(Renderer& renderer, int frame) {
+    snapshot_.frame = static_cast<std::uint64_t>(frame);
+    snapshot_.prev_time = (frame - 1) / 60.0;
+    snapshot_.time = frame / 60.0;
+    renderer.render(snapshot_, nullptr, settings_);
+  }
+  // Light on each pixel whose neighbours have the same baked light, and that.
+  void for_each(const Renderer& renderer, const std::function<void(float light, float baked)>& look) {
+    const auto picture = renderer.read().denoised();
+    const auto gbuffer = renderer.read().gbuffer();
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+      const float f = gbuffer[i].position_t.y * 0.02f + 0.5f;
+      if (f < 0.0f || f > 1.0f) look(picture[i].y / kAlbedo, std::pow(f < 0.0f ? 0.5f : 1.0f, 2.2f));
+    }
+  }
+  void expect(Renderer& renderer, int frame, const std::function<float(float baked)>& expected) {
+    draw(renderer, frame);
+    for_each(renderer, [&](float light, float baked) {
+      ASSERT_NEAR(light / expected(baked), 1.0f, 0.02f) << "where baked light is " << baked << ", frame " << frame;
+    });
+  }
+
+  RenderSettings settings_;
+  scene::FrameSnapshot snapshot_;
+};
+
+TEST_F(BakedPastTest, AFrameWithoutAPastBeginsWithBakedLight) {
+  const float past = settings_.baked_past;
+  ASSERT_GT(past, 0.0f);
+  auto renderer = make_renderer(settings_, 64, 18);
+  const auto first = [&](float baked) { return glm::mix(baked, kSky, kFirst / (kFirst + past)); };
+  expect(*renderer, 0, first);
+  float before = 1.0f;  // of the difference
+  for (int frame = 1; frame < 96; ++frame) {
+    draw(*renderer, frame);
+    float most = 0.0f;
+    for_each(*renderer, [&](float light, float baked) {
+      most = std::max(most, std::abs(light - kSky) / std::abs(first(baked) - kSky));
+    });
+    EXPECT_LT(most, before + 0.02f) << "frame " << frame;
+    if (frame == 2) EXPECT_GT(most, 0.5f) << "it does not go at once";
+    before = most;
+  }
+  EXPECT_LT(before, 0.1f);
+  snapshot_.cut = true;
+  expect(*renderer, 96, first);
+}
+
+TEST_F(BakedPastTest, OnlyWhereLightsAreFittedToItAndItIsAskedFor) {
+  const auto raw = [&] {
+    auto renderer = make_renderer(settings_, 64, 18);
+    renderer->render(snapshot_, nullptr, settings_);
+    return renderer->read().linear();
+  };
+  const auto with = raw();
+  const auto expect_none = [&] {
+    auto renderer = make_renderer(settings_, 64, 18);
+    expect(*renderer, 0, [](float) { return kSky; });
+  };
+  snapshot_.authored = false;
+  expect_none();
+  snapshot_.authored = true;
+  settings_.baked_past = 0;
+  expect_none();
+  EXPECT_EQ(raw(), with) << "the raw mean has nothing of it";
+}
+
+TEST_F(BakedPastTest, EvenLightAndGainsAreTakenOff) {
+  snapshot_.ambient = vec3(0.1f);
+  add_gain(snapshot_, vec3(0.5f));
+  auto renderer = make_renderer(settings_, 64, 18);
+  const float share = kFirst / (kFirst + settings_.baked_past);
+  // What is shown: albedo and gain times light, even light among it; `baked` of it is what the map says.
+  expect(*renderer, 0, [&](float baked) {
+    const float even = 0.1f;
+    return 0.5f * (glm::mix(std::max(baked / 0.5f - even, 0.0f), kSky, share) + even);
+  });
 }
 
 }  // namespace

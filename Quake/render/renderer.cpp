@@ -338,7 +338,8 @@ PassList Renderer::Impl::list_passes() {
                             lit,  in_medium, constants.bounces, constants.medium_bounces};
   final_passes ? technique->add_final_passes(own) : technique->add_passes(own);
   frame("accumulate", shaders.get(medium ? "accumulate_medium" : "accumulate"), groups_over(render_size, 8));
-  denoiser.add_passes(list, shaders, in_medium, has_interfaces() ? work().groups(shared::kWorkSecond) : AskedGroups());
+  denoiser.add_passes(list, shaders, variant, in_medium,
+                      has_interfaces() ? work().groups(shared::kWorkSecond) : AskedGroups());
   add_lens(list, shaders, constants, {.water = has_interfaces()}, variant);
   last_step.add_passes(list, shaders, constants, warps);
   return list;

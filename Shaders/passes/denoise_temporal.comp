@@ -4,6 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/light_change.glsl"
+#include "shared/baked_past.h"
 
 struct History {
   vec3 irradiance;
@@ -131,7 +132,8 @@ void main() {
   float y = luminance_of(x);
   bool known = motion.z > 0.0 && (reflects || h.frames > 0.0);
 
-  bool young = frame.history_age < 3u;  // the first frame counts more frames than there were
+  // The first frame counts more frames than there were; but not where it had a past made for it.
+  bool young = frame.history_age < 3u && (frame.baked_past == 0.0 || h.frames < frame.baked_past + 2.0);
   float gain = float(frame.history_gain), frames = min(h.frames + (reflects ? gain : 0.0), float(kMaxHistory));
   float least = gain / max(frames, gain);
   float weight = frame.still != 0u ? least : max(least, frame.svgf_alpha);
@@ -146,7 +148,9 @@ void main() {
   vec3 irradiance = mix(h.irradiance, x, weight);
   float mean = mix(h.mean, y, moments_weight), mean_square = mix(h.mean_square, y * y, moments_weight);
   // Too few frames to tell their spread: whatever the neighbours have on this surface is as good.
-  float deviation = min(sqrt(max(mean_square - mean * mean, 0.0) * spread), kMaxDeviation);
+  float variance = max(mean_square - mean * mean, 0.0);
+  if (frame.baked_past > 0.0 && frame.history_age < kBakedTrust) variance = variance_with_past(variance, mean, frames, frame.baked_past);
+  float deviation = min(sqrt(variance * spread), kMaxDeviation);
   if (frames < 4.0 || young) deviation = kUnknownDeviation;
 
   float ahead = h.frames == 0.0 ? 0.0 : mean - luminance_of(irradiance);

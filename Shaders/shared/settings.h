@@ -50,6 +50,7 @@
   X(float, firefly, "r_firefly", 0, 0, 1000, "denoiser: clamp samples that exceed their pixel's history by this many standard deviations; 0 clamps none") \
   X(float, light_scale, "r_light_scale", 0, 0, 1, "denoiser: width and height at which light is sampled, relative to the rendered picture's: 1, 0.5 (one pixel of four a frame, in turns), 0.33 or 0.25; 0 is 0.5 where the device is a CPU, else 1") \
   X(int, first_spp, "r_first_spp", 4, 1, 64, "denoiser: samples of a frame that has no past (a map's start, a cut), times r_spp") \
+  X(float, baked_past, "r_baked_past", 8, 0, 64, "denoiser: frames of history that the map's baked light counts as where a frame has no past (a map's start, a cut) and r_authored fits that light; 0: none") \
   X(int, taa, "r_taa", 1, 0, 1, "denoiser: temporal anti-aliasing, in the place of r_fxaa")
 
 // Factors that the host multiplies into materials.

@@ -99,6 +99,8 @@ void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snaps
   c.denoise = on_;
   c.history_gain = 1;
   c.taa = on_ && antialiases(settings);
+  // Baked light is asked of only where the map's lights are fitted to it: of others it would tell another picture.
+  c.baked_past = on_ && snapshot.authored && snapshot.baked.image != scene::kNone ? settings.baked_past : 0.0f;
   if (!on_) return;
   const bool again = still && snapshot.frame == last_frame_;
   parity_ ^= 1u;
@@ -111,6 +113,7 @@ void Denoiser::fill(shared::FrameConstants& c, const scene::FrameSnapshot& snaps
   age_ = c.history_valid != 0 ? age_ + 1 : 0;
   c.history_age = age_;
   c.history_gain = c.history_valid != 0 ? 1u : static_cast<std::uint32_t>(settings.first_spp);
+  begins_baked_ = c.history_valid == 0 && c.baked_past > 0;
   c.still = still;
   blends_mean_ = c.accumulated_frames > 0;
   valid_ = true;
@@ -131,7 +134,8 @@ void Denoiser::fill_medium(shared::FrameConstants& c, const RenderSettings& sett
   c.medium_y = next / blocks * light_block_ + turn / light_block_;
 }
 
-void Denoiser::add_passes(PassList& list, ShaderSet& shaders, const AskedGroups& medium, const AskedGroups& second) {
+void Denoiser::add_passes(PassList& list, ShaderSet& shaders, const Variant& traced, const AskedGroups& medium,
+                          const AskedGroups& second) {
   if (!on_) return;
   const Variant variant{.medium = static_cast<bool>(medium), .water = static_cast<bool>(second)};
   const uvec2 groups = groups_over(size_, 8);
@@ -142,6 +146,7 @@ void Denoiser::add_passes(PassList& list, ShaderSet& shaders, const AskedGroups&
   add_change(list, shaders, variant);
   list.dispatch("denoise_temporal", PassKind::kFrame,
                 shaders.get(light_block_ > 1 ? "denoise_temporal_sparse" : "denoise_temporal", variant), groups);
+  if (begins_baked_) list.dispatch("denoise_baked", PassKind::kFrame, shaders.get("denoise_baked", traced), groups);
   if (medium) add_layer(list, shaders, variant, "denoise_medium", medium);
   if (second) add_layer(list, shaders, variant, "denoise_second", second);
   add_wavelets(list, shaders, variant);

@@ -62,8 +62,9 @@ class Denoiser {
   void fill(shared::FrameConstants& constants, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
             bool still);
   // From radiance to the denoised picture; none if it is off.
-  // `medium`, `second`: of the layers that this frame may have.
-  void add_passes(PassList& list, ShaderSet& shaders, const AskedGroups& medium, const AskedGroups& second);
+  // `traced`: of shaders that trace rays. `medium`, `second`: of the layers that this frame may have.
+  void add_passes(PassList& list, ShaderSet& shaders, const Variant& traced, const AskedGroups& medium,
+                  const AskedGroups& second);
 
   bool on() const { return on_; }
   // rgb: denoised radiance of the last frame.
@@ -83,6 +84,7 @@ class Denoiser {
   gpu::Buffer buffer_;
   uvec2 size_{0, 0}, smooth_{0, 0};
   bool on_ = false, valid_ = false, blends_mean_ = false;
+  bool begins_baked_ = false;  // this frame begins with the map's baked light
   int levels_ = 0;
   std::uint32_t light_block_ = 1, medium_block_ = 1;
   Blocks room_;  // in buffer_

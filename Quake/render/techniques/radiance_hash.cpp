@@ -16,6 +16,7 @@ constexpr std::string_view kDisplayShaders[] = {
     "bloom_x",
     "bloom_y",
     "debug_view",
+    "denoise_baked",
     "denoise_change",
     "denoise_change_decide",
     "denoise_change_sparse",

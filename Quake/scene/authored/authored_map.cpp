@@ -54,7 +54,6 @@ void AuthoredMap::wait() {
 }
 
 BakedTable AuthoredMap::baked() {
-  if (!shows_baked_) return {};
   look_at_map();
   if (baked_.image == kNone && map_ != nullptr && lightmaps_ != nullptr && !lightmaps_->empty()) {
     baked_.image = library_.add_words(baked_words(*map_, *lightmaps_));

@@ -40,10 +40,10 @@ class AuthoredMap {
   const GainTable& gains() const { return gains_; }
   void light_sky(Sky& sky) const;
 
-  // Whether the view of the map's baked light is wanted, from the next baked() on.
+  // Whether the view of the map's baked light is wanted.
   void show_baked(bool wanted) { shows_baked_ = wanted; }
   bool shows_baked() const { return shows_baked_; }
-  BakedTable baked();  // without styles; none where it is not wanted
+  BakedTable baked();  // without styles; the first question about a map makes it
 
  private:
   void look_at_map();
