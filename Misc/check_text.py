@@ -3,14 +3,15 @@
 
 Errors: trailing blanks, tabs and carriage returns in sources, a file that does not end with one newline, marks of
 unfinished work, absolute paths of somebody's machine, network addresses of private hosts, disabled code, a suite of tests
-whose name disagrees with its file's about whether it is statistical (Misc/cmake/module.cmake goes by both). A source of more
-than 500 lines gets a warning: it may hold a second idea.
+whose name disagrees with its file's about whether it is statistical (Misc/cmake/module.cmake goes by both), and a link of a page
+(.md) to a file or a heading that is not there. A source of more than 500 lines gets a warning: it may hold a second idea.
 
     Misc/check_text.py [--root DIR]    checks the files that git would track
     Misc/check_text.py --self-test     tests the checks themselves on texts that break every rule
 """
 
 import argparse
+import os
 import pathlib
 import re
 import subprocess
@@ -33,6 +34,8 @@ PRIVATE_HOST = re.compile(
 )
 DISABLED = re.compile(r"^\s*#\s*if\s+0\b")
 SUITE = re.compile(r"^\s*(?:TYPED_)?TEST(?:_F|_P)?\(\s*(\w+)")
+LINK = re.compile(r"\]\(([^()\s]+)\)")
+HEADING = re.compile(r"^#+ +(.*?) *$")
 
 
 def errors_of(name, text, checkout="/nowhere/" + "else/"):
@@ -64,6 +67,47 @@ def errors_of(name, text, checkout="/nowhere/" + "else/"):
         suite = SUITE.match(line) if name.endswith("_test.cpp") else None
         if suite and suite[1].endswith("Statistics") != name.endswith("_statistics_test.cpp"):
             yield number, f"{suite[1]}: suites that end in Statistics are those of the files x_statistics_test.cpp, and no others"
+
+
+def lines_of_page(text):
+    """Yields (line, text) of a page of Markdown, but for what stands in blocks of code."""
+    in_code = False
+    for number, line in enumerate(text.split("\n"), 1):
+        if line.lstrip().startswith("```"):
+            in_code = not in_code
+        elif not in_code:
+            yield number, line
+
+
+def headings_of(text):
+    """The names by which links find a page's headings, as GitHub makes them."""
+    found = {}
+    for _, line in lines_of_page(text):
+        heading = HEADING.match(line)
+        if heading:
+            name = re.sub(r"[^\w\- ]", "", heading[1].lower()).replace(" ", "-")
+            found[name] = found.get(name, -1) + 1
+    return {name if again == 0 else f"{name}-{again}" for name, count in found.items() for again in range(count + 1)}
+
+
+def broken_links(page, text, read):
+    """Yields (line, sentence) for links that lead nowhere. `read` gives the text of a path, or None where there is nothing."""
+    for number, line in lines_of_page(text):
+        for target in LINK.findall(re.sub(r"`[^`]*`", "", line)):
+            if re.match(r"[a-z]+:", target):
+                continue
+            name, _, heading = target.partition("#")
+            other = text if not name else read(page.parent / name)
+            if other is None:
+                yield number, f"{name}, to which this links, is not there"
+            elif heading and heading not in headings_of(other):
+                yield number, f"{name or 'the page'} has no heading #{heading}"
+
+
+def read_page(path):
+    if not path.exists():
+        return None
+    return path.read_text() if path.suffix == ".md" else ""
 
 
 def files_of(root):
@@ -99,6 +143,9 @@ def check(root):
         for line, sentence in errors_of(name, text, f"{home}/"):
             print(f"{name}:{line}: {sentence}")
             failed = True
+        for line, sentence in broken_links(path, text, read_page) if path.suffix == ".md" else ():
+            print(f"{name}:{line}: {sentence}")
+            failed = True
         lines = text.count("\n")
         if path.suffix in CODE and lines > LINES_WORTH_A_WARNING:
             print(f"{name}: warning: {lines} lines; is there a second idea in it?")
@@ -132,6 +179,18 @@ def self_test():
         found = sorted(line for line, _ in errors_of(name, text))
         if found != lines:
             print(f"check_text: self-test: {name} {text!r}: expected errors in lines {lines}, found {found}")
+            passed = False
+    page = pathlib.PurePath("docs/a.md")
+    pages = {"docs/b.md": "# One `two`: three\n## One\n## One\n", "picture.jpg": ""}
+    links = [  # text, lines with a link that leads nowhere
+        ("[x](b.md#one-two-three) [y](b.md#one-1) [z](https://a.b/c.md) [p](../picture.jpg)\n", []),
+        ("[x](b.md#two)\n[y](c.md)\n[z](#here)\n", [1, 2, 3]),
+        ("# Here\n[z](#here)\n```\n[y](c.md)\n```\n`[y](c.md)`\n", []),
+    ]
+    for text, lines in links:
+        found = [line for line, _ in broken_links(page, text, lambda path: pages.get(os.path.normpath(path)))]
+        if found != lines:
+            print(f"check_text: self-test: {text!r}: expected broken links in lines {lines}, found {found}")
             passed = False
     return passed
 
