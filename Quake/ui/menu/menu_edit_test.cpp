@@ -8,6 +8,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 Control of(con::Console& console, con::CvarSpec spec) { return control_of(console.add_cvar(std::move(spec))); }
 
@@ -116,6 +117,34 @@ TEST_F(MenuTest, VideoSizeIsTwoCvars) {
   EXPECT_EQ(console.cvar("vid_height").string(), "480");
   choose("Apply");
   EXPECT_THAT(run(), ElementsAre("vid_restart"));
+}
+
+TEST_F(MenuTest, VideoAndSoundSpeakToPlayers) {
+  console.add_cvar({"r_water", "-1", "water: 0 classic, 1 clear", con::kCvarArchive, -1.0f, 1.0f, true});
+  console.add_cvar({"vid_vsync", "0", "1: pictures wait for the display", con::kCvarArchive, 0.0f, 1.0f, true});
+  for (const char* name :
+       {"vid_fullscreen", "vid_desktopfullscreen", "vid_borderless",    "r_target_ms", "r_scale",      "r_cpu_pixels",
+        "r_bounces",      "r_fog_scale",           "r_denoise",         "r_taa",       "r_fxaa",       "host_maxfps",
+        "r_frames_ahead", "scr_showfps",           "scr_menuscale",     "bgmvolume",   "bgm_extmusic", "ambient_level",
+        "snd_waterfx",    "snd_mute_unfocused",    "snd_filterquality", "nosound"})
+    console.add_cvar(name, "1", "what it does", con::kCvarArchive);
+  for (const char* page : {"video", "sound"}) {
+    menu.show(page);
+    for (int i = 0; i < 30; ++i, menu.press(Key::kDown)) {
+      const Row& row = *menu.selected();
+      EXPECT_THAT(row.label + row.help, Not(HasSubstr("_"))) << page << ": no cvar's name";
+      if (row.kind != Row::Kind::kSetting) continue;
+      EXPECT_FALSE(row.help.empty()) << row.label;
+      EXPECT_LE(row.label.size(), page == std::string("video") ? 17u : 20u) << row.label << ": values begin there";
+    }
+  }
+  menu.show("video");
+  select("Clear water");
+  EXPECT_THAT(menu.selected()->help, HasSubstr("default automatic"));
+  menu.press(Key::kRight);
+  EXPECT_EQ(console.cvar("r_water").string(), "0");
+  select("Vertical sync");
+  EXPECT_THAT(menu.selected()->help, HasSubstr("default off"));
 }
 
 TEST_F(MenuTest, KeysAreBoundInTwoColumns) {

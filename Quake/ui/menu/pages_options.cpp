@@ -22,6 +22,63 @@ void add_toggle(Page& page, const con::Console& console, const char* name, const
   if (cvar && cvar->has_effect()) page.rows.push_back(setting_row(*cvar, label, toggle_of(*cvar)));
 }
 
+// A setting as a player calls it. What "All settings" says of it under its cvar's name is for whoever types it.
+struct Named {
+  const char *cvar, *label, *help;
+  enum class As { kByRange, kAutomatic, kVolume } as = As::kByRange;  // kAutomatic: -1, 0 and 1
+};
+
+constexpr Named kWindowRows[] = {
+    {"vid_fullscreen", "Full screen", "the picture fills the display; Apply changes it"},
+    {"vid_desktopfullscreen", "Display's mode", "full screen keeps the display as it is; off: it has the size above"},
+    {"vid_borderless", "No border", "the window has no frame; Apply changes it"},
+    {"vid_vsync", "Vertical sync", "pictures wait for the display: no torn ones, at most its rate"},
+};
+constexpr Named kPictureRows[] = {
+    {"r_target_ms", "Time of a frame",
+     "milliseconds; as many pixels are drawn as fit. 0: all, however long; -1: 100 without a GPU, else all"},
+    {"r_scale", "Resolution", "width and height of what is drawn, of the window's; the rest is filled in over time"},
+    {"r_cpu_pixels", "Most pixels", "without a GPU no more pixels than these are drawn; 0: all"},
+    {"r_spp", "Light samples", "paths of light a pixel: more is slower and less noisy"},
+    {"r_bounces", "Reflections",
+     "how often light goes on from surface to surface: more is slower and brighter in corners"},
+    {"r_water", "Clear water", "water reflects, bends and takes light; off: Quake's; automatic: on with a GPU",
+     Named::As::kAutomatic},
+    {"r_fog_scale", "Fog's resolution", "of the light in fog: less is faster and softer"},
+    {"r_denoise", "Noise filter", "makes a few samples a smooth picture", Named::As::kAutomatic},
+    {"r_taa", "Smooth over time", "edges get smooth over several pictures"},
+    {"r_fxaa", "Smooth edges", "of each picture by itself, where it is not smoothed over time"},
+    {"host_maxfps", "Frame rate limit", "above 72 movement between the game's steps is shown"},
+    {"r_frames_ahead", "A frame ahead",
+     "more frames a second, but keys and mouse show one picture later; automatic: in demos", Named::As::kAutomatic},
+    {"scr_showfps", "Show frame rate", "frames a second, in a corner"},
+    {"scr_menuscale", "Size of menus", "of menus, messages and scoreboards"},
+};
+constexpr Named kSoundRows[] = {
+    {"volume", "Sound volume", "of all but the music", Named::As::kVolume},
+    {"bgmvolume", "Music volume", "of the music", Named::As::kVolume},
+    {"bgm_extmusic", "Music from files", "plays the music that lies in the game's folder"},
+    {"ambient_level", "Water and wind", "volume of the sounds of water and sky about you"},
+    {"snd_waterfx", "Muffled under water", "how much sounds are dulled there; 0: not at all"},
+    {"snd_mute_unfocused", "Silent in background", "no sound while another window is in front"},
+    {"snd_filterquality", "Sound quality", "of sounds recorded at other rates: higher is clearer"},
+    {"nosound", "No new sounds", "sounds are off; the music plays on"},
+};
+
+void add_named(Page& page, const con::Console& console, const Named& named) {
+  const con::Cvar* cvar = console.find_cvar(named.cvar);
+  if (!cvar || !cvar->has_effect()) return;
+  Control control = named.as == Named::As::kVolume ? slider_of(*cvar, 0, 1, 0.1)
+                    : named.as == Named::As::kAutomatic
+                        ? choice_of(*cvar, {{"-1", "automatic"}, {"0", "off"}, {"1", "on"}})
+                        : control_of(*cvar);
+  Control standard = control;
+  standard.read = [cvar] { return std::string(cvar->default_string()); };
+  Row row = setting_row(*cvar, named.label, std::move(control));
+  row.help = fmt::format("{}\ndefault {}", named.help, standard.shown());
+  page.rows.push_back(std::move(row));
+}
+
 // The sign of m_pitch.
 Row invert_row(const con::Cvar& pitch) {
   Control control;
@@ -60,7 +117,7 @@ Row preset_row(const Facts& facts) {
   control.kind = Control::Kind::kChoice;
   control.read = [&facts] { return facts.preset(); };
   control.command = [](std::string_view value) { return fmt::format("preset {}", value); };
-  std::string help = "preset: all of the picture's settings at once";
+  std::string help = "all of the picture's settings at once";
   for (const PresetEntry& preset : facts.presets()) {
     control.choices.push_back({preset.name, preset.name});
     help += fmt::format("\n{}: {}", preset.name, preset.purpose);
@@ -70,8 +127,6 @@ Row preset_row(const Facts& facts) {
   row.help = std::move(help);
   return row;
 }
-
-bool is_archived_or_sound(const con::Cvar& cvar) { return cvar.archived() || setting_group(cvar) == "Sound"; }
 
 }  // namespace
 
@@ -124,22 +179,14 @@ Page video_page(const Sources& sources) {
       control.choices.push_back({fmt::format("{} {}", size.x, size.y), fmt::format("{}x{}", size.x, size.y)});
     control.default_value = fmt::format("{} {}", width->default_string(), height->default_string());
     Row row = setting_row(*width, "Window size", std::move(control));
-    row.help = "vid_width, vid_height: size of the window, pixels; applied below";
+    row.help = "size of the window, pixels; Apply changes it";
     page.rows.push_back(std::move(row));
   }
-  add_toggle(page, console, "vid_fullscreen", "Full screen");
-  add_toggle(page, console, "vid_desktopfullscreen", "In the display's mode");
-  add_toggle(page, console, "vid_borderless", "No border");
-  add_toggle(page, console, "vid_vsync", "Vertical sync");
+  for (const Named& named : kWindowRows) add_named(page, console, named);
   page.rows.push_back(action("Apply", "vid_restart", "changes the window now"));
   page.rows.push_back(heading(""));
   page.rows.push_back(preset_row(sources.facts));
-  for (const char* name :
-       {"r_target_ms", "r_scale", "r_cpu_pixels", "r_spp", "r_bounces", "r_denoise", "r_taa", "r_fxaa", "r_fog_scale",
-        "r_water", "host_maxfps", "r_frames_ahead", "scr_showfps", "scr_menuscale"}) {
-    const con::Cvar* cvar = console.find_cvar(name);
-    if (cvar && cvar->has_effect()) page.rows.push_back(setting_row(*cvar));
-  }
+  for (const Named& named : kPictureRows) add_named(page, console, named);
   page.rows.push_back(link("More of the picture", "settings/Picture"));
   page.value_column = 0.52f;
   return page;
@@ -151,13 +198,8 @@ Page sound_page(const Sources& sources) {
   page.title = "Sound";
   page.plaque = false;
   page.value_column = 0.58f;
-  for (const con::Cvar* cvar : console.cvars()) {
-    if (!is_archived_or_sound(*cvar)) continue;
-    const bool volume = cvar->name() == "volume" || cvar->name() == "bgmvolume";
-    const std::string label = cvar->name() == "volume" ? "Sound volume" : volume ? "Music volume" : "";
-    if (setting_group(*cvar) == "Sound" && cvar->has_effect())
-      page.rows.push_back(volume ? setting_row(*cvar, label, slider_of(*cvar, 0, 1, 0.1)) : setting_row(*cvar));
-  }
+  for (const Named& named : kSoundRows) add_named(page, console, named);
+  if (!page.rows.empty()) page.rows.push_back(link("More of the sound", "settings/Sound"));
   page.empty = "There is no sound.";
   return page;
 }
