@@ -49,9 +49,10 @@ vec3 control_variate(Vertex v, Guidance g, Field here, Proposal p) {
   return control_mean(v, g, here) - (drawn ? control_at(v, g, here, p.direction) / p.pdf : vec3(0.0));
 }
 
-// Radiance that reaches the first vertex's viewer by reflection: of what path.most - path.depth reflections more bring. Where light
-// is looked for, the last of several vertices is apart: its one ray does for both, and what is known there guides neither. Not where
-// paths end in the field: those that go on are there to teach it, and it wants all light at their last vertex, too.
+// Radiance that the first vertex reflects to its viewer, by at most path.most - path.depth further reflections. Where lights are
+// looked for, the last of several vertices is treated apart (last_light): one ray serves there both to look for light and to be
+// scattered, and it is not guided. Paths that end in the field have no such vertex: those that go on teach the field, which
+// wants all light at their last vertex.
 vec3 trace_path(Vertex v, inout Path path, inout uint rng) {
   const bool last_apart = kLooksForLight && !kEndsInField && !SMALL && !ONE_BOUNCE;
   uint end_depth = last_apart && path.most > 1u ? path.most - 1u : path.most;  // of the vertices that are alike

@@ -17,7 +17,7 @@ struct Path {
 
 // Whether that is one: without the second vertex's code a shader is compiled in half the time.
 layout(constant_id = kSpecOneBounce) const bool ONE_BOUNCE = false;
-// Whether less code counts more than speed: a path's last vertex has none of its own.
+// Set in the smaller shader that stands in while the whole one is compiled: the last vertex has no code of its own.
 layout(constant_id = kSpecSmall) const bool SMALL = false;
 
 // Most reflections of the paths of pixels; scattering in a medium is the first of those that begin there.

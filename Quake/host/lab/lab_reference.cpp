@@ -60,8 +60,9 @@ int run_reference(const ReferenceOptions& options, bool samples_given) {
   fmt::print("{}: mean luminance {:.6g}, pixels' standard error {:.3g} of it, {} samples, {} of them rendered now\n",
              what, summary->error.mean_luminance, summary->error.relative, summary->samples, summary->made);
   if (!job.blocks.empty() && !o.quiet)
-    fmt::print("its blocks are in {}: a run with more samples goes on from them; delete it if none will\n",
-               summary->folder);
+    fmt::print(
+        "its blocks are in {}: a run with more samples goes on from them; without such a run, delete the folder\n",
+        summary->folder);
   if (options.relative_error > 0 && summary->error.relative > options.relative_error)
     return fail(Error{fmt::format("{}: the error is {:.3g}, not {:.3g}: more samples{} are needed", o.out,
                                   summary->error.relative, options.relative_error,

@@ -167,15 +167,15 @@ std::string reference_line(const BenchTitle& title, const ReferenceFigures& figu
 std::string tail_remark(std::string_view what, const WindowStatistics& s) {
   if (!s.mse.heavy_tail) return "";
   return fmt::format(
-      "\n{}: rare samples rule the error (mean MSE {:.4g}, a typical run's {:.4g}); intervals "
-      "know nothing of what fewer than a third of the runs meet.\n",
+      "\n{}: rare samples rule the error (mean MSE {:.4g}, a typical run's {:.4g}); the intervals "
+      "cannot cover an event that fewer than a third of the runs meet.\n",
       what, s.mse.mean, s.mse.typical.value);
 }
 
 std::string reference_remark(std::string_view what, const WindowStatistics& s) {
   if (s.reference_variance <= 0.1 * s.mse.mean) return "";
-  return fmt::format("\nThe reference's variance is over a tenth of what is measured of {}: take more samples of it.\n",
-                     what);
+  return fmt::format(
+      "\nThe reference's variance is more than a tenth of the MSE of {}: give the reference more samples.\n", what);
 }
 
 std::string bench_table(const BenchResult& result, const BenchTitle& title) {

@@ -165,8 +165,9 @@ std::string view_table(const JudgedView& view, const JudgeJob& job) {
     rows.push_back(cells(job.lanes[i].name, estimate, lane.most_dark, lane.most_bright));
     const double error = estimate(kRelMse).value;
     if (std::isfinite(error) && r.rel_variance > kNoisyReference * error)
-      remarks.push_back(fmt::format("the reference's noise is over a tenth of {}'s relMSE: take more samples of it",
-                                    job.lanes[i].name));
+      remarks.push_back(
+          fmt::format("the reference's noise is more than a tenth of {}'s relMSE: give the references more samples",
+                      job.lanes[i].name));
     if (lane.not_finite > 0)
       remarks.push_back(
           fmt::format("{}: {} pixels were not finite and counted as zero", job.lanes[i].name, lane.not_finite));

@@ -43,15 +43,17 @@ class ShaderSet {
   // `name`: of a shader in Shaders/CMakeLists.txt. Passes that trace nothing have one variant. It stays where it is,
   // and is to be used after make().
   const gpu::ComputePipeline& get(std::string_view name, const Variant& variant = {});
-  // The same; a set that hurries gives `meanwhile`, which is smaller, while `variant` is made beside the frames.
+  // The same, but where pictures are wanted soon (set_hurries) and `variant` has not been compiled, it is compiled on
+  // a thread, and until that is done `meanwhile`, a smaller shader of the same result, is returned.
   const gpu::ComputePipeline& get(std::string_view name, const Variant& variant, const Variant& meanwhile);
   // Makes what was asked for since. May throw OutOfMemory: then what is left is to be asked for again.
   void make();
 
   // What a driver would compile at the first dispatch is compiled in make(), on all processors (gpu/precompiler.h).
   void set_precompiles(bool precompiles);
-  // Pictures soon rather than all alike: which variant draws one depends on time. Of no effect on a driver that would
-  // make the frames wait.
+  // Whether a picture may be drawn by `meanwhile` (above): it comes sooner, but which shader draws it depends on time,
+  // so pictures do not repeat to the bit. Without effect on a driver whose frames would wait for the compilation
+  // anyway.
   void set_hurries(bool hurries);
   // Nothing is being made beside the frames.
   bool settled() const { return late_.empty(); }

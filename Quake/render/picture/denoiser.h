@@ -54,15 +54,15 @@ class Denoiser {
   static std::uint64_t history_bytes(uvec2 render, uvec2 smooth, const Blocks& blocks);
 
   // Makes room for the history, or frees it; what was there is lost when a size changes.
-  // `layers`: that there are, or were.
+  // `layers`: those that the scene can need, whether or not this frame shows them.
   void resize(uvec2 render, uvec2 output, const RenderSettings& settings, Layers layers);
-  // The next frame's history is none: what was to be written to it may not have been.
+  // The next frame has no history: this frame's may not have been written.
   void forget() { valid_ = false; }
   // This frame's rows of the uniform block. `still`: the same snapshot was rendered just before.
   void fill(shared::FrameConstants& constants, const scene::FrameSnapshot& snapshot, const RenderSettings& settings,
             bool still);
-  // From radiance to the denoised picture; none if it is off.
-  // `traced`: of shaders that trace rays. `medium`, `second`: of the layers that this frame may have.
+  // The passes from radiance to the denoised picture; none if it is off. `traced`: the variant of shaders that trace
+  // rays. `medium`, `second`: dispatches of the layers, which the G-buffer may ask for in this frame.
   void add_passes(PassList& list, ShaderSet& shaders, const Variant& traced, const AskedGroups& medium,
                   const AskedGroups& second);
 

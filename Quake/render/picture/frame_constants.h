@@ -26,9 +26,11 @@ float half_pixel_tangent(const CameraFrame& camera, std::uint32_t height);
 
 // Points of a low-discrepancy sequence (Roberts 2018, R2) in [-1/2, 1/2)^2, where rays go through their pixels.
 vec2 jitter_at(std::uint32_t index);
-// The frame's, by r_jitter; `moving`: where it is left to itself, every frame has another. Asked for, the sequence
-// begins somewhere else for every seed (and frame, where frames do not accumulate), and pixels err independently,
-// unless the denoiser or footprints count on a jitter that all have. `c` is complete but for it.
+// Sets the frame's jitter by r_jitter; `c` is complete otherwise. 0: none. -1: frames that accumulate, and `moving`
+// ones (which anti-aliasing over time wants jittered), take the next point of the sequence. 1: every frame does, the
+// sequence begins at another place for every seed (and frame, where frames do not accumulate), and pixels shift it by a
+// hash of their own, so that their errors are independent; not with the denoiser or footprints, which need one jitter
+// for all pixels.
 void fill_jitter(shared::FrameConstants& c, const RenderSettings& settings, std::uint32_t frame, bool moving);
 // Where anti-aliasing, whose picture is `smooth`, reads the rendered one.
 void fill_taps(shared::FrameConstants& c, uvec2 render, uvec2 smooth);

@@ -24,7 +24,7 @@ struct SceneDemand {
   float distance = 0.0f;
 };
 
-// Whether each is drawn: in order of distance, and among equals of the list, each for which there is room still.
+// Which instances are drawn: from near to far (equals in the list's order), each that still fits.
 std::vector<bool> nearest_that_fit(std::span<const SceneDemand> demands, SceneRoom room);
 
 }  // namespace fb::render

@@ -119,9 +119,9 @@ struct PathSpecs {
   TechniqueSpecs surfaces{};
   std::optional<TechniqueSpecs> meanwhile;
   TechniqueSpecs medium{};
-  // Of a technique that learns: parts in which a frame's paths from surfaces are traced one after the other, the last
-  // of half of them, each before it of half of the rest. Where a device runs all paths at once none learns from
-  // another.
+  // Of a technique that learns: the number of parts in which a frame's paths from surfaces are traced, one after the
+  // other, so that each part uses what those before it have learnt. With four they hold 1/8, 1/8, 1/4 and 1/2 of the
+  // paths. A device that runs all paths of a part at once learns nothing within it.
   std::uint32_t parts = 1;
   std::function<void(gpu::Commands&)> between_parts{};  // if any
 };
