@@ -15,7 +15,7 @@ constexpr std::size_t kUncounted = 8;  // frames
 constexpr std::size_t kFewest = 5;     // frames, however long they take
 constexpr const char *kChosen = "r_preset", *kAutomatic = "auto";
 
-// Costs: measurements.md, "Presets".
+// Costs: measurements.md, "What do the presets cost?"
 constexpr std::array kPresets{
     Preset{"potato",
            "one reflection, a small picture, light at a third of it",

@@ -254,7 +254,7 @@ TEST(LiquidMedium, ColoursLeaveAtLeastHalfAndALittleMore) {
   }
   EXPECT_NEAR(least, 0.5, 1e-5);
   EXPECT_GT(most, 0.51);
-  EXPECT_LT(most, 0.515) << "estimators.md says so";
+  EXPECT_LT(most, 0.515) << "media.md says so";
 }
 
 TEST(MapMaterials, AnimationSequencesAreShared) {
