@@ -470,6 +470,7 @@ Readback Renderer::read() const {
   return Readback({r.device, r.last_step.output(), r.mean, r.m2, r.gbuffer, r.counters, r.exposure, r.denoiser,
                    r.allocated_output, r.render_size, r.constants.work_parity});
 }
+std::string Renderer::iterations_report() const { return impl_->technique ? impl_->technique->report() : ""; }
 std::uint64_t Renderer::learnt_bytes() const { return impl_->technique ? impl_->technique->bytes() : 0; }
 const Denoiser& Renderer::denoiser() const { return impl_->denoiser; }
 

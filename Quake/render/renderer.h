@@ -72,6 +72,7 @@ class Renderer {
   // The next frame's picture is that of all iterations, made by the technique's final passes: only where it has them
   // (TechniqueInfo::ends_iterations). It is averaged with no other frame.
   void end_iterations();
+  std::string iterations_report() const;  // Technique::report
 
   // Frames averaged in the linear image.
   std::uint32_t accumulated_frames() const;

@@ -3,6 +3,7 @@
 #ifndef FB_ESTIMATORS_TECHNIQUES_H
 #define FB_ESTIMATORS_TECHNIQUES_H
 #include "estimators/mcpg/mcpg.h"
+#include "estimators/mir/mir.h"
 #include "estimators/pstf/pstf.h"
 #include "estimators/restir/restir.h"
 #include "estimators/ssmm/ssmm.h"
@@ -12,7 +13,8 @@
   G("Path guiding", FB_MCPG_SETTINGS, X)          \
   G("ReSTIR", FB_RESTIR_SETTINGS, X)              \
   G("Screen-space mixtures", FB_SSMM_SETTINGS, X) \
-  G("Fields of light", FB_PSTF_SETTINGS, X)
+  G("Fields of light", FB_PSTF_SETTINGS, X)       \
+  G("Reweighting", FB_MIR_SETTINGS, X)
 
 // Debug views.
 #define FB_TECHNIQUE_VIEWS(X) FB_MCPG_VIEWS(X) FB_RESTIR_VIEWS(X) FB_SSMM_VIEWS(X) FB_PSTF_VIEWS(X)

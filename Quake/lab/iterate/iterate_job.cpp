@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <memory>
+#include <ratio>
 #include <utility>
 
 #include "base/progress.h"
@@ -17,7 +19,7 @@ struct IterateLane {
   std::unique_ptr<render::Renderer> renderer;
   IteratedConfiguration result;
   Runs pictures;
-  std::vector<double> gpu_ms, estimator_ms;
+  std::vector<double> gpu_ms, estimator_ms, wall_ms;
 };
 
 Result<IterateLane> open_lane(gpu::Device& device, const Configuration& configuration, const View& view,
@@ -49,8 +51,11 @@ void add_run(IterateLane& lane, IteratedPicture run, const Reference& reference,
   lane.result.runs.records.push_back(record);
   lane.gpu_ms.push_back(run.gpu_ms);
   lane.estimator_ms.push_back(run.estimator_ms);
+  lane.wall_ms.push_back(run.wall_ms);
   lane.pictures.add(run.picture);
-  if (lane.pictures.count() == 1) lane.result.first = std::move(run.picture);
+  if (lane.pictures.count() > 1) return;
+  lane.result.first = std::move(run.picture);
+  lane.result.report = std::move(run.report);
 }
 
 void summarise(IterateLane& lane, const Reference& reference, const Frames* baseline) {
@@ -58,6 +63,7 @@ void summarise(IterateLane& lane, const Reference& reference, const Frames* base
   r.statistics = window_statistics(r.runs, {}, baseline);
   r.gpu_ms = factor_over_runs(lane.gpu_ms, kFewestSteadyRuns);
   r.estimator_ms = factor_over_runs(lane.estimator_ms, kFewestSteadyRuns);
+  r.wall_ms = factor_over_runs(lane.wall_ms, kFewestSteadyRuns);
   r.variance = lane.pictures.variance();
   r.bias_squared = lane.pictures.bias_squared(reference);
   r.not_finite = lane.renderer->read().counters().not_finite;
@@ -68,6 +74,7 @@ void summarise(IterateLane& lane, const Reference& reference, const Frames* base
 IteratedPicture render_iterations(render::Renderer& renderer, render::RenderSettings settings,
                                   scene::FrameSnapshot snapshot, const Schedule& schedule,
                                   const std::function<void(std::uint32_t)>& progress) {
+  const auto start = std::chrono::steady_clock::now();
   settings = settings_of_samples(std::move(settings));
   snapshot.frame = 0;  // frames differ by how many are accumulated
   snapshot.cut = true;
@@ -95,6 +102,8 @@ IteratedPicture render_iterations(render::Renderer& renderer, render::RenderSett
     renderer.end_iterations();
     frame();
   }
+  result.report = renderer.iterations_report();
+  result.wall_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   result.picture = picture_of(renderer.read().linear(), renderer.render_size());
   return result;
 }

@@ -20,6 +20,8 @@ struct IteratedPicture {
   Picture picture;
   std::uint32_t samples = 0;            // a pixel
   double gpu_ms = 0, estimator_ms = 0;  // of all passes, and of those of kind kEstimator
+  double wall_ms = 0;                   // by the clock, with what the host does between frames
+  std::string report;                   // what the technique has kept (render::Technique::report)
 };
 // The renderer has its size. Of the settings the samples a frame, accumulation and the denoiser are set here
 // (settings_of_samples). `progress`: samples that are done.
@@ -39,10 +41,11 @@ struct IteratedConfiguration {
   std::string name, estimator;
   Frames runs;                  // a run is a record: its picture's errors, the times of all its passes
   WindowStatistics statistics;  // of these
-  Estimate gpu_ms, estimator_ms;
+  Estimate gpu_ms, estimator_ms, wall_ms;
   double variance = 0, bias_squared = 0;  // of the runs' pictures, and of their mean
   std::uint32_t not_finite = 0;           // samples, which counted as zero
   Picture first;                          // the first run's picture
+  std::string report;                     // of the first run
 };
 struct IterateResult {
   Schedule schedule;

@@ -50,6 +50,8 @@ Json configuration_of(const IteratedConfiguration& c) {
             {"bias_squared", c.bias_squared},
             {"gpu_ms", json_of(c.gpu_ms)},
             {"estimator_gpu_ms", json_of(c.estimator_ms)},
+            {"wall_ms", json_of(c.wall_ms)},
+            {"report", c.report},
             {"samples_not_finite", c.not_finite}};
   Json runs{{"mse", Json::array()},
             {"relmse", Json::array()},
@@ -77,10 +79,12 @@ std::string iterate_table(const IterateResult& result, const BenchTitle& title) 
   out += reference_line(title, result.reference);
   std::size_t width = 13;
   for (const auto& c : result.configurations) width = std::max(width, c.name.size());
-  out += "\nGPU time of a run, ms:\n";
+  out += "\ntime of a run, ms: of the GPU's passes, and by the clock:\n";
   for (const auto& c : result.configurations) {
-    out += fmt::format("  {:{}} all {:.1f} {}; estimator {:.1f} {}\n", c.name, width, c.gpu_ms.value,
-                       interval_text(c.gpu_ms), c.estimator_ms.value, interval_text(c.estimator_ms));
+    out += fmt::format("  {:{}} all {:.1f} {}; estimator {:.1f} {}; clock {:.1f} {}\n", c.name, width, c.gpu_ms.value,
+                       interval_text(c.gpu_ms), c.estimator_ms.value, interval_text(c.estimator_ms), c.wall_ms.value,
+                       interval_text(c.wall_ms));
+    if (!c.report.empty()) out += fmt::format("  {:{}} {}\n", "", width, c.report);
     if (c.not_finite > 0)
       out += fmt::format("  {}: {} samples were not finite and counted as zero\n", c.name, c.not_finite);
   }

@@ -40,7 +40,7 @@ class NeeTechnique : public PathTechnique {
   std::uint32_t frame_ = 0;  // since it forgot
 };
 
-std::unique_ptr<Technique> make(const TechniqueTools& tools, std::string_view name) {
+std::unique_ptr<Technique> make_nee(const TechniqueTools& tools, std::string_view name) {
   return std::make_unique<NeeTechnique>(tools, name);
 }
 
@@ -52,7 +52,7 @@ extern constinit const TechniqueInfo kNee{
         "next-event estimation: of the lights of a list and the suns one, by what it would bring and by what rays "
         "reached before; and the BSDF; unbiased for paths of at most r_bounces reflections",
     .bias = Bias::kUnbiased,
-    .make = make,
+    .make = make_nee,
     .frames = Frames::kLearning,
     .wants_lights = true};
 

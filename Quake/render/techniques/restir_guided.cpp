@@ -35,7 +35,7 @@ class RestirGuidedTechnique : public GuidedTechnique {
   Reservoirs reservoirs_;
 };
 
-std::unique_ptr<Technique> make(const TechniqueTools& tools, std::string_view name) {
+std::unique_ptr<Technique> make_restir_guided(const TechniqueTools& tools, std::string_view name) {
   return std::make_unique<RestirGuidedTechnique>(tools, name);
 }
 
@@ -47,7 +47,7 @@ extern constinit const TechniqueInfo kRestirGuided{
         "restir_gi whose paths are guided as mcpg_nee's: reservoirs take up what they find; unbiased where nothing "
         "moves, else late where light of two reflections comes into sight",
     .bias = Bias::kBiased,
-    .make = make,
+    .make = make_restir_guided,
     .frames = Frames::kCorrelated,
     .wants_lights = true,
     .wants_previous_gbuffer = true,

@@ -73,6 +73,8 @@ class Technique {
   virtual std::uint32_t salt() const { return 0; }
   // Device memory of what it learns, bytes.
   virtual std::uint64_t bytes() const { return 0; }
+  // Of iterations: one line for people about what they have kept, empty if there is nothing to say.
+  virtual std::string report() const { return ""; }
 };
 
 // What a technique is made with. The set kSetTechnique of the table is its own while it lives.

@@ -23,7 +23,8 @@
   X(kPstfIsCv)           \
   X(kPstfIsCvNee)        \
   X(kPstfB)              \
-  X(kPstfBNee)
+  X(kPstfBNee)           \
+  X(kMir)
 
 namespace fb::render {
 

@@ -1,0 +1,330 @@
+// Multiple importance reweighting for path guiding (Fan 2025). Offline, in iterations (Technique::begin_iteration): the
+// device traces and stores a frame's paths, the host reads them after each frame, learns distributions from them
+// between iterations (guiding_trees.h), keeps those that brought light and weighs them when all distributions are known
+// (path_store.h, reweighting.h). In play nothing is learnt, and it is pt. Layouts: Shaders/estimators/mir/.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <memory>
+#include <numeric>
+#include <ratio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/check.h"
+#include "base/log.h"
+#include "base/parallel.h"
+#include "estimators/mir/mir.h"
+#include "render/techniques/guiding_trees.h"
+#include "render/techniques/path_store.h"
+#include "render/techniques/path_technique.h"
+#include "render/techniques/reweighting.h"
+#include "render/techniques/technique_memory.h"
+#include "shared/color.h"
+
+namespace fb::render {
+namespace {
+
+constexpr ArrayRow kMirRows[]{FB_MIR_ARRAYS(FB_ARRAY_ROW)};
+constexpr std::size_t kMostTaught = std::size_t{1} << 24u;  // vertices that one iteration learns from; 28 bytes each
+constexpr double kMegabyte = 1e6;
+
+vec3 color_of(const vec4& v) { return {v.x, v.y, v.z}; }
+
+// An array that the host writes, and shaders read.
+struct HostArray {
+  std::uint32_t binding;
+  gpu::Buffer buffer{};
+  template <typename T>
+  void write(const TechniqueTools& tools, const std::vector<T>& items, const char* name) {
+    const std::uint64_t bytes = std::max<std::uint64_t>(items.size() * sizeof(T), 16);
+    if (!buffer || buffer.size() < bytes) {
+      buffer = gpu::Buffer();
+      tools.table.set_array(shared::kSetTechnique, binding, buffer);
+      buffer = gpu::Buffer(tools.device, gpu::BufferUse::kStorage, bytes + bytes / 2, name);
+      tools.table.set_array(shared::kSetTechnique, binding, buffer);
+    }
+    if (!items.empty()) gpu::upload_now(tools.device, buffer, std::span<const T>(items));
+  }
+};
+
+class MirTechnique : public PathTechnique {
+ public:
+  MirTechnique(const TechniqueTools& tools, std::string_view name)
+      : PathTechnique(name),
+        tools_(tools),
+        uniform_(tools.device, gpu::BufferUse::kUniform, sizeof(shared::MirConstants), "constants of mir"),
+        memory_(tools.device, tools.table, kMirRows, "mir reset") {
+    tools.table.set_uniform(shared::kSetTechnique, uniform_);
+  }
+  ~MirTechnique() override {
+    for (const HostArray* array : {&tree_, &nodes_, &picture_})
+      tools_.table.set_array(shared::kSetTechnique, array->binding, gpu::Buffer());
+  }
+  MirTechnique(const MirTechnique&) = delete;
+  MirTechnique& operator=(const MirTechnique&) = delete;
+
+  void begin_iteration(std::uint32_t iteration, std::uint32_t samples) override {
+    if (iteration == 0)
+      start_over();
+    else
+      learn();
+    iterating_ = begins_ = true;
+    frames_ = 0;
+    planned_ = samples;
+  }
+  void prepare(const TechniqueFrame& frame) override {
+    collect();
+    settings_ = frame.settings;
+    if (iterating_ && size_ != uvec2(0) && size_ != frame.render) start_over();
+    if (iterating_) FB_CHECK(frame.lit == frame.render && settings_.spp == 1);
+    if (std::exchange(begins_, false)) begin_pictures(frame.render);
+    fit();
+    memory_.begin_frame();
+    shared::MirConstants constants{};
+    copy_settings(settings_, constants);
+    if (iterating_ && trees_.iterations() > 0) {
+      constants.taught = 1;
+      constants.cube_low = trees_.cube().low;
+      constants.cube_inverse_width = trees_.cube().inverse_width;
+      constants.levels = trees_.levels();
+      constants.node_levels = trees_.node_levels();
+      constants.leaves = static_cast<std::uint32_t>(trees_.places().size());
+    }
+    constants.stored = iterating_ ? static_cast<std::uint32_t>(vertices_) : 0;
+    constants.paths = static_cast<std::uint32_t>(paths_);
+    std::memcpy(uniform_.mapped(), &constants, sizeof(constants));
+    if (iterating_) ++salt_;
+  }
+  void add_passes(const TechniquePasses& passes) override {
+    memory_.add_reset(passes.list);
+    PathTechnique::add_passes(passes);
+    if (!iterating_) return;
+    passes.list.dispatch("mir totals", PassKind::kEstimator, passes.shaders.get("mir_totals", passes.variant),
+                         groups_over(passes.size, 8));
+    pending_ = true;
+  }
+  void add_final_passes(const TechniquePasses& passes) override {
+    memory_.add_reset(passes.list);
+    picture_.write(tools_, finished_picture(), "the picture of all iterations");
+    passes.list.dispatch("mir final", PassKind::kEstimator, passes.shaders.get("mir_final", passes.variant),
+                         groups_over(passes.size, 8));
+    iterating_ = false;
+  }
+  void forget() override {
+    start_over();
+    iterating_ = false;
+  }
+  std::uint32_t salt() const override { return salt_; }
+  std::uint64_t bytes() const override {
+    return memory_.bytes() + tree_.buffer.size() + nodes_.buffer.size() + picture_.buffer.size();
+  }
+  std::string report() const override {
+    if (trees_.iterations() == 0) return "";
+    return fmt::format(
+        "{} paths stored, {:.1f} MB ({} let go of); {} leaves, distributions of {} iterations {:.1f} MB; densities of "
+        "{} "
+        "of {} vertices are others than they were drawn with; {:.0f} ms on the host",
+        store_.paths().size(), static_cast<double>(store_.bytes()) / kMegabyte, let_go_, trees_.firsts().size(),
+        trees_.iterations(), static_cast<double>(trees_.bytes()) / kMegabyte, others_, vertices_weighed_, host_ms_);
+  }
+
+ private:
+  // Adds what it takes to host_ms_.
+  class Clock {
+   public:
+    explicit Clock(double& sum) : sum_(sum), start_(std::chrono::steady_clock::now()) {}
+    ~Clock() { sum_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count(); }
+    Clock(const Clock&) = delete;
+    Clock& operator=(const Clock&) = delete;
+
+   private:
+    double& sum_;
+    std::chrono::steady_clock::time_point start_;
+  };
+
+  IterationWeights weights() const { return static_cast<IterationWeights>(settings_.mir_weights); }
+  bool decorrelated() const { return settings_.mir_decorrelated != 0; }
+  // Of a frame of this iteration, from 0.
+  bool teaches(std::uint32_t frame) const { return !decorrelated() || frame < planned_ - planned_ / 2; }
+  bool is_seen(std::uint32_t frame) const { return !decorrelated() || !teaches(frame); }
+
+  void start_over() {
+    trees_.clear();
+    store_.clear();
+    taught_.clear();
+    seen_.clear();
+    shifted_.clear();
+    size_ = uvec2(0);
+    pending_ = begins_ = false;
+    salt_ = 0;
+    let_go_ = vertices_weighed_ = others_ = 0;
+    host_ms_ = 0;
+  }
+  void begin_pictures(uvec2 size) {
+    if (size_ == uvec2(0)) {
+      size_ = size;
+      pictures_.begin(size);
+      shifted_.assign(std::size_t{size.x} * size.y, glm::dvec3(0.0));
+    }
+    pictures_.begin_iteration();
+    seen_.push_back(decorrelated() ? planned_ / 2 : planned_);
+  }
+  // Arrays of vertices hold as many paths as the device binds.
+  void fit() {
+    const std::size_t pixels = iterating_ ? std::size_t{size_.x} * size_.y : 0;
+    vertices_ = static_cast<std::size_t>(std::max(settings_.bounces, 1));
+    paths_ = std::min<std::size_t>(pixels, memory_.most_elements(shared::kMirPlaces) / vertices_);
+    if (paths_ < pixels)
+      log_warning("mir: the device has room for the paths of {} of {} pixels; the others are not weighed", paths_,
+                  pixels);
+    for (const std::uint32_t array :
+         {shared::kMirPlaces, shared::kMirDirections, shared::kMirLinks, shared::kMirLights})
+      memory_.set_count(array, paths_ * vertices_);
+    memory_.set_count(shared::kMirEnds, paths_);
+    memory_.set_count(shared::kMirTotals, pixels);
+  }
+
+  // What the last frame stored.
+  void collect() {
+    if (!std::exchange(pending_, false)) return;
+    const Clock clock(host_ms_);
+    const std::uint32_t frame = frames_++;
+    const auto read = [&](std::uint32_t array, std::size_t count) {
+      return gpu::read_now<vec4>(tools_.device, memory_.buffer(array), count);
+    };
+    if (is_seen(frame)) pictures_.add(read(shared::kMirTotals, std::size_t{size_.x} * size_.y));
+    const bool keeps = is_seen(frame) && weighs_paths(weights()), learns = teaches(frame);
+    if (!keeps && !learns) return;
+    const auto ends = gpu::read_now<glm::uvec4>(tools_.device, memory_.buffer(shared::kMirEnds), paths_);
+    const std::size_t count = paths_ * vertices_;
+    const auto places = read(shared::kMirPlaces, count), directions = read(shared::kMirDirections, count),
+               links = read(shared::kMirLinks, count), lights = read(shared::kMirLights, count);
+    const auto iteration = static_cast<std::uint32_t>(seen_.size()) - 1;
+    std::vector<PathVertex> path;
+    for (std::size_t i = 0; i < paths_; ++i) {
+      const std::size_t first = i * vertices_, n = std::min<std::size_t>(ends[i].x, vertices_);
+      if (learns) {
+        vec3 incident(0.0f);  // from the last vertex on: radiance that comes to each
+        for (std::size_t k = n; k-- > 0;) {
+          incident = color_of(lights[first + k]) + (k + 1 < n ? color_of(links[first + k + 1]) * incident : vec3(0.0f));
+          const float pdf = directions[first + k].w;
+          if (!(pdf > 0) || taught_.size() >= kMostTaught) continue;
+          const bool guided = links[first + k].w > 0;
+          taught_.push_back({color_of(places[first + k]), color_of(directions[first + k]),
+                             guided ? shared::luminance(incident) / pdf : 0.0f});
+        }
+      }
+      if (!keeps) continue;
+      path.clear();
+      vec3 throughput(shared::uintBitsToFloat(ends[i].y));
+      for (std::size_t k = 0; k < n; ++k) {
+        throughput *= color_of(links[first + k]);
+        path.push_back({color_of(places[first + k]), places[first + k].w, color_of(directions[first + k]),
+                        links[first + k].w, throughput * color_of(lights[first + k]), directions[first + k].w});
+      }
+      store_.add(static_cast<std::uint32_t>(i), iteration, path);
+    }
+    store_.shrink(static_cast<std::uint64_t>(settings_.mir_storage * kMegabyte),
+                  [&](const PathStore::Path& gone) { let_go(gone); });
+  }
+
+  // Its share of the picture is that of the mixture of the iterations so far (Eq. 8).
+  void let_go(const PathStore::Path& path) {
+    ++let_go_;
+    if (settings_.mir_partial == 0) return;
+    for_each_ratio(trees_, store_.vertices(path), path.iteration, static_cast<std::uint32_t>(seen_.size()),
+                   settings_.mir_defence, [&](const PathVertex& vertex, std::span<const double> ratios) {
+                     shifted_[path.pixel] += glm::dvec3(vertex.light) * (partial_factor(ratios, seen_) - 1);
+                   });
+  }
+
+  void learn() {
+    collect();
+    const Clock clock(host_ms_);
+    const std::uint32_t teachers = decorrelated() ? planned_ - planned_ / 2 : planned_;
+    trees_.learn(taught_, static_cast<float>(teachers),
+                 {settings_.mir_split, settings_.mir_share, settings_.mir_filter != 0},
+                 static_cast<std::uint64_t>(settings_.seed) * 1024 + trees_.iterations());
+    taught_.clear();
+    std::vector<std::uint32_t> words = trees_.places();
+    words.insert(words.end(), trees_.firsts().begin(), trees_.firsts().end());
+    tree_.write(tools_, words, "guiding: spatial tree");
+    nodes_.write(tools_, trees_.nodes(), "guiding: directional trees");
+  }
+
+  // Of each path's light what its weight adds to the mean of all frames, times their number.
+  std::vector<vec4> finished_picture() {
+    const Clock clock(host_ms_);
+    std::vector<vec4> picture = pictures_.combined(weights());
+    const double samples = pictures_.samples();
+    if (!weighs_paths(weights()) || !(samples > 0)) return picture;
+    const auto iterations = static_cast<std::uint32_t>(seen_.size());
+    const bool aware = weights() == IterationWeights::kVarianceAware;
+    const std::vector<double> factors = aware ? pictures_.variance_factors() : std::vector<double>();
+    const auto& paths = store_.paths();
+    std::vector<glm::dvec3> shifts(paths.size(), glm::dvec3(0.0));
+    std::vector<std::uint32_t> others(paths.size());
+    parallel_for(paths.size(), 64, [&](std::size_t i) {
+      const std::span<const double> v =
+          aware ? std::span(factors).subspan(pictures_.tile_of(paths[i].pixel) * iterations, iterations)
+                : std::span<const double>();
+      others[i] = other_densities(trees_, store_.vertices(paths[i]), paths[i].iteration, settings_.mir_defence);
+      for_each_ratio(trees_, store_.vertices(paths[i]), paths[i].iteration, iterations, settings_.mir_defence,
+                     [&](const PathVertex& vertex, std::span<const double> ratios) {
+                       const double factor = aware ? variance_aware_factor(ratios, seen_, v, paths[i].iteration)
+                                                   : balance_factor(ratios, seen_);
+                       shifts[i] += glm::dvec3(vertex.light) * (samples * factor - 1);
+                     });
+    });
+    for (std::size_t i = 0; i < paths.size(); ++i) shifted_[paths[i].pixel] += shifts[i];
+    others_ = std::accumulate(others.begin(), others.end(), std::uint64_t{0});
+    vertices_weighed_ = 0;
+    for (const PathStore::Path& path : paths) vertices_weighed_ += path.count;
+    for (std::size_t i = 0; i < picture.size(); ++i) picture[i] += vec4(vec3(shifted_[i] / samples), 0.0f);
+    return picture;
+  }
+
+  TechniqueTools tools_;
+  gpu::Buffer uniform_;
+  TechniqueMemory memory_;
+  HostArray tree_{shared::kMirTree}, nodes_{shared::kMirNodes}, picture_{shared::kMirPicture};
+  RenderSettings settings_;
+  GuidingTrees trees_;
+  PathStore store_;
+  IterationPictures pictures_;
+  std::vector<GuidingSample> taught_;  // of this iteration
+  std::vector<double> seen_;           // samples a pixel that are seen, of each iteration
+  std::vector<glm::dvec3> shifted_;    // of pixels: light that weights added
+  uvec2 size_{0};
+  std::size_t vertices_ = 1, paths_ = 0;     // that are stored, of a path; of a frame
+  bool iterating_ = false, begins_ = false;  // with the next frame
+  bool pending_ = false;                     // a frame's paths are on the device
+  std::uint32_t planned_ = 0, frames_ = 0;   // samples of this iteration; those collected
+  std::uint32_t salt_ = 0;
+  std::uint64_t let_go_ = 0, vertices_weighed_ = 0, others_ = 0;  // paths; vertices; those of them of other densities
+  double host_ms_ = 0;
+};
+
+std::unique_ptr<Technique> make_mir(const TechniqueTools& tools, std::string_view name) {
+  return std::make_unique<MirTechnique>(tools, name);
+}
+
+}  // namespace
+
+extern constinit const TechniqueInfo kMir{
+    .name = "mir",
+    .description =
+        "offline, in iterations (fullbright-lab iterate): guided by what former iterations taught, and all paths of "
+        "all "
+        "iterations are weighed by all densities (multiple importance reweighting: Fan 2025); biased but for "
+        "r_mir_decorrelated 1; in play it is pt",
+    .bias = Bias::kBiased,
+    .make = make_mir,
+    .frames = Frames::kCorrelated,
+    .ends_iterations = true};
+
+}  // namespace fb::render
