@@ -2,6 +2,7 @@
 // settings or debug views of their own has rows here.
 #ifndef FB_ESTIMATORS_TECHNIQUES_H
 #define FB_ESTIMATORS_TECHNIQUES_H
+#include "estimators/ddgi/ddgi.h"
 #include "estimators/mcpg/mcpg.h"
 #include "estimators/mir/mir.h"
 #include "estimators/pstf/pstf.h"
@@ -14,9 +15,15 @@
   G("ReSTIR", FB_RESTIR_SETTINGS, X)              \
   G("Screen-space mixtures", FB_SSMM_SETTINGS, X) \
   G("Fields of light", FB_PSTF_SETTINGS, X)       \
-  G("Reweighting", FB_MIR_SETTINGS, X)
+  G("Reweighting", FB_MIR_SETTINGS, X)            \
+  G("Probes", FB_DDGI_SETTINGS, X)
 
 // Debug views.
-#define FB_TECHNIQUE_VIEWS(X) FB_MCPG_VIEWS(X) FB_RESTIR_VIEWS(X) FB_SSMM_VIEWS(X) FB_PSTF_VIEWS(X)
+#define FB_TECHNIQUE_VIEWS(X) \
+  FB_MCPG_VIEWS(X)            \
+  FB_RESTIR_VIEWS(X)          \
+  FB_SSMM_VIEWS(X)            \
+  FB_PSTF_VIEWS(X)            \
+  FB_DDGI_VIEWS(X)
 
 #endif

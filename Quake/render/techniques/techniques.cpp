@@ -24,7 +24,10 @@
   X(kPstfIsCvNee)        \
   X(kPstfB)              \
   X(kPstfBNee)           \
-  X(kMir)
+  X(kMir)                \
+  X(kDdgi)               \
+  X(kDdgiPlus)           \
+  X(kDdgiRestir)
 
 namespace fb::render {
 

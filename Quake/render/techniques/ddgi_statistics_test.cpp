@@ -1,0 +1,133 @@
+// How far probes are off: held to the path tracer with stated tolerances, and to closed forms of one lamp.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "render/test_device.h"
+#include "scene/in_code/code_scene_parts.h"
+#include "scene/in_code/scenes_in_code.h"
+#include "scene/shapes.h"
+
+namespace fb::render {
+namespace {
+
+using DdgiStatistics = DeviceTest;
+
+RenderSettings bias_settings(const std::string& estimator, int bounces) {
+  RenderSettings s;
+  s.intersector = Intersector::kBvh;
+  s.estimator = estimator;
+  s.bounces = bounces;
+  s.spp = 4;
+  s.jitter = 0;
+  return s;
+}
+
+// The mean luminance of what frames' means are, and its standard error over frames.
+struct FrameMeans {
+  double mean = 0, error = 0;
+};
+FrameMeans means_of(Renderer& renderer, const scene::FrameSnapshot& scene, RenderSettings s, int warm, int frames) {
+  s.accumulate = 0;
+  for (int i = 0; i < warm; ++i) renderer.render(scene, nullptr, s);
+  double sum = 0, square = 0;
+  for (int i = 0; i < frames; ++i) {
+    renderer.render(scene, nullptr, s);
+    double m = 0;
+    const std::vector<vec4> image = renderer.read().linear();
+    for (const vec4& p : image) m += static_cast<double>(p.y) / static_cast<double>(image.size());
+    sum += m / frames;
+    square += m * m / frames;
+  }
+  EXPECT_EQ(renderer.read().counters().not_finite, 0u);
+  return {sum, std::sqrt(std::max(square - sum * sum, 0.0) / (frames - 1))};
+}
+
+// Within so much of all reflections of a Cornell box, and of what two reflections are less than all.
+TEST_F(DdgiStatistics, ACornellBoxIsNearAllReflections) {
+  const scene::FrameSnapshot box = scene::cornell_box();
+  RenderSettings all = bias_settings("nee", 16);
+  all.spp = 32;
+  auto reference = make_renderer(all, 40, 40);
+  const FrameMeans truth = means_of(*reference, box, all, 2, 8);
+  struct Case {
+    const char* name;
+    double most;  // bias, relative
+  };
+  for (const Case& c : {Case{"ddgi", 0.08}, Case{"ddgi_plus", 0.05}, Case{"ddgi_restir", 0.05}}) {
+    const RenderSettings s = bias_settings(c.name, 3);
+    auto renderer = make_renderer(s, 40, 40);
+    const FrameMeans found = means_of(*renderer, box, s, 40, 16);
+    const double bias = found.mean / truth.mean - 1, error = std::hypot(found.error, truth.error) / truth.mean;
+    RecordProperty(c.name, std::to_string(bias) + " +- " + std::to_string(1.96 * error));
+    EXPECT_LT(std::abs(bias), c.most + 3 * error) << c.name;
+    EXPECT_LT(error, 0.01) << c.name << ": the test can see little";
+  }
+}
+
+// A sphere over a floor of little albedo: what probes say at the floor's middle is what falls on it by the inverse
+// square. Further attenuated (Section 3.3), lamps that are close to probes are darker.
+TEST_F(DdgiStatistics, OneLampLightsAPlane) {
+  constexpr float kRadius = 8, kRadiance = 100, kAlbedo = 0.1f;
+  scene::FrameSnapshot room = scene::one_light(kRadius, kRadiance, kAlbedo);
+  room.camera.position = vec3(0, 0, -100);
+  room.camera.angles = vec3(90, 0, 0);
+  room.camera.fov_x = 40;
+  room.prev_camera = room.camera;
+  const double expected = static_cast<double>(kAlbedo * kRadiance) * std::pow(static_cast<double>(kRadius) / 128, 2);
+  double found[2] = {};
+  for (const int attenuated : {0, 1}) {
+    RenderSettings s = bias_settings("ddgi_plus", 2);
+    s.ddgi_vertex = 1;
+    s.ddgi_spacing = 40;
+    s.ddgi_attenuation = static_cast<float>(attenuated);
+    s.ddgi_rays = 65536;
+    auto renderer = make_renderer(s, 24, 24);
+    found[attenuated] = means_of(*renderer, room, s, 40, 4).mean;
+  }
+  RecordProperty("ratio", std::to_string(found[0] / expected));
+  EXPECT_NEAR(found[0], 1.05 * expected, 0.15 * expected) << "probes are off the floor, and walls reflect a little";
+  EXPECT_LT(found[1], 0.9 * found[0]);
+}
+
+// Two rooms with a wall of 1 unit between them, one of them with a lamp: what is bright in the other has leaked. Probes
+// that ask whether they see a point leak less than those that do not, and what leaks lies one reflection further away
+// in ddgi_plus.
+TEST_F(DdgiStatistics, AThinWallLeaksLittle) {
+  auto assets = scene::new_code_assets();
+  const std::uint32_t walls = scene::add_material(*assets, "walls", vec3(0.7f));
+  const std::uint32_t light = scene::add_material(*assets, "light", vec3(0.0f), vec3(1.0f));
+  scene::Mesh rooms;
+  scene::add_box(rooms, {-240, -120, 0}, {0, 120, 160}, walls, true);
+  scene::add_box(rooms, {1, -120, 0}, {240, 120, 160}, walls, true);
+  const std::uint32_t mesh = scene::add_finished(*assets, std::move(rooms), "two rooms");
+  const std::uint32_t sphere = scene::add_sphere_mesh(*assets);
+  const auto seen_from = [&](float x, float yaw) {
+    scene::FrameSnapshot s = scene::still(assets, scene::camera_at({x, 0, 80}, {10, yaw, 0}, 90));
+    s.instances.push_back(scene::make_instance(scene::kIdWorld, mesh));
+    s.instances.push_back(
+        scene::glowing(scene::kIdEntityLight, sphere, light, {120, 40, 100}, vec3(10.0f), vec3(100.0f)));
+    return s;
+  };
+  double leaks[3] = {};
+  for (const int i : {0, 1, 2}) {
+    RenderSettings s = bias_settings(i == 2 ? "ddgi_plus" : "ddgi", 3);
+    s.ddgi_visibility = i == 0 ? 0 : 1;
+    s.ddgi_rays = 65536;
+    auto renderer = make_renderer(s, 32, 24);
+    const double lit = means_of(*renderer, seen_from(20, 0), s, 24, 2).mean;
+    leaks[i] = means_of(*renderer, seen_from(-220, 0), s, 8, 2).mean / lit;
+  }
+  RecordProperty("no visibility", std::to_string(leaks[0]));
+  RecordProperty("ddgi", std::to_string(leaks[1]));
+  RecordProperty("ddgi_plus", std::to_string(leaks[2]));
+  EXPECT_GT(leaks[0], 0.02);
+  EXPECT_LT(leaks[1], 0.3 * leaks[0]);
+  EXPECT_LT(leaks[2], 0.3 * leaks[0]);
+}
+
+}  // namespace
+}  // namespace fb::render
