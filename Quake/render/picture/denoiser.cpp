@@ -146,10 +146,28 @@ void Denoiser::add_passes(PassList& list, ShaderSet& shaders, const Variant& tra
   add_change(list, shaders, variant);
   list.dispatch("denoise_temporal", PassKind::kFrame,
                 shaders.get(light_block_ > 1 ? "denoise_temporal_sparse" : "denoise_temporal", variant), groups);
-  if (begins_baked_) list.dispatch("denoise_baked", PassKind::kFrame, shaders.get("denoise_baked", traced), groups);
+  if (begins_baked_) add_baked(list, shaders, traced);
   if (medium) add_layer(list, shaders, variant, "denoise_medium", medium);
   if (second) add_layer(list, shaders, variant, "denoise_second", second);
   add_wavelets(list, shaders, variant);
+}
+
+// The map's baked light in the place of a past.
+void Denoiser::add_baked(PassList& list, ShaderSet& shaders, const Variant& traced) const {
+  struct Step {
+    const gpu::ComputePipeline& pipeline;
+    uvec2 groups;
+  };
+  const uvec2 groups = groups_over(size_, 8), tiles = groups_over(groups_over(size_, shared::kChangeTile), 8);
+  const std::vector<Step> steps{{shaders.get("denoise_baked", traced), groups},
+                                {shaders.get("denoise_baked_sums"), tiles},
+                                {shaders.get("denoise_baked_join"), groups}};
+  list.add("denoise_baked", PassKind::kFrame, [steps](gpu::Commands& commands) {
+    for (const Step& step : steps) {
+      commands.dispatch(step.pipeline, step.groups.x, step.groups.y);
+      commands.barrier();
+    }
+  });
 }
 
 // How much of the history each tile of pixels keeps.

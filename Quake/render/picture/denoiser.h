@@ -76,6 +76,7 @@ class Denoiser {
   void fill_medium(shared::FrameConstants& c, const RenderSettings& settings, std::uint32_t turn, std::uint64_t frame);
   void add_layer(PassList& list, ShaderSet& shaders, const Variant& variant, const std::string& name,
                  const AskedGroups& groups) const;
+  void add_baked(PassList& list, ShaderSet& shaders, const Variant& traced) const;
   void add_change(PassList& list, ShaderSet& shaders, const Variant& variant) const;
   void add_wavelets(PassList& list, ShaderSet& shaders, const Variant& variant) const;
 

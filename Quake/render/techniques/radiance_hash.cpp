@@ -17,6 +17,8 @@ constexpr std::string_view kDisplayShaders[] = {
     "bloom_y",
     "debug_view",
     "denoise_baked",
+    "denoise_baked_join",
+    "denoise_baked_sums",
     "denoise_change",
     "denoise_change_decide",
     "denoise_change_sparse",

@@ -65,13 +65,16 @@ constexpr Named kSoundRows[] = {
     {"nosound", "No new sounds", "sounds are off; the music plays on"},
 };
 
+Control named_control(const con::Cvar& cvar, Named::As as) {
+  if (as == Named::As::kVolume) return slider_of(cvar, 0, 1, 0.1);
+  if (as == Named::As::kAutomatic) return choice_of(cvar, {{"-1", "automatic"}, {"0", "off"}, {"1", "on"}});
+  return control_of(cvar);
+}
+
 void add_named(Page& page, const con::Console& console, const Named& named) {
   const con::Cvar* cvar = console.find_cvar(named.cvar);
   if (!cvar || !cvar->has_effect()) return;
-  Control control = named.as == Named::As::kVolume ? slider_of(*cvar, 0, 1, 0.1)
-                    : named.as == Named::As::kAutomatic
-                        ? choice_of(*cvar, {{"-1", "automatic"}, {"0", "off"}, {"1", "on"}})
-                        : control_of(*cvar);
+  Control control = named_control(*cvar, named.as);
   Control standard = control;
   standard.read = [cvar] { return std::string(cvar->default_string()); };
   Row row = setting_row(*cvar, named.label, std::move(control));
