@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Checks the C++ sources and the shared shader headers against .clang-format; --fix rewrites them. Releases of
+# Checks the C++ sources and the shaders against .clang-format; --fix rewrites them. Releases of
 # clang-format differ in details, so the check is skipped unless it is release 14, which Debian 12 has.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-mapfile -t files < <(git ls-files 'Quake/*.cpp' 'Quake/*.h' 'Shaders/*.h' 'Shaders/*.cpp' | xargs ls -d 2>/dev/null)
+mapfile -t files < <(git ls-files 'Quake/*.cpp' 'Quake/*.h' 'Shaders/*.h' 'Shaders/*.cpp' 'Shaders/*.glsl' 'Shaders/*.comp' | xargs ls -d 2>/dev/null)
 [[ ${#files[@]} -gt 0 ]] || exit 0
 if [[ ${1:-} == --fix ]]; then
   clang-format -i "${files[@]}"

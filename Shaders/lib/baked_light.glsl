@@ -15,17 +15,19 @@ vec3 luxel(uint at) {
 
 bool has_baked_light(Hit hit) {
   uint face = attribute_at(instance_at(hit.instance).first_attribute + hit.triangle).face;
-  return frame.baked_image != kNoIndex && face < frame.baked_faces && baked_word(face * kBakedFaceWords + kBakedKind) != kBakedWhole;
+  return frame.baked_image != kNoIndex && face < frame.baked_faces &&
+         baked_word(face * kBakedFaceWords + kBakedKind) != kBakedWhole;
 }
 
-// What a display shows a texture times, of all styles, between luxels; 1 where the map says nothing: no face of a map, or
-// one that it shows whole.
+// What a display shows a texture times, of all styles, between luxels; 1 where the map says nothing: no face of a map,
+// or one that it shows whole.
 vec3 baked_light(Hit hit) {
   uint face = attribute_at(instance_at(hit.instance).first_attribute + hit.triangle).face;
   if (frame.baked_image == kNoIndex || face >= frame.baked_faces) return vec3(1.0);
   GpuTriangle t = triangle_at(instance_at(hit.instance).first_triangle + hit.triangle);
   vec3 point = t.v0.xyz + t.e1.xyz * hit.bary.x + t.e2.xyz * hit.bary.y;  // where the map has it
-  uint record = face * kBakedFaceWords, size = baked_word(record + kBakedSize), styles = baked_word(record + kBakedStyles);
+  uint record = face * kBakedFaceWords, size = baked_word(record + kBakedSize),
+       styles = baked_word(record + kBakedStyles);
   if (baked_word(record + kBakedKind) == kBakedWhole) return vec3(1.0);
   if (size == 0u) return vec3(0.0);
   vec2 most = vec2(size & 0xffffu, size >> 16u) - 1.0, at;

@@ -1,6 +1,7 @@
-// Cells of an adaptive hash grid (shared/hash_grid.h) in a table of slots: found by position and orientation at a level that the
-// distance to the camera chooses, in two slots, then in two of a coarser cell. A cell that has none may claim a slot that is empty,
-// or whose cell was not used for long. Before it the includer defines how a slot says what it holds:
+// Cells of an adaptive hash grid (shared/hash_grid.h) in a table of slots: found by position and orientation at a level
+// that the distance to the camera chooses, in two slots, then in two of a coarser cell. A cell that has none may claim
+// a slot that is empty, or whose cell was not used for long. Before it the includer defines how a slot says what it
+// holds:
 //
 //   uint cell_check(uint slot)   GridKey::check of its cell; 0: it is empty
 //   uint cell_age(uint slot)     frames since it was used
@@ -18,9 +19,9 @@ struct CellPlace {
   uint check;  // for the claim
 };
 
-// Of the cell about a point, one of the eight corners' at random, so that no border shows. `kind`: tells users of one table apart
-// (kCacheTag); `angle`: tangent of the angle that a cell subtends; `slots`: a power of two; `stale`: frames. Lanes that share `rng` choose
-// alike, so that they share memory.
+// Of the cell about a point, one of the eight corners' at random, so that no border shows. `kind`: tells users of one
+// table apart (kCacheTag); `angle`: tangent of the angle that a cell subtends; `slots`: a power of two; `stale`:
+// frames. Lanes that share `rng` choose alike, so that they share memory.
 CellPlace find_cell(vec3 p, vec3 axis, uint kind, float angle, uint slots, uint stale, inout uint rng) {
   CellPlace cell = CellPlace(kNoIndex, kNoIndex, 0u);
   vec3 u = vec3(rng_uniform(rng), rng_uniform(rng), rng_uniform(rng));

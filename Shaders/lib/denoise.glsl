@@ -30,8 +30,8 @@ uint shown_word(uint parity, uint at) {
   return history_shown(frame.width * frame.height, frame.smooth_width * frame.smooth_height, parity) + at;
 }
 
-// Eight bits that tell instances apart, and a liquid from the ground about it: what it mirrors is not the light that falls
-// there, though both may lie in one plane. `words`: the texel's fourth quad.
+// Eight bits that tell instances apart, and a liquid from the ground about it: what it mirrors is not the light that
+// falls there, though both may lie in one plane. `words`: the texel's fourth quad.
 bool is_liquid(uvec4 words) { return (words.w & kTexelLiquid) != 0u; }
 uint surface_name(uvec4 words) { return hash_u32(words.z ^ (is_liquid(words) ? 0x80000000u : 0u)) >> 24u; }
 
@@ -62,18 +62,19 @@ float left_by_medium(uint at, vec3 ray) {
   return haze.linear + haze.square > 0.0 ? haze_left(haze, uintBitsToFloat(gbuffer_quad(at, 4u).z) * length(ray)) : 1.0;
 }
 
-// `words`: the texel's fourth quad. The coat is taken at the geometric normal's angle: Schlick's weight of a normal map at
-// grazing angles differs from pixel to pixel by more than what is reflected, and neighbours that share their irradiance
-// would be too bright by that.
+// `words`: the texel's fourth quad. The coat is taken at the geometric normal's angle: Schlick's weight of a normal map
+// at grazing angles differs from pixel to pixel by more than what is reflected, and neighbours that share their
+// irradiance would be too bright by that.
 Reflector reflector(uint at, uvec4 words, vec3 ray) {
   vec4 a = uintBitsToFloat(gbuffer_quad(at, 1u)), e = uintBitsToFloat(gbuffer_quad(at, 2u));
   if (WITH_SECOND_SURFACES) a.rgb = max(a.rgb - second_at(at).albedo, vec3(0.0));
   float cos_view = abs(dot(unpack_direction(words.x), ray)) * inversesqrt(dot(ray, ray));
-  return Reflector(e.rgb, demodulation_factor(a.rgb, a.w, e.w, float(words.w >> 24u) / 255.0, cos_view) * left_by_medium(at, ray));
+  return Reflector(
+      e.rgb, demodulation_factor(a.rgb, a.w, e.w, float(words.w >> 24u) / 255.0, cos_view) * left_by_medium(at, ray));
 }
 
-// Irradiance that this frame's paths found at a pixel: on its own surface, and on the second one where there are two. A path
-// begins at one of them, so that one may have no sample; what the other has is then a guess at its light.
+// Irradiance that this frame's paths found at a pixel: on its own surface, and on the second one where there are two. A
+// path begins at one of them, so that one may have no sample; what the other has is then a guess at its light.
 struct Found {
   vec3 own, second;
   bool of_own, of_second;  // sampled
@@ -86,18 +87,22 @@ Found found_at(uint at, Reflector own, vec3 ray) {
   vec3 factor = second_factor(at, ray);
   float chance = chance_of_second(own.factor, factor);
   // The mean of the paths that began there, each without the factor for its choice.
-  vec3 of_own = (found - other.rgb) * ((1.0 - chance) / max(1.0 - other.w, 1e-6)), of_second = other.rgb * (chance / max(other.w, 1e-6));
-  Found f = Found(checked_irradiance(demodulate(of_own, own.factor)), checked_irradiance(demodulate(of_second, factor)), other.w < 1.0, other.w > 0.0);
+  vec3 of_own = (found - other.rgb) * ((1.0 - chance) / max(1.0 - other.w, 1e-6)),
+       of_second = other.rgb * (chance / max(other.w, 1e-6));
+  Found f = Found(checked_irradiance(demodulate(of_own, own.factor)), checked_irradiance(demodulate(of_second, factor)),
+                  other.w<1.0, other.w> 0.0);
   if (!f.of_own) f.own = f.second;
   if (!f.of_second) f.second = f.own;
   return f;
 }
 
-// How 1 / depth changes from pixel to pixel on the plane with this normal, relative to its value here: 1 / depth is linear
-// over the image of a plane.
+// How 1 / depth changes from pixel to pixel on the plane with this normal, relative to its value here: 1 / depth is
+// linear over the image of a plane.
 vec2 plane_slope(vec3 normal, vec3 ray) {
   float facing = dot(normal, ray);
   float scale = 2.0 / (abs(facing) > 1e-4 ? facing : -1e-4);
-  return vec2(dot(normal, frame.camera_right.xyz) / float(frame.width), -dot(normal, frame.camera_up.xyz) / float(frame.height)) * scale;
+  return vec2(dot(normal, frame.camera_right.xyz) / float(frame.width),
+              -dot(normal, frame.camera_up.xyz) / float(frame.height)) *
+         scale;
 }
 #endif

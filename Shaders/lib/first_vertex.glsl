@@ -1,11 +1,13 @@
-// The first vertex of a pixel's paths: what the camera sees there. The technique's step `learning` (kFollowsMotion) comes before.
+// The first vertex of a pixel's paths: what the camera sees there. The technique's step `learning` (kFollowsMotion)
+// comes before.
 #ifndef FB_LIB_FIRST_VERTEX
 #define FB_LIB_FIRST_VERTEX
 #include "lib/gbuffer_texel.glsl"
 #include "lib/interaction.glsl"
 #include "lib/pixel.glsl"
 
-// Where what a texel shows was in the former frame, within rounding; its position itself where that frame's camera had it behind it.
+// Where what a texel shows was in the former frame, within rounding; its position itself where that frame's camera had
+// it behind it.
 vec3 former_world(GBufferTexel g, vec2 point) {
   if (g.motion.w <= 0.0) return g.position_t.xyz;
   vec2 s = (point + g.motion.xy) / vec2(frame.width, frame.height) * 2.0 - 1.0;

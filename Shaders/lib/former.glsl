@@ -1,5 +1,6 @@
-// What the former frame saw: the texel of its G-buffer where a point was, with its whole BSDF, which pixels were lit in it, and
-// lights as they were. For techniques that use the former frame's samples (TechniqueInfo::wants_previous_gbuffer).
+// What the former frame saw: the texel of its G-buffer where a point was, with its whole BSDF, which pixels were lit in
+// it, and lights as they were. For techniques that use the former frame's samples
+// (TechniqueInfo::wants_previous_gbuffer).
 #ifndef FB_LIB_FORMER
 #define FB_LIB_FORMER
 #include "lib/gbuffer_texel.glsl"
@@ -7,9 +8,9 @@
 #include "lib/pixel.glsl"
 
 struct FormerTexel {
-  bool known;      // it shows the same surface
-  uvec2 pixel;     // the former frame's; within the picture, known or not
-  uint element;    // of the former half of an array of the pixels at which light is sampled: of former_lit_texel
+  bool known;    // it shows the same surface
+  uvec2 pixel;   // the former frame's; within the picture, known or not
+  uint element;  // of the former half of an array of the pixels at which light is sampled: of former_lit_texel
   GBufferTexel texel;
 };
 
@@ -30,8 +31,8 @@ FormerTexel former_texel_at(GBufferTexel now, uvec2 pixel, bool inside) {
   return f;
 }
 
-// Where an instance of the former frame's table is in this one's; kNoIndex: it is gone, or another mesh. Known where the list of
-// lights is wanted.
+// Where an instance of the former frame's table is in this one's; kNoIndex: it is gone, or another mesh. Known where
+// the list of lights is wanted.
 uint instance_now(uint former) {
   if (former >= frame.former_instances) return kNoIndex;
   return texelFetch(light_texels, int(frame.former_first + (former >> 2u)))[former & 3u];
@@ -44,8 +45,8 @@ FormerTexel former_texel(GBufferTexel now, uvec2 pixel) {
   return former_texel_at(now, uvec2(inside ? point : vec2(0.0)), inside);
 }
 
-// Of the block in which that was the pixel that was lit in the former frame, a few pixels off, `offset` blocks further on. At
-// the picture's edge it may lie beyond it, and is not known.
+// Of the block in which that was the pixel that was lit in the former frame, a few pixels off, `offset` blocks further
+// on. At the picture's edge it may lie beyond it, and is not known.
 FormerTexel former_lit_texel(GBufferTexel now, uvec2 pixel, ivec2 offset) {
   uint block = max(frame.former_light_block, 1u);
   vec2 point = vec2(pixel) + 0.5 + now.motion.xy + vec2(offset) * float(block);

@@ -1,5 +1,5 @@
-// The G-buffer: a plane for each four words of GBufferTexel, so that a pass that wants one reads no other's memory. Read
-// through a texel buffer where that is faster.
+// The G-buffer: a plane for each four words of GBufferTexel, so that a pass that wants one reads no other's memory.
+// Read through a texel buffer where that is faster.
 #ifndef FB_LIB_GBUFFER_TEXEL
 #define FB_LIB_GBUFFER_TEXEL
 #include "lib/frame_bindings.glsl"
@@ -17,11 +17,13 @@ GBufferTexel gbuffer_texel(uvec4 position, uvec4 albedo, uvec4 emission, uvec4 w
                       words.z, words.w, uintBitsToFloat(motion));
 }
 GBufferTexel gbuffer_at(uint at) {
-  return gbuffer_texel(gbuffer_quad(at, 0u), gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), gbuffer_quad(at, 3u), gbuffer_quad(at, 4u));
+  return gbuffer_texel(gbuffer_quad(at, 0u), gbuffer_quad(at, 1u), gbuffer_quad(at, 2u), gbuffer_quad(at, 3u),
+                       gbuffer_quad(at, 4u));
 }
 GBufferTexel previous_gbuffer_at(uint at) {
-  return gbuffer_texel(previous_gbuffer.at[in_plane(0u, at)], previous_gbuffer.at[in_plane(1u, at)], previous_gbuffer.at[in_plane(2u, at)],
-                       previous_gbuffer.at[in_plane(3u, at)], previous_gbuffer.at[in_plane(4u, at)]);
+  return gbuffer_texel(previous_gbuffer.at[in_plane(0u, at)], previous_gbuffer.at[in_plane(1u, at)],
+                       previous_gbuffer.at[in_plane(2u, at)], previous_gbuffer.at[in_plane(3u, at)],
+                       previous_gbuffer.at[in_plane(4u, at)]);
 }
 void store_gbuffer(uint at, GBufferTexel t) {
   gbuffer.at[in_plane(0u, at)] = floatBitsToUint(t.position_t);

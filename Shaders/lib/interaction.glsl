@@ -1,4 +1,5 @@
-// A vertex of a path: an interaction of light with the scene. Where it is, whence it is seen, and how light scatters there.
+// A vertex of a path: an interaction of light with the scene. Where it is, whence it is seen, and how light scatters
+// there.
 #ifndef FB_LIB_INTERACTION
 #define FB_LIB_INTERACTION
 #include "lib/scatter.glsl"
@@ -16,22 +17,25 @@ struct Vertex {
   bool glows;   // itself, at this very point; false where that is not known
 };
 
-// What a point is in: the material in the low half, the one around that in the high half, kNoMaterial for air. So kNoIndex is air,
-// and glass in water knows what is behind it; what is around both is taken for air.
+// What a point is in: the material in the low half, the one around that in the high half, kNoMaterial for air. So
+// kNoIndex is air, and glass in water knows what is behind it; what is around both is taken for air.
 const uint kNoMaterial = 0xffffu;
 uint medium_within(uint around, uint material) { return around << 16u | material; }
 uint medium_around(uint liquid) { return kNoMaterial << 16u | liquid >> 16u; }
 float medium_index(uint liquid) { return liquid == kNoIndex ? 1.0 : material_at(liquid & kNoMaterial).emission.w; }
 
 Vertex surface_vertex(Surface s, vec3 view) {
-  return Vertex(s.position, s.position, view, Scatter(s.normal, s.shading_normal, s.bsdf, false, kNoPhase), kNoIndex, s.emission != vec3(0.0));
+  return Vertex(s.position, s.position, view, Scatter(s.normal, s.shading_normal, s.bsdf, false, kNoPhase), kNoIndex,
+                s.emission != vec3(0.0));
 }
 
 // A point of the medium between surfaces, or of a liquid.
 Vertex medium_vertex(vec3 position, vec3 view, uint liquid) {
   bool fog = !FEATURE_WATER || liquid == kNoIndex;
-  PhaseFunction phase = PhaseFunction(fog ? frame.medium_phase.x : frame.medium_phase.w, fog ? frame.medium_phase.y : 0.0);
-  return Vertex(position, position, view, Scatter(view, view, Bsdf(vec3(0.0), 1.0, 0.0, 0.0), true, phase), liquid, false);
+  PhaseFunction phase =
+      PhaseFunction(fog ? frame.medium_phase.x : frame.medium_phase.w, fog ? frame.medium_phase.y : 0.0);
+  return Vertex(position, position, view, Scatter(view, view, Bsdf(vec3(0.0), 1.0, 0.0, 0.0), true, phase), liquid,
+                false);
 }
 
 vec3 extinction_of(GpuMaterial m) { return vec3(m.extinction_r, m.extinction_g, m.extinction_b); }

@@ -1,5 +1,5 @@
-// What the denoiser keeps apart from the light on pixels' own surfaces, at blocks of pixels, each a texel (shared/denoise.h,
-// LayerTexel): what a medium scatters, and the light on second surfaces (lib/second_surface.glsl).
+// What the denoiser keeps apart from the light on pixels' own surfaces, at blocks of pixels, each a texel
+// (shared/denoise.h, LayerTexel): what a medium scatters, and the light on second surfaces (lib/second_surface.glsl).
 #ifndef FB_LIB_LAYERS
 #define FB_LIB_LAYERS
 #include "lib/denoise.glsl"
@@ -11,27 +11,31 @@ struct Layer {
   ivec2 size;  // blocks
   uint first;  // texel of its first slot
 };
-Layer layer_of(uint block, uint width, uint first) { return Layer(block, ivec2(width, (frame.height + block - 1u) / block), first); }
+Layer layer_of(uint block, uint width, uint first) {
+  return Layer(block, ivec2(width, (frame.height + block - 1u) / block), first);
+}
 Layer medium_layer() { return layer_of(frame.medium_block, frame.medium_width, frame.medium_layer); }
 Layer second_layer() { return layer_of(frame.light_block, frame.light_width, frame.second_layer); }
 uint layer_slot(Layer layer, uint slot) { return layer.first + slot * uint(layer.size.x * layer.size.y); }
 
 struct LayerLight {
-  vec3 light;        // over the pixel's factor
-  float frames;      // 0: none
-  uint place;        // pack_surface of where it comes from
+  vec3 light;               // over the pixel's factor
+  float frames;             // 0: none
+  uint place;               // pack_surface of where it comes from
   float mean, mean_square;  // of luminance
 };
 LayerLight unpack_layer(uvec4 t) {
   vec2 moments = unpackHalf2x16(t.w);
-  return LayerLight(vec3(unpackHalf2x16(t.x), unpackHalf2x16(t.y & 0xffffu).x), float(t.y >> 16u), t.z, moments.x, moments.y * moments.y);
+  return LayerLight(vec3(unpackHalf2x16(t.x), unpackHalf2x16(t.y & 0xffffu).x), float(t.y >> 16u), t.z, moments.x,
+                    moments.y * moments.y);
 }
 uvec4 pack_layer(LayerLight m) {
-  return uvec4(packHalf2x16(m.light.rg), (packHalf2x16(vec2(m.light.b, 0.0)) & 0xffffu) | (uint(m.frames + 0.5) << 16u), m.place,
-               packHalf2x16(vec2(m.mean, sqrt(max(m.mean_square, 0.0)))));
+  return uvec4(packHalf2x16(m.light.rg), (packHalf2x16(vec2(m.light.b, 0.0)) & 0xffffu) | (uint(m.frames + 0.5) << 16u),
+               m.place, packHalf2x16(vec2(m.mean, sqrt(max(m.mean_square, 0.0)))));
 }
 
-// How alike two places are, as a factor of weight: the fourth power of the ratio of their depths, less where they are turned.
+// How alike two places are, as a factor of weight: the fourth power of the ratio of their depths, less where they are
+// turned.
 float layer_alike(uint a, uint b) {
   vec3 turned = unpack_surface_normal(a) - unpack_surface_normal(b);
   float x = unpack_surface_inverse_depth(a), y = unpack_surface_inverse_depth(b);
@@ -41,14 +45,14 @@ float layer_alike(uint a, uint b) {
 
 // What a layer has at a pixel.
 struct LayerThere {
-  vec3 factor;   // on its light; zero: it has none here
-  float depth;   // of the place it comes from, along the view
-  vec3 normal;   // there
+  vec3 factor;  // on its light; zero: it has none here
+  float depth;  // of the place it comes from, along the view
+  vec3 normal;  // there
 };
 uint place_of(LayerThere there) { return pack_surface(1.0 / max(there.depth, 1e-6), there.normal); }
 
-// What scatters on a pixel's way, fog and a liquid together: its light is what would be scattered if the medium took all light; its
-// place, where light scatters in the mean. `ray`: to the pixel, 1 along the view.
+// What scatters on a pixel's way, fog and a liquid together: its light is what would be scattered if the medium took
+// all light; its place, where light scatters in the mean. `ray`: to the pixel, 1 along the view.
 LayerThere medium_there(uint at, vec3 ray) {
   float depth = uintBitsToFloat(gbuffer_quad(at, 4u).z), reach = depth > 0.0 ? depth * length(ray) : 1e6;
   vec3 factor = frame.medium.rgb * haze_opacity(camera_haze(), reach);
@@ -70,8 +74,8 @@ LayerThere second_there(uint at, vec3 ray) {
   return LayerThere(second_factor(at, ray), none ? 1.0 : s.depth, none ? vec3(0.0, 0.0, 1.0) : second_normal(at));
 }
 
-// A layer's light at a pixel, from slot 3: of the four blocks about it, those of its place. `guess`: where none has any.
-// Where no pixel of the frame has the layer the slot was not written.
+// A layer's light at a pixel, from slot 3: of the four blocks about it, those of its place. `guess`: where none has
+// any. Where no pixel of the frame has the layer the slot was not written.
 vec3 layer_color(Layer layer, LayerThere there, uvec2 pixel, vec3 guess) {
   if (there.factor == vec3(0.0)) return vec3(0.0);
   uint place = place_of(there);

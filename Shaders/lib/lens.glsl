@@ -1,5 +1,5 @@
-// What lies between the scene's radiance and the tone curve: the light that a lens spreads, and an exposure of its own for
-// every part of the picture.
+// What lies between the scene's radiance and the tone curve: the light that a lens spreads, and an exposure of its own
+// for every part of the picture.
 #ifndef FB_LIB_LENS
 #define FB_LIB_LENS
 #include "lib/exposure.glsl"

@@ -1,12 +1,12 @@
-// Candidates of which a vertex chooses one light to look for: some are drawn of the lamps that rays from hereabouts found in
-// past frames (shared/seen_grid.h), the others of the whole list.
+// Candidates of which a vertex chooses one light to look for: some are drawn of the lamps that rays from hereabouts
+// found in past frames (shared/seen_grid.h), the others of the whole list.
 #ifndef FB_LIB_LIGHT_CANDIDATES
 #define FB_LIB_LIGHT_CANDIDATES
 #include "lib/lights.glsl"
 #include "lib/seen_grid.glsl"
 
-// How many there are (r_nee_candidates), and how many of them remembered lamps have (r_nee_remembered). The technique defines
-// them, from its constants.
+// How many there are (r_nee_candidates), and how many of them remembered lamps have (r_nee_remembered). The technique
+// defines them, from its constants.
 uint light_candidates();
 uint remembered_candidates();
 // Whether they are weighed by what arrived between two places (r_nee_visibility), and by which table of it.
@@ -76,6 +76,7 @@ void count_way(uint way, bool met) {
 
 // A ray found a lamp's light, the sum of whose channels is `brought`.
 void remember_lamp(uint cell, uint name, float brought, inout uint rng) {
-  if (name != 0u && brought > 0.0) atomicMax(seen_words.at[kSeenFoundWords + cell], lamp_found(name, brought, rng_uniform(rng)));
+  if (name != 0u && brought > 0.0)
+    atomicMax(seen_words.at[kSeenFoundWords + cell], lamp_found(name, brought, rng_uniform(rng)));
 }
 #endif

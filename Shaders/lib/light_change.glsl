@@ -6,7 +6,8 @@
 
 uvec2 change_tiles() { return (uvec2(frame.width, frame.height) + kChangeTile - 1u) / kChangeTile; }
 uint change_word(uvec2 tile) {
-  return first_layer(frame.width * frame.height, frame.smooth_width * frame.smooth_height) * 4u + (tile.y * change_tiles().x + tile.x) * kChangeWords;
+  return first_layer(frame.width * frame.height, frame.smooth_width * frame.smooth_height) * 4u +
+         (tile.y * change_tiles().x + tile.x) * kChangeWords;
 }
 ChangeSums change_sums(uvec2 tile) {
   uint at = change_word(tile) / 4u;

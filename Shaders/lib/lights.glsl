@@ -1,5 +1,5 @@
-// The list of lights (shared/scene_gpu.h): triangles that glow, each with a probability, and the lamps that they are of.
-// All densities are per solid angle as seen from the origin of the ray.
+// The list of lights (shared/scene_gpu.h): triangles that glow, each with a probability, and the lamps that they are
+// of. All densities are per solid angle as seen from the origin of the ray.
 #ifndef FB_LIB_LIGHTS
 #define FB_LIB_LIGHTS
 #include "lib/frame_bindings.glsl"

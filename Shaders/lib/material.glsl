@@ -25,17 +25,17 @@ struct Shade {
   vec3 emission;
 };
 
-// How a texture is looked up: one of kFilter*; `footprint`: what a step of a pixel to the right and one down are in texture
-// coordinates, for kFilterFootprint.
+// How a texture is looked up: one of kFilter*; `footprint`: what a step of a pixel to the right and one down are in
+// texture coordinates, for kFilterFootprint.
 struct TextureFilter {
   uint kind;
   mat2 footprint;
 };
 const TextureFilter kNearest = TextureFilter(kFilterNearest, mat2(0.0));
 
-// Four points of a pixel, one in each quarter of it, relative to where the camera's ray meets the texture. Rays are jittered
-// about the pixel's middle; over the frames the points cover the pixel, and no more. Where the picture is scaled up over time
-// the pixel is one of the output's, about where the ray meets the texture.
+// Four points of a pixel, one in each quarter of it, relative to where the camera's ray meets the texture. Rays are
+// jittered about the pixel's middle; over the frames the points cover the pixel, and no more. Where the picture is
+// scaled up over time the pixel is one of the output's, about where the ray meets the texture.
 vec2 footprint_tap(TextureFilter filtered, vec2 quarter) {
   vec2 jitter = vec2(frame.jitter_x, frame.jitter_y);
   return filtered.footprint * (frame.tap_size * (0.5 * quarter - 0.25) + frame.tap_shift * jitter);
@@ -53,8 +53,8 @@ float emission_share(uint instance_index, GpuMaterial m, vec3 direction, float d
   return fall * spot_share(-dot(direction, axis) * inversesqrt(dot(axis, axis)), lamp.color.w, lamp.emission.w);
 }
 
-// Colour and own radiance of a point; a sky's radiance is added by who knows the direction. All texels come through one fetch
-// in a loop, since a driver's compiler takes long over every copy of it.
+// Colour and own radiance of a point; a sky's radiance is added by who knows the direction. All texels come through one
+// fetch in a loop, since a driver's compiler takes long over every copy of it.
 Shade shade_point(GpuMaterial m, uint instance_index, vec2 uv, TextureFilter filtered) {
   if ((instance_at(instance_index).flags & kInstanceHasColor) != 0u) {
     return Shade(instance_at(instance_index).color.rgb, instance_at(instance_index).emission.rgb);

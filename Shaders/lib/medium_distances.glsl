@@ -1,16 +1,17 @@
-// From where on the camera's way a medium scattered light to it in past frames: for each block of pixels the moments of its
-// distance, weighted by the light, a running mean. So distances can be guided in screen space, as the directions of paths that
-// begin there are in the world's. What a path brings is divided by the density with which its distance was drawn, whatever these hold.
+// From where on the camera's way a medium scattered light to it in past frames: for each block of pixels the moments of
+// its distance, weighted by the light, a running mean. So distances can be guided in screen space, as the directions of
+// paths that begin there are in the world's. What a path brings is divided by the density with which its distance was
+// drawn, whatever these hold.
 #ifndef FB_LIB_MEDIUM_DISTANCES
 #define FB_LIB_MEDIUM_DISTANCES
 #include "lib/pixel.glsl"
 #include "lib/work.glsl"
 #include "shared/medium.h"
 
-const float kMostFrames = 32.0;      // of a running mean
-const float kMostSurprise = 16.0;    // as many times the light so far a frame may bring to it, once it knows some frames
-const float kLeastSpread = 0.05;     // of the mean distance
-const float kFirstSpread = 0.5;      // likewise, of one frame
+const float kMostFrames = 32.0;    // of a running mean
+const float kMostSurprise = 16.0;  // as many times the light so far a frame may bring to it, once it knows some frames
+const float kLeastSpread = 0.05;   // of the mean distance
+const float kFirstSpread = 0.5;    // likewise, of one frame
 
 struct Distances {
   float light, first, second;  // mean light; that times its distance; times the distance's square
@@ -31,7 +32,8 @@ Distances former_distances(vec2 pixel) {
   uint i = 0u;
   do {
     vec2 offset = vec2(i & 1u, i >> 1u), along = mix(1.0 - f, f, offset);
-    sum += along.x * along.y * radiance.at[distances_at(frame.distances_former, uvec2(clamp(ivec2(corner + offset), ivec2(0), last)))];
+    sum += along.x * along.y *
+           radiance.at[distances_at(frame.distances_former, uvec2(clamp(ivec2(corner + offset), ivec2(0), last)))];
   } while (++i < 4u);
   return Distances(sum.x, sum.y, sum.z, sum.w);
 }

@@ -1,7 +1,7 @@
-// Light that a medium scatters to the camera before the surface that a pixel shows, fog or a liquid: paths whose first vertex is in
-// it, at a distance that is sampled by transmittance, about a point that may glow (equi-angular, Kulla and Fajardo 2012) or, by
-// techniques that learn, about where light came from in past frames. That point is drawn before and apart from all else, so that
-// each path's density is of it alone.
+// Light that a medium scatters to the camera before the surface that a pixel shows, fog or a liquid: paths whose first
+// vertex is in it, at a distance that is sampled by transmittance, about a point that may glow (equi-angular, Kulla and
+// Fajardo 2012) or, by techniques that learn, about where light came from in past frames. That point is drawn before
+// and apart from all else, so that each path's density is of it alone.
 #ifndef FB_LIB_MEDIUM_PATH
 #define FB_LIB_MEDIUM_PATH
 #include "lib/medium_distances.glsl"
@@ -41,8 +41,8 @@ float before_surface(GBufferTexel g) {
 
 MediumPiece fog_piece(vec3 direction, GBufferTexel g, float reach) {
   Haze haze = camera_haze();
-  return MediumPiece(frame.camera_position.xyz, direction, 0.0, reach, kNoIndex, vec3(haze.linear), haze.linear, haze.square,
-                     frame.medium.rgb * ((haze.square > 0.0 ? 1.0 : haze.linear) * before_surface(g)));
+  return MediumPiece(frame.camera_position.xyz, direction, 0.0, reach, kNoIndex, vec3(haze.linear), haze.linear,
+                     haze.square, frame.medium.rgb * ((haze.square > 0.0 ? 1.0 : haze.linear) * before_surface(g)));
 }
 
 MediumPiece piece_of(LiquidPiece p, vec3 ray) {
@@ -78,7 +78,8 @@ void light_in_medium(PathPixel p) {
   }
   Distances known = Distances(0.0, 0.0, 0.0, 0.0);
   if (guides) {
-    float mean = of_liquid > 0.0 ? within.start + mean_interaction(within.least, within.reach) : haze_mean(camera_haze(), reach);
+    float mean =
+        of_liquid > 0.0 ? within.start + mean_interaction(within.least, within.reach) : haze_mean(camera_haze(), reach);
     vec3 before = previous_pixel(frame.camera_position.xyz + ray * mean);
     known = former_distances(before.z > 0.0 ? before.xy : vec2(pixel) + 0.5);
   }
@@ -95,7 +96,8 @@ void light_in_medium(PathPixel p) {
     }
     vec3 place;
     bool about = point_of_light(rng, place);
-    DistanceMix distances = distance_mix(piece.least, piece.reach, about ? frame.fog_about : 0.0, place - piece.origin, piece.direction);
+    DistanceMix distances =
+        distance_mix(piece.least, piece.reach, about ? frame.fog_about : 0.0, place - piece.origin, piece.direction);
     distances.square = piece.square;
     if (guides) distances = guided_by(known, distances, piece.start);
     float distance = sample_distance(distances, rng_uniform(rng));

@@ -1,58 +1,68 @@
-// The path loop that every technique shares. Transport is here: distances, throughput, emission that is met, the tail. What a
-// technique does of its own are its steps; it includes or defines each of them before this file (lib/steps/ has those of a
-// technique that lacks one, which cost nothing). In the order in which a vertex takes them:
+// The path loop that every technique shares. Transport is here: distances, throughput, emission that is met, the tail.
+// What a technique does of its own are its steps; it includes or defines each of them before this file (lib/steps/ has
+// those of a technique that lacks one, which cost nothing). In the order in which a vertex takes them:
 //
 //   begin     struct PathOwn                                                     what its paths carry
-//             void begin_path(inout Path path, uvec2 block, uint i)              path i of the pixel that is lit in the block
-//   field     struct Field                                                       what is known of the light about a point
-//             const bool kHasField, kEndsInField                                 kEndsInField: biased, paths end in the field
-//             Field field_at(Vertex v, inout Path path)
-//             vec3 field_reflection(Field there, Field here, Vertex v)           light that `v` reflects, as far as it is known
-//             bool field_suffices(Field there, Field here, Path path)            known well enough to end a path
-//   proposal  struct Guidance                                                    what is known at a vertex: lobes, reservoirs ...
+//             void begin_path(inout Path path, uvec2 block, uint i)              path i of the pixel that is lit in the
+//             block
+//   field     struct Field                                                       what is known of the light about a
+//   point
+//             const bool kHasField, kEndsInField                                 kEndsInField: biased, paths end in the
+//             field Field field_at(Vertex v, inout Path path) vec3 field_reflection(Field there, Field here, Vertex v)
+//             light that `v` reflects, as far as it is known bool field_suffices(Field there, Field here, Path path)
+//             known well enough to end a path
+//   proposal  struct Guidance                                                    what is known at a vertex: lobes,
+//   reservoirs ...
 //             void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g)
 //             Proposal propose(Vertex v, inout Guidance g, inout uint rng)
 //             float proposal_pdf(Vertex v, Guidance g, vec3 direction, float scatter_pdf)
-//                                                                                density of propose in any direction, from the
-//                                                                                density of the vertex's own scattering
+//                                                                                density of propose in any direction,
+//                                                                                from the density of the vertex's own
+//                                                                                scattering
 //   direct    const bool kLooksForLight
 //             Direct look_for_light(Vertex v, inout Guidance g, inout Path path, inout uint rng)   by a ray more
 //             float met_share(Vertex v, Segment way, Proposal p, vec3 emission, inout Path path)
-//                                                                                of emission that is met before the last vertex
-//             Direct last_light(Vertex v, inout Path path, inout uint rng)       by a path's last ray, which looks for it in turns
-//             bool point_of_light(inout uint rng, out vec3 place)                a point that may glow, for distances in a medium
-//   control   const bool kHasControl                                             a control variate h of what a vertex reflects
-//             vec3 control_mean(Vertex v, Guidance g, Field here)                the integral of h over all directions, exact
-//             vec3 control_at(Vertex v, Guidance g, Field here, vec3 direction)  h; zero where propose never goes
-//   learning  const bool kLearns, kFollowsMotion                                 kFollowsMotion: Vertex::previous is set
+//                                                                                of emission that is met before the
+//                                                                                last vertex
+//             Direct last_light(Vertex v, inout Path path, inout uint rng)       by a path's last ray, which looks for
+//             it in turns bool point_of_light(inout uint rng, out vec3 place)                a point that may glow, for
+//             distances in a medium
+//   control   const bool kHasControl                                             a control variate h of what a vertex
+//   reflects
+//             vec3 control_mean(Vertex v, Guidance g, Field here)                the integral of h over all directions,
+//             exact vec3 control_at(Vertex v, Guidance g, Field here, vec3 direction)  h; zero where propose never goes
+//   learning  const bool kLearns, kFollowsMotion                                 kFollowsMotion: Vertex::previous is
+//   set
 //             void learn_direct(Guidance g, Direct direct, Path path, inout uint rng)
 //             void learn_waste(Guidance g, Path path)                            the direction was of no use
-//             void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout Path path, inout uint rng)
-//             void learn_last(Field here, Direct direct, Path path, inout uint rng)
-//   record    const bool kRecords                                                what a path did, for who stores it. The light of
-//             its rest as vertex i reflects it is r_i = direct_i + weight_i (incident_i.emission + incident_i.way.left r_(i+1)):
-//             no division by a throughput that may be zero
-//             void record_direct(inout Path path, Vertex v, Guidance g, Direct direct, vec3 throughput)
-//             void record_hit(inout Path path, Vertex v, Guidance g, Proposal p, Incident incident, vec3 throughput)    at misses, too
-//             void record_last(inout Path path, Vertex v, Direct direct, vec3 throughput)    of a last vertex that is apart
-//             void record_path(Path path, vec3 sum, inout uint rng)              its end, whatever ended it
-//             void record_none(uvec2 block, uvec2 pixel)                         a pixel of the picture that has no path
+//             void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout Path path, inout uint
+//             rng) void learn_last(Field here, Direct direct, Path path, inout uint rng)
+//   record    const bool kRecords                                                what a path did, for who stores it.
+//   The light of
+//             its rest as vertex i reflects it is r_i = direct_i + weight_i (incident_i.emission + incident_i.way.left
+//             r_(i+1)): no division by a throughput that may be zero void record_direct(inout Path path, Vertex v,
+//             Guidance g, Direct direct, vec3 throughput) void record_hit(inout Path path, Vertex v, Guidance g,
+//             Proposal p, Incident incident, vec3 throughput)    at misses, too void record_last(inout Path path,
+//             Vertex v, Direct direct, vec3 throughput)    of a last vertex that is apart void record_path(Path path,
+//             vec3 sum, inout uint rng)              its end, whatever ended it void record_none(uvec2 block, uvec2
+//             pixel)                         a pixel of the picture that has no path
 //   views     const bool kHasViews; void draw_view(...)                          lib/steps/no_views.glsl
 #ifndef FB_LIB_PATH
 #define FB_LIB_PATH
 #include "lib/incident.glsl"
 
-// What a control variate adds to the estimate of what a vertex reflects: its integral less its own estimate by the direction that
-// was drawn, of whatever use that is. Directions of smooth interfaces have no density that it could be weighed by.
+// What a control variate adds to the estimate of what a vertex reflects: its integral less its own estimate by the
+// direction that was drawn, of whatever use that is. Directions of smooth interfaces have no density that it could be
+// weighed by.
 vec3 control_variate(Vertex v, Guidance g, Field here, Proposal p) {
   bool drawn = p.pdf > 0.0 && (p.flags & kScatterDelta) == 0u;
   return control_mean(v, g, here) - (drawn ? control_at(v, g, here, p.direction) / p.pdf : vec3(0.0));
 }
 
-// Radiance that the first vertex reflects to its viewer, by at most path.most - path.depth further reflections. Where lights are
-// looked for, the last of several vertices is treated apart (last_light): one ray serves there both to look for light and to be
-// scattered, and it is not guided. Paths that end in the field have no such vertex: those that go on teach the field, which
-// wants all light at their last vertex.
+// Radiance that the first vertex reflects to its viewer, by at most path.most - path.depth further reflections. Where
+// lights are looked for, the last of several vertices is treated apart (last_light): one ray serves there both to look
+// for light and to be scattered, and it is not guided. Paths that end in the field have no such vertex: those that go
+// on teach the field, which wants all light at their last vertex.
 vec3 trace_path(Vertex v, inout Path path, inout uint rng) {
   const bool last_apart = kLooksForLight && !kEndsInField && !SMALL && !ONE_BOUNCE;
   uint end_depth = last_apart && path.most > 1u ? path.most - 1u : path.most;  // of the vertices that are alike
@@ -90,7 +100,8 @@ vec3 trace_path(Vertex v, inout Path path, inout uint rng) {
     Surface s;
     s.emission = vec3(0.0);
     s.sky = true;
-    if (!dark || !(kLearns || kRecords)) s = load_surface(incident.way.hit, incident.way.direction, kFilterNearest, path.last, false);
+    if (!dark || !(kLearns || kRecords))
+      s = load_surface(incident.way.hit, incident.way.direction, kFilterNearest, path.last, false);
     if (kLooksForLight) s.emission *= met_share(v, incident.way, proposal, s.emission, path);
     vec3 left = incident.way.left;
     incident.sky = s.sky;

@@ -1,5 +1,5 @@
-// What the path loop hands to the steps of a technique (lib/path.glsl). The technique's step `begin` defines PathOwn, what its
-// paths carry of their own, before.
+// What the path loop hands to the steps of a technique (lib/path.glsl). The technique's step `begin` defines PathOwn,
+// what its paths carry of their own, before.
 #ifndef FB_LIB_PATH_STATE
 #define FB_LIB_PATH_STATE
 #include "lib/segment.glsl"
@@ -23,9 +23,11 @@ layout(constant_id = kSpecSmall) const bool SMALL = false;
 // Most reflections of the paths of pixels; scattering in a medium is the first of those that begin there.
 uint most_reflections() { return ONE_BOUNCE ? 1u : IN_MEDIUM ? uint(frame.medium_bounces) : uint(frame.bounces); }
 
-// The number of a path's vertex among all of this frame's paths of pixels: those that begin in the medium come after all others.
+// The number of a path's vertex among all of this frame's paths of pixels: those that begin in the medium come after
+// all others.
 uint vertex_number(Path path) {
-  uint others = frame.light_width * ((frame.height + frame.light_block - 1u) / frame.light_block) * uint(frame.spp * frame.bounces);
+  uint others = frame.light_width * ((frame.height + frame.light_block - 1u) / frame.light_block) *
+                uint(frame.spp * frame.bounces);
   return path.number * most_reflections() + (IN_MEDIUM ? others : 0u) + path.depth;
 }
 

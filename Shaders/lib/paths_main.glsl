@@ -4,13 +4,13 @@
 #include "lib/path.glsl"
 #include "lib/store_light.glsl"
 
-// The technique draws the picture itself: a debug view of its own. A constant, since lavapipe runs both sides of a branch.
+// The technique draws the picture itself: a debug view of its own. A constant, since lavapipe runs both sides of a
+// branch.
 layout(constant_id = kSpecShowView) const bool SHOW_VIEW = false;
 
-// A technique that learns traces a frame's paths in parts, each every so many rows of workgroups (render/techniques/technique.h).
-layout(push_constant) uniform Part {
-  uint row_step, first_row;
-};
+// A technique that learns traces a frame's paths in parts, each every so many rows of workgroups
+// (render/techniques/technique.h).
+layout(push_constant) uniform Part { uint row_step, first_row; };
 
 uvec2 block_of_part() {
   uint row = gl_WorkGroupID.y;

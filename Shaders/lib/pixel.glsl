@@ -1,5 +1,5 @@
-// Which pixel an invocation works on, and the camera's rays. A workgroup of 64 covers 8x8 pixels in Morton order, so that
-// eight neighbouring lanes hold 4x2 pixels.
+// Which pixel an invocation works on, and the camera's rays. A workgroup of 64 covers 8x8 pixels in Morton order, so
+// that eight neighbouring lanes hold 4x2 pixels.
 #ifndef FB_LIB_PIXEL
 #define FB_LIB_PIXEL
 #include "lib/frame_bindings.glsl"
@@ -9,7 +9,8 @@ layout(local_size_x = 64) in;
 
 uvec2 invocation_pixel() {
   uint i = gl_LocalInvocationID.x;
-  uvec2 in_tile = uvec2((i & 1u) | ((i >> 1u) & 2u) | ((i >> 2u) & 4u), ((i >> 1u) & 1u) | ((i >> 2u) & 2u) | ((i >> 3u) & 4u));
+  uvec2 in_tile =
+      uvec2((i & 1u) | ((i >> 1u) & 2u) | ((i >> 2u) & 4u), ((i >> 1u) & 1u) | ((i >> 2u) & 2u) | ((i >> 3u) & 4u));
   return gl_WorkGroupID.xy * 8u + in_tile;
 }
 
@@ -17,9 +18,7 @@ uvec2 invocation_pixel() {
 uvec2 light_pixel(uvec2 block) { return block * frame.light_block + uvec2(frame.light_x, frame.light_y); }
 
 // The place of a pixel's block among all, for arrays of one element a lit pixel (ArrayRow::Per::kPixel).
-uint lit_index(uvec2 pixel) {
-  return pixel.y / frame.light_block * frame.light_width + pixel.x / frame.light_block;
-}
+uint lit_index(uvec2 pixel) { return pixel.y / frame.light_block * frame.light_width + pixel.x / frame.light_block; }
 
 uvec2 medium_pixel(uvec2 block) { return block * frame.medium_block + uvec2(frame.medium_x, frame.medium_y); }
 

@@ -1,5 +1,5 @@
-// How the paths of a pixel begin: which pixel an invocation works on, what it shows, and whether that reflects light. For every pass
-// that traces or finishes paths of pixels, with lib/store_light.glsl.
+// How the paths of a pixel begin: which pixel an invocation works on, what it shows, and whether that reflects light.
+// For every pass that traces or finishes paths of pixels, with lib/store_light.glsl.
 #ifndef FB_LIB_PIXEL_START
 #define FB_LIB_PIXEL_START
 #include "lib/first_vertex.glsl"
@@ -7,10 +7,10 @@
 #include "lib/water_texel.glsl"
 
 struct PathPixel {
-  uvec2 block;   // of which one pixel is lit in this frame
-  uvec2 pixel;   // that one
-  uint at;       // its index in the frame's arrays
-  uint number;   // of its first path
+  uvec2 block;  // of which one pixel is lit in this frame
+  uvec2 pixel;  // that one
+  uint at;      // its index in the frame's arrays
+  uint number;  // of its first path
 };
 
 // Of a block of surfaces' light or, in shaders of paths that begin in a medium, of the medium's.
@@ -51,12 +51,13 @@ Path path_of(PathPixel p, uint i) {
   return path;
 }
 
-// The same at its first vertex, with its random numbers. `v`: what the texel itself shows; where water shows two surfaces it
-// becomes one of them.
+// The same at its first vertex, with its random numbers. `v`: what the texel itself shows; where water shows two
+// surfaces it becomes one of them.
 Path start_path(PathPixel p, GBufferTexel g, uint i, inout Vertex v, out uint rng) {
   rng = rng_seed(p.at, frame.frame, i, frame.seed);
   bool second = false;
-  float factor = FEATURE_WATER ? choose_surface(v, p.at, (g.material_metalness & kTexelLiquid) != 0u, rng, second) : 1.0;
+  float factor =
+      FEATURE_WATER ? choose_surface(v, p.at, (g.material_metalness & kTexelLiquid) != 0u, rng, second) : 1.0;
   Path path = path_of(p, i);
   path.second = second;
   path.factor = vec3(factor);

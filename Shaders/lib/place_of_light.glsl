@@ -5,9 +5,9 @@
 
 const float kFarthest = 32767.9375;  // of a map's coordinates
 
-// Light of the sky is a direction, from wherever it is seen: its target is as far off as a map's coordinates reach. What is seen
-// by way of an interface is where it appears to be: along the direction in which the ray left, as far as it went (Ruppert 2020,
-// Eq. 35); or, not `apparent`, where the interface sent it.
+// Light of the sky is a direction, from wherever it is seen: its target is as far off as a map's coordinates reach.
+// What is seen by way of an interface is where it appears to be: along the direction in which the ray left, as far as
+// it went (Ruppert 2020, Eq. 35); or, not `apparent`, where the interface sent it.
 vec3 place_of_light(Incident incident, vec3 direction, bool apparent) {
   vec3 origin = incident.origin;
   float reach = incident.way.hit.t;

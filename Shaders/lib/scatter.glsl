@@ -1,10 +1,11 @@
-// How light scatters at a vertex of a path: by a surface's BSDF, or by the phase function of the medium between surfaces.
+// How light scatters at a vertex of a path: by a surface's BSDF, or by the phase function of the medium between
+// surfaces.
 //
-// Scatter has three questions, which agree with each other: sample (a direction, f cos / pdf of it, its pdf, flags), eval
-// (f cos of any direction) with the pdf that sample has there, and geometry (where light may go at all, the projected
-// cosine, the origin of a ray, the axis that grids of cells tell orientations by). Steps of a technique ask these and do
-// not look inside, so that another kind of interaction is a case here and nowhere else. Densities are per solid angle.
-// Directions are in the world and point away from the vertex; `view` points to the viewer.
+// Scatter has three questions, which agree with each other: sample (a direction, f cos / pdf of it, its pdf, flags),
+// eval (f cos of any direction) with the pdf that sample has there, and geometry (where light may go at all, the
+// projected cosine, the origin of a ray, the axis that grids of cells tell orientations by). Steps of a technique ask
+// these and do not look inside, so that another kind of interaction is a case here and nowhere else. Densities are per
+// solid angle. Directions are in the world and point away from the vertex; `view` points to the viewer.
 #ifndef FB_LIB_SCATTER
 #define FB_LIB_SCATTER
 #include "lib/haze.glsl"
@@ -13,8 +14,8 @@
 #include "shared/phase.h"
 
 layout(constant_id = kSpecMedium) const bool FEATURE_MEDIUM = false;  // there is a medium between surfaces
-// A path's first vertex is in it. A shader of its own (fb_shader), not a constant of one: what it leaves out is a third of the code
-// that a driver would have to read first.
+// A path's first vertex is in it. A shader of its own (fb_shader), not a constant of one: what it leaves out is a third
+// of the code that a driver would have to read first.
 #ifdef PATHS_BEGIN_IN_MEDIUM
 const bool IN_MEDIUM = true;
 #else
@@ -25,7 +26,7 @@ struct Scatter {
   vec3 normal;  // geometric, on the viewer's side; in a medium: towards the viewer
   vec3 shading_normal;
   Bsdf bsdf;
-  bool medium;  // only where IN_MEDIUM
+  bool medium;          // only where IN_MEDIUM
   PhaseFunction phase;  // of a medium
 };
 
@@ -53,9 +54,11 @@ mat3 frame_about(vec3 n) {
 // Whether light may be scattered in a direction: not into the geometric surface.
 bool scatters_to(Scatter s, vec3 direction) { return dot(direction, s.normal) > 0.0 || in_medium(s); }
 
-// The cosine that irradiance is weighted by, times the direction's length. A medium has light from all sides: its mean radiance
-// times pi.
-float scatter_cosine(Scatter s, vec3 direction) { return in_medium(s) ? 0.25 * length(direction) : dot(direction, s.normal); }
+// The cosine that irradiance is weighted by, times the direction's length. A medium has light from all sides: its mean
+// radiance times pi.
+float scatter_cosine(Scatter s, vec3 direction) {
+  return in_medium(s) ? 0.25 * length(direction) : dot(direction, s.normal);
+}
 
 // What cells of a grid tell orientations by.
 vec3 scatter_axis(Scatter s) { return s.normal; }

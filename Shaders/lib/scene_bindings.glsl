@@ -1,5 +1,5 @@
-// The scene's arrays as render/scene/gpu_scene.cpp fills them (Shaders/shared/scene_gpu.h says what is in each). Those that
-// lib/scene_records.glsl reads through texel buffers alone are declared there.
+// The scene's arrays as render/scene/gpu_scene.cpp fills them (Shaders/shared/scene_gpu.h says what is in each). Those
+// that lib/scene_records.glsl reads through texel buffers alone are declared there.
 #ifndef FB_LIB_SCENE_BINDINGS
 #define FB_LIB_SCENE_BINDINGS
 #include "lib/arrays.glsl"

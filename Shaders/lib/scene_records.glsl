@@ -26,11 +26,11 @@ GpuInstance instance_at(uint index) {
   uvec4 more = texelFetch(instance_texels, at + 11), last = texelFetch(instance_texels, at + 12);
   return GpuInstance(vec4[](instance_row(at), instance_row(at + 1), instance_row(at + 2)),
                      vec4[](instance_row(at + 3), instance_row(at + 4), instance_row(at + 5)),
-                     vec4[](instance_row(at + 6), instance_row(at + 7), instance_row(at + 8)),
-                     places.x, places.y, places.z, places.w, poses_of.x, poses_of.y, poses_of.z, poses_of.w,
-                     uintBitsToFloat(more.x), uintBitsToFloat(more.y), more.z, more.w,
-                     last.x, uintBitsToFloat(last.y), uintBitsToFloat(last.z), last.w,
-                     instance_row(at + 13), instance_row(at + 14), instance_row(at + 15), instance_row(at + 16));
+                     vec4[](instance_row(at + 6), instance_row(at + 7), instance_row(at + 8)), places.x, places.y,
+                     places.z, places.w, poses_of.x, poses_of.y, poses_of.z, poses_of.w, uintBitsToFloat(more.x),
+                     uintBitsToFloat(more.y), more.z, more.w, last.x, uintBitsToFloat(last.y), uintBitsToFloat(last.z),
+                     last.w, instance_row(at + 13), instance_row(at + 14), instance_row(at + 15),
+                     instance_row(at + 16));
 }
 
 GpuAttribute attribute_at(uint index) {
@@ -45,11 +45,11 @@ GpuMaterial material_at(uint index) {
   int at = int(index) * 6;
   uvec4 images_of = texelFetch(material_texels, at), shape = texelFetch(material_texels, at + 3);
   uvec4 last = texelFetch(material_texels, at + 4), inside = texelFetch(material_texels, at + 5);
-  return GpuMaterial(images_of.x, images_of.y, images_of.z, images_of.w,
-                     uintBitsToFloat(texelFetch(material_texels, at + 1)), uintBitsToFloat(texelFetch(material_texels, at + 2)),
-                     uintBitsToFloat(shape.x), uintBitsToFloat(shape.y), uintBitsToFloat(shape.z), shape.w,
-                     last.x, uintBitsToFloat(last.y), uintBitsToFloat(last.z), uintBitsToFloat(last.w),
-                     uintBitsToFloat(inside.x), uintBitsToFloat(inside.y), inside.z, inside.w);
+  return GpuMaterial(
+      images_of.x, images_of.y, images_of.z, images_of.w, uintBitsToFloat(texelFetch(material_texels, at + 1)),
+      uintBitsToFloat(texelFetch(material_texels, at + 2)), uintBitsToFloat(shape.x), uintBitsToFloat(shape.y),
+      uintBitsToFloat(shape.z), shape.w, last.x, uintBitsToFloat(last.y), uintBitsToFloat(last.z),
+      uintBitsToFloat(last.w), uintBitsToFloat(inside.x), uintBitsToFloat(inside.y), inside.z, inside.w);
 }
 
 vec3 seen_emission(GpuMaterial m) { return vec3(unpackHalf2x16(m.seen_rg), unpackHalf2x16(m.seen_b).x); }

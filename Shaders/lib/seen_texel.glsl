@@ -7,12 +7,14 @@
 #include "shared/denoise.h"
 #include "shared/gain_field.h"
 
-const GBufferTexel kNothingSeen = GBufferTexel(vec4(0.0), vec4(0.0, 0.0, 0.0, 1.0), vec4(0.0), 0u, 0u, 0u, 0u, vec4(0.0));
+const GBufferTexel kNothingSeen =
+    GBufferTexel(vec4(0.0), vec4(0.0, 0.0, 0.0, 1.0), vec4(0.0), 0u, 0u, 0u, 0u, vec4(0.0));
 
 // A surface as the camera sees it: one may glow for the eye alone, or more than it lights its room.
 Surface load_seen_surface(Hit hit, vec3 direction, bool missed) {
   Surface s = load_surface(hit, direction, uint(frame.texture_filter), missed, true);
-  if (s.sky) s.emission -= frame.sky_even.rgb * (hit.instance != kNoIndex ? material_at(s.material).emission.rgb : vec3(1.0));
+  if (s.sky)
+    s.emission -= frame.sky_even.rgb * (hit.instance != kNoIndex ? material_at(s.material).emission.rgb : vec3(1.0));
   if (s.sky && hit.instance != kNoIndex) s.emission *= seen_emission(material_at(s.material));
   return s;
 }
@@ -23,8 +25,8 @@ float seen_through_medium(Surface s, float distance) {
   return s.sky ? frame.medium_phase.z : haze_left(camera_haze(), distance);
 }
 
-// Light of the fog itself, even light that it scatters: as much from every point, so without noise. Quake's covers the sky
-// evenly, however near the face that shows it.
+// Light of the fog itself, even light that it scatters: as much from every point, so without noise. Quake's covers the
+// sky evenly, however near the face that shows it.
 vec3 light_of_fog(Surface s, float distance) {
   if (!FEATURE_MEDIUM) return vec3(0.0);
   float covers = s.sky && frame.camera_fog_square > 0.0 ? 1.0 : haze_covers(camera_haze(), distance);
@@ -63,14 +65,15 @@ void fill_texel(inout GBufferTexel texel, Surface s, Hit hit, vec2 point, float 
   bool colored = (instance_at(hit.instance).flags & kInstanceHasColor) != 0u;
   vec3 even = frame.ambient.rgb + (colored ? vec3(0.0) : instance_at(hit.instance).emission.rgb);
   // Even light is reflected here and nowhere else: no path brings it, so that it is the same in every estimator.
-  texel.emission_specular = vec4((s.emission + s.bsdf.albedo * even) * seen_through_medium(s, hit.t) + light_of_fog(s, hit.t),
-                                s.bsdf.specular);
+  texel.emission_specular = vec4(
+      (s.emission + s.bsdf.albedo * even) * seen_through_medium(s, hit.t) + light_of_fog(s, hit.t), s.bsdf.specular);
   texel.normal = pack_direction(s.normal);
   texel.shading_normal = pack_direction(s.shading_normal);
   texel.id = instance_at(hit.instance).id;
   bool liquid = has_feature(kFeatureWarp) && (material_at(s.material).flags & kMaterialLiquid) != 0u;
   uint glows = s.emission != vec3(0.0) ? kTexelGlows : 0u;
-  texel.material_metalness = s.material | glows | (liquid ? kTexelLiquid : 0u) | (uint(s.bsdf.metalness * 255.0 + 0.5) << 24u);
+  texel.material_metalness =
+      s.material | glows | (liquid ? kTexelLiquid : 0u) | (uint(s.bsdf.metalness * 255.0 + 0.5) << 24u);
   texel.motion = vec4(before.xy - point, depth, before.z);
 }
 

@@ -1,10 +1,11 @@
-// The way of light between two vertices of a path. In air it is a ray; a smooth interface of water or glass does not end it but
-// bends it: at each the ray is reflected or refracted (Fresnel, Snell; shared/dielectric.h), by the normal of waves (shared/waves.h)
-// where a liquid's surface is level, and what is behind absorbs on the way. Light that reaches a vertex along a bent segment no straight ray finds:
-// interfaces are opaque to rays that look for light, so that met emission counts whole there and nowhere twice.
+// The way of light between two vertices of a path. In air it is a ray; a smooth interface of water or glass does not
+// end it but bends it: at each the ray is reflected or refracted (Fresnel, Snell; shared/dielectric.h), by the normal
+// of waves (shared/waves.h) where a liquid's surface is level, and what is behind absorbs on the way. Light that
+// reaches a vertex along a bent segment no straight ray finds: interfaces are opaque to rays that look for light, so
+// that met emission counts whole there and nowhere twice.
 //
-// Radiance is not scaled by the index squared: all of it is basic radiance, L / n^2, which an interface leaves alone, and what
-// glows or reflects under water is taken to do so in these units.
+// Radiance is not scaled by the index squared: all of it is basic radiance, L / n^2, which an interface leaves alone,
+// and what glows or reflects under water is taken to do so in these units.
 #ifndef FB_LIB_SEGMENT
 #define FB_LIB_SEGMENT
 #include "lib/interaction.glsl"
@@ -12,7 +13,7 @@
 #include "shared/waves.h"
 
 const uint kMostInterfaces = 32u;  // of a segment; the next one ends it, as if it was opaque
-const float kLeastFacing = 0.01;  // cosine to which a wave's normal is turned that faces away from the ray
+const float kLeastFacing = 0.01;   // cosine to which a wave's normal is turned that faces away from the ray
 
 struct Segment {
   Hit hit;         // what ends it
@@ -29,9 +30,10 @@ struct Segment {
 
 // Which way an interface takes a ray.
 const uint kTurnByChance = 0u;  // reflected or refracted as often as much is
-const uint kTurnThrough = 1u;   // the first one refracts a camera's ray, whose `left` has the share. Those after it by chance
-const uint kTurnNowhere = 2u;   // interfaces end it
-const uint kTurnBack = 3u;      // the first one reflects it, and `left` has the share. Those after it by chance
+const uint kTurnThrough =
+    1u;  // the first one refracts a camera's ray, whose `left` has the share. Those after it by chance
+const uint kTurnNowhere = 2u;  // interfaces end it
+const uint kTurnBack = 3u;     // the first one reflects it, and `left` has the share. Those after it by chance
 
 struct Interface {
   vec3 position;
@@ -45,7 +47,8 @@ bool is_interface(Hit hit) {
   if (hit.instance == kNoIndex) return false;
   GpuInstance instance = instance_at(hit.instance);
   GpuAttribute a = attribute_at(instance.first_attribute + hit.triangle);
-  return (a.flags & kTriangleDielectric) != 0u && (material_at(instance.material_base + a.material).flags & kMaterialDielectric) != 0u;
+  return (a.flags & kTriangleDielectric) != 0u &&
+         (material_at(instance.material_base + a.material).flags & kMaterialDielectric) != 0u;
 }
 
 Interface interface_at(Hit hit, GpuAttribute a, bool waves, vec3 direction) {
@@ -72,7 +75,8 @@ Interface interface_at(Hit hit, GpuAttribute a, bool waves, vec3 direction) {
   return i;
 }
 
-// A direction on the side of the surface that `facing` is on, by mirroring it where a wave's normal sends it to the other.
+// A direction on the side of the surface that `facing` is on, by mirroring it where a wave's normal sends it to the
+// other.
 vec3 kept_on_side(vec3 direction, vec3 facing) {
   float side = dot(direction, facing);
   return normalize(direction + facing * (side < 0.0 ? -2.0 * side : 0.0) + facing * (abs(side) < 1e-3 ? 2e-3 : 0.0));
@@ -84,15 +88,15 @@ Segment straight(vec3 origin, vec3 direction, uint liquid) {
 
 // What becomes of a camera's ray at the first interface that it meets.
 struct Parting {
-  Segment mirrored;  // starts there, to be followed on
-  bool mirrors_most; // a level surface reflects more than it lets through
-  vec3 refracted;    // direction behind it
-  uint beyond;       // what is there, as Vertex::liquid
-  float through;     // share that is let through
-  float distance;    // to it
-  float within;      // from there to what is next behind it
-  Segment skin;      // up to it,
-  float opaque;      // of which this share ends there and sees it glow. The others' `left` is of the rest
+  Segment mirrored;   // starts there, to be followed on
+  bool mirrors_most;  // a level surface reflects more than it lets through
+  vec3 refracted;     // direction behind it
+  uint beyond;        // what is there, as Vertex::liquid
+  float through;      // share that is let through
+  float distance;     // to it
+  float within;       // from there to what is next behind it
+  Segment skin;       // up to it,
+  float opaque;       // of which this share ends there and sees it glow. The others' `left` is of the rest
 };
 
 // A piece of the way is behind. `nearer`: of what it looks like, through a level surface.
@@ -110,10 +114,11 @@ Hit trace_piece(vec3 origin, vec3 direction, float reach, uint mask, inout bool 
   return hit;
 }
 
-// Follows a segment on from where it is. `s.left` is without the fog before what a camera sees: the denoiser knows of that.
+// Follows a segment on from where it is. `s.left` is without the fog before what a camera sees: the denoiser knows of
+// that.
 //
-// The last piece is passed behind the loop: what lavapipe (Mesa 22 and 25) multiplies up before a `break` it multiplies again for
-// lanes that have left, while others go on.
+// The last piece is passed behind the loop: what lavapipe (Mesa 22 and 25) multiplies up before a `break` it multiplies
+// again for lanes that have left, while others go on.
 Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, inout Parting parting, inout uint rng) {
   float nearer = 1.0;
   uint events = 0u;
@@ -127,7 +132,8 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
     GpuMaterial m = material_at(material);
     if ((m.flags & kMaterialDielectric) == 0u) break;  // as r_water and r_glass say
     bool first_of_camera = turn == kTurnThrough && !s.bent;
-    if (has_feature(kFeatureSkins) && m.opaque_share > 0.0 && !first_of_camera && rng_uniform(rng) < m.opaque_share) break;
+    if (has_feature(kFeatureSkins) && m.opaque_share > 0.0 && !first_of_camera && rng_uniform(rng) < m.opaque_share)
+      break;
     pass_piece(s, s.hit.t, nearer, of_camera);
     if (turn == kTurnThrough && events == 1u) parting.within = s.hit.t;
     Interface i = interface_at(s.hit, a, (m.flags & kMaterialLiquid) != 0u, s.direction);
@@ -143,8 +149,8 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
       parting.skin = s;
       parting.opaque = has_feature(kFeatureSkins) ? m.opaque_share : 0.0;
       s.left *= 1.0 - parting.opaque;
-      parting.mirrored = Segment(s.hit, offset_origin(i.position, i.facing), reflected, s.left * reflectance, here, true,
-                                 reflectance, s.distance, s.seen, s.certain);
+      parting.mirrored = Segment(s.hit, offset_origin(i.position, i.facing), reflected, s.left * reflectance, here,
+                                 true, reflectance, s.distance, s.seen, s.certain);
       parting.mirrors_most = dielectric_reflectance(min(-dot(s.direction, i.facing), 1.0), eta) > 0.5;
       parting.through = (1.0 - reflectance) * (1.0 - parting.opaque);
       parting.distance = s.distance;
@@ -172,15 +178,15 @@ Segment follow(Segment s, float reach, uint mask, uint turn, bool of_camera, ino
   return s;
 }
 
-// From a point, which need not be a vertex, in a liquid or not: a path's own direction, or where `turn` is kTurnNowhere one that
-// looks for light.
+// From a point, which need not be a vertex, in a liquid or not: a path's own direction, or where `turn` is kTurnNowhere
+// one that looks for light.
 Segment segment_of(vec3 origin, uint liquid, vec3 direction, float reach, uint turn, inout uint rng) {
   Parting unused;
   if (FEATURE_WATER) return follow(straight(origin, direction, liquid), reach, kMaskIndirect, turn, false, unused, rng);
   bool certain = true;
   Hit hit = trace_piece(origin, direction, reach, kMaskIndirect, certain, rng);
-  return Segment(hit, origin, direction, light_left(kNoIndex, hit.instance == kNoIndex ? kRayEnd : hit.t), kNoIndex, false, 0.0,
-                 hit.t, hit.t, certain);
+  return Segment(hit, origin, direction, light_left(kNoIndex, hit.instance == kNoIndex ? kRayEnd : hit.t), kNoIndex,
+                 false, 0.0, hit.t, hit.t, certain);
 }
 Segment segment_from(Vertex v, vec3 direction, float reach, uint turn, inout uint rng) {
   return segment_of(scatter_origin(v.scatter, v.position), v.liquid, direction, reach, turn, rng);

@@ -53,8 +53,10 @@ vec3 sky_texture(vec3 direction) {
 
 vec3 sky_radiance(vec3 direction) {
   vec3 color = frame.sky_even.rgb;
-  if (frame.sky_mode == kSkyConstant) color += frame.sky_color.rgb;
-  else if (has_feature(kFeatureSkyTexture) && frame.sky_mode >= kSkyLayers) color += sky_texture(direction) * frame.sky_color.rgb;
+  if (frame.sky_mode == kSkyConstant)
+    color += frame.sky_color.rgb;
+  else if (has_feature(kFeatureSkyTexture) && frame.sky_mode >= kSkyLayers)
+    color += sky_texture(direction) * frame.sky_color.rgb;
   if (has_feature(kFeatureSuns) && frame.sun_count > 0u) {
     uint i = 0u;
     do {

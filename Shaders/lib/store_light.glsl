@@ -1,5 +1,5 @@
-// How the paths of a pixel end: their mean, with what the surface emits and what fog leaves of the light, in the arrays that the
-// frame's passes read. What is not finite counts as zero, and is counted.
+// How the paths of a pixel end: their mean, with what the surface emits and what fog leaves of the light, in the arrays
+// that the frame's passes read. What is not finite counts as zero, and is counted.
 #ifndef FB_LIB_STORE_LIGHT
 #define FB_LIB_STORE_LIGHT
 #include "lib/pixel_start.glsl"

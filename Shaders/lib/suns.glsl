@@ -19,14 +19,16 @@ float sun_pdf(vec3 direction) {
 
 float wave_slope() { return kWaveMeanSlope * frame.water_height / frame.water_size; }
 
-// Within a liquid, whose surface lets suns in: all ways from there that end inside of a sun's disc are looked for, bent or not.
+// Within a liquid, whose surface lets suns in: all ways from there that end inside of a sun's disc are looked for, bent
+// or not.
 bool bends_suns(Vertex v) {
   return FEATURE_WATER && has_feature(kFeatureSuns) && v.liquid != kNoIndex &&
          (material_at(v.liquid & kNoMaterial).flags & kMaterialLiquid) != 0u;
 }
 // In air, where some level surface may mirror one: ways that an interface reflects first.
 bool mirrors_suns(Vertex v) {
-  return FEATURE_WATER && has_feature(kFeatureSuns) && frame.mirrors != 0u && frame.sun_count > 0u && v.liquid == kNoIndex;
+  return FEATURE_WATER && has_feature(kFeatureSuns) && frame.mirrors != 0u && frame.sun_count > 0u &&
+         v.liquid == kNoIndex;
 }
 
 BentSun refracted_sun_of(Vertex v, uint i) {
@@ -65,7 +67,8 @@ vec2 place_in_disc(vec4 sun, vec3 direction) {
   return vec2(clamp(k / (1.0 - sun.w), 0.0, 1.0), fract(atan(local.y, local.x) / (2.0 * kPiShared) + 1.0));
 }
 
-// Towards a sun, straight or, where the vertex bends them, refracted; zero: there is none. `radiance`: sum of the channels.
+// Towards a sun, straight or, where the vertex bends them, refracted; zero: there is none. `radiance`: sum of the
+// channels.
 vec3 sample_sun(Vertex v, bool bends, inout uint rng, out float radiance) {
   uint i = rng_next(rng) % frame.sun_count;
   vec4 sun = frame.sun_direction[i];

@@ -10,7 +10,7 @@ layout(constant_id = kSpecSpecular) const bool FEATURE_SPECULAR = true;
 
 struct Surface {
   vec3 position;
-  vec3 normal;          // geometric
+  vec3 normal;  // geometric
   vec3 shading_normal;
   vec3 emission;
   Bsdf bsdf;
@@ -25,14 +25,17 @@ vec3 to_world_point(uint i, vec3 p) {
   return rows_times_point(instance_at(i).to_world[0], instance_at(i).to_world[1], instance_at(i).to_world[2], p);
 }
 vec3 to_previous_world_point(uint i, vec3 p) {
-  return rows_times_point(instance_at(i).prev_to_world[0], instance_at(i).prev_to_world[1], instance_at(i).prev_to_world[2], p);
+  return rows_times_point(instance_at(i).prev_to_world[0], instance_at(i).prev_to_world[1],
+                          instance_at(i).prev_to_world[2], p);
 }
 vec3 to_world_vector(uint i, vec3 v) {
-  return vec3(dot(instance_at(i).to_world[0].xyz, v), dot(instance_at(i).to_world[1].xyz, v), dot(instance_at(i).to_world[2].xyz, v));
+  return vec3(dot(instance_at(i).to_world[0].xyz, v), dot(instance_at(i).to_world[1].xyz, v),
+              dot(instance_at(i).to_world[2].xyz, v));
 }
 // Normals go by the inverse transposed.
 vec3 to_world_normal(uint i, vec3 n) {
-  return normalize(instance_at(i).to_object[0].xyz * n.x + instance_at(i).to_object[1].xyz * n.y + instance_at(i).to_object[2].xyz * n.z);
+  return normalize(instance_at(i).to_object[0].xyz * n.x + instance_at(i).to_object[1].xyz * n.y +
+                   instance_at(i).to_object[2].xyz * n.z);
 }
 
 // A triangle as it stands in the world. Our own trees hold it; ray queries have it in the mesh's space.
@@ -93,12 +96,14 @@ vec3 smooth_normal(uint instance_index, GpuAttribute a, vec2 bary) {
   if (pose_a != kNoIndex) {
     uint pose_b = instance_at(instance_index).pose_b;
     float t = instance_at(instance_index).pose_t;
-    return weights.x * pose_normal(a.vertex0, pose_a, pose_b, t) + weights.y * pose_normal(a.vertex1, pose_a, pose_b, t) +
+    return weights.x * pose_normal(a.vertex0, pose_a, pose_b, t) +
+           weights.y * pose_normal(a.vertex1, pose_a, pose_b, t) +
            weights.z * pose_normal(a.vertex2, pose_a, pose_b, t);
   }
   uint first = instance_at(instance_index).first_normal;
   if (first == kNoIndex) return vec3(0.0);
-  return weights.x * unpack_direction(normals.at[first + a.vertex0]) + weights.y * unpack_direction(normals.at[first + a.vertex1]) +
+  return weights.x * unpack_direction(normals.at[first + a.vertex0]) +
+         weights.y * unpack_direction(normals.at[first + a.vertex1]) +
          weights.z * unpack_direction(normals.at[first + a.vertex2]);
 }
 
@@ -117,7 +122,8 @@ vec3 mapped_normal(vec3 texel, GpuAttribute a, GpuTriangle t, vec3 n) {
 }
 
 // Normal map and gloss image, where there are any.
-void apply_detail(inout Surface s, inout float roughness, GpuMaterial m, GpuAttribute a, GpuTriangle t, vec2 uv, TextureFilter filtered) {
+void apply_detail(inout Surface s, inout float roughness, GpuMaterial m, GpuAttribute a, GpuTriangle t, vec2 uv,
+                  TextureFilter filtered) {
   uint first = m.normal != kNoIndex ? 0u : 1u, last = FEATURE_SPECULAR && m.gloss != kNoIndex ? 2u : 1u;
   bool clamped = (m.flags & kMaterialClampTexture) != 0u;
   for (uint i = first; i < last; ++i) {
@@ -129,19 +135,22 @@ void apply_detail(inout Surface s, inout float roughness, GpuMaterial m, GpuAttr
     } else {
       color = nearest_texel(image, uv, clamped).color;
     }
-    if (i == 0u) s.shading_normal = mapped_normal(color, a, t, s.shading_normal);
-    else roughness = 1.0 - color.x;
+    if (i == 0u)
+      s.shading_normal = mapped_normal(color, a, t, s.shading_normal);
+    else
+      roughness = 1.0 - color.x;
   }
 }
 
-// The pixel's footprint on a triangle that the camera's ray meets at this depth along the view, in texture coordinates (ray
-// differentials, Igehy 1999).
+// The pixel's footprint on a triangle that the camera's ray meets at this depth along the view, in texture coordinates
+// (ray differentials, Igehy 1999).
 mat2 uv_footprint(GpuTriangle t, GpuAttribute a, vec3 ray, float depth) {
   vec3 n = cross(t.e1.xyz, t.e2.xyz);
   float square = dot(n, n), facing = dot(n, ray);
   float least = 1e-3 * sqrt(square * dot(ray, ray));
   facing = abs(facing) > least ? facing : facing < 0.0 ? -least : least;
-  vec3 steps[2] = vec3[](frame.camera_right.xyz * (2.0 / float(frame.width)), frame.camera_up.xyz * (-2.0 / float(frame.height)));
+  vec3 steps[2] =
+      vec3[](frame.camera_right.xyz * (2.0 / float(frame.width)), frame.camera_up.xyz * (-2.0 / float(frame.height)));
   mat2 footprint;
   for (int i = 0; i < 2; ++i) {
     vec3 moved = depth * (steps[i] - ray * (dot(n, steps[i]) / facing));
@@ -152,8 +161,8 @@ mat2 uv_footprint(GpuTriangle t, GpuAttribute a, vec3 ray, float depth) {
 }
 
 // The surface that a ray meets; where it meets none (hit.instance is kNoIndex), emission is the sky's and nothing else
-// counts. `end_of_path`: emission is all that is wanted. `filter_kind`: of textures, kFilterFootprint for camera rays alone.
-// `seen`: by the camera itself, to which it may glow otherwise than on what it lights.
+// counts. `end_of_path`: emission is all that is wanted. `filter_kind`: of textures, kFilterFootprint for camera rays
+// alone. `seen`: by the camera itself, to which it may glow otherwise than on what it lights.
 Surface load_surface(Hit hit, vec3 direction, uint filter_kind, bool end_of_path, bool seen) {
   Surface s;
   s.emission = vec3(0.0);

@@ -1,5 +1,5 @@
-// Texels from the one buffer that holds them all: palette indices, grey bytes, or RGBA words. The filter is ours, so that it is the
-// same on every device.
+// Texels from the one buffer that holds them all: palette indices, grey bytes, or RGBA words. The filter is ours, so
+// that it is the same on every device.
 #ifndef FB_LIB_TEXTURE
 #define FB_LIB_TEXTURE
 #include "lib/scene_records.glsl"
@@ -12,9 +12,9 @@ const uint kFirstFullbright = 224u;
 const uint kTransparentIndex = 255u;
 
 struct Texel {
-  vec3 color;     // linear Rec.709
-  float alpha;    // 0 or 1 for palette images
-  bool glows;     // palette index 224..255
+  vec3 color;   // linear Rec.709
+  float alpha;  // 0 or 1 for palette images
+  bool glows;   // palette index 224..255
 };
 
 Texel fetch_texel(uint image_index, ivec2 p) {

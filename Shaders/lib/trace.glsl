@@ -1,5 +1,5 @@
-// Closest hit of a ray with the scene: one contract, two intersectors. INTERSECTOR_QUERY 1: VK_KHR_ray_query; 0: our own
-// trees, traversed in the shader. Inline one call of trace() in a loop: each call is a copy of the whole traversal.
+// Closest hit of a ray with the scene: one contract, two intersectors. INTERSECTOR_QUERY 1: VK_KHR_ray_query; 0: our
+// own trees, traversed in the shader. Inline one call of trace() in a loop: each call is a copy of the whole traversal.
 #ifndef FB_LIB_TRACE
 #define FB_LIB_TRACE
 #include "lib/scene_records.glsl"

@@ -1,8 +1,9 @@
-// trace() through our own tree: everything stands in the world's space (passes/pose.comp puts it there), so there is one
-// tree, one loop, and a triangle says itself whose it is.
+// trace() through our own tree: everything stands in the world's space (passes/pose.comp puts it there), so there is
+// one tree, one loop, and a triangle says itself whose it is.
 //
-// Written twice: for 8-wide SIMD on a CPU (lavapipe), where a word fetched costs more than the arithmetic on it, and a branch more
-// than a select; and for GPUs. Both visit the same nodes in the same order and find the same hits. traversal_bench measures it.
+// Written twice: for 8-wide SIMD on a CPU (lavapipe), where a word fetched costs more than the arithmetic on it, and a
+// branch more than a select; and for GPUs. Both visit the same nodes in the same order and find the same hits.
+// traversal_bench measures it.
 #ifndef FB_LIB_TRACE_BVH
 #define FB_LIB_TRACE_BVH
 
@@ -16,7 +17,8 @@ BvhNode node_at(uint index) {
   int at = int(index) * 4;
   uvec4 q0 = texelFetch(node_texels, at), q1 = texelFetch(node_texels, at + 1);
   uvec4 q2 = texelFetch(node_texels, at + 2), q3 = texelFetch(node_texels, at + 3);
-  return BvhNode(uintBitsToFloat(q0.xyz), q0.w, uintBitsToFloat(q1.xyz), q1.w, uintBitsToFloat(q2.xyz), 0u, uintBitsToFloat(q3.xyz), 0u);
+  return BvhNode(uintBitsToFloat(q0.xyz), q0.w, uintBitsToFloat(q1.xyz), q1.w, uintBitsToFloat(q2.xyz), 0u,
+                 uintBitsToFloat(q3.xyz), 0u);
 }
 
 // A ray that looks for its nearest hit behind `from`.
@@ -72,14 +74,15 @@ vec3 safe_reciprocal(vec3 d) {
   return 1.0 / mix(d, tiny, lessThan(abs(d), vec3(1e-20)));
 }
 
-// Where a traversal stands. References that wait are in a short stack of registers, the newest first: a stack in memory, which
-// lanes index apart, was a quarter of the paths' time on lavapipe. What falls out at its end is found again from the root by the
-// trail (Laine 2010): a bit for each depth above `depth`, set where nothing waits at that node any more.
+// Where a traversal stands. References that wait are in a short stack of registers, the newest first: a stack in
+// memory, which lanes index apart, was a quarter of the paths' time on lavapipe. What falls out at its end is found
+// again from the root by the trail (Laine 2010): a bit for each depth above `depth`, set where nothing waits at that
+// node any more.
 struct Walk {
-  uint current;   // reference
-  uint depth;     // of `current`
-  uint resumed;   // depth at which the last pop resumed
-  uvec2 trail;    // depths 0 to 31 from the highest bit of x on, 32 to 63 in y
+  uint current;  // reference
+  uint depth;    // of `current`
+  uint resumed;  // depth at which the last pop resumed
+  uvec2 trail;   // depths 0 to 31 from the highest bit of x on, 32 to 63 in y
   uvec4 newest, oldest;
 };
 
@@ -148,8 +151,8 @@ void nearest_by_trail(Ray r, inout Hit hit, inout uint owner) {
   } while (w.current != kRefDone);
 }
 
-// Where GPU_LANES: the same order with a stack in memory and loads through descriptors or addresses, which there are faster than
-// through texels. What is entered behind the nearest hit so far is left on the stack.
+// Where GPU_LANES: the same order with a stack in memory and loads through descriptors or addresses, which there are
+// faster than through texels. What is entered behind the nearest hit so far is left on the stack.
 struct Stack {
   uint subtree[kTraversalDepth];   // references
   float entered[kTraversalDepth];  // distance at which the ray enters them
@@ -168,10 +171,10 @@ void nearest_by_stack(Ray r, inout Hit hit, inout uint owner) {
   uint waiting[kTraversalDepth];   // references
   float entered[kTraversalDepth];  // distance at which the ray enters them
   uint top = 0u, current = 0u;
-#define FB_NEXT                                      \
-  current = kRefDone;                                \
-  while (top > 0u && current == kRefDone) {          \
-    --top;                                           \
+#define FB_NEXT                                        \
+  current = kRefDone;                                  \
+  while (top > 0u && current == kRefDone) {            \
+    --top;                                             \
     if (entered[top] <= hit.t) current = waiting[top]; \
   }
   do {
@@ -201,9 +204,9 @@ void nearest_by_stack(Ray r, inout Hit hit, inout uint owner) {
 #undef FB_NEXT
 }
 
-// Whether a candidate counts is asked of the nearest hit alone, since lavapipe runs that code for every triangle if it stands
-// among them. Where it does not count, the ray is traced again for what lies behind: hits are ordered by distance, then by
-// triangle, so that surfaces in one place all have their turn.
+// Whether a candidate counts is asked of the nearest hit alone, since lavapipe runs that code for every triangle if it
+// stands among them. Where it does not count, the ray is traced again for what lies behind: hits are ordered by
+// distance, then by triangle, so that surfaces in one place all have their turn.
 Hit trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, inout uint rng) {
   Hit hit;
   Ray r = Ray(origin, direction, safe_reciprocal(direction), t_min, mask, kNoIndex);
@@ -211,8 +214,10 @@ Hit trace(vec3 origin, vec3 direction, float t_min, float t_max, uint mask, inou
   do {
     hit = Hit(t_max, vec2(0.0), kNoIndex, kNoIndex);
     uint owner = 0u;  // v0.w of the hit's
-    if (GPU_LANES) nearest_by_stack(r, hit, owner);
-    else nearest_by_trail(r, hit, owner);
+    if (GPU_LANES)
+      nearest_by_stack(r, hit, owner);
+    else
+      nearest_by_trail(r, hit, owner);
     if (FEATURE_CANDIDATES) {
       again = false;
       uint triangle = hit.triangle;

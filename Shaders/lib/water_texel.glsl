@@ -1,6 +1,6 @@
-// What a pixel shows by way of water, in planes behind those of the G-buffer: a second surface beside the texel's own, since the
-// first interface that the camera's ray meets reflects one and lets another through. The texel's albedo is that of both together,
-// each with its share.
+// What a pixel shows by way of water, in planes behind those of the G-buffer: a second surface beside the texel's own,
+// since the first interface that the camera's ray meets reflects one and lets another through. The texel's albedo is
+// that of both together, each with its share.
 #ifndef FB_LIB_WATER_TEXEL
 #define FB_LIB_WATER_TEXEL
 #include "lib/gbuffer_texel.glsl"
@@ -18,8 +18,8 @@ struct WaterTexel {
 };
 const WaterTexel kNoWater = WaterTexel(vec3(0.0), kNoIndex, kNoSecond, kNoIndex, 0u, 0u, false);
 
-// The piece of the camera's way on which a liquid scatters light to it: where the camera is in one its straight way to the first
-// surface or interface, else the way behind the first interface. All other pieces are left out.
+// The piece of the camera's way on which a liquid scatters light to it: where the camera is in one its straight way to
+// the first surface or interface, else the way behind the first interface. All other pieces are left out.
 struct LiquidPiece {
   vec3 direction;
   float reach;     // 0: there is none
@@ -45,18 +45,22 @@ void store_water(uint at, WaterTexel w, LiquidPiece p) {
   if (frame.turbid != 0u) {
     if (p.reach > 0.0) ask_for(kWorkMedium, frame.medium_width);
     vec3 light = scattered_by(p);
-    float mean = p.reach > 0.0 ? p.start + p.straight * mean_interaction(material_at(p.liquid & kNoMaterial).extinction_g, p.reach) : 0.0;
+    float mean = p.reach > 0.0 ? p.start + p.straight * mean_interaction(
+                                                            material_at(p.liquid & kNoMaterial).extinction_g, p.reach)
+                               : 0.0;
     gbuffer.at[in_plane(kLiquidPlane, at)] = uvec4(packHalf2x16(light.rg), packHalf2x16(vec2(light.b, mean)),
-                                                            floatBitsToUint(p.reach), pack_direction(p.direction));
+                                                   floatBitsToUint(p.reach), pack_direction(p.direction));
   }
   if (!w.bent) return;
   gbuffer.at[in_plane(kFirstWaterPlane + 1u, at)] = uvec4(floatBitsToUint(w.position), w.liquid);
-  gbuffer.at[in_plane(kFirstWaterPlane + 2u, at)] = uvec4(w.normal, w.shading_normal, floatBitsToUint(p.start),
-                                                          (p.liquid & kNoMaterial) | uint(p.through * 65535.0 + 0.5) << 16u);
+  gbuffer.at[in_plane(kFirstWaterPlane + 2u, at)] =
+      uvec4(w.normal, w.shading_normal, floatBitsToUint(p.start),
+            (p.liquid & kNoMaterial) | uint(p.through * 65535.0 + 0.5) << 16u);
 }
 
 WaterTexel water_at(uint at) {
-  uvec4 a = gbuffer_quad(at, kFirstWaterPlane), b = gbuffer_quad(at, kFirstWaterPlane + 1u), c = gbuffer_quad(at, kFirstWaterPlane + 2u);
+  uvec4 a = gbuffer_quad(at, kFirstWaterPlane), b = gbuffer_quad(at, kFirstWaterPlane + 1u),
+        c = gbuffer_quad(at, kFirstWaterPlane + 2u);
   return WaterTexel(uintBitsToFloat(b.xyz), b.w, second_texel(a), a.w, c.x, c.y, false);
 }
 

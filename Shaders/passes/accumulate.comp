@@ -1,5 +1,5 @@
-// Mean and squared deviations over the frames of a static view (Welford 1962); without accumulation, this frame alone. Frames
-// that do not sample a pixel do not count there. Squared deviations are written from a pixel's second sample on.
+// Mean and squared deviations over the frames of a static view (Welford 1962); without accumulation, this frame alone.
+// Frames that do not sample a pixel do not count there. Squared deviations are written from a pixel's second sample on.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pixel.glsl"

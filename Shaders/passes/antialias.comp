@@ -12,7 +12,8 @@ float luma(vec3 c) { return dot(c, vec3(0.299, 0.587, 0.114)); }
 vec3 ldr_bilinear(vec2 p) {
   vec2 base = floor(p), f = p - base;
   ivec2 i = ivec2(base);
-  return mix(mix(ldr_at(i), ldr_at(i + ivec2(1, 0)), f.x), mix(ldr_at(i + ivec2(0, 1)), ldr_at(i + ivec2(1, 1)), f.x), f.y);
+  return mix(mix(ldr_at(i), ldr_at(i + ivec2(1, 0)), f.x), mix(ldr_at(i + ivec2(0, 1)), ldr_at(i + ivec2(1, 1)), f.x),
+             f.y);
 }
 
 void main() {

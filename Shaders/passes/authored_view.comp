@@ -1,4 +1,5 @@
-// What QuakeSpasm shows of a map (r_debug authored): textures times baked light, as bytes that a display decodes, what glows, fog.
+// What QuakeSpasm shows of a map (r_debug authored): textures times baked light, as bytes that a display decodes, what
+// glows, fog.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #if INTERSECTOR_QUERY

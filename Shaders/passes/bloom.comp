@@ -22,13 +22,15 @@ void main() {
   }
   write_bloom(at, sum / float(block.x * block.y));
 #else
-  float sigma = kBloomSigma * (STEP == 1 ? float(kBloomWidth * frame.height) / float(frame.width) : float(kBloomHeight));
+  float sigma =
+      kBloomSigma * (STEP == 1 ? float(kBloomWidth * frame.height) / float(frame.width) : float(kBloomHeight));
   int reach = int(ceil(2.5 * sigma));
   uint from = STEP == 1 ? 0u : kBloomPixels;
   vec3 sum = vec3(0.0);
   float weights = 0.0;
   for (int i = -reach; i <= reach; ++i) {
-    ivec2 p = clamp(ivec2(pixel) + (STEP == 1 ? ivec2(i, 0) : ivec2(0, i)), ivec2(0), ivec2(kBloomWidth, kBloomHeight) - 1);
+    ivec2 p =
+        clamp(ivec2(pixel) + (STEP == 1 ? ivec2(i, 0) : ivec2(0, i)), ivec2(0), ivec2(kBloomWidth, kBloomHeight) - 1);
     float weight = exp(-0.5 * float(i * i) / (sigma * sigma));
     sum += weight * read_bloom(from + uint(p.y) * kBloomWidth + uint(p.x));
     weights += weight;

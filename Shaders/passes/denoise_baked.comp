@@ -1,5 +1,5 @@
-// What the map's baked light says of each pixel of a frame without a past, for denoise_baked_join.comp. It stands where the wavelet's
-// first level writes later.
+// What the map's baked light says of each pixel of a frame without a past, for denoise_baked_join.comp. It stands where
+// the wavelet's first level writes later.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #if INTERSECTOR_QUERY

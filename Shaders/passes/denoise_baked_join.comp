@@ -1,5 +1,6 @@
-// A frame without a past begins with the map's baked light, as r_baked_past frames of history beside this frame's samples
-// (shared/baked_past.h). STEP 0: an invocation a tile sums up both. 1: each pixel joins its samples to its baked light.
+// A frame without a past begins with the map's baked light, as r_baked_past frames of history beside this frame's
+// samples (shared/baked_past.h). STEP 0: an invocation a tile sums up both. 1: each pixel joins its samples to its
+// baked light.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/light_change.glsl"
@@ -60,7 +61,8 @@ void main() {
   vec3 past = unpack_rgb9e5(word) * baked_factor(sums_about(pixel));
   float own = float(texel.w & 0xffu), share = share_beside_past(own, frame.baked_past), y = luminance_of(past);
   vec2 moments = unpackHalf2x16(history_words.at[own_history(at) + 2u]);
-  float apart = moments.x - y, variance = variance_with_past(apart * apart, y, own + frame.baked_past, frame.baked_past);
+  float apart = moments.x - y,
+        variance = variance_with_past(apart * apart, y, own + frame.baked_past, frame.baked_past);
   uint others = texel.w & ~0xffu, frames = uint(min(own + frame.baked_past, float(kMaxHistory)) + 0.5);
   vec3 irradiance = mix(past, unpack_rgb9e5(texel.x), share);
   uint deviation = packHalf2x16(vec2(min(sqrt(variance * share), kMaxDeviation), 0.0));

@@ -1,16 +1,16 @@
 // How much of the denoiser's history each tile keeps (shared/light_change.h).
-// STEP 0: an invocation a tile sums up how its samples differ from the history's means, at one pixel of each block of light
-// (SPARSE), or of each 2x2. 1: it decides with the 8 tiles about it, which tell a lamp's
-// change, or the 48, which tell a fainter one of all light.
+// STEP 0: an invocation a tile sums up how its samples differ from the history's means, at one pixel of each block of
+// light (SPARSE), or of each 2x2. 1: it decides with the 8 tiles about it, which tell a lamp's change, or the 48, which
+// tell a fainter one of all light.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/light_change.glsl"
 
 #if STEP == 0
 struct Sampled {
-  float y;       // luminance of irradiance
+  float y;  // luminance of irradiance
   uvec2 pixel;
-  uint name;     // of the surface
+  uint name;  // of the surface
   vec3 normal;
   bool known;
 };
@@ -24,7 +24,8 @@ Sampled sampled_at(uvec2 block) {
 uint samples_side() { return frame.light_block; }
 #else
 Sampled sampled_at(uvec2 block) {
-  uvec2 pixel = min(2u * block + uvec2(frame.frame & 1u, (frame.frame >> 1u) & 1u), uvec2(frame.width, frame.height) - 1u);
+  uvec2 pixel =
+      min(2u * block + uvec2(frame.frame & 1u, (frame.frame >> 1u) & 1u), uvec2(frame.width, frame.height) - 1u);
   uint at = pixel.y * frame.width + pixel.x;
   uvec4 words = gbuffer_quad(at, 3u);
   vec3 ray = camera_direction(vec2(pixel) + 0.5);
@@ -48,11 +49,13 @@ void main() {
     uvec2 pixel = inside ? s.pixel : uvec2(0u);
     vec4 motion = uintBitsToFloat(gbuffer_quad(pixel.y * frame.width + pixel.x, 4u));
     ivec2 before = ivec2(floor(vec2(pixel) + motion.xy + 0.5));
-    inside = inside && motion.z > 0.0 && all(greaterThanEqual(before, ivec2(0))) && before.x < int(frame.width) && before.y < int(frame.height);
+    inside = inside && motion.z > 0.0 && all(greaterThanEqual(before, ivec2(0))) && before.x < int(frame.width) &&
+             before.y < int(frame.height);
     uvec4 texel = history_quad(former + (inside ? uint(before.y) * frame.width + uint(before.x) : 0u));
     float depth = unpack_surface_inverse_depth(texel.w) * motion.w, frames = float((texel.y >> 16u) & 0xffu);
     vec3 turned = unpack_surface_normal(texel.w) - s.normal;
-    bool same = inside && frame.history_valid != 0u && s.known && frames > 0.0 && (texel.y >> 24u) == s.name && abs(depth - 1.0) < 0.2 && dot(turned, turned) < 0.3;
+    bool same = inside && frame.history_valid != 0u && s.known && frames > 0.0 && (texel.y >> 24u) == s.name &&
+                abs(depth - 1.0) < 0.2 && dot(turned, turned) < 0.3;
     vec2 moments = unpackHalf2x16(texel.z);
     float difference = s.y - moments.x, counted = min(frames, kRememberedFrames);
     // Of few frames the variance is too small by a frame's share; of one nothing is known.
@@ -67,7 +70,8 @@ void main() {
   } while (++i < samples);
   uint to = change_word(tile) / 4u;
   history.at[to] = floatBitsToUint(vec4(sums.difference, sums.square, sums.level, sums.variance));
-  history.at[to + 1u] = uvec4(floatBitsToUint(sums.remembered), floatBitsToUint(sums.samples), floatBitsToUint(1.0), 0u);
+  history.at[to + 1u] =
+      uvec4(floatBitsToUint(sums.remembered), floatBitsToUint(sums.samples), floatBitsToUint(1.0), 0u);
 }
 #else
 // Tiles about this one, up to so many away.

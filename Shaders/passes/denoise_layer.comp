@@ -1,7 +1,7 @@
 // Light that is denoised apart from pixels' own surfaces, at blocks of pixels (lib/layers.glsl).
-// SECOND: on second surfaces, whose own motion its history follows; else what a medium scatters. That has no surface to follow: a
-// block's place is where, in the mean, light scatters on the way to what is behind.
-// STEP 0: this frame's samples join what was gathered where that place was. 1: a level of the wavelet, as in denoise_wavelet.comp.
+// SECOND: on second surfaces, whose own motion its history follows; else what a medium scatters. That has no surface to
+// follow: a block's place is where, in the mean, light scatters on the way to what is behind. STEP 0: this frame's
+// samples join what was gathered where that place was. 1: a level of the wavelet, as in denoise_wavelet.comp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/layers.glsl"
@@ -35,7 +35,8 @@ LayerLight gathered(Layer layer, vec2 pixel, uint place) {
     sum.mean_square += weight * m.mean_square;
     weights += weight;
   }
-  if (frame.history_valid == 0u || !was_asked_for(kThisWork) || !(weights > 0.02)) return LayerLight(vec3(0.0), 0.0, 0u, 0.0, 0.0);
+  if (frame.history_valid == 0u || !was_asked_for(kThisWork) || !(weights > 0.02))
+    return LayerLight(vec3(0.0), 0.0, 0u, 0.0, 0.0);
   float scale = 1.0 / weights;
   return LayerLight(sum.light * scale, sum.frames * scale, 0u, sum.mean * scale, sum.mean_square * scale);
 }
@@ -101,7 +102,8 @@ void main() {
 layout(push_constant) uniform Level {
   ivec2 lattice;  // this level's step, in blocks
   uint source, target;
-} level;
+}
+level;
 
 void main() {
   uvec2 block = invocation_pixel();
@@ -122,13 +124,17 @@ void main() {
   float weight_of_frame = max(1.0 / max(c.frames, 1.0), frame.svgf_alpha);
   float deviation = sqrt(spread / pooled * weight_of_frame), y = luminance_of(c.light);
   // The first frame counts as several, which say nothing of their spread.
-  float scale = c.frames >= 4.0 && frame.history_age >= 3u ? 1.0 / (frame.sigma_luminance * deviation + 1e-4 + 0.02 * abs(y)) : 0.0;
+  float scale = c.frames >= 4.0 && frame.history_age >= 3u
+                    ? 1.0 / (frame.sigma_luminance * deviation + 1e-4 + 0.02 * abs(y))
+                    : 0.0;
   // A block that has nothing is filled by those about it: some pixel of it may have more than the one that was asked.
   bool empty = c.frames == 0.0;
   vec3 sum = c.light;
   float weights = empty ? 1e-20 : 1.0;
   for (int i = 0; i < 4; ++i) {
-    float weight = taps[i].frames > 0.0 ? (empty ? 1.0 : layer_alike(c.place, taps[i].place)) * exp(-abs(luminance_of(taps[i].light) - y) * scale) : 0.0;
+    float weight = taps[i].frames > 0.0 ? (empty ? 1.0 : layer_alike(c.place, taps[i].place)) *
+                                              exp(-abs(luminance_of(taps[i].light) - y) * scale)
+                                        : 0.0;
     sum += weight * taps[i].light;
     weights += weight;
   }

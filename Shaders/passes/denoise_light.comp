@@ -1,5 +1,5 @@
-// Where light is sampled at one pixel of a block (r_light_scale): the sample without its surface's reflectance, with what tells
-// whose it is, for the pixels about it (passes/denoise_temporal.comp).
+// Where light is sampled at one pixel of a block (r_light_scale): the sample without its surface's reflectance, with
+// what tells whose it is, for the pixels about it (passes/denoise_temporal.comp).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/denoise.glsl"
@@ -17,5 +17,8 @@ void main() {
   bool lit = inside && depth > 0.0 && max(r.factor.x, max(r.factor.y, r.factor.z)) > 0.0;
   Found found = found_at(at, r, ray);
   uint surface = pack_surface(at_middle(1.0 / max(depth, 1e-3), plane_slope(geometric, ray)), geometric);
-  history.at[to] = lit ? uvec4(packHalf2x16(found.own.rg), packHalf2x16(vec2(found.own.b, 0.0)) | (surface_name(words) << 16u), surface, found.of_own ? 0u : 1u) : uvec4(0u);
+  history.at[to] =
+      lit ? uvec4(packHalf2x16(found.own.rg), packHalf2x16(vec2(found.own.b, 0.0)) | (surface_name(words) << 16u),
+                  surface, found.of_own ? 0u : 1u)
+          : uvec4(0u);
 }

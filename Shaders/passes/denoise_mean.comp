@@ -10,7 +10,8 @@ void main() {
   uvec2 texel = picture_texel(at);
   vec4 mean = mean_radiance.at[at];
   float frames = max(mean.w - 1.0, 0.0);
-  vec3 color = clamp(mix(picture_color(texel), mean.rgb, frames / (frames + frame.svgf_mean_frames)), vec3(-kMaxHalf), vec3(kMaxHalf));
+  vec3 color = clamp(mix(picture_color(texel), mean.rgb, frames / (frames + frame.svgf_mean_frames)), vec3(-kMaxHalf),
+                     vec3(kMaxHalf));
   history_words.at[to] = packHalf2x16(color.rg);
   history_words.at[to + 1u] = packHalf2x16(vec2(color.b, 0.0)) | (texel.y & 0xffff0000u);
 }

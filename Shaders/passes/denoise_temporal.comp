@@ -1,6 +1,6 @@
-// First pass of the denoiser: this frame's irradiance joins what the same surface point had gathered in earlier frames (Schied
-// 2017, Section 4.1): motion says where it was; what stood there counts if it had this id, normal and depth. Moments of
-// the luminance give the variance of what was gathered.
+// First pass of the denoiser: this frame's irradiance joins what the same surface point had gathered in earlier frames
+// (Schied 2017, Section 4.1): motion says where it was; what stood there counts if it had this id, normal and depth.
+// Moments of the luminance give the variance of what was gathered.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/light_change.glsl"
@@ -8,13 +8,13 @@
 
 struct History {
   vec3 irradiance;
-  float frames;  // 0: none
+  float frames;             // 0: none
   float mean, mean_square;  // of luminance
 };
 
 // `normal`: geometric, since nearest texels of a normal map differ from frame to frame under the camera's jitter.
-// Bilinear over the four texels about `point` (index space) that belong to the same surface; where there is none, the eight
-// around them: at an edge the moving rays meet now one side and now the other.
+// Bilinear over the four texels about `point` (index space) that belong to the same surface; where there is none, the
+// eight around them: at an edge the moving rays meet now one side and now the other.
 History find_history(vec2 point, float inverse_depth, vec2 slope, vec3 normal, uint id) {
   History h = History(vec3(0.0), 0.0, 0.0, 0.0);
   vec2 corner = floor(point), f = point - corner;
@@ -23,7 +23,9 @@ History find_history(vec2 point, float inverse_depth, vec2 slope, vec3 normal, u
   int taps = 4;
   for (int i = 0; i < taps; ++i) {
     int k = i - 4;
-    vec2 offset = i < 4 ? vec2(i & 1, i >> 1) : k < 4 ? vec2(k >> 1, 3 * (k & 1) - 1) : vec2(3 * (k & 1) - 1, (k - 4) >> 1);
+    vec2 offset = i < 4   ? vec2(i & 1, i >> 1)
+                  : k < 4 ? vec2(k >> 1, 3 * (k & 1) - 1)
+                          : vec2(3 * (k & 1) - 1, (k - 4) >> 1);
     vec2 tap = corner + offset;
     bool inside = all(greaterThanEqual(tap, vec2(0.0))) && tap.x < float(frame.width) && tap.y < float(frame.height);
     uvec4 texel = history_quad(from + (inside ? uint(tap.y) * frame.width + uint(tap.x) : 0u));
@@ -46,8 +48,8 @@ History find_history(vec2 point, float inverse_depth, vec2 slope, vec3 normal, u
   return History(h.irradiance * scale, h.frames * scale, h.mean * scale, h.mean_square * scale);
 }
 
-// A store costs as much as a fetch, word by word: what the wavelet's first level writes anyway is left to it, and what its
-// levels hand on unchanged is written to both of their sections now.
+// A store costs as much as a fetch, word by word: what the wavelet's first level writes anyway is left to it, and what
+// its levels hand on unchanged is written to both of their sections now.
 void write_texels(uint at, uvec4 filter_texel, uint moments, uint surface) {
   history.at[section(kSectionFilter) + at] = filter_texel;
   uint other = (section(kSectionFilter + 1u) + at) * 4u;
@@ -73,8 +75,8 @@ struct Light {
 };
 
 #if SPARSE
-// Light at a pixel from the samples of the four blocks about it, each by its distance and if it is of this surface (joint
-// bilateral upsampling, Kopf 2007); its own sample alone where it has one.
+// Light at a pixel from the samples of the four blocks about it, each by its distance and if it is of this surface
+// (joint bilateral upsampling, Kopf 2007); its own sample alone where it has one.
 const float kGuess = 1e-4;         // what a guess counts beside a sample
 const float kOtherSurface = 1e-3;  // what a sample of another surface counts, where there is none of this
 
@@ -89,7 +91,8 @@ Light light_about(uvec2 pixel, float inverse_depth, vec2 slope, vec3 normal, uin
     vec2 offset = vec2(i & 1u, i >> 1u);
     ivec2 block = ivec2(corner + offset);
     bool inside = all(greaterThanEqual(block, ivec2(0))) && all(lessThan(block, blocks));
-    uvec4 texel = history_quad(section(kSectionLight) + (inside ? uint(block.y) * frame.light_width + uint(block.x) : 0u));
+    uvec4 texel =
+        history_quad(section(kSectionLight) + (inside ? uint(block.y) * frame.light_width + uint(block.x) : 0u));
     float expected = inverse_depth * max(1.0 + dot(slope, (offset - f) * side), 0.01);
     vec3 turned = unpack_surface_normal(texel.z) - normal;
     bool same = (texel.y >> 16u) == id && dot(turned, turned) < 0.3 &&
@@ -116,7 +119,8 @@ void main() {
   uint id = surface_name(words);
   vec3 geometric = unpack_direction(words.x);
   vec2 slope = plane_slope(geometric, ray);
-  float inverse_depth = at_middle(1.0 / max(motion.z, 1e-3), slope), depth_before = frame.still != 0u ? motion.z : motion.w;
+  float inverse_depth = at_middle(1.0 / max(motion.z, 1e-3), slope),
+        depth_before = frame.still != 0u ? motion.z : motion.w;
   vec2 point = vec2(pixel) + (frame.still != 0u ? vec2(0.0) : motion.xy);
   History h = find_history(point, at_middle(1.0 / max(depth_before, 1e-3), slope), slope, geometric, id);
   h.frames = frames_after_change(kept_frames(h.frames, point), kept_by_change(vec2(pixel)));
@@ -149,15 +153,20 @@ void main() {
   float mean = mix(h.mean, y, moments_weight), mean_square = mix(h.mean_square, y * y, moments_weight);
   // Too few frames to tell their spread: whatever the neighbours have on this surface is as good.
   float variance = max(mean_square - mean * mean, 0.0);
-  if (frame.baked_past > 0.0 && frame.history_age < kBakedTrust) variance = variance_with_past(variance, mean, frames, frame.baked_past);
+  if (frame.baked_past > 0.0 && frame.history_age < kBakedTrust)
+    variance = variance_with_past(variance, mean, frames, frame.baked_past);
   float deviation = min(sqrt(variance * spread), kMaxDeviation);
   if (frames < 4.0 || young) deviation = kUnknownDeviation;
 
   float ahead = h.frames == 0.0 ? 0.0 : mean - luminance_of(irradiance);
   float random = float(rng_seed(at, frame.frame, 0u, 0u) >> 8u) * (1.0 / 16777216.0);
-  uvec4 filter_texel = uvec4(pack_rgb9e5(irradiance, random), packHalf2x16(vec2(deviation, ahead)), pack_surface(inverse_depth, unpack_direction(words.y)),
-                             uint(frames + 0.5) | (id << 8u) | (pack_coarse_normal(geometric) << 16u) | (is_liquid(words) ? kFilterLiquid : 0u));
+  uvec4 filter_texel = uvec4(pack_rgb9e5(irradiance, random), packHalf2x16(vec2(deviation, ahead)),
+                             pack_surface(inverse_depth, unpack_direction(words.y)),
+                             uint(frames + 0.5) | (id << 8u) | (pack_coarse_normal(geometric) << 16u) |
+                                 (is_liquid(words) ? kFilterLiquid : 0u));
   uint moments = packHalf2x16(vec2(mean, sqrt(mean_square)));
-  if (known) write_texels(at, filter_texel, moments, pack_surface(inverse_depth, geometric));
-  else write_texels(at, uvec4(0u), 0u, 0u);
+  if (known)
+    write_texels(at, filter_texel, moments, pack_surface(inverse_depth, geometric));
+  else
+    write_texels(at, uvec4(0u), 0u, 0u);
 }

@@ -1,8 +1,8 @@
 // One level of the denoiser's edge-avoiding wavelet (Dammertz 2010, Schied 2017, Section 4.4). Departs from both in the
 // kernel: a pixel and its four neighbours along a lattice that each level turns and stretches by 2 + i, so that after n
 // levels 5^n pixels have been averaged without overlap, in 4 n fetches.
-// LEVEL 0: the first; its result is also what the next frame finds as history. 2: the last; light meets the surface again, and
-// what other layers have is added.
+// LEVEL 0: the first; its result is also what the next frame finds as history. 2: the last; light meets the surface
+// again, and what other layers have is added.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/layers.glsl"
@@ -10,7 +10,8 @@
 layout(push_constant) uniform Level {
   ivec2 lattice;  // this level's step, in pixels
   uint source, target;
-} level;
+}
+level;
 
 struct Tap {
   vec3 irradiance;
@@ -34,8 +35,9 @@ Tap unpack_tap(uvec4 texel) {
   return tap;
 }
 
-// How much two normals of each kind part two pixels. Surfaces that meet at an edge differ in both. A normal map alone parts
-// at most so far that a pixel is never left to itself, least where one has no history; facets of a smooth mesh do not part.
+// How much two normals of each kind part two pixels. Surfaces that meet at an edge differ in both. A normal map alone
+// parts at most so far that a pixel is never left to itself, least where one has no history; facets of a smooth mesh do
+// not part.
 const float kMapParts = 1.5, kMapPartsFresh = 0.3;
 float parted(Tap a, Tap b) {
   vec3 turned = a.normal - b.normal, bent = a.geometric - b.geometric;
@@ -72,7 +74,8 @@ void main() {
   ivec2 size = ivec2(frame.width, frame.height);
   // Distance from the plane is held against the distance along it.
   float pixel_size = 2.0 * length(frame.camera_right.xyz) / float(frame.width);
-  float depth_scale = 1.0 / (c.inverse_depth * frame.sigma_depth * length(vec2(level.lattice)) * (pixel_size + length(slope)) + 1e-12);
+  float depth_scale =
+      1.0 / (c.inverse_depth * frame.sigma_depth * length(vec2(level.lattice)) * (pixel_size + length(slope)) + 1e-12);
 
   Tap taps[kTaps];
   float shape[kTaps];
@@ -88,9 +91,9 @@ void main() {
     variance += weight * taps[i].deviation * taps[i].deviation;
     pooled += weight;
   }
-  // A pixel's own variance is a poor estimate; what its neighbours on the surface have joins it, where it is known. A pixel
-  // whose own is not takes whatever they have, and one that has been seen for few frames parts the less from them: what its
-  // deviation has not met yet would stand alone.
+  // A pixel's own variance is a poor estimate; what its neighbours on the surface have joins it, where it is known. A
+  // pixel whose own is not takes whatever they have, and one that has been seen for few frames parts the less from
+  // them: what its deviation has not met yet would stand alone.
   float frames = float(texel.w & 0xffu), settled = clamp((frames - 3.0) / frame.svgf_settle, 0.0, 1.0);
   float luminance_scale = c.known ? settled / (frame.sigma_luminance * sqrt(variance / pooled) + 1e-4) : 0.0;
   vec3 sum = c.irradiance;

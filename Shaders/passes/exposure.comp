@@ -1,6 +1,7 @@
-// This frame's exposure from the histogram: the mean log luminance between the 20th and the 95th percentile is brought to
-// frame.exposure_target, but the 90th percentile is not pushed beyond what the tone curve can still tell apart; eased over
-// time by frame.adaptation, and at rest while that is not far off. Clears histogram and grid for the next frame.
+// This frame's exposure from the histogram: the mean log luminance between the 20th and the 95th percentile is brought
+// to frame.exposure_target, but the 90th percentile is not pushed beyond what the tone curve can still tell apart;
+// eased over time by frame.adaptation, and at rest while that is not far off. Clears histogram and grid for the next
+// frame.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame_bindings.glsl"
@@ -37,5 +38,6 @@ void main() {
   if (lane == 0u) follow_picture();
   barrier();
   for (uint i = lane; i < kHistogramBins; i += 64u) exposure_buffer.at[0].histogram[i] = 0u;
-  for (uint i = lane; i < kGridCells; i += 64u) exposure_buffer.at[0].grid_count[i] = exposure_buffer.at[0].grid_sum[i] = 0u;
+  for (uint i = lane; i < kGridCells; i += 64u)
+    exposure_buffer.at[0].grid_count[i] = exposure_buffer.at[0].grid_sum[i] = 0u;
 }

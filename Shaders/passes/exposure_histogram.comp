@@ -1,5 +1,5 @@
-// Histogram of log2 luminance of the picture, every second pixel each way: bins of 0.1875 from 2^-14 to 2^10; and the grid of
-// luminance by place. A workgroup's pixels count to one place.
+// Histogram of log2 luminance of the picture, every second pixel each way: bins of 0.1875 from 2^-14 to 2^10; and the
+// grid of luminance by place. A workgroup's pixels count to one place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pixel.glsl"

@@ -1,5 +1,6 @@
-// G-buffer: what the camera sees through each pixel: position, normals, colour, emission, motion, ids. Where it sees an interface of
-// water or glass the pass behind this one says what (gbuffer_water.comp): lavapipe would run its code at every pixel.
+// G-buffer: what the camera sees through each pixel: position, normals, colour, emission, motion, ids. Where it sees an
+// interface of water or glass the pass behind this one says what (gbuffer_water.comp): lavapipe would run its code at
+// every pixel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #if INTERSECTOR_QUERY

@@ -1,5 +1,5 @@
-// The G-buffer's texels by way of water and glass, in the tiles where some pixel shows an interface; everywhere if the camera is in a
-// liquid.
+// The G-buffer's texels by way of water and glass, in the tiles where some pixel shows an interface; everywhere if the
+// camera is in a liquid.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #if INTERSECTOR_QUERY
@@ -9,8 +9,8 @@
 #include "lib/water_tiles.glsl"
 #include "lib/water_texel.glsl"
 
-// A surface at the end of a camera ray's segment. By way of an interface it is seen as Lambertian, and moves as if the water was
-// level.
+// A surface at the end of a camera ray's segment. By way of an interface it is seen as Lambertian, and moves as if the
+// water was level.
 GBufferTexel texel_of(Surface s, Segment way, vec3 direction, vec2 point, float depth) {
   GBufferTexel texel;
   fill_texel(texel, s, way.hit, point, depth);
@@ -28,15 +28,19 @@ GBufferTexel texel_of(Surface s, Segment way, vec3 direction, vec2 point, float 
 // Of the way that a camera's ray has gone.
 LiquidPiece scattering_piece(Segment way, vec3 direction, Parting parting) {
   if (frame.camera_liquid != kNoIndex)
-    return LiquidPiece(direction, way.bent ? parting.distance : way.hit.instance == kNoIndex ? kRayEnd : way.hit.t, 0.0, 1.0,
-                       frame.camera_liquid, 1.0);
-  if (!way.bent || parting.beyond == kNoIndex || material_at(parting.beyond & kNoMaterial).scattering <= 0.0) return kNoPiece;
+    return LiquidPiece(direction,
+                       way.bent                       ? parting.distance
+                       : way.hit.instance == kNoIndex ? kRayEnd
+                                                      : way.hit.t,
+                       0.0, 1.0, frame.camera_liquid, 1.0);
+  if (!way.bent || parting.beyond == kNoIndex || material_at(parting.beyond & kNoMaterial).scattering <= 0.0)
+    return kNoPiece;
   return LiquidPiece(parting.refracted, parting.within, parting.distance, parting.through, parting.beyond,
                      1.0 / medium_index(parting.beyond));
 }
 
-// What the camera sees where there is water: through the first interface that its ray meets, and mirrored in it. The surface of
-// which a level interface shows more is the texel's own.
+// What the camera sees where there is water: through the first interface that its ray meets, and mirrored in it. The
+// surface of which a level interface shows more is the texel's own.
 GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
   vec3 direction = normalize(ray), emission = vec3(0.0);
   GBufferTexel texel = kNothingSeen;
@@ -68,7 +72,9 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
       water.liquid = swaps ? water.own_liquid : way.liquid;
       water.own_liquid = swaps ? way.liquid : water.own_liquid;
       water.position = second.position_t.xyz;
-      water.seen = second.position_t.w > 0.0 ? SecondTexel(second.albedo_roughness.rgb, second.motion.z, second.motion.w > 0.0 ? second.motion.xy : vec2(60000.0)) : kNoSecond;
+      water.seen = second.position_t.w > 0.0 ? SecondTexel(second.albedo_roughness.rgb, second.motion.z,
+                                                           second.motion.w > 0.0 ? second.motion.xy : vec2(60000.0))
+                                             : kNoSecond;
       water.normal = second.normal;
       water.shading_normal = second.shading_normal;
       texel.albedo_roughness.rgb += water.seen.albedo;

@@ -1,5 +1,5 @@
-// Smooths the grid of luminance: over neighbouring places and bins, whose numbers of pixels are its weights. What a pixel finds
-// in it is the mean log luminance of its surroundings, of those that are about as bright as it is.
+// Smooths the grid of luminance: over neighbouring places and bins, whose numbers of pixels are its weights. What a
+// pixel finds in it is the mean log luminance of its surroundings, of those that are about as bright as it is.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame_bindings.glsl"

@@ -1,6 +1,6 @@
 // Makes this frame's copies of meshes, a workgroup each: first triangles (posed: each corner between two poses), in the
-// mesh's space and in the world's; then, level by level from the leaves up, the boxes of the copy's tree. For ray queries,
-// which build and transform for themselves, posed corners in the mesh's space are all.
+// mesh's space and in the world's; then, level by level from the leaves up, the boxes of the copy's tree. For ray
+// queries, which build and transform for themselves, posed corners in the mesh's space are all.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define SCENE_ACCESS coherent
@@ -118,6 +118,7 @@ void main() {
     memoryBarrierBuffer();
     barrier();
     uint end = copy_jobs.at[job].level_first[level + 1u];
-    for (uint i = copy_jobs.at[job].level_first[level] + lane; i < end; i += gl_WorkGroupSize.x) refit_node(job, levels.at[entry + i]);
+    for (uint i = copy_jobs.at[job].level_first[level] + lane; i < end; i += gl_WorkGroupSize.x)
+      refit_node(job, levels.at[entry + i]);
   }
 }

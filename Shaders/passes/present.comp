@@ -1,5 +1,6 @@
-// The finished picture in its place in the output: scaled up where it was rendered smaller, distorted where the camera is
-// in a liquid (WARP), tinted, 2D drawing on top, then QuakeSpasm's contrast and gamma over all. Quads come binned into tiles by the host, in their drawing order.
+// The finished picture in its place in the output: scaled up where it was rendered smaller, distorted where the camera
+// is in a liquid (WARP), tinted, 2D drawing on top, then QuakeSpasm's contrast and gamma over all. Quads come binned
+// into tiles by the host, in their drawing order.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pixel.glsl"
@@ -49,9 +50,11 @@ void main() {
     color = mix(picture_at(inside), frame.screen_tint.rgb, frame.screen_tint.a);
   if (frame.draw_quads != 0u) {
     uint tile = (pixel.y / kDrawTile) * frame.quad_tiles_x + pixel.x / kDrawTile;
-    for (uint i = tiles.at[2u * tile]; i < tiles.at[2u * tile + 1u]; ++i) color = draw_quad(quads.at[tiles.at[i]], vec2(pixel) + 0.5, color);
+    for (uint i = tiles.at[2u * tile]; i < tiles.at[2u * tile + 1u]; ++i)
+      color = draw_quad(quads.at[tiles.at[i]], vec2(pixel) + 0.5, color);
   }
-  if (frame.gamma != 1.0 || frame.contrast != 1.0) color = pow(clamp(color * frame.contrast, 0.0, 1.0), vec3(frame.gamma));
+  if (frame.gamma != 1.0 || frame.contrast != 1.0)
+    color = pow(clamp(color * frame.contrast, 0.0, 1.0), vec3(frame.gamma));
   if (frame.swap_red_blue != 0u) color = color.bgr;
   output_pixels.at[pixel.y * frame.output_width + pixel.x] = packUnorm4x8(vec4(color, 1.0));
 }

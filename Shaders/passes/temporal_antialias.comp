@@ -1,7 +1,7 @@
 // Anti-aliasing over time of the finished picture (Karis 2014): the camera's rays move within their pixels from
 // frame to frame; the picture so far is carried along by motion, held to the range of colours about the pixel now, and
-// this frame joins it with a small weight. UPSCALES: the picture so far has the output's pixels, which are smaller; a frame's
-// sample joins those that are near it.
+// this frame joins it with a small weight. UPSCALES: the picture so far has the output's pixels, which are smaller; a
+// frame's sample joins those that are near it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/denoise.glsl"
@@ -24,7 +24,8 @@ uint rendered_at(ivec2 p) {
 vec3 ldr_at(ivec2 p) { return unpackUnorm4x8(ldr.at[rendered_at(p)]).rgb; }
 vec3 shown_before(ivec2 p) {
   p = clamp(p, ivec2(0), ivec2(frame.smooth_width, frame.smooth_height) - 1);
-  return unpack_rgb10(history_words.at[shown_word(1u - frame.history_parity, uint(p.y) * frame.smooth_width + uint(p.x))]);
+  return unpack_rgb10(
+      history_words.at[shown_word(1u - frame.history_parity, uint(p.y) * frame.smooth_width + uint(p.x))]);
 }
 
 // The parabola through three texels each way: keeps edges sharp that are resampled every frame.
@@ -53,8 +54,8 @@ vec2 motion_at(uint at) { return frame.still != 0u ? vec2(0.0) : uintBitsToFloat
 vec3 spread_of(vec3 mean, vec3 mean_square) { return sqrt(max(mean_square - mean * mean, 0.0)) * 1.25 + 1.0 / 255.0; }
 
 #if UPSCALES
-// A sample counts by its distance: a Gaussian as wide as a pixel of the picture. The less is known of a surface, the more it
-// counts at all pixels between samples, which would else differ from those at samples.
+// A sample counts by its distance: a Gaussian as wide as a pixel of the picture. The less is known of a surface, the
+// more it counts at all pixels between samples, which would else differ from those at samples.
 const float kNarrow = 3.3;
 
 Now frame_at(uvec2 pixel) {
@@ -118,7 +119,8 @@ Now frame_at(uvec2 pixel) {
     }
   }
   vec2 moved = frame.still != 0u ? vec2(0.0) : motion.xy;
-  return Now(color, 1.0, 1.0, sum / 5.0, spread_of(sum / 5.0, squares / 5.0), moved, max(frames_at(at), frames_at(front)));
+  return Now(color, 1.0, 1.0, sum / 5.0, spread_of(sum / 5.0, squares / 5.0), moved,
+             max(frames_at(at), frames_at(front)));
 }
 #endif
 
@@ -133,8 +135,10 @@ void main() {
     bool inside = all(greaterThan(point, vec2(-0.5))) && all(lessThan(point, vec2(size) - 0.5));
     vec3 carried = resample(point), before = clamp(carried, now.mean - now.spread, now.mean + now.spread);
     vec3 off = abs(carried - before) / now.spread;
-    // What has just come into sight has no picture before: what there was, held to the colours about, keeps its edges smooth.
-    float kept = (now.frames > 0.0 ? clamp(now.frames - 1.0, 1.0, kFramesKept) : 4.0) * now.usual / (1.0 + max(off.x, max(off.y, off.z)));
+    // What has just come into sight has no picture before: what there was, held to the colours about, keeps its edges
+    // smooth.
+    float kept = (now.frames > 0.0 ? clamp(now.frames - 1.0, 1.0, kFramesKept) : 4.0) * now.usual /
+                 (1.0 + max(off.x, max(off.y, off.z)));
     if (inside) color = mix(before, color, now.weight / (now.weight + kept));
   }
   history_words.at[shown_word(frame.history_parity, at)] = pack_rgb10(color, hash_combine(at, frame.frame));

@@ -1,4 +1,5 @@
-// Radiance to displayable colour: what the lens does (LENS), exposure, a filmic curve that keeps colours, sRGB, half a step of dither against banding.
+// Radiance to displayable colour: what the lens does (LENS), exposure, a filmic curve that keeps colours, sRGB, half a
+// step of dither against banding.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pixel.glsl"

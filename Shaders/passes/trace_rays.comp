@@ -1,5 +1,5 @@
-// Traces a list of rays: for tests and the traversal benchmark. Of the hits that must ask, those on triangles whose first
-// vertex is even count.
+// Traces a list of rays: for tests and the traversal benchmark. Of the hits that must ask, those on triangles whose
+// first vertex is even count.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #if INTERSECTOR_QUERY

@@ -4,7 +4,11 @@ layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const uint kWord = 1u;
 layout(constant_id = 2) const float kNumber = 1.0;
 layout(constant_id = 3) const bool kFlag = false;
-layout(push_constant) uniform Push { uint a; float b; uint words[30]; };
+layout(push_constant) uniform Push {
+  uint a;
+  float b;
+  uint words[30];
+};
 layout(set = 1, binding = 0, std430) writeonly buffer Result { uint result[]; };
 
 void main() {

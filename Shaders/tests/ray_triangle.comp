@@ -30,7 +30,8 @@ void main() {
     hit.instance = rayQueryGetIntersectionInstanceCustomIndexEXT(query, true);
     hit.triangle = rayQueryGetIntersectionPrimitiveIndexEXT(query, true);
     hit.front = rayQueryGetIntersectionFrontFaceEXT(query, true) ? 1u : 0u;
-    hit.t_bary = vec4(rayQueryGetIntersectionTEXT(query, true), rayQueryGetIntersectionBarycentricsEXT(query, true), 0.0);
+    hit.t_bary =
+        vec4(rayQueryGetIntersectionTEXT(query, true), rayQueryGetIntersectionBarycentricsEXT(query, true), 0.0);
   }
   hits[i] = hit;
 }

@@ -1,5 +1,5 @@
-// Technique `ddgi_plus`: paths end at their second vertex in what probes know of all the light that falls on it (Majercik 2022, Eq. 5 to
-// 8). Where they know nothing it is `nee`. Biased as `ddgi` is, less where it shows.
+// Technique `ddgi_plus`: paths end at their second vertex in what probes know of all the light that falls on it
+// (Majercik 2022, Eq. 5 to 8). Where they know nothing it is `nee`. Biased as `ddgi` is, less where it shows.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

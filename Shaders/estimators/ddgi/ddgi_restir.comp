@@ -1,6 +1,7 @@
-// Technique `ddgi_restir`: light of a pixel's first vertex is of one sample of all surfaces, which reservoirs chose by what they
-// emit and what probes know that they reflect (passes/candidates.comp). Here a pixel takes up its neighbours' samples and asks by a
-// ray for the one that is left (Majercik 2022, Sections 3.2, 3.6 and 3.7). Biased as `ddgi_plus` is.
+// Technique `ddgi_restir`: light of a pixel's first vertex is of one sample of all surfaces, which reservoirs chose by
+// what they emit and what probes know that they reflect (passes/candidates.comp). Here a pixel takes up its neighbours'
+// samples and asks by a ray for the one that is left (Majercik 2022, Sections 3.2, 3.6 and 3.7). Biased as `ddgi_plus`
+// is.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -28,7 +29,8 @@ Neighbor neighbor_of(PathPixel p, GBufferTexel g, inout uint rng) {
   float far = radius * sqrt(rng_uniform(rng)), turn = 2.0 * kPiShared * rng_uniform(rng);
   ivec2 block = ivec2(floor(vec2(p.block) + 0.5 + far * vec2(cos(turn), sin(turn))));
   Neighbor n;
-  n.there = all(greaterThanEqual(block, ivec2(0))) && all(lessThan(block, ivec2(lit_blocks()))) && block != ivec2(p.block);
+  n.there =
+      all(greaterThanEqual(block, ivec2(0))) && all(lessThan(block, ivec2(lit_blocks()))) && block != ivec2(p.block);
   n.block = n.there ? uvec2(block) : p.block;
   n.pixel = light_pixel(n.block);
   n.there = n.there && n.pixel.x < frame.width && n.pixel.y < frame.height;
@@ -64,10 +66,12 @@ LitReservoir with_neighbors(LitReservoir own, Vertex here, GBufferTexel g, PathP
       float target_here = target_at(here, other.chosen, false), target_there = target_at(about, other.chosen, false);
       own_share += mis_pairwise_canonical(pairs, other.confidence, target_at(about, own.chosen, false), own_target);
       float share = mis_pairwise(pairs, other.confidence, target_there, target_here);
-      if (update_reservoir(r, share * target_here * other.weight, target_here, other.confidence, u)) result.chosen = other.chosen;
+      if (update_reservoir(r, share * target_here * other.weight, target_here, other.confidence, u))
+        result.chosen = other.chosen;
     }
   } while (++i < neighbors);
-  if (update_reservoir(r, own_share * own_target * own.weight, own_target, own.confidence, rng_uniform(again))) result.chosen = own.chosen;
+  if (update_reservoir(r, own_share * own_target * own.weight, own_target, own.confidence, rng_uniform(again)))
+    result.chosen = own.chosen;
   finish_reservoir(r, 1.0);
   result.weight = r.contribution_weight;
   result.confidence = r.confidence;
@@ -80,7 +84,9 @@ vec3 light_of(Vertex v, LitReservoir r, inout uint rng) {
   bool asks = r.weight > 0.0 && w.f != vec3(0.0);
   Segment way = segment_from(v, w.direction, asks ? w.reach * 1.001 + 0.01 : 0.0, kTurnNowhere, rng);
   bool found = asks && way.hit.instance == r.chosen.instance && way.hit.triangle == r.chosen.triangle && way.certain;
-  if (asks) count_way(seen_way(seen_place(scatter_origin(v.scatter, v.position), 0u), v.position + w.direction * w.reach), found);
+  if (asks)
+    count_way(seen_way(seen_place(scatter_origin(v.scatter, v.position), 0u), v.position + w.direction * w.reach),
+              found);
   return found ? w.f * sent_light(v, way, rng) * r.weight : vec3(0.0);
 }
 

@@ -1,5 +1,5 @@
-// Technique `mcpg`: Markov chain path guiding (Alber 2025). Unbiased for paths of at most frame.bounces reflections: what
-// it learnt only shapes the density that it samples from.
+// Technique `mcpg`: Markov chain path guiding (Alber 2025). Unbiased for paths of at most frame.bounces reflections:
+// what it learnt only shapes the density that it samples from.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

@@ -1,5 +1,5 @@
-// Technique `mcpg_nee_tail`: as `mcpg_nee` at the first vertex; what its ray meets ends the path in the irradiance cache, which
-// looked-for light trains, where it knows enough. Biased as `mcpg_tail` is.
+// Technique `mcpg_nee_tail`: as `mcpg_nee` at the first vertex; what its ray meets ends the path in the irradiance
+// cache, which looked-for light trains, where it knows enough. Biased as `mcpg_tail` is.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

@@ -1,5 +1,5 @@
-// Technique `mcpg_tail`: as `mcpg`, but paths end in the irradiance cache after one reflection, where it knows enough. Biased: a
-// Lambertian tail of any number of reflections, averaged over cells, some frames late.
+// Technique `mcpg_tail`: as `mcpg`, but paths end in the irradiance cache after one reflection, where it knows enough.
+// Biased: a Lambertian tail of any number of reflections, averaged over cells, some frames late.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

@@ -1,6 +1,6 @@
-// Technique `mir`: guided by distributions of directions that the host learns between iterations from the paths that are stored here
-// (Müller 2017), and weighs all of them anew for the picture (Fan 2025). A frame alone is unbiased for paths of at most frame.bounces
-// reflections.
+// Technique `mir`: guided by distributions of directions that the host learns between iterations from the paths that
+// are stored here (Müller 2017), and weighs all of them anew for the picture (Fan 2025). A frame alone is unbiased for
+// paths of at most frame.bounces reflections.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

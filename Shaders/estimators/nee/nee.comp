@@ -1,5 +1,6 @@
-// Technique `nee`: next-event estimation. Every vertex looks for one light, of the list or a sun, and goes on by the BSDF; the
-// last vertex does one or the other. Unbiased for paths of at most frame.bounces reflections. It remembers what shadow rays reach.
+// Technique `nee`: next-event estimation. Every vertex looks for one light, of the list or a sun, and goes on by the
+// BSDF; the last vertex does one or the other. Unbiased for paths of at most frame.bounces reflections. It remembers
+// what shadow rays reach.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

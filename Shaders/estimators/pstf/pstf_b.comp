@@ -1,5 +1,6 @@
-// Technique `pstf_b`: as `pstf_cv`, but of the light of one vertex of a path, its first or second, the field says all but a part gamma
-// (Pantaleoni 2020, Section 5). Biased: light of any number of reflections, averaged over cells, some frames late.
+// Technique `pstf_b`: as `pstf_cv`, but of the light of one vertex of a path, its first or second, the field says all
+// but a part gamma (Pantaleoni 2020, Section 5). Biased: light of any number of reflections, averaged over cells, some
+// frames late.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

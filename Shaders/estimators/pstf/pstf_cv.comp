@@ -1,5 +1,5 @@
-// Technique `pstf_cv`: as `pt`, and what a field of light in the world knows of incident light is a control variate (Pantaleoni 2020,
-// Section 4.2). Unbiased for paths of at most frame.bounces reflections, whatever the field holds.
+// Technique `pstf_cv`: as `pt`, and what a field of light in the world knows of incident light is a control variate
+// (Pantaleoni 2020, Section 4.2). Unbiased for paths of at most frame.bounces reflections, whatever the field holds.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

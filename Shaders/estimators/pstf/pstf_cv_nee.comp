@@ -1,5 +1,5 @@
-// Technique `pstf_cv_nee`: as `pstf_cv`, and every vertex looks for a light, as in `nee`; the control variate is of what this leaves.
-// Unbiased as `pstf_cv` is.
+// Technique `pstf_cv_nee`: as `pstf_cv`, and every vertex looks for a light, as in `nee`; the control variate is of
+// what this leaves. Unbiased as `pstf_cv` is.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

@@ -1,5 +1,5 @@
-// Technique `pstf_is`: as `pt`, and directions are drawn from trees that cells in the world hold, too (Pantaleoni 2020, Section 4.1).
-// Unbiased for paths of at most frame.bounces reflections, whatever the trees hold.
+// Technique `pstf_is`: as `pt`, and directions are drawn from trees that cells in the world hold, too (Pantaleoni 2020,
+// Section 4.1). Unbiased for paths of at most frame.bounces reflections, whatever the trees hold.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

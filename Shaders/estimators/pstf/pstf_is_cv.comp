@@ -1,4 +1,5 @@
-// Technique `pstf_is_cv`: as `pstf_is`, with the difference of the two densities as a control variate (Pantaleoni 2020, Eq. 27).
+// Technique `pstf_is_cv`: as `pstf_is`, with the difference of the two densities as a control variate (Pantaleoni 2020,
+// Eq. 27).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

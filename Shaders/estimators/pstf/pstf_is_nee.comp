@@ -1,4 +1,5 @@
-// Technique `pstf_is_nee`: as `pstf_is`, and every vertex looks for a light, as in `nee`; trees are of what this leaves.
+// Technique `pstf_is_nee`: as `pstf_is`, and every vertex looks for a light, as in `nee`; trees are of what this
+// leaves.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

@@ -1,4 +1,5 @@
-// Technique `restir_guided`: as `restir_gi`, with paths that are guided as those of `mcpg_nee` are, whose samples reservoirs take up.
+// Technique `restir_guided`: as `restir_gi`, with paths that are guided as those of `mcpg_nee` are, whose samples
+// reservoirs take up.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

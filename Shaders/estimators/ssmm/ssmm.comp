@@ -1,5 +1,6 @@
-// Technique `ssmm`: the first vertices of pixels sample a mixture of lobes that the pixels of a tile hold (Dittebrandt 2023), one for
-// each, which Markov chains move to where light is. Unbiased for paths of at most frame.bounces reflections.
+// Technique `ssmm`: the first vertices of pixels sample a mixture of lobes that the pixels of a tile hold (Dittebrandt
+// 2023), one for each, which Markov chains move to where light is. Unbiased for paths of at most frame.bounces
+// reflections.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

@@ -1,5 +1,5 @@
-// Blends the rays of probes that had a turn into what they know: a workgroup a probe, of whose maps a lane has one texel of light and
-// four of distances, so that a ray is read once for all of these.
+// Blends the rays of probes that had a turn into what they know: a workgroup a probe, of whose maps a lane has one
+// texel of light and four of distances, so that a ray is read once for all of these.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "estimators/ddgi/steps/probes.glsl"
@@ -7,7 +7,7 @@
 
 layout(local_size_x = 64) in;
 
-const float kInWall = 0.2;        // of the distance that rays count as which end at a back: such a probe sees next to nothing
+const float kInWall = 0.2;  // of the distance that rays count as which end at a back: such a probe sees next to nothing
 const float kLeastWeight = 1e-3;  // of rays near a texel's direction, for it to learn anything
 
 vec4 power_50(vec4 x) {
@@ -20,8 +20,8 @@ void blend_depth(uint at, float weight, float sum, float square, float share) {
   ddgi_depth.at[at] = packUnorm2x16(mix(unpackUnorm2x16(ddgi_depth.at[at]), vec2(sum, square) / weight, share));
 }
 
-// Each ray stands for light over the density of rays per solid angle: their mean with the cosine, over pi, is the irradiance over pi
-// whatever that density is.
+// Each ray stands for light over the density of rays per solid angle: their mean with the cosine, over pi, is the
+// irradiance over pi whatever that density is.
 void main() {
   uint turn = gl_WorkGroupID.x, lane = gl_LocalInvocationID.x;
   uint probe = ddgi_turns.at[turn], first = 2u * turn * ddgi.rays;
@@ -40,7 +40,10 @@ void main() {
     float far = ray.w / ddgi.origin.w;
     far = far < 0.0 ? -kInWall * far : far;
     // Rays that look for lights know no distances.
-    vec4 near = i < ddgi.looking ? vec4(0.0) : power_50(max(vec4(dot(ray.xyz, a), dot(ray.xyz, b), dot(ray.xyz, c), dot(ray.xyz, d)), vec4(0.0)));
+    vec4 near =
+        i < ddgi.looking
+            ? vec4(0.0)
+            : power_50(max(vec4(dot(ray.xyz, a), dot(ray.xyz, b), dot(ray.xyz, c), dot(ray.xyz, d)), vec4(0.0)));
     weights += near;
     sums += near * far;
     squares += near * far * far;

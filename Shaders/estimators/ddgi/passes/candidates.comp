@@ -1,6 +1,6 @@
-// For each pixel at which light is sampled: candidates of the list of lights and of scattered rays, one of which a reservoir keeps with
-// the former frame's (Majercik 2022, Section 3.2); and the light that is not theirs: suns, what bends, and what the bounded
-// geometry term leaves (Eq. 9).
+// For each pixel at which light is sampled: candidates of the list of lights and of scattered rays, one of which a
+// reservoir keeps with the former frame's (Majercik 2022, Section 3.2); and the light that is not theirs: suns, what
+// bends, and what the bounded geometry term leaves (Eq. 9).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -14,28 +14,30 @@
 #include "estimators/ddgi/steps/resampled.glsl"
 
 // Candidates of the list: places on lights, with what these send if they are even.
-void add_listed(Vertex v, Candidates lamps, uint here, float rays, inout Reservoir r, inout LitSample chosen, inout uint rng) {
+void add_listed(Vertex v, Candidates lamps, uint here, float rays, inout Reservoir r, inout LitSample chosen,
+                inout uint rng) {
   uint listed = has_lights() ? light_candidates() : 0u, i = 0u;
   if (listed > 0u) do {
-    GpuLight light;
-    bool there = draw_candidate(lamps, i, rng, light);
-    LitSample s = LitSample(light.instance, light.triangle, packUnorm2x16(sample_triangle(rng)), 0u);
-    float pick = rng_uniform(rng);
-    LitPlace p = place_of_sample(s, false);
-    LitWay w = way_to_sample(v, p);
-    float area = 0.5 * length(cross(p.triangle.e1.xyz, p.triangle.e2.xyz));
-    // The list knows a light's power alone, as the sum of its channels.
-    s.sent = pack_rgb9e5(vec3(frame.light_power * light_probability(light) / (3.0 * max(area, 1e-12))), 0.5);
-    bool scattered = !ends_by_chance(Hit(0.0, vec2(0.0), light.instance, light.triangle));
-    float all = draws_of(lamps, light) + (w.seen > 0.0 ? rays * w.bsdf / w.seen : 0.0);
-    bool counts = there && scattered && all > 0.0 && !is_within_light(v, w.reach);
-    float target = counts ? lit_target(w, s.sent) * hope_of(lamps, light, seen_way(here, p.place)) : 0.0;
-    if (update_reservoir(r, target / max(all, 1e-30), target, 0.0, pick)) chosen = s;
-  } while (++i < listed);
+      GpuLight light;
+      bool there = draw_candidate(lamps, i, rng, light);
+      LitSample s = LitSample(light.instance, light.triangle, packUnorm2x16(sample_triangle(rng)), 0u);
+      float pick = rng_uniform(rng);
+      LitPlace p = place_of_sample(s, false);
+      LitWay w = way_to_sample(v, p);
+      float area = 0.5 * length(cross(p.triangle.e1.xyz, p.triangle.e2.xyz));
+      // The list knows a light's power alone, as the sum of its channels.
+      s.sent = pack_rgb9e5(vec3(frame.light_power * light_probability(light) / (3.0 * max(area, 1e-12))), 0.5);
+      bool scattered = !ends_by_chance(Hit(0.0, vec2(0.0), light.instance, light.triangle));
+      float all = draws_of(lamps, light) + (w.seen > 0.0 ? rays * w.bsdf / w.seen : 0.0);
+      bool counts = there && scattered && all > 0.0 && !is_within_light(v, w.reach);
+      float target = counts ? lit_target(w, s.sent) * hope_of(lamps, light, seen_way(here, p.place)) : 0.0;
+      if (update_reservoir(r, target / max(all, 1e-30), target, 0.0, pick)) chosen = s;
+    } while (++i < listed);
 }
 
 // Of a scattered ray: its sample, if reservoirs may have it, and what they do not have of its light.
-vec3 add_scattered(Vertex v, Candidates lamps, uint here, float rays, inout Reservoir r, inout LitSample chosen, inout uint rng) {
+vec3 add_scattered(Vertex v, Candidates lamps, uint here, float rays, inout Reservoir r, inout LitSample chosen,
+                   inout uint rng) {
   Proposal q = propose_scattered(v, rng);
   bool goes = q.weight != vec3(0.0);
   Segment way = segment_from(v, q.direction, goes ? kRayEnd : 0.0, kTurnByChance, rng);
@@ -46,7 +48,8 @@ vec3 add_scattered(Vertex v, Candidates lamps, uint here, float rays, inout Rese
   LitSample s = LitSample(way.hit.instance, way.hit.triangle, packUnorm2x16(way.hit.bary), pack_rgb9e5(sent, 0.5));
   LitPlace p = place_of_sample(s, false);
   LitWay w = way_to_sample(v, p);
-  float listed = is_within_light(v, way.hit.t) || w.seen <= 0.0 ? 0.0 : hit_light_pdf(cell_of(v), way.hit, q.direction) / w.seen;
+  float listed =
+      is_within_light(v, way.hit.t) || w.seen <= 0.0 ? 0.0 : hit_light_pdf(cell_of(v), way.hit, q.direction) / w.seen;
   float all = listed + (w.seen > 0.0 ? rays * w.bsdf / w.seen : 0.0), target = all > 0.0 ? lit_target(w, s.sent) : 0.0;
   if (update_reservoir(r, target / max(all, 1e-30), target, 0.0, pick)) chosen = s;
   vec3 normal = normalize(cross(p.triangle.e1.xyz, p.triangle.e2.xyz));
@@ -79,7 +82,8 @@ Vertex former_vertex(FormerTexel f) {
   return v;
 }
 
-// Generalised balance heuristic (Lin 2022), of targets without visibility: all are of functions that hold for both frames.
+// Generalised balance heuristic (Lin 2022), of targets without visibility: all are of functions that hold for both
+// frames.
 LitReservoir over_time(LitReservoir fresh, Vertex here, GBufferTexel g, PathPixel p, inout uint rng) {
   FormerTexel f = former_lit_texel(g, p.pixel, ivec2(0));
   LitReservoir old = former_reservoir(f);
@@ -95,8 +99,10 @@ LitReservoir over_time(LitReservoir fresh, Vertex here, GBufferTexel g, PathPixe
   float old_share = mis_balance(b, a + b);
   Reservoir r = empty_reservoir();
   LitReservoir result = no_lit_reservoir();
-  if (update_reservoir(r, fresh_share * fresh_here * fresh.weight, fresh_here, fresh.confidence, rng_uniform(rng))) result.chosen = fresh.chosen;
-  if (update_reservoir(r, old_share * old_here * old.weight, old_here, old.confidence, rng_uniform(rng))) result.chosen = old.chosen;
+  if (update_reservoir(r, fresh_share * fresh_here * fresh.weight, fresh_here, fresh.confidence, rng_uniform(rng)))
+    result.chosen = fresh.chosen;
+  if (update_reservoir(r, old_share * old_here * old.weight, old_here, old.confidence, rng_uniform(rng)))
+    result.chosen = old.chosen;
   finish_reservoir(r, 1.0);
   result.weight = r.contribution_weight;
   result.confidence = r.confidence;

@@ -1,6 +1,7 @@
-// Rays of the probes that have a turn. A probe is a point from which light is asked all around, as a point of a medium that scatters
-// evenly. Eq. 4: what is met sends light that is looked for from there, and what probes know. Eq. 5: it sends what it emits and
-// what probes know, and some rays look for lights, since lamps are small; which of both finds a lamp the balance heuristic shares.
+// Rays of the probes that have a turn. A probe is a point from which light is asked all around, as a point of a medium
+// that scatters evenly. Eq. 4: what is met sends light that is looked for from there, and what probes know. Eq. 5: it
+// sends what it emits and what probes know, and some rays look for lights, since lamps are small; which of both finds a
+// lamp the balance heuristic shares.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -40,7 +41,8 @@ vec3 reflected_light(Segment way, inout uint rng) {
   SurfaceLight known = light_of_surface(v, way.hit.t, PLUS && ddgi.ddgi_view_bias != 0, PLUS, true, false, rng);
   vec3 light = known.diffuse + known.glossy;
   if (PLUS) return light * way.left;
-  v.scatter.bsdf = Bsdf(diffuse_reflectance(v.scatter.bsdf, max(dot(v.view, v.scatter.shading_normal), 0.0)), 1.0, 0.0, 0.0);
+  v.scatter.bsdf =
+      Bsdf(diffuse_reflectance(v.scatter.bsdf, max(dot(v.view, v.scatter.shading_normal), 0.0)), 1.0, 0.0, 0.0);
   return (light + light_in_turns(v, rng).radiance) * way.left;
 }
 
@@ -56,7 +58,8 @@ void main() {
   float looking_share = float(looking) / float(ddgi.rays);
   Turns turns = Turns(looking_share, 1.0 - looking_share);
   vec3 place = place_of_probe(probe);
-  Vertex v = Vertex(place, place, vec3(0.0, 0.0, 1.0), Scatter(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0), Bsdf(vec3(0.0), 1.0, 0.0, 0.0), true, kNoPhase),
+  Vertex v = Vertex(place, place, vec3(0.0, 0.0, 1.0),
+                    Scatter(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0), Bsdf(vec3(0.0), 1.0, 0.0, 0.0), true, kNoPhase),
                     kNoIndex, false);
 
   Aim aim = kNoAim;
@@ -78,8 +81,9 @@ void main() {
       weight = found(aim, way, rng) ? shared_weight(aim, way, kEven, turns) : 0.0;
       remember_lamp(aim.cell, aim.lamp, dot(emission, vec3(weight * kEven)), rng);
     } else if (!back) {
-      weight = looking > 0u && emission != vec3(0.0) ? 1.0 / density_of_all(looked_for_density(v, direction, way), kEven, turns)
-                                                     : 1.0 / (turns.scattering * kEven);
+      weight = looking > 0u && emission != vec3(0.0)
+                   ? 1.0 / density_of_all(looked_for_density(v, direction, way), kEven, turns)
+                   : 1.0 / (turns.scattering * kEven);
     }
     bool sky = missed || is_sky(way.hit);
     light = weight > 0.0 ? emission * (weight * further_fade(probe, direction, way, sky)) : vec3(0.0);

@@ -1,5 +1,5 @@
-// Which probes have a turn in this frame: first how urgent each is, where the volume has moved on to another cell as one of which
-// nothing is known; then the rank of each among all.
+// Which probes have a turn in this frame: first how urgent each is, where the volume has moved on to another cell as
+// one of which nothing is known; then the rank of each among all.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "estimators/ddgi/steps/probes.glsl"

@@ -1,8 +1,10 @@
 // Step `begin` of paths that know probes. The includer says at which vertex probes come in (kPlus):
 //
-//   false  at the first: what falls straight on it is looked for, what is reflected to it probes know; its coat's reflections
+//   false  at the first: what falls straight on it is looked for, what is reflected to it probes know; its coat's
+//   reflections
 //          are a path that goes on likewise (Eq. 2)
-//   true   at the second (r_ddgi_vertex 1: the first): all that falls on it, but its coat's reflections while the path's footprint is
+//   true   at the second (r_ddgi_vertex 1: the first): all that falls on it, but its coat's reflections while the
+//   path's footprint is
 //          small (Eq. 5 to 8)
 #ifndef FB_DDGI_BEGIN
 #define FB_DDGI_BEGIN
@@ -20,7 +22,8 @@ struct PathOwn {
 #include "lib/path_state.glsl"
 
 void begin_path(inout Path path, uvec2 block, uint i) {
-  path.own.rng = rng_seed(block.y * frame.width + block.x, frame.frame, i, frame.seed ^ (IN_MEDIUM ? 0x27d4eb2fu : 0x165667b1u));
+  path.own.rng =
+      rng_seed(block.y * frame.width + block.x, frame.frame, i, frame.seed ^ (IN_MEDIUM ? 0x27d4eb2fu : 0x165667b1u));
   path.own.kind = 0u;
   path.own.entered = false;
   path.own.from = frame.camera_position.xyz;

@@ -24,11 +24,14 @@ struct Field {
 Field field_at(Vertex v, inout Path path) {
   bool first = !path.own.entered;
   float length_of_ray = distance(v.position, path.own.from), cosine = dot(v.view, v.scatter.normal);
-  if (first) path.own.seen_area = ddgi_seen_area(length_of_ray, cosine);
-  else path.own.width += ddgi_spread(length_of_ray, path.own.pdf, cosine);
+  if (first)
+    path.own.seen_area = ddgi_seen_area(length_of_ray, cosine);
+  else
+    path.own.width += ddgi_spread(length_of_ray, path.own.pdf, cosine);
   bool asks = kPlus ? !first || ddgi.ddgi_vertex == 1 : path.own.kind != kDirect;
   bool wide = !first && path.own.width * path.own.width > ddgi.ddgi_footprint * path.own.seen_area;
-  SurfaceLight light = light_of_surface(v, length_of_ray, kPlus && ddgi.ddgi_view_bias != 0, kPlus, asks, true, path.own.rng);
+  SurfaceLight light =
+      light_of_surface(v, length_of_ray, kPlus && ddgi.ddgi_view_bias != 0, kPlus, asks, true, path.own.rng);
   Field f;
   f.known = light.known;
   f.diffuse = light.diffuse;

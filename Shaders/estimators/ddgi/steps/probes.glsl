@@ -12,7 +12,8 @@ FB_TECHNIQUE_ARRAY(kDdgiLight, 4, , DdgiLightArray, uint, ddgi_light)
 FB_TECHNIQUE_ARRAY(kDdgiDepth, 4, , DdgiDepthArray, uint, ddgi_depth)
 FB_TECHNIQUE_ARRAY(kDdgiTurns, 4, , DdgiTurnArray, uint, ddgi_turns)
 FB_TECHNIQUE_ARRAY(kDdgiRays, 16, , DdgiRayArray, vec4, ddgi_rays)
-layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTechnique + kDdgiRays) uniform usamplerBuffer ddgi_ray_texels;
+layout(set = kSetScene,
+       binding = kBindTexelBuffers + kTexelsTechnique + kDdgiRays) uniform usamplerBuffer ddgi_ray_texels;
 
 uint light_candidates() { return uint(ddgi.nee_candidates); }
 uint remembered_candidates() { return uint(ddgi.nee_remembered); }
@@ -31,11 +32,14 @@ ivec3 cell_of_probe(uint probe) {
   ivec3 count = ddgi_count(), first = ddgi_first();
   int row = int(probe) / count.x;
   ivec3 at = ivec3(int(probe) % count.x, row % count.y, row / count.y);
-  return ivec3(ddgi_cell_of(at.x, first.x, count.x), ddgi_cell_of(at.y, first.y, count.y), ddgi_cell_of(at.z, first.z, count.z));
+  return ivec3(ddgi_cell_of(at.x, first.x, count.x), ddgi_cell_of(at.y, first.y, count.y),
+               ddgi_cell_of(at.z, first.z, count.z));
 }
 // In the grid, before it moved.
 vec3 place_of_cell(ivec3 cell) { return ddgi.origin.xyz + (vec3(cell) + 0.5) * ddgi.spacing.xyz; }
-vec3 place_of_probe(uint probe) { return place_of_cell(cell_of_probe(probe)) + uintBitsToFloat(ddgi_probes.at[2u * probe].xyz); }
+vec3 place_of_probe(uint probe) {
+  return place_of_cell(cell_of_probe(probe)) + uintBitsToFloat(ddgi_probes.at[2u * probe].xyz);
+}
 
 bool is_known(uvec4 record) { return (record.x & kDdgiUpdates) != 0u && (record.x & kDdgiAsleep) == 0u; }
 
@@ -43,15 +47,19 @@ bool is_known(uvec4 record) { return (record.x & kDdgiUpdates) != 0u && (record.
 vec3 light_of_probe(uint probe, vec3 direction) {
   DdgiTaps t = ddgi_taps(direction, kDdgiLightSide);
   uint first = probe * kDdgiLightTexels;
-  return unpack_rgb9e5(ddgi_light.at[first + t.texel.x]) * t.weight.x + unpack_rgb9e5(ddgi_light.at[first + t.texel.y]) * t.weight.y +
-         unpack_rgb9e5(ddgi_light.at[first + t.texel.z]) * t.weight.z + unpack_rgb9e5(ddgi_light.at[first + t.texel.w]) * t.weight.w;
+  return unpack_rgb9e5(ddgi_light.at[first + t.texel.x]) * t.weight.x +
+         unpack_rgb9e5(ddgi_light.at[first + t.texel.y]) * t.weight.y +
+         unpack_rgb9e5(ddgi_light.at[first + t.texel.z]) * t.weight.z +
+         unpack_rgb9e5(ddgi_light.at[first + t.texel.w]) * t.weight.w;
 }
 // Mean distance about a direction and mean of its square, units.
 vec2 depth_of_probe(uint probe, vec3 direction) {
   DdgiTaps t = ddgi_taps(direction, kDdgiDepthSide);
   uint first = probe * kDdgiDepthTexels;
-  vec2 d = unpackUnorm2x16(ddgi_depth.at[first + t.texel.x]) * t.weight.x + unpackUnorm2x16(ddgi_depth.at[first + t.texel.y]) * t.weight.y +
-           unpackUnorm2x16(ddgi_depth.at[first + t.texel.z]) * t.weight.z + unpackUnorm2x16(ddgi_depth.at[first + t.texel.w]) * t.weight.w;
+  vec2 d = unpackUnorm2x16(ddgi_depth.at[first + t.texel.x]) * t.weight.x +
+           unpackUnorm2x16(ddgi_depth.at[first + t.texel.y]) * t.weight.y +
+           unpackUnorm2x16(ddgi_depth.at[first + t.texel.z]) * t.weight.z +
+           unpackUnorm2x16(ddgi_depth.at[first + t.texel.w]) * t.weight.w;
   return d * vec2(ddgi.origin.w, ddgi.origin.w * ddgi.origin.w);
 }
 
@@ -62,8 +70,8 @@ struct ProbeLight {
   vec3 about_other;   // the same about another direction: coarsely, the radiance from there
 };
 
-// `point`: on a surface of this normal; `asked`: off it, where probes are asked whether they see it. `other`: a direction, or zero:
-// nothing is asked about it. `notes`: these probes are in sight. Not `asks`: nothing is known.
+// `point`: on a surface of this normal; `asked`: off it, where probes are asked whether they see it. `other`: a
+// direction, or zero: nothing is asked about it. `notes`: these probes are in sight. Not `asks`: nothing is known.
 ProbeLight light_of_probes(vec3 point, vec3 asked, vec3 normal, vec3 other, bool asks, bool notes) {
   ivec3 first = ddgi_first(), count = ddgi_count();
   vec3 at = (asked - ddgi.origin.xyz) / ddgi.spacing.xyz - vec3(first) - 0.5;
@@ -103,7 +111,8 @@ ProbeLight light_of_probes(vec3 point, vec3 asked, vec3 normal, vec3 other, bool
   return sum;
 }
 
-// Where probes are asked for a point that a ray of this length reached. Along the ray no surface is in between (Section 3.5).
+// Where probes are asked for a point that a ray of this length reached. Along the ray no surface is in between
+// (Section 3.5).
 vec3 asked_place(vec3 point, vec3 view, vec3 normal, float length_of_ray, bool along_view) {
   float off = ddgi.ddgi_bias * ddgi.spacing.w;
   if (along_view) return point + view * min(off, 0.9 * length_of_ray);
@@ -111,8 +120,8 @@ vec3 asked_place(vec3 point, vec3 view, vec3 normal, float length_of_ray, bool a
 }
 
 // --- A surface's BSDF in two: what probes know of the light that it scatters evenly, and its coat ---
-// Reflectance of the Lambert part under even light, towards a viewer at this cosine. The mean over the cosine of what Schlick's
-// Fresnel term lets through is 20/21 (1 - F0).
+// Reflectance of the Lambert part under even light, towards a viewer at this cosine. The mean over the cosine of what
+// Schlick's Fresnel term lets through is 20/21 (1 - F0).
 vec3 diffuse_reflectance(Bsdf b, float cosine) {
   vec3 albedo = b.albedo * (1.0 - b.metalness);
   if (!bsdf_has_coat(b)) return albedo;

@@ -1,4 +1,5 @@
-// Steps `proposal`, `direct` and `control`: a vertex is split into what probes know, which is added without noise, and the rest.
+// Steps `proposal`, `direct` and `control`: a vertex is split into what probes know, which is added without noise, and
+// the rest.
 #ifndef FB_DDGI_PROPOSAL
 #define FB_DDGI_PROPOSAL
 #include "estimators/ddgi/steps/field.glsl"
@@ -68,6 +69,8 @@ Direct last_light(Vertex v, inout Path path, inout uint rng) { return light_in_t
 
 const bool kHasControl = true;
 
-vec3 control_mean(Vertex v, Guidance g, Field here) { return g.kind == kWhole ? vec3(0.0) : g.kind == kEnds ? here.all : here.diffuse; }
+vec3 control_mean(Vertex v, Guidance g, Field here) {
+  return g.kind == kWhole ? vec3(0.0) : g.kind == kEnds ? here.all : here.diffuse;
+}
 vec3 control_at(Vertex v, Guidance g, Field here, vec3 direction) { return vec3(0.0); }
 #endif

@@ -1,7 +1,7 @@
-// Samples of all light that falls on a first vertex (Majercik 2022, Section 3.2): a place on any triangle of the scene, and what it
-// was found to send to where it was found: what it emits, and what probes know of what it reflects. The measure is area on the
-// triangle in units of its own size, so that it stays the same wherever an instance has moved, and shifts between pixels and frames have
-// Jacobian 1. Suns are looked for apart, since they have no place.
+// Samples of all light that falls on a first vertex (Majercik 2022, Section 3.2): a place on any triangle of the scene,
+// and what it was found to send to where it was found: what it emits, and what probes know of what it reflects. The
+// measure is area on the triangle in units of its own size, so that it stays the same wherever an instance has moved,
+// and shifts between pixels and frames have Jacobian 1. Suns are looked for apart, since they have no place.
 #ifndef FB_DDGI_RESAMPLED
 #define FB_DDGI_RESAMPLED
 #include "estimators/ddgi/steps/surface_light.glsl"
@@ -18,8 +18,8 @@ FB_TECHNIQUE_ARRAY(kDdgiRest, 16, , DdgiRestArray, vec4, ddgi_rest)
 struct LitSample {
   uint instance;  // kNoIndex: none
   uint triangle;
-  uint bary;      // packUnorm2x16
-  uint sent;      // radiance, pack_rgb9e5
+  uint bary;  // packUnorm2x16
+  uint sent;  // radiance, pack_rgb9e5
 };
 struct LitReservoir {
   LitSample chosen;
@@ -30,9 +30,10 @@ const LitSample kNoLitSample = LitSample(kNoIndex, 0u, 0u, 0u);
 LitReservoir no_lit_reservoir() { return LitReservoir(kNoLitSample, 0.0, 0.0); }
 
 // In an array of two uvec4 an element.
-#define FB_STORE_LIT(array, element, r)                                                                \
+#define FB_STORE_LIT(array, element, r)                                                                 \
   array.at[2u * (element)] = uvec4(r.chosen.instance, r.chosen.triangle, r.chosen.bary, r.chosen.sent); \
-  array.at[2u * (element) + 1u] = uvec4(floatBitsToUint(reservoir_number(r.weight)), floatBitsToUint(r.confidence), 0u, 0u);
+  array.at[2u * (element) + 1u] =                                                                       \
+      uvec4(floatBitsToUint(reservoir_number(r.weight)), floatBitsToUint(r.confidence), 0u, 0u);
 #define FB_LOAD_LIT(array, element) unpack_lit(array.at[2u * (element)], array.at[2u * (element) + 1u].xy)
 LitReservoir unpack_lit(uvec4 a, uvec2 b) {
   return LitReservoir(LitSample(a.x, a.y, a.z, a.w), reservoir_number(uintBitsToFloat(b.x)), uintBitsToFloat(b.y));
@@ -41,7 +42,7 @@ LitReservoir unpack_lit(uvec4 a, uvec2 b) {
 // Where a sample is, for a vertex.
 struct LitPlace {
   bool there;
-  vec3 place;     // in this frame, or the former one
+  vec3 place;  // in this frame, or the former one
   GpuTriangle triangle;
 };
 LitPlace place_of_sample(LitSample s, bool former) {
@@ -58,8 +59,8 @@ LitPlace place_of_sample(LitSample s, bool former) {
   return p;
 }
 
-// The share of light at a distance that the bounded geometry term leaves to reservoirs (Section 3.6, after Kollig and Keller 2006);
-// the rest is left to scattered rays.
+// The share of light at a distance that the bounded geometry term leaves to reservoirs (Section 3.6, after Kollig and
+// Keller 2006); the rest is left to scattered rays.
 float bounded_share(float distance, float cosine_here, float cosine_there) {
   float term = cosine_here * cosine_there / max(distance * distance, 1e-12);
   return ddgi.ddgi_geometry > 0.0 && term > ddgi.ddgi_geometry ? ddgi.ddgi_geometry / term : 1.0;
@@ -69,9 +70,9 @@ float bounded_share(float distance, float cosine_here, float cosine_there) {
 struct LitWay {
   vec3 direction;
   float reach;
-  vec3 f;         // f cos, in the samples' measure, in the share that reservoirs have; zero: there is no way
-  float bsdf;     // density of the vertex's own scattering, per solid angle
-  float seen;     // density of a sample that is even on the triangle, per solid angle
+  vec3 f;      // f cos, in the samples' measure, in the share that reservoirs have; zero: there is no way
+  float bsdf;  // density of the vertex's own scattering, per solid angle
+  float seen;  // density of a sample that is even on the triangle, per solid angle
 };
 LitWay way_to_sample(Vertex v, LitPlace p) {
   LitWay w;
@@ -110,12 +111,15 @@ Path begin_pixel(PathPixel p, GBufferTexel g, out Vertex v, out uint rng) {
   return start_path(p, g, 0u, v, rng);
 }
 
-// Reservoirs have light of places that a straight ray reaches past nothing translucent, whose emission they can ask for again.
+// Reservoirs have light of places that a straight ray reaches past nothing translucent, whose emission they can ask for
+// again.
 bool ends_by_chance(Hit hit) {
   bool bends = FEATURE_WATER && (material_of(hit.instance, hit.triangle).flags & kMaterialDielectric) != 0u;
   return bends || (FEATURE_CANDIDATES && !is_opaque(hit));
 }
-bool is_reusable(Segment way) { return way.hit.instance != kNoIndex && !way.bent && way.certain && !ends_by_chance(way.hit); }
+bool is_reusable(Segment way) {
+  return way.hit.instance != kNoIndex && !way.bent && way.certain && !ends_by_chance(way.hit);
+}
 
 // What a place sends along a way to its start (Eq. 6); of a sun's disc nothing.
 vec3 sent_light(Vertex v, Segment way, inout uint rng) {

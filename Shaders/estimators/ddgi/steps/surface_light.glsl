@@ -13,7 +13,8 @@ struct SurfaceLight {
 bool has_coat(Vertex v) { return FEATURE_SPECULAR && bsdf_has_coat(v.scatter.bsdf); }
 
 // `length_of_ray`: of that which met the vertex. Not `glossy`: its coat is not asked for.
-SurfaceLight light_of_surface(Vertex v, float length_of_ray, bool along_view, bool glossy, bool asks, bool notes, inout uint rng) {
+SurfaceLight light_of_surface(Vertex v, float length_of_ray, bool along_view, bool glossy, bool asks, bool notes,
+                              inout uint rng) {
   vec3 n = v.scatter.shading_normal, other = vec3(0.0), weight = vec3(0.0);
   if (FEATURE_SPECULAR && glossy && has_coat(v)) {
     Scatter coat = v.scatter;

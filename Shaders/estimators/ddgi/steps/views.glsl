@@ -25,7 +25,8 @@ void draw_ball(vec3 ray, float reach, inout vec3 color) {
       uvec4 record = ddgi_probes.at[2u * probe + 1u];
       vec3 n = normalize(off + ray * at);
       bool known = (record.x & kDdgiUpdates) != 0u, asleep = (record.x & kDdgiAsleep) != 0u;
-      vec3 shown = frame.debug_view == kViewDdgiProbes ? shown_light(light_of_probe(probe, n)) : vec3(depth_of_probe(probe, n).x / ddgi.origin.w);
+      vec3 shown = frame.debug_view == kViewDdgiProbes ? shown_light(light_of_probe(probe, n))
+                                                       : vec3(depth_of_probe(probe, n).x / ddgi.origin.w);
       color = asleep ? vec3(0.7, 0.0, 0.0) : known ? shown : kNotKnown;
     }
   } while (++probe < ddgi.probes);

@@ -21,10 +21,12 @@ void fold_samples(uint entry, uint samples) {
   vec4 sums = vec4(guide_cache.at[entry + kCacheMomentSum], guide_cache.at[entry + kCacheMomentSum + 1u],
                    guide_cache.at[entry + kCacheMomentSum + 2u], guide_cache.at[entry + kCacheMomentSum + 3u]);
   if (sums != vec4(0.0)) {
-    vec4 moments = vec4(unpackHalf2x16(guide_cache.at[entry + kCacheMoment]), unpackHalf2x16(guide_cache.at[entry + kCacheMoment + 1u]));
+    vec4 moments = vec4(unpackHalf2x16(guide_cache.at[entry + kCacheMoment]),
+                        unpackHalf2x16(guide_cache.at[entry + kCacheMoment + 1u]));
     vec4 now = sums / (kMomentFixed * float(samples));
     vec4 added = bound_moments(now, kTailLargest / float(guide.mc_cells));
-    for (uint i = 0u; i < 4u; ++i) atomicAdd(guide_cache.at[guide_moment_sums_at(guide.frame_number) + i], uint(added[i] + 0.5));
+    for (uint i = 0u; i < 4u; ++i)
+      atomicAdd(guide_cache.at[guide_moment_sums_at(guide.frame_number) + i], uint(added[i] + 0.5));
     moments = moments == vec4(0.0) ? now : mix(moments, now, max(1.0 / float(count), kMomentBlendLeast));
     guide_cache.at[entry + kCacheMoment] = packHalf2x16(moments.xy);
     guide_cache.at[entry + kCacheMoment + 1u] = packHalf2x16(moments.zw);
@@ -47,7 +49,8 @@ void fold_sums() {
   if (cells == 0u) return;
   guide_cache.at[guide_summed_cells_at(number)] = 0u;
   float scale = 1.0 / float(cells);
-  for (uint i = 0u; i < 4u; ++i) fold_sum(guide_moment_sums_at(number) + i, guide_tail_at() + kTailMomentMeans + i, scale);
+  for (uint i = 0u; i < 4u; ++i)
+    fold_sum(guide_moment_sums_at(number) + i, guide_tail_at() + kTailMomentMeans + i, scale);
   fold_sum(guide_light_sum_at(number), guide_tail_at() + kTailLightMean, scale / kTailLightFixed);
 }
 
@@ -64,7 +67,8 @@ void main() {
     if (samples > 0u) {
       fold_samples(entry, samples);
     } else {  // claimed, and its owner did not come
-      for (uint w = 0u; w < kCacheWords; ++w) guide_cache.at[entry + w] = w == kCacheCheck ? guide_cache.at[entry + kCacheClaim] : 0u;
+      for (uint w = 0u; w < kCacheWords; ++w)
+        guide_cache.at[entry + w] = w == kCacheCheck ? guide_cache.at[entry + kCacheClaim] : 0u;
       guide_cache.at[entry + kCacheCount] = guide.frame_number << 16u;
     }
     for (uint w = kCacheTouched; w < kCacheWords; ++w) guide_cache.at[entry + w] = 0u;

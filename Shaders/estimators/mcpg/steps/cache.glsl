@@ -21,8 +21,10 @@ FB_TECHNIQUE_ARRAY(kGuideCache, 4, , GuideCacheArray, uint, guide_cache)
 // Motions lie after the states, two in a word of four.
 void store_guide_motion(uint at, uvec2 motion) {
   uint word = guide.mc_states + (at >> 1u);
-  if ((at & 1u) == 0u) guide_states.at[word].xy = motion;
-  else guide_states.at[word].zw = motion;
+  if ((at & 1u) == 0u)
+    guide_states.at[word].xy = motion;
+  else
+    guide_states.at[word].zw = motion;
 }
 
 const uint kCacheStale = 120u;  // frames after which another cell may take an entry
@@ -37,8 +39,9 @@ uint guide_moment_sums_at(uint number) { return guide_tail_at() + kTailMomentSum
 uint guide_light_sum_at(uint number) { return guide_tail_at() + kTailLightSums + (number & 1u); }
 uint guide_winner_at() { return guide_tail_at() + kTailWords; }
 
-// Of the proposals for one slot, the one of highest rank is taken: as good as random, and the same in any order. Those that saw
-// the light come first: they alone say where it is now. Multiplication by an odd number and exclusive or permute the words.
+// Of the proposals for one slot, the one of highest rank is taken: as good as random, and the same in any order. Those
+// that saw the light come first: they alone say where it is now. Multiplication by an odd number and exclusive or
+// permute the words.
 uint proposal_rank(uint proposal, bool seen) {
   uint rank = (((proposal + 1u) * 2654435769u) ^ hash_u32(guide.frame_number)) & 0x7fffffffu;
   return seen ? rank | 0x80000000u : rank;
@@ -50,7 +53,8 @@ struct CacheCell {
   uint check;  // for the claim
 };
 
-layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTechnique + kGuideCache) uniform usamplerBuffer cache_texels;
+layout(set = kSetScene,
+       binding = kBindTexelBuffers + kTexelsTechnique + kGuideCache) uniform usamplerBuffer cache_texels;
 
 // Four words of an entry, from a multiple of four on.
 uvec4 cache_quad(uint word) { return texelFetch(cache_texels, int(word >> 2u)); }
@@ -69,9 +73,7 @@ CacheCell find_cache_cell(vec3 p, vec3 n, uint kind, inout uint group_rng) {
                    place.claim == kNoIndex ? kNoIndex : place.claim * kCacheWords, place.check);
 }
 
-vec3 cached_reflection(uint entry) {
-  return uintBitsToFloat(cache_quad(entry + kCacheCheck).yzw);
-}
+vec3 cached_reflection(uint entry) { return uintBitsToFloat(cache_quad(entry + kCacheCheck).yzw); }
 
 // Second moments of estimates there for each of guide_shares(), over the square of the mean; zero: unknown.
 vec4 cached_moments(uint entry) {
@@ -81,7 +83,9 @@ vec4 cached_moments(uint entry) {
 
 // The same in the mean of all cells of the last frames.
 vec4 mean_moments() { return uintBitsToFloat(cache_quad(guide_tail_at() + kTailMomentMeans)); }
-float mean_luminance() { return uintBitsToFloat(cache_quad(guide_tail_at() + kTailLightSums)[kTailLightMean - kTailLightSums]); }
+float mean_luminance() {
+  return uintBitsToFloat(cache_quad(guide_tail_at() + kTailLightSums)[kTailLightMean - kTailLightSums]);
+}
 
 // Lists an entry at its first touch; `before`: its word kCacheTouched.
 void list_touched(uint entry, uint before) {

@@ -13,11 +13,12 @@ struct Field {
 
 Field field_at(Vertex v, inout Path path) {
   if (!GUIDES) return Field(CacheCell(kNoIndex, kNoIndex, 0u));
-  return Field(find_cache_cell(v.position, scatter_axis(v.scatter), in_medium(v.scatter) ? kMediumTag : kCacheTag, path.own.guided.group_rng));
+  return Field(find_cache_cell(v.position, scatter_axis(v.scatter), in_medium(v.scatter) ? kMediumTag : kCacheTag,
+                               path.own.guided.group_rng));
 }
 
-// A path that ends in the field must not lack light (nor must the cache, which learns from such paths): a place of which
-// nothing is known is thought to be lit like the one that sees it.
+// A path that ends in the field must not lack light (nor must the cache, which learns from such paths): a place of
+// which nothing is known is thought to be lit like the one that sees it.
 vec3 field_reflection(Field there, Field here, Vertex v) {
   uint entry = there.cell.entry;
   if (kEndsInField && (entry == kNoIndex || cache_frames(entry) < kTailFrames)) entry = here.cell.entry;

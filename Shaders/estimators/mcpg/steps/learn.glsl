@@ -1,4 +1,5 @@
-// Step `learning`: what a path met trains the irradiance cache and, by maximum likelihood (Alber 2025, Alg. 3), a state.
+// Step `learning`: what a path met trains the irradiance cache and, by maximum likelihood (Alber 2025, Alg. 3), a
+// state.
 //
 // Beyond the paper: only a share of the paths trains where much is known, to save time; an emitter that is new is never
 // passed by.
@@ -18,7 +19,8 @@ const uint kManyPaths = 16u;  // of a pixel: a share of them is enough, and a ce
 // Little is known at the vertex yet, or it is this path's turn.
 bool trains_here(Guidance g, Path path) {
   if (!GUIDES) return false;
-  return path.own.guided.trains || (frame.spp <= kManyPaths && (g.cache.entry == kNoIndex || g.cache_frames < kYoungFrames));
+  return path.own.guided.trains ||
+         (frame.spp <= kManyPaths && (g.cache.entry == kNoIndex || g.cache_frames < kYoungFrames));
 }
 
 // Light that was looked for goes into the cell; the sample is counted where the path's own direction trains it.
@@ -32,7 +34,8 @@ void learn_direct(Guidance g, Direct direct, Path path, inout uint rng) {
 void learn_last(Field here, Direct direct, Path path, inout uint rng) {
   if (!GUIDES) return;
   uint entry = here.cell.entry;
-  if (!path.own.guided.trains && (frame.spp > kManyPaths || (entry != kNoIndex && cache_frames(entry) >= kYoungFrames))) return;
+  if (!path.own.guided.trains && (frame.spp > kManyPaths || (entry != kNoIndex && cache_frames(entry) >= kYoungFrames)))
+    return;
   if (entry == kNoIndex) {
     claim_cache(here.cell);
     return;
@@ -53,9 +56,10 @@ vec3 hit_velocity(Hit hit, vec3 position) {
   return (position - previous_position(hit)) / max(frame.time - frame.prev_time, 1e-4);
 }
 
-// Folds the sample into the state of a transition, and stores it. `bent`: the light came by way of an interface, where a miss does
-// not tell that it is gone: waves send it elsewhere a unit further on.
-void update_state(Vertex v, Transition t, vec3 hit_position, vec3 velocity, bool bent, float score, float emitted, uint proposal) {
+// Folds the sample into the state of a transition, and stores it. `bent`: the light came by way of an interface, where
+// a miss does not tell that it is gone: waves send it elsewhere a unit further on.
+void update_state(Vertex v, Transition t, vec3 hit_position, vec3 velocity, bool bent, float score, float emitted,
+                  uint proposal) {
   GuideState s = t.state;
   vec3 expected = predicted_target(s);
   vec3 to_target = (s.count > 0u ? expected : hit_position) - v.position;
@@ -94,8 +98,10 @@ void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout 
 
   Transition t;
   bool accepted;
-  if (GUIDE_BUCKET == 1u) accepted = paper_transition(v, g, p.direction, score, path.own.guided.group_rng, rng, t);
-  else accepted = bucket_transition(v, g, position, score, emitted, rng, t);
+  if (GUIDE_BUCKET == 1u)
+    accepted = paper_transition(v, g, p.direction, score, path.own.guided.group_rng, rng, t);
+  else
+    accepted = bucket_transition(v, g, position, score, emitted, rng, t);
   if (accepted) update_state(v, t, position, velocity, incident.way.bent, score, emitted, vertex_number(path));
 }
 #endif

@@ -1,5 +1,5 @@
-// The mixture of lobes at a vertex: grid resampling (Alber 2025, Alg. 1) and the lobes' density (Alg. 2; the denominator of
-// eq. 6).
+// The mixture of lobes at a vertex: grid resampling (Alber 2025, Alg. 1) and the lobes' density (Alg. 2; the
+// denominator of eq. 6).
 #ifndef FB_MCPG_MIXTURE
 #define FB_MCPG_MIXTURE
 #include "estimators/mcpg/steps/states.glsl"
@@ -11,8 +11,8 @@ struct GuideChoice {
   uint state;  // kNoIndex: there is none
 };
 
-// Where what a direction finds is stored: the slot of the home cell whose lobe explains the direction best, or else the one
-// that is worth least.
+// Where what a direction finds is stored: the slot of the home cell whose lobe explains the direction best, or else the
+// one that is worth least.
 struct GuideSlot {
   uint at, check;  // index of the state; for which cell
   bool matched;    // the lobe there explains the direction
@@ -27,9 +27,9 @@ struct Guidance {
   VmfLobe lobes[kGuideLobes];
   vec2 weights[kGuideLobes];  // in the mixture; the state's score here
   GuideCell cells[GUIDE_ACCESSES];
-  float total, all;    // sums of the weights
-  bool moved;          // the last cell is of where the vertex was (the paper's method: all are)
-  bool last;           // emission alone counts
+  float total, all;  // sums of the weights
+  bool moved;        // the last cell is of where the vertex was (the paper's method: all are)
+  bool last;         // emission alone counts
   CacheCell cache;
   uint cache_frames;   // that it has been trained in
   float share;         // probability of sampling the lobes
@@ -63,7 +63,8 @@ void load_mixture(Vertex v, inout Guidance g, inout uint group_rng, inout uint r
       bool valid = s.check == cell.check && s.weight > 0.0 && d2 > 1e-6;
       GuideView view = view_state(s, valid ? to_light : axis, v.scatter);
       bool scatters = scatters_to(v.scatter, view.direction), paper = guide.mc_paper != 0;
-      float score = valid && (scatters || !paper) ? s.weight * view.scale : 0.0;  // Alber 2025, Section 4, Step 1: left out
+      float score =
+          valid && (scatters || !paper) ? s.weight * view.scale : 0.0;  // Alber 2025, Section 4, Step 1: left out
       float part = scatters ? (g.last && !paper ? score * s.emissive : score) : 0.0;
       if (guide.mc_power != 1.0) part = part > 0.0 ? pow(part, guide.mc_power) : 0.0;
       g.lobes[i] = vmf_lobe(view.direction, vmf_kappa(view.spread));

@@ -1,5 +1,5 @@
-// Step `proposal`: a direction from the lobes or from the BSDF (Alber 2025, Alg. 2), weighted by the density of both together,
-// given the states that were loaded: f cos / pdf is unbiased whatever they hold (eq. 6).
+// Step `proposal`: a direction from the lobes or from the BSDF (Alber 2025, Alg. 2), weighted by the density of both
+// together, given the states that were loaded: f cos / pdf is unbiased whatever they hold (eq. 6).
 //
 // Beyond the paper: how often the lobes are sampled is learnt (r_mc_learn_share 0: fixed, as there).
 #ifndef FB_MCPG_PROPOSE
@@ -10,8 +10,8 @@
 const float kLeastUseful = 0.06;
 const float kShareFrames = 16.0;  // after which a cell's own moments count as much as those of all
 
-// The probability of guiding that second moments ask for: of several, which were all tried on the same samples, the ones whose
-// moments are low (off-policy: f^2 / (p_k p) averages f^2 / p_k whatever p the samples are from).
+// The probability of guiding that second moments ask for: of several, which were all tried on the same samples, the
+// ones whose moments are low (off-policy: f^2 / (p_k p) averages f^2 / p_k whatever p the samples are from).
 float best_share(vec4 m) {
   // Moments are over the squared mean: less one they are variances, which the floor keeps from being trusted too far.
   vec4 variance = max(m - 1.0, vec4(0.0)) + 0.03;
@@ -46,7 +46,8 @@ void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance
   g.choice.state = kNoIndex;
   if (!GUIDES) return;
   load_mixture(v, g, path.own.guided.group_rng, rng);
-  // A flame's own texels are lit by the flame, in whatever direction: the BSDF has no variance there, and their cell knows nothing of it.
+  // A flame's own texels are lit by the flame, in whatever direction: the BSDF has no variance there, and their cell
+  // knows nothing of it.
   bool guided = g.total > 0.0 && (!v.glows || guide.mc_paper != 0);
   g.share = guided ? learnt_share(g.cache, g.cache_frames) : 0.0;
 }

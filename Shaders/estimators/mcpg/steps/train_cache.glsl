@@ -1,4 +1,5 @@
-// What a vertex's sample teaches the irradiance cache's cell, and the second moments there of every probability of guiding.
+// What a vertex's sample teaches the irradiance cache's cell, and the second moments there of every probability of
+// guiding.
 #ifndef FB_MCPG_TRAIN_CACHE
 #define FB_MCPG_TRAIN_CACHE
 #include "estimators/mcpg/steps/propose.glsl"
@@ -20,8 +21,10 @@ void add_to_cache(uint entry, vec3 reflection, float u) {
   }
 }
 
-// `emitted` and `reflected`: f / pdf times light from the hit; the latter will be an estimate, whose own second moment counts.
-void train_cell(Vertex v, Guidance g, vec3 direction, Incident incident, float emitted, float reflected, inout uint rng) {
+// `emitted` and `reflected`: f / pdf times light from the hit; the latter will be an estimate, whose own second moment
+// counts.
+void train_cell(Vertex v, Guidance g, vec3 direction, Incident incident, float emitted, float reflected,
+                inout uint rng) {
   CacheCell cell = g.cache;
   if (cell.entry == kNoIndex) {
     claim_cache(cell);
@@ -32,7 +35,8 @@ void train_cell(Vertex v, Guidance g, vec3 direction, Incident incident, float e
   list_touched(entry, atomicAdd(guide_cache.at[entry + kCacheTouched], 1u));
   vec3 incoming = incident.emission + incident.reflection;
   add_to_cache(entry, incoming * (max(scatter_cosine(v.scatter, direction), 0.0) / (kPiShared * g.pdf)), u);
-  // Not relative to a mean of next to nothing: where light is seldom seen, the first to be found would outweigh all others.
+  // Not relative to a mean of next to nothing: where light is seldom seen, the first to be found would outweigh all
+  // others.
   float mean = max(luminance(cached_reflection(entry)), kLeastMean * mean_luminance());
   float scale = luminance(scatter_albedo(v.scatter)) * mean;
   if (!(g.total > 0.0) || !(scale > 0.0)) return;

@@ -1,14 +1,16 @@
-// Which state learns from a sample, and of what score, for cells of several states. Beyond the paper: the sample goes to the
-// lobe of the cell that explains it, or else takes the least one's place; a score is a lobe's share of the energy.
+// Which state learns from a sample, and of what score, for cells of several states. Beyond the paper: the sample goes
+// to the lobe of the cell that explains it, or else takes the least one's place; a score is a lobe's share of the
+// energy.
 #ifndef FB_MCPG_TRANSITION_BUCKETS
 #define FB_MCPG_TRANSITION_BUCKETS
 #include "estimators/mcpg/steps/transition.glsl"
 
-// Where guiding does not pay now a state's score still says what its lobe could bring: at a share of zero it would be zero, and
-// the cell would lose what it knows.
+// Where guiding does not pay now a state's score still says what its lobe could bring: at a share of zero it would be
+// zero, and the cell would lose what it knows.
 const float kLeastScoreShare = 0.1;
 
-bool bucket_transition(Vertex v, Guidance g, vec3 hit_position, float score, float emitted, inout uint rng, out Transition t) {
+bool bucket_transition(Vertex v, Guidance g, vec3 hit_position, float score, float emitted, inout uint rng,
+                       out Transition t) {
   GuideSlot slot = g.slot;
   bool share_score = guide.mc_share_score != 0;
   float share = max(g.share, kLeastScoreShare);

@@ -6,7 +6,9 @@
 #include "estimators/mcpg/steps/propose.glsl"
 #include "shared/tone.h"
 
-vec3 heat(float x) { return clamp(vec3(1.5 - abs(4.0 * x - 3.0), 1.5 - abs(4.0 * x - 2.0), 1.5 - abs(4.0 * x - 1.0)), 0.0, 1.0); }
+vec3 heat(float x) {
+  return clamp(vec3(1.5 - abs(4.0 * x - 3.0), 1.5 - abs(4.0 * x - 2.0), 1.5 - abs(4.0 * x - 1.0)), 0.0, 1.0);
+}
 vec3 cell_color(uint h) {
   h = hash_u32(h);
   return vec3(h & 255u, (h >> 8u) & 255u, (h >> 16u) & 255u) / 255.0;
@@ -39,8 +41,9 @@ const bool kHasViews = true;
 bool shows_directions() { return frame.debug_view == kViewGuideIncident; }
 bool measures_moments() { return frame.debug_view == kViewGuideCover; }
 
-// All directions above the surface in the picture's middle, twice, the surface's normal in the middle of a disc of equal areas:
-// to the left the light that comes from there, to the right the density that it is sampled with, logarithmic.
+// All directions above the surface in the picture's middle, twice, the surface's normal in the middle of a disc of
+// equal areas: to the left the light that comes from there, to the right the density that it is sampled with,
+// logarithmic.
 vec3 view_of_directions(PathPixel pixel_of) {
   uvec2 pixel = pixel_of.pixel;
   GBufferTexel g = gbuffer_at((frame.height / 2u) * frame.width + frame.width / 2u);
@@ -67,9 +70,9 @@ vec3 view_of_directions(PathPixel pixel_of) {
   return srgb_from_linear(filmic(light_met(v, here, p, path, rng) * exposure_now()));
 }
 
-// Second moments of a sample at the first vertex, in the place of radiance: that of directions where the lobes have less than a
-// tenth of the BSDF's density, that of all, and the estimate itself, so that means over frames say how
-// much of the variance is of light that no lobe stands for.
+// Second moments of a sample at the first vertex, in the place of radiance: that of directions where the lobes have
+// less than a tenth of the BSDF's density, that of all, and the estimate itself, so that means over frames say how much
+// of the variance is of light that no lobe stands for.
 vec3 view_of_moments(Vertex v, Path path, uint rng) {
   path.last = most_reflections() <= 1u;
   Field here = field_at(v, path);
@@ -97,13 +100,20 @@ vec3 view_color(Vertex v, Path path, uint rng) {
   CacheCell cached = find_cache_cell(v.position, axis, kCacheTag, path.own.guided.group_rng);
   bool has_cache = cached.entry != kNoIndex;
   switch (frame.debug_view) {
-    case kViewGuideDirection: return known ? view.direction * 0.5 + 0.5 : vec3(0.0);
-    case kViewGuideCosine: return known ? heat(clamp(-log2(max(view.spread, 1e-6)) / 16.0, 0.0, 1.0)) : vec3(0.0);
-    case kViewGuideWeight: return known ? heat(clamp(log2(s.weight * view.scale * exposure_now()) / 16.0 + 0.7, 0.0, 1.0)) : vec3(0.0);
-    case kViewGuideSamples: return known ? heat(float(s.count) / float(guide.mc_count)) : vec3(0.0);
-    case kViewGuideLevel: return mix(heat(float(level) / 8.0), cell_color(key.hash), 0.3);
-    case kViewGuideCollisions: return collides ? vec3(1.0, 0.2, 0.1) : known ? vec3(0.1, 0.4, 0.1) : vec3(0.0);
-    case kViewGuideAge: return known ? heat(1.0 - float(min(guide_age(s), 64u)) / 64.0) : vec3(0.0);
+    case kViewGuideDirection:
+      return known ? view.direction * 0.5 + 0.5 : vec3(0.0);
+    case kViewGuideCosine:
+      return known ? heat(clamp(-log2(max(view.spread, 1e-6)) / 16.0, 0.0, 1.0)) : vec3(0.0);
+    case kViewGuideWeight:
+      return known ? heat(clamp(log2(s.weight * view.scale * exposure_now()) / 16.0 + 0.7, 0.0, 1.0)) : vec3(0.0);
+    case kViewGuideSamples:
+      return known ? heat(float(s.count) / float(guide.mc_count)) : vec3(0.0);
+    case kViewGuideLevel:
+      return mix(heat(float(level) / 8.0), cell_color(key.hash), 0.3);
+    case kViewGuideCollisions:
+      return collides ? vec3(1.0, 0.2, 0.1) : known ? vec3(0.1, 0.4, 0.1) : vec3(0.0);
+    case kViewGuideAge:
+      return known ? heat(1.0 - float(min(guide_age(s), 64u)) / 64.0) : vec3(0.0);
     case kViewGuideCache: {
       vec3 x = has_cache ? cached_reflection(cached.entry) * (0.5 * exposure_now()) : vec3(0.0);
       return has_cache ? sqrt(x / (1.0 + x)) : vec3(0.5, 0.0, 0.5);
@@ -114,7 +124,9 @@ vec3 view_color(Vertex v, Path path, uint rng) {
       Guidance g;
       prepare(v, field_at(v, path), path, rng, g);
       propose(v, g, rng);
-      return g.choice.state != kNoIndex ? vec3(0.1, 0.8, 0.2) : g.total > 0.0 ? vec3(0.2, 0.3, 0.9) : vec3(0.8, 0.2, 0.1);
+      return g.choice.state != kNoIndex ? vec3(0.1, 0.8, 0.2)
+             : g.total > 0.0            ? vec3(0.2, 0.3, 0.9)
+                                        : vec3(0.8, 0.2, 0.1);
     }
     default:
       return heat(learnt_share(cached, has_cache ? cache_frames(cached.entry) : 0u));
@@ -132,7 +144,8 @@ void draw_view(PathPixel p, bool lit, Vertex v) {
   }
   ldr.at[p.at] = packUnorm4x8(vec4(color, 1.0));
   if (!measures_moments()) return;
-  vec3 moments = lit ? view_of_moments(v, path_of(p, 0u), rng_seed(p.at, frame.frame, frame.spp, frame.seed)) : vec3(0.0);
+  vec3 moments =
+      lit ? view_of_moments(v, path_of(p, 0u), rng_seed(p.at, frame.frame, frame.spp, frame.seed)) : vec3(0.0);
   radiance.at[p.at].rgb = moments;
 }
 #endif

@@ -1,5 +1,6 @@
-// Step `proposal` of `mir`: directions of the place's distribution, or of the vertex's own scattering, weighed by the density of both
-// together. Where nothing is known it is the vertex's own scattering alone; a flame's own light is all about its points.
+// Step `proposal` of `mir`: directions of the place's distribution, or of the vertex's own scattering, weighed by the
+// density of both together. Where nothing is known it is the vertex's own scattering alone; a flame's own light is all
+// about its points.
 #ifndef FB_MIR_PROPOSE
 #define FB_MIR_PROPOSE
 #include "estimators/mir/steps/begin.glsl"
@@ -16,11 +17,13 @@ void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance
   g.first = kUntaught;
   g.scatter_pdf = 0.0;
   if (mir.taught == 0u || v.glows || IN_MEDIUM) return;
-  g.first = mir_tree.at[mir.leaves + guiding_leaf(GuidingCube(mir.cube_low, mir.cube_inverse_width), mir.levels, v.position)];
+  g.first =
+      mir_tree.at[mir.leaves + guiding_leaf(GuidingCube(mir.cube_low, mir.cube_inverse_width), mir.levels, v.position)];
 }
 
 float proposal_pdf(Vertex v, Guidance g, vec3 direction, float scatter_pdf) {
-  return g.first != kUntaught ? mix(guiding_pdf(g.first, mir.node_levels, direction), scatter_pdf, mir.mir_defence) : scatter_pdf;
+  return g.first != kUntaught ? mix(guiding_pdf(g.first, mir.node_levels, direction), scatter_pdf, mir.mir_defence)
+                              : scatter_pdf;
 }
 
 Proposal propose(Vertex v, inout Guidance g, inout uint rng) {

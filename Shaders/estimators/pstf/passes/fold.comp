@@ -67,16 +67,21 @@ void fold_cell(uint slot, float samples) {
   float share = min(float(pstf.pstf_samples) / max(uintBitsToFloat(head.z), 1.0), 1.0);
   ControlMoments control = joined_moments(
       ControlMoments(moments.x, moments.y, moments.z, normal.w),
-      ControlMoments(moment_sum(sums + kPstfSumMoments, each_directed), moment_sum(sums + kPstfSumMoments + 1u, each_directed),
+      ControlMoments(moment_sum(sums + kPstfSumMoments, each_directed),
+                     moment_sum(sums + kPstfSumMoments + 1u, each_directed),
                      moment_sum(sums + kPstfSumMoments + 2u, each_directed), incident.x > 0.0 ? directed : 0.0));
 
-  pstf_cells.at[cell] = uvec4(head.x, pstf.frame_number, floatBitsToUint(samples / share), floatBitsToUint(before + samples));
+  pstf_cells.at[cell] =
+      uvec4(head.x, pstf.frame_number, floatBitsToUint(samples / share), floatBitsToUint(before + samples));
   pstf_cells.at[cell + 1u] = floatBitsToUint(mix(outgoing, outgoing_now, blend));
-  pstf_cells.at[cell + 2u] = floatBitsToUint(vec4(mix(colors.xy, color_sum(sums, each), blend),
-                                                  mix(colors.zw, color_sum(sums + kPstfSumIncident, each_directed), directed_blend)));
-  pstf_cells.at[cell + 3u] = floatBitsToUint(mix(incident, light_sum(sums + kPstfSumIncident, each_directed), directed_blend));
+  pstf_cells.at[cell + 2u] =
+      floatBitsToUint(vec4(mix(colors.xy, color_sum(sums, each), blend),
+                           mix(colors.zw, color_sum(sums + kPstfSumIncident, each_directed), directed_blend)));
+  pstf_cells.at[cell + 3u] =
+      floatBitsToUint(mix(incident, light_sum(sums + kPstfSumIncident, each_directed), directed_blend));
   pstf_cells.at[cell + 4u] = floatBitsToUint(vec4(mix(normal.xyz, normal_now, blend), control.samples));
-  pstf_cells.at[cell + 5u] = floatBitsToUint(vec4(control.gh, control.hh, control.gg, mix(moments.w, second_now, blend)));
+  pstf_cells.at[cell + 5u] =
+      floatBitsToUint(vec4(control.gh, control.hh, control.gg, mix(moments.w, second_now, blend)));
 }
 
 void main() {

@@ -17,12 +17,12 @@ struct FirstVertex {
 };
 
 struct PathOwn {
-  uint group_rng;  // random numbers that lanes that run together (4x2 pixels) share
-  bool teaches;    // cells that have been taught much, too; alike in such lanes
-  bool goes_on;    // where paths end in the field: this one does not; alike, too
-  bool scattered;  // it has left a vertex,
-  vec3 from;       // this one
-  vec3 looked_for; // light that this vertex found by a ray more, as it reflects it
+  uint group_rng;   // random numbers that lanes that run together (4x2 pixels) share
+  bool teaches;     // cells that have been taught much, too; alike in such lanes
+  bool goes_on;     // where paths end in the field: this one does not; alike, too
+  bool scattered;   // it has left a vertex,
+  vec3 from;        // this one
+  vec3 looked_for;  // light that this vertex found by a ray more, as it reflects it
   FirstVertex first;
 };
 #include "lib/path_state.glsl"

@@ -1,7 +1,7 @@
 // The block and the arrays of progressive spatio-temporal filtering, and its cells.
 //
-// Readers see the former frames' fields; this frame's samples are added up in fixed point, in any order, and blended in by
-// passes/fold.comp. So there are no locks, and the same samples give the same fields.
+// Readers see the former frames' fields; this frame's samples are added up in fixed point, in any order, and blended in
+// by passes/fold.comp. So there are no locks, and the same samples give the same fields.
 #ifndef FB_PSTF_CELLS
 #define FB_PSTF_CELLS
 #include "estimators/pstf/pstf.h"

@@ -1,9 +1,10 @@
-// Steps `proposal` and `control`: directions of the vertex's own scattering, and a control variate of what they bring (Section 4.2).
+// Steps `proposal` and `control`: directions of the vertex's own scattering, and a control variate of what they bring
+// (Section 4.2).
 //
-// Equations 24, 25, 26 and 28 are printed with the integral within what is divided by the density. Right is (g - beta h) / p + beta I,
-// and I must be the integral of this very h at this vertex: h is of a Lambert surface under light that is linear in its direction,
-// whose integral is known whatever the field holds. Every direction about the shading normal may be drawn, those below the
-// surface, too, which bring nothing.
+// Equations 24, 25, 26 and 28 are printed with the integral within what is divided by the density. Right is (g - beta
+// h) / p + beta I, and I must be the integral of this very h at this vertex: h is of a Lambert surface under light that
+// is linear in its direction, whose integral is known whatever the field holds. Every direction about the shading
+// normal may be drawn, those below the surface, too, which bring nothing.
 #ifndef FB_PSTF_CONTROL
 #define FB_PSTF_CONTROL
 #include "estimators/pstf/steps/no_trees.glsl"
@@ -33,9 +34,12 @@ vec3 known_mean(Guidance g) {
   if (pstf.pstf_form == 2) return g.beta * g.albedo * g.outgoing;
   return mean;
 }
-vec3 control_mean(Vertex v, Guidance g, Field here) { return kPredicts ? g.prediction.light + g.prediction.scale * known_mean(g) : known_mean(g); }
+vec3 control_mean(Vertex v, Guidance g, Field here) {
+  return kPredicts ? g.prediction.light + g.prediction.scale * known_mean(g) : known_mean(g);
+}
 vec3 control_at(Vertex v, Guidance g, Field here, vec3 direction) {
   float scale = kPredicts ? g.prediction.scale : 1.0;
-  return (scale * g.beta * linear_at(g.light, direction) * max(dot(direction, g.normal), 0.0) / kPiShared) * g.albedo * g.mean;
+  return (scale * g.beta * linear_at(g.light, direction) * max(dot(direction, g.normal), 0.0) / kPiShared) * g.albedo *
+         g.mean;
 }
 #endif

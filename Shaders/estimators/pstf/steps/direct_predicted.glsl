@@ -1,4 +1,5 @@
-// Step `direct` as lib/steps/direct_list.glsl, at vertices of whose light a part may be predicted: that is looked-for light's part, too.
+// Step `direct` as lib/steps/direct_list.glsl, at vertices of whose light a part may be predicted: that is looked-for
+// light's part, too.
 #ifndef FB_PSTF_DIRECT_PREDICTED
 #define FB_PSTF_DIRECT_PREDICTED
 #include "lib/look_for_light.glsl"

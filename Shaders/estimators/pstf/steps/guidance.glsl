@@ -1,10 +1,11 @@
-// What is known at a vertex, of its cell. The includer has the step `trees` before, steps/trees.glsl or steps/no_trees.glsl.
+// What is known at a vertex, of its cell. The includer has the step `trees` before, steps/trees.glsl or
+// steps/no_trees.glsl.
 #ifndef FB_PSTF_GUIDANCE
 #define FB_PSTF_GUIDANCE
 #include "estimators/pstf/steps/field.glsl"
 
-// Of Eq. 28, of a vertex whose light the field says: (1 - gamma) of that, and gamma of the unbiased estimate. Directions are drawn for
-// teaching alone where gamma is 0: what they bring counts as next to nothing.
+// Of Eq. 28, of a vertex whose light the field says: (1 - gamma) of that, and gamma of the unbiased estimate.
+// Directions are drawn for teaching alone where gamma is 0: what they bring counts as next to nothing.
 struct Prediction {
   vec3 light;          // of the field
   float scale;         // on what the path's direction brings
@@ -15,23 +16,23 @@ const float kTeachingScale = 1.0 / 1048576.0;
 
 struct Guidance {
   CellPlace place;
-  float crowd;       // samples of a frame that last taught the cell,
-  float taught;      // and of all
+  float crowd;   // samples of a frame that last taught the cell,
+  float taught;  // and of all
   vec3 normal;
   vec3 reflectance;  // of all light, of outgoing light's field
   vec3 albedo;       // of the Lambert surface that h is of
   vec3 mean;         // of incident light in the cell; zero: it is unknown
   float luminance;
-  LinearLight light; // by direction, over that mean
+  LinearLight light;  // by direction, over that mean
   ControlMoments moments;
   float beta;
-  vec3 outgoing;     // of the field: where that is taken for the integral
-  float pdf;         // of the direction that was drawn, and
-  float over;        // what a white Lambert surface reflects of light from there, over pdf
-  float off;         // h / pdf less its integral, over the mean
-  CellTree tree;     // of directions
+  vec3 outgoing;  // of the field: where that is taken for the integral
+  float pdf;      // of the direction that was drawn, and
+  float over;     // what a white Lambert surface reflects of light from there, over pdf
+  float off;      // h / pdf less its integral, over the mean
+  CellTree tree;  // of directions
   Prediction prediction;
-  vec3 weight;       // f cos / pdf of the direction that was drawn
+  vec3 weight;  // f cos / pdf of the direction that was drawn
 };
 
 vec3 lambert_albedo(Scatter s, vec3 view) {
@@ -75,7 +76,8 @@ void prepare_cell(Vertex v, Field here, inout Path path, out Guidance g) {
   g.prediction = Prediction(vec3(0.0), 1.0, 1.0, vec3(0.0));
   g.light = LinearLight(1.0, vec3(0.0));
   g.moments = ControlMoments(0.0, 0.0, 0.0, 0.0);
-  if (kPredicts && path.depth == 0u) path.own.first = FirstVertex(g.place, 0.0, g.normal, g.reflectance, 1.0, vec3(0.0));
+  if (kPredicts && path.depth == 0u)
+    path.own.first = FirstVertex(g.place, 0.0, g.normal, g.reflectance, 1.0, vec3(0.0));
   // Of a surface seen from below its shading normal nothing is drawn.
   if (here.place.slot == kNoIndex || (FEATURE_SPECULAR && dot(v.view, g.normal) <= 0.0)) return;
   uint slot = here.place.slot;

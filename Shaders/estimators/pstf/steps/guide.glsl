@@ -1,11 +1,12 @@
-// Steps `proposal` and `control` of guided paths: directions of the cell's tree (Section 4.1) or of the vertex's own scattering,
-// weighed by the density of both together, and a control variate of the difference of the two (Eq. 27), where kMixtureControl.
+// Steps `proposal` and `control` of guided paths: directions of the cell's tree (Section 4.1) or of the vertex's own
+// scattering, weighed by the density of both together, and a control variate of the difference of the two (Eq. 27),
+// where kMixtureControl.
 //
-// Eq. 27 has no integral to add, since two densities differ by none: h is (p_tree - cos / pi) times a factor. The cosine takes the
-// BSDF's density's place: of a coat's reflections some go below the surface, so that its density is not whole. Trees reach below the
-// surface, too: what is drawn there brings nothing, and counts. The factor is the light that the cell knows times beta, learnt as
-// covariance over variance in each cell, of either sign: as printed one number is to serve all integrals, which Hua 2023 shows to be
-// what kept such control variates from being of use.
+// Eq. 27 has no integral to add, since two densities differ by none: h is (p_tree - cos / pi) times a factor. The
+// cosine takes the BSDF's density's place: of a coat's reflections some go below the surface, so that its density is
+// not whole. Trees reach below the surface, too: what is drawn there brings nothing, and counts. The factor is the
+// light that the cell knows times beta, learnt as covariance over variance in each cell, of either sign: as printed one
+// number is to serve all integrals, which Hua 2023 shows to be what kept such control variates from being of use.
 #ifndef FB_PSTF_GUIDE
 #define FB_PSTF_GUIDE
 #include "estimators/pstf/pstf_mixture.h"

@@ -1,8 +1,8 @@
-// Steps `learning` and `record`: what paths meet teaches the fields, as one application of light's transport to those of the former
-// frames (Eq. 8, 9, 12 and 13; Algorithm 2).
+// Steps `learning` and `record`: what paths meet teaches the fields, as one application of light's transport to those
+// of the former frames (Eq. 8, 9, 12 and 13; Algorithm 2).
 //
-// A vertex counts where it sent a direction on, useful or not. Algorithms 1 and 2 are printed with counters of all vertices: ends of
-// paths, which bring nothing reflected, would darken the fields.
+// A vertex counts where it sent a direction on, useful or not. Algorithms 1 and 2 are printed with counters of all
+// vertices: ends of paths, which bring nothing reflected, would darken the fields.
 #ifndef FB_PSTF_LEARN
 #define FB_PSTF_LEARN
 #include "estimators/pstf/steps/guidance.glsl"
@@ -54,7 +54,8 @@ void set_outgoing(inout Lesson l, vec3 outgoing, vec3 normal) {
 void set_incident(inout Lesson l, Guidance g, vec3 incident, vec3 direction) {
   vec3 light = held(incident);
   set_light(l, kPstfSumIncident, light, direction);
-  float off = g.luminance > 0.0 ? ycocg_from_rgb(light).x / g.luminance - 1.0 : 0.0, control = g.luminance > 0.0 ? g.off : 0.0;
+  float off = g.luminance > 0.0 ? ycocg_from_rgb(light).x / g.luminance - 1.0 : 0.0,
+        control = g.luminance > 0.0 ? g.off : 0.0;
   vec3 moments = clamp(vec3(off * control, control * control, off * off), -kPstfMomentLargest, kPstfMomentLargest);
   for (uint i = 0u; i < 3u; ++i) l.words[kPstfSumMoments + i] = moments[i] * kPstfMomentSteps;
   l.words[kPstfSumDirected] = 1.0;
@@ -65,7 +66,9 @@ void teach(uint slot, Lesson l, bool takes, uint bits) {
   uint sums = takes ? pstf_sums_at(slot) : 0u, count = takes ? kPstfSumWords : 0u, i = 0u;
   if (takes) list_cell(slot, atomicAdd(pstf_sums.at[pstf_samples_at(slot)], 1u));
   do {
-    uint x = i < count ? fixed_point(l.words[i], 1.0, -kPstfLargest * kPstfSteps, kPstfLargest * kPstfSteps, rng_uniform(bits)) : 0u;
+    uint x = i < count ? fixed_point(l.words[i], 1.0, -kPstfLargest * kPstfSteps, kPstfLargest * kPstfSteps,
+                                     rng_uniform(bits))
+                       : 0u;
     if (x != 0u) atomicAdd(pstf_sums.at[sums + i], x);
   } while (++i < count);
 }
@@ -77,7 +80,9 @@ vec3 over_reflectance(vec3 reflected, vec3 reflectance, vec3 white) {
 
 // The path's last reflection, of several: nothing that is reflected comes from there.
 bool is_end(Path path) { return path.last && path.most > 1u; }
-bool teaches_here(Path path) { return (!is_end(path) || pstf.pstf_ends != 0) && (!kPredicts || pstf.pstf_progressive != 0); }
+bool teaches_here(Path path) {
+  return (!is_end(path) || pstf.pstf_ends != 0) && (!kPredicts || pstf.pstf_progressive != 0);
+}
 
 void learn_direct(Guidance g, Direct direct, Path path, inout uint rng) {}
 
@@ -99,7 +104,8 @@ void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout 
   set_outgoing(l, over_reflectance(g.weight * met + path.own.looked_for, g.reflectance, white), g.normal);
   set_incident(l, g, white, p.direction);
   teach(g.place.slot, l, takes, bits);
-  if (kHasTrees && takes) teach_leaf(g.place.slot, taught_leaf(g.tree, p.direction), luminance(held(g.weight * met)), rng_next(bits));
+  if (kHasTrees && takes)
+    teach_leaf(g.place.slot, taught_leaf(g.tree, p.direction), luminance(held(g.weight * met)), rng_next(bits));
 }
 
 void learn_last(Field here, Direct direct, Path path, inout uint rng) {

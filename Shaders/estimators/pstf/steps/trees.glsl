@@ -1,11 +1,13 @@
-// Step `trees`: cells' k-d trees over directions (estimators/pstf/pstf_tree.h), of light times BSDF as paths' own directions bring it.
+// Step `trees`: cells' k-d trees over directions (estimators/pstf/pstf_tree.h), of light times BSDF as paths' own
+// directions bring it.
 #ifndef FB_PSTF_TREES
 #define FB_PSTF_TREES
 #include "estimators/pstf/pstf_tree.h"
 #include "estimators/pstf/steps/cells.glsl"
 
 FB_TECHNIQUE_ARRAY(kPstfTreeSums, 4, , PstfTreeSumArray, uint, pstf_tree_sums)
-layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTechnique + kPstfTrees) uniform usamplerBuffer pstf_tree_texels;
+layout(set = kSetScene,
+       binding = kBindTexelBuffers + kTexelsTechnique + kPstfTrees) uniform usamplerBuffer pstf_tree_texels;
 
 const bool kHasTrees = true;
 const float kTreeTaught = 32.0;  // samples after which a cell's tree draws directions

@@ -20,9 +20,13 @@ void draw_view(PathPixel p, bool lit, Vertex v) {
     Guidance g;
     prepare_cell(v, here, path, g);
     bool known = here.place.slot != kNoIndex;
-    if (frame.debug_view == kViewPstfField) color = known ? srgb_from_linear(filmic(outgoing_light(here.place.slot, g.normal) * exposure_now())) : vec3(0.5, 0.0, 0.5);
-    else if (frame.debug_view == kViewPstfBeta) color = known ? beta_color(kHasTrees ? learnt_mixture_beta(g.moments) : learnt_beta(g.moments)) : vec3(0.0);
-    else color = known ? 0.5 + g.light.b * (0.5 / kMostSlope) : vec3(0.0);
+    if (frame.debug_view == kViewPstfField)
+      color = known ? srgb_from_linear(filmic(outgoing_light(here.place.slot, g.normal) * exposure_now()))
+                    : vec3(0.5, 0.0, 0.5);
+    else if (frame.debug_view == kViewPstfBeta)
+      color = known ? beta_color(kHasTrees ? learnt_mixture_beta(g.moments) : learnt_beta(g.moments)) : vec3(0.0);
+    else
+      color = known ? 0.5 + g.light.b * (0.5 / kMostSlope) : vec3(0.0);
   }
   ldr.at[p.at] = packUnorm4x8(vec4(clamp(color, 0.0, 1.0), 1.0));
 }

@@ -1,4 +1,5 @@
-// A reservoir for each pixel at which light is sampled: of this frame's candidates and of the former frame's reservoir there.
+// A reservoir for each pixel at which light is sampled: of this frame's candidates and of the former frame's reservoir
+// there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -55,7 +56,8 @@ LightReservoir over_time(LightReservoir fresh, Domain here, Hope hope, GBufferTe
   float age = 0.0;
   fresh_here *= hope_for(hope, new_point);
   old_here *= hope_for(hope, old_point);
-  if (update_reservoir(r, fresh_share * fresh_here * fresh.weight, fresh_here, fresh.confidence, rng_uniform(rng))) s = fresh.chosen;
+  if (update_reservoir(r, fresh_share * fresh_here * fresh.weight, fresh_here, fresh.confidence, rng_uniform(rng)))
+    s = fresh.chosen;
   if (update_reservoir(r, old_share * old_here * old.weight, old_here, old.confidence, rng_uniform(rng))) {
     s = old.chosen;
     age = min(old.age + 1.0, 2047.0);

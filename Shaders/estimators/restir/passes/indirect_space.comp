@@ -1,5 +1,5 @@
-// Each pixel's reservoir of light of two reflections takes up those of a few neighbours by pairwise MIS, and its light is added to
-// the picture.
+// Each pixel's reservoir of light of two reflections takes up those of a few neighbours by pairwise MIS, and its light
+// is added to the picture.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -108,5 +108,7 @@ void main() {
     if (restir.restir_gi_neighbors > 0) r = with_neighbors(r, here, g, p, rng);
     add_light(p, g, light_of(here, r, rng));
   }
-  if (restir.restir_keep != 0) { FB_STORE_INDIRECT(indirect_reservoirs, restir.now + at, r) }
+  if (restir.restir_keep != 0) {
+    FB_STORE_INDIRECT(indirect_reservoirs, restir.now + at, r)
+  }
 }

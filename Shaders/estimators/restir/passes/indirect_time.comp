@@ -1,5 +1,5 @@
-// A reservoir of light of two reflections for each pixel: of what its paths found in this frame (steps/fresh.glsl) and of the
-// former frame's reservoir there.
+// A reservoir of light of two reflections for each pixel: of what its paths found in this frame (steps/fresh.glsl) and
+// of the former frame's reservoir there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -37,7 +37,8 @@ struct Targets {
   float fresh_here, fresh_there, old_here, old_there;
 };
 // `moved`: what the pixel shows was elsewhere, where something else may be now.
-Targets targets_of(Domain here, Domain there, bool moved, IndirectPoint fresh_point, IndirectPoint old_point, inout uint rng) {
+Targets targets_of(Domain here, Domain there, bool moved, IndirectPoint fresh_point, IndirectPoint old_point,
+                   inout uint rng) {
   Targets t = Targets(0.0, 0.0, 0.0, 0.0);
   uint i = 0u;
   do {
@@ -47,29 +48,35 @@ Targets targets_of(Domain here, Domain there, bool moved, IndirectPoint fresh_po
     IndirectPoint p = fresh_point;
     if (old) p = old_point;
     IndirectWay w = indirect_way(d, p);
-    // What a path found has met nothing on its ways, so targets in which that is left out would promise too much elsewhere. Where a
-    // light that moves came from it may have been hidden. What moved itself may be within something now: nothing is asked there.
+    // What a path found has met nothing on its ways, so targets in which that is left out would promise too much
+    // elsewhere. Where a light that moves came from it may have been hidden. What moved itself may be within something
+    // now: nothing is asked there.
     bool asks = restir.restir_gi_visibility != 0 && old != is_there;
-    bool lit = w.target > 0.0, light_moved = !keeps_radiance() && is_there && p.light.place != p.light.before && p.place == p.before;
+    bool lit = w.target > 0.0,
+         light_moved = !keeps_radiance() && is_there && p.light.place != p.light.before && p.place == p.before;
     uint k = is_there && moved ? 1u : 0u, ways = light_moved ? 2u : 1u;
     if (asks && lit && k < ways) do {
-      vec3 to = p.place - d.origin;
-      float reach = length(to);
-      Vertex from = d.v;
-      vec3 direction = to / max(reach, 1e-20);
-      if (k == 1u) {
-        from = w.second;
-        direction = w.light.direction;
-        reach = w.light.reach * 0.998 - 0.02;
-      }
-      Segment way = segment_from(from, direction, k == 0u ? reach * 1.001 + 0.01 : reach, kTurnNowhere, rng);
-      lit = k == 0u ? ends_there(p, way) : way.hit.instance == kNoIndex;
-    } while (lit && ++k < ways);
+        vec3 to = p.place - d.origin;
+        float reach = length(to);
+        Vertex from = d.v;
+        vec3 direction = to / max(reach, 1e-20);
+        if (k == 1u) {
+          from = w.second;
+          direction = w.light.direction;
+          reach = w.light.reach * 0.998 - 0.02;
+        }
+        Segment way = segment_from(from, direction, k == 0u ? reach * 1.001 + 0.01 : reach, kTurnNowhere, rng);
+        lit = k == 0u ? ends_there(p, way) : way.hit.instance == kNoIndex;
+      } while (lit && ++k < ways);
     if (!lit) w.target = 0.0;
-    if (i == 0u) t.fresh_here = w.target;
-    else if (i == 1u) t.old_here = w.target;
-    else if (i == 2u) t.fresh_there = w.target;
-    else t.old_there = w.target;
+    if (i == 0u)
+      t.fresh_here = w.target;
+    else if (i == 1u)
+      t.old_here = w.target;
+    else if (i == 2u)
+      t.fresh_there = w.target;
+    else
+      t.old_there = w.target;
   } while (++i < 4u);
   return t;
 }
@@ -81,7 +88,8 @@ IndirectReservoir over_time(IndirectReservoir fresh, Domain here, GBufferTexel g
   old.confidence = min(old.confidence, most_confidence(restir.restir_gi_history, f, old.chosen, rng));
   vec3 before = former_world(g, vec2(p.pixel) + 0.5 + jitter_of(p.pixel));
   bool moved = distance(before, g.position_t.xyz) > kRounding + kRounding * 2e-3 * g.position_t.w;
-  Targets t = targets_of(here, domain_of(former_vertex(f), true), moved, indirect_point(fresh.chosen), indirect_point(old.chosen), rng);
+  Targets t = targets_of(here, domain_of(former_vertex(f), true), moved, indirect_point(fresh.chosen),
+                         indirect_point(old.chosen), rng);
   float a = mis_score(fresh.confidence, t.fresh_here), b = mis_score(old.confidence, t.fresh_there);
   float fresh_share = mis_balance(a, a + b);
   a = mis_score(fresh.confidence, t.old_here);
@@ -116,5 +124,7 @@ void main() {
     }
   }
   FB_STORE_INDIRECT(fresh, at, r)
-  if (restir.restir_keep == 0) { FB_STORE_INDIRECT(indirect_reservoirs, restir.now + at, r) }
+  if (restir.restir_keep == 0) {
+    FB_STORE_INDIRECT(indirect_reservoirs, restir.now + at, r)
+  }
 }

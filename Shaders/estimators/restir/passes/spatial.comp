@@ -8,9 +8,7 @@
 const bool kReusesIndirect = false;
 #include "estimators/restir/steps/pixel.glsl"
 
-LightReservoir reservoir_of(Neighbor n) {
-  return n.there ? unpack_light(merged.at[element_of(n.block)]) : no_reuse();
-}
+LightReservoir reservoir_of(Neighbor n) { return n.there ? unpack_light(merged.at[element_of(n.block)]) : no_reuse(); }
 
 void main() {
   PathPixel p = path_pixel(invocation_pixel());

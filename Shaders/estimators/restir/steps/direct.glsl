@@ -21,7 +21,8 @@ Aim reservoir_aim(Vertex v, LightReservoir r) {
 // What was found, or nothing if the pixel's indirect reservoir has it.
 Direct counted_here(FoundLight found, inout Path path, inout uint rng) {
   Direct direct = found.direct;
-  if (kReusesIndirect && !IN_MEDIUM && hand_over(path, found.way, found.weight, direct.radiance, rng)) direct.radiance = vec3(0.0);
+  if (kReusesIndirect && !IN_MEDIUM && hand_over(path, found.way, found.weight, direct.radiance, rng))
+    direct.radiance = vec3(0.0);
   return direct;
 }
 
@@ -34,8 +35,8 @@ Direct look_for_light(Vertex v, inout Guidance g, inout Path path, inout uint rn
     if (by_reservoir && path.own.reused.asks) aim = reservoir_aim(v, r);
   }
   if (!by_reservoir) aim = aim_at_light(v, kBoth, rng);
-  // A reservoir's light is shared with the vertex's own scattering, whatever proposes directions: what has been learnt must not
-  // decide over samples that taught it.
+  // A reservoir's light is shared with the vertex's own scattering, whatever proposes directions: what has been learnt
+  // must not decide over samples that taught it.
   float proposed = by_reservoir ? shared_density(aim.bsdf_pdf) : proposal_pdf(v, g, aim.direction, aim.bsdf_pdf);
   FoundLight found = find_by_aim(v, aim, proposed, rng);
   if (by_reservoir && scatters_candidates() && !found.way.certain) found.direct = Direct(vec3(0.0), vec3(0.0));

@@ -1,6 +1,7 @@
-// What paths find of light of two reflections, as a sample for the indirect reservoir of their pixel. Reservoirs have all light that
-// falls straight on a second vertex, from a lamp of the list or from within a sun's disc, where the way there is straight and where
-// neither passes or ends at what is translucent, which is there by chance; all else stays the path's.
+// What paths find of light of two reflections, as a sample for the indirect reservoir of their pixel. Reservoirs have
+// all light that falls straight on a second vertex, from a lamp of the list or from within a sun's disc, where the way
+// there is straight and where neither passes or ends at what is translucent, which is there by chance; all else stays
+// the path's.
 #ifndef FB_RESTIR_FRESH
 #define FB_RESTIR_FRESH
 #include "estimators/restir/steps/indirect_sample.glsl"
@@ -11,7 +12,8 @@ void empty_fresh(uint element) {
   fresh.at[2u * element + 1u] = uvec4(0u);
 }
 
-// Interfaces of water and glass are left out: a ray that asks whether one is in sight ends there always, a path's by chance.
+// Interfaces of water and glass are left out: a ray that asks whether one is in sight ends there always, a path's by
+// chance.
 bool ends_by_chance(Hit hit) {
   bool bends = FEATURE_WATER && (material_of(hit.instance, hit.triangle).flags & kMaterialDielectric) != 0u;
   return bends || (FEATURE_CANDIDATES && !is_opaque(hit));
@@ -19,16 +21,18 @@ bool ends_by_chance(Hit hit) {
 
 // A path's first way.
 void open_second(inout Path path, Segment way, Proposal p) {
-  bool straight = way.hit.instance != kNoIndex && !way.bent && way.certain && p.pdf > 0.0 && (p.flags & kScatterDelta) == 0u;
+  bool straight =
+      way.hit.instance != kNoIndex && !way.bent && way.certain && p.pdf > 0.0 && (p.flags & kScatterDelta) == 0u;
   path.own.reused.open = straight && !ends_by_chance(way.hit);
   path.own.reused.second = way.hit;
   if (!path.own.reused.open) return;
-  path.own.reused.seen = triangle_pdf(world_triangle(way.hit.instance, way.hit.triangle), way.hit.t, p.direction) / p.pdf;
+  path.own.reused.seen =
+      triangle_pdf(world_triangle(way.hit.instance, way.hit.triangle), way.hit.t, p.direction) / p.pdf;
   path.own.reused.through = p.weight * way.left;
 }
 
-// The sample where a way from a second vertex ends, and the density of samples there per solid angle; its name is 0: reservoirs do
-// not have it.
+// The sample where a way from a second vertex ends, and the density of samples there per solid angle; its name is 0:
+// reservoirs do not have it.
 LightSample sample_met(Segment way, inout uint rng, out float seen) {
   seen = 0.0;
   if (has_feature(kFeatureSuns) && is_sky(way.hit)) {
@@ -65,8 +69,9 @@ LightSample reusable_sample(Vertex v, Segment way, inout uint rng, out float see
   return s;
 }
 
-// Light that was found from a path's second vertex, which reflects `radiance` of it, by a way with one over this density. True: the
-// reservoir has it. Of what several paths, or both ways to look, bring, one is kept, by what it brings.
+// Light that was found from a path's second vertex, which reflects `radiance` of it, by a way with one over this
+// density. True: the reservoir has it. Of what several paths, or both ways to look, bring, one is kept, by what it
+// brings.
 bool hand_over(inout Path path, Segment way, float weight, vec3 radiance, inout uint rng) {
   if (!path.own.reused.open || path.depth != 1u || way.bent || !way.certain || radiance == vec3(0.0)) return false;
   float seen;
@@ -78,8 +83,10 @@ bool hand_over(inout Path path, Segment way, float weight, vec3 radiance, inout 
   uint element = 2u * lit_index(path.pixel);
   float sum = uintBitsToFloat(fresh.at[element + 1u].z) + brought;
   if (rng_uniform(rng) * sum < brought) {
-    fresh.at[element] = uvec4(path.own.reused.second.instance, path.own.reused.second.triangle, packUnorm2x16(path.own.reused.second.bary), light.name);
-    fresh.at[element + 1u].xyw = uvec3(light.place, floatBitsToUint(reservoir_number(w / brought)), pack_rgb9e5(radiance, 0.5));
+    fresh.at[element] = uvec4(path.own.reused.second.instance, path.own.reused.second.triangle,
+                              packUnorm2x16(path.own.reused.second.bary), light.name);
+    fresh.at[element + 1u].xyw =
+        uvec3(light.place, floatBitsToUint(reservoir_number(w / brought)), pack_rgb9e5(radiance, 0.5));
   }
   fresh.at[element + 1u].z = floatBitsToUint(sum);
   return true;

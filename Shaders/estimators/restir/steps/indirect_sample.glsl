@@ -1,8 +1,8 @@
-// Samples of light of two reflections: a place on a triangle of the scene, the second vertex, and a sample of light that falls on
-// it (light_sample.glsl). Both measures are uniform on triangles and in discs, so that shifts between pixels and frames, which keep
-// both places (reconnection, Lin 2022), have Jacobian 1: geometry is in the target. The second vertex' own scattering is
-// evaluated anew for each viewer. Or (r_restir_gi_radiance) a sample is the second vertex and the light that it sent once, the same for
-// all viewers.
+// Samples of light of two reflections: a place on a triangle of the scene, the second vertex, and a sample of light
+// that falls on it (light_sample.glsl). Both measures are uniform on triangles and in discs, so that shifts between
+// pixels and frames, which keep both places (reconnection, Lin 2022), have Jacobian 1: geometry is in the target. The
+// second vertex' own scattering is evaluated anew for each viewer. Or (r_restir_gi_radiance) a sample is the second
+// vertex and the light that it sent once, the same for all viewers.
 #ifndef FB_RESTIR_INDIRECT_SAMPLE
 #define FB_RESTIR_INDIRECT_SAMPLE
 #include "estimators/restir/steps/arrays.glsl"
@@ -31,20 +31,21 @@ IndirectReservoir no_indirect_reuse() {
 bool reuses(IndirectReservoir r) { return r.chosen.light.name != kKindNothing; }
 
 // In an array of two uvec4 an element.
-#define FB_STORE_INDIRECT(array, element, r)                                                                             \
-  array.at[2u * (element)] = uvec4(r.chosen.instance, r.chosen.triangle, r.chosen.bary, r.chosen.light.name);            \
-  array.at[2u * (element) + 1u] =                                                                                        \
-      uvec4(r.chosen.light.place, floatBitsToUint(reservoir_number(r.weight)), packHalf2x16(vec2(r.confidence, r.age)), r.chosen.radiance);
+#define FB_STORE_INDIRECT(array, element, r)                                                                  \
+  array.at[2u * (element)] = uvec4(r.chosen.instance, r.chosen.triangle, r.chosen.bary, r.chosen.light.name); \
+  array.at[2u * (element) + 1u] = uvec4(r.chosen.light.place, floatBitsToUint(reservoir_number(r.weight)),    \
+                                        packHalf2x16(vec2(r.confidence, r.age)), r.chosen.radiance);
 #define FB_LOAD_INDIRECT(array, element) unpack_indirect(array.at[2u * (element)], array.at[2u * (element) + 1u])
 IndirectReservoir unpack_indirect(uvec4 a, uvec4 b) {
   vec2 rest = unpackHalf2x16(b.z);
-  return IndirectReservoir(IndirectSample(a.x, a.y, a.z, LightSample(a.w, b.x), b.w), reservoir_number(uintBitsToFloat(b.y)), rest.x, rest.y);
+  return IndirectReservoir(IndirectSample(a.x, a.y, a.z, LightSample(a.w, b.x), b.w),
+                           reservoir_number(uintBitsToFloat(b.y)), rest.x, rest.y);
 }
 
 // Where a sample is.
 struct IndirectPoint {
-  bool there;      // its second vertex is, and its light shines
-  bool was;        // and both did in the former frame
+  bool there;  // its second vertex is, and its light shines
+  bool was;    // and both did in the former frame
   Hit second;
   GpuTriangle triangle;
   vec3 place, before;  // of the second vertex, in this frame and the former one
@@ -65,8 +66,8 @@ IndirectPoint indirect_point(IndirectSample s) {
   return p;
 }
 
-// A sample as a vertex sees it: what it reflects of the second vertex' light, which was even and met nothing on its ways, is the sum
-// of the channels `target`, in the measure of samples.
+// A sample as a vertex sees it: what it reflects of the second vertex' light, which was even and met nothing on its
+// ways, is the sum of the channels `target`, in the measure of samples.
 struct IndirectWay {
   float target;
   vec3 direction;  // to the second vertex

@@ -1,6 +1,7 @@
-// Samples of light that outlast a frame, and what reservoirs hold. A sample is a place on a triangle of a lamp, which has a
-// name (shared/scene_gpu.h), or in a sun's disc. Its measure is uniform on the triangle and in the disc, for each of them of size
-// one: so it is the same wherever a lamp has moved, and shifts between pixels and frames have Jacobian 1.
+// Samples of light that outlast a frame, and what reservoirs hold. A sample is a place on a triangle of a lamp, which
+// has a name (shared/scene_gpu.h), or in a sun's disc. Its measure is uniform on the triangle and in the disc, for each
+// of them of size one: so it is the same wherever a lamp has moved, and shifts between pixels and frames have
+// Jacobian 1.
 #ifndef FB_RESTIR_LIGHT_SAMPLE
 #define FB_RESTIR_LIGHT_SAMPLE
 #include "estimators/restir/restir.h"
@@ -10,7 +11,8 @@ layout(set = kSetScene, binding = kBindTechniqueConstants, std140) uniform Resti
   layout(offset = kRestirConstantsAt) RestirConstants restir;
 };
 
-// A lamp: its name in 16 bits and, above these, how far behind its first light the triangle is. Else, by the highest two bits:
+// A lamp: its name in 16 bits and, above these, how far behind its first light the triangle is. Else, by the highest
+// two bits:
 const uint kKindBits = 0xc0000000u;
 const uint kKindSun = 0x40000000u;      // its number
 const uint kKindUnnamed = 0x80000000u;  // a light of no lamp, by its place in this frame's list: not known in any other
@@ -32,7 +34,8 @@ LightReservoir no_reuse() { return LightReservoir(LightSample(kKindNothing, 0u),
 bool reuses(LightReservoir r) { return r.chosen.name != kKindNothing; }
 
 uvec4 pack_light(LightReservoir r) {
-  return uvec4(r.chosen.name, r.chosen.place, floatBitsToUint(reservoir_number(r.weight)), packHalf2x16(vec2(r.confidence, r.age)));
+  return uvec4(r.chosen.name, r.chosen.place, floatBitsToUint(reservoir_number(r.weight)),
+               packHalf2x16(vec2(r.confidence, r.age)));
 }
 LightReservoir unpack_light(uvec4 words) {
   vec2 rest = unpackHalf2x16(words.w);
@@ -56,14 +59,14 @@ vec2 unit_of_triangle(vec2 bary) {
 
 // Where a sample is.
 struct LightPoint {
-  bool there;     // it shines in this frame
-  bool was;       // and did in the former one, by this name
+  bool there;  // it shines in this frame
+  bool was;    // and did in the former one, by this name
   bool sun;
   GpuLight light;
   GpuTriangle triangle;
-  vec3 place;     // in the world; of a sun a direction
-  vec3 before;    // in the former frame
-  uint number;    // of a sun
+  vec3 place;   // in the world; of a sun a direction
+  vec3 before;  // in the former frame
+  uint number;  // of a sun
   uint packed_place;
 };
 
@@ -140,20 +143,21 @@ struct Domain {
 };
 Domain domain_of(Vertex v, bool former) { return Domain(v, scatter_origin(v.scatter, v.position), former); }
 
-// How many of a frame's candidates would be this light if none was remembered. Nothing that a target hangs on may come of former
-// frames' rays: what they found, reservoirs hold, and a sample that raised its own weight would count too much.
+// How many of a frame's candidates would be this light if none was remembered. Nothing that a target hangs on may come
+// of former frames' rays: what they found, reservoirs hold, and a sample that raised its own weight would count too
+// much.
 float plain_draws(GpuLight light) { return restir.restir_trust * float(light_candidates()) * light_probability(light); }
 
-// A sample as a vertex sees it. Its light there, were the lamp even and were nothing in between, is f times `even`, in the measure
-// of samples.
+// A sample as a vertex sees it. Its light there, were the lamp even and were nothing in between, is f times `even`, in
+// the measure of samples.
 struct LightWay {
   vec3 direction;
   float reach;
-  vec3 f;        // with its cosine
-  float bsdf;    // density of the vertex's own scattering
-  float seen;    // density of samples in this direction, per solid angle; 0: there is none
+  vec3 f;      // with its cosine
+  float bsdf;  // density of the vertex's own scattering
+  float seen;  // density of samples in this direction, per solid angle; 0: there is none
   float even;
-  float draws;   // of the list, that bring it (plain_draws); of suns one over their number
+  float draws;  // of the list, that bring it (plain_draws); of suns one over their number
 };
 LightWay way_to_light(Domain d, LightPoint p) {
   LightWay w = LightWay(vec3(0.0, 0.0, 1.0), kRayEnd, vec3(0.0), 0.0, 0.0, 0.0, 0.0);
@@ -178,14 +182,15 @@ LightWay way_to_light(Domain d, LightPoint p) {
   return w;
 }
 
-// Whether what scattered rays meet is a candidate. Then reservoirs have all light of the list and of suns that comes by a straight way
-// past nothing translucent, and paths' own rays all else; without, the two share what both may find.
+// Whether what scattered rays meet is a candidate. Then reservoirs have all light of the list and of suns that comes by
+// a straight way past nothing translucent, and paths' own rays all else; without, the two share what both may find.
 bool scatters_candidates() { return restir.restir_candidates != 0; }
 // With which a path's own ray shares a sample's light.
 float shared_density(float bsdf) { return scatters_candidates() ? 0.0 : bsdf; }
 
-// The target of a sample at a vertex, in the measure of samples: that light, in the share that is left to looking for it (the balance
-// heuristic's). So it is zero only where the sample's light is. `aim`: how it is looked for, its weight still without W.
+// The target of a sample at a vertex, in the measure of samples: that light, in the share that is left to looking for
+// it (the balance heuristic's). So it is zero only where the sample's light is. `aim`: how it is looked for, its weight
+// still without W.
 float target_of_way(Domain d, LightPoint p, LightWay w) {
   float density = w.draws * w.seen;
   if (!(density > 0.0) || (!p.sun && is_within_light(d.v, w.reach))) return 0.0;
@@ -197,8 +202,8 @@ float light_target(Domain d, LightPoint p, out Aim aim) {
   float target = target_of_way(d, p, w), density = w.draws * w.seen;
   if (!(target > 0.0)) return 0.0;
   uint instance = p.sun ? kNoIndex : p.light.instance, triangle = p.sun ? kNoIndex : p.light.triangle;
-  aim = Aim(w.direction, w.f, w.draws, p.sun ? kRayEnd : w.reach * 1.001 + 0.01, density, w.bsdf, instance, triangle, kTurnNowhere, 0u,
-            p.light.lamp & 0xffffu, 0u);
+  aim = Aim(w.direction, w.f, w.draws, p.sun ? kRayEnd : w.reach * 1.001 + 0.01, density, w.bsdf, instance, triangle,
+            kTurnNowhere, 0u, p.light.lamp & 0xffffu, 0u);
   return target;
 }
 float light_target(Domain d, LightPoint p) {
@@ -206,9 +211,9 @@ float light_target(Domain d, LightPoint p) {
   return light_target(d, p, unused);
 }
 
-// How much of a sample's light past rays let hope for at a vertex. Reservoirs choose by target times hope, while MIS weights hang on
-// targets alone: a choice leaves the sum of what is chosen from right whatever decides it, also where the same samples taught the
-// hope; MIS weights add up to 1 only if those of all samples are of one function.
+// How much of a sample's light past rays let hope for at a vertex. Reservoirs choose by target times hope, while MIS
+// weights hang on targets alone: a choice leaves the sum of what is chosen from right whatever decides it, also where
+// the same samples taught the hope; MIS weights add up to 1 only if those of all samples are of one function.
 struct Hope {
   Candidates lamps;
   uint here;
@@ -230,7 +235,8 @@ float hope_for(Hope h, LightPoint p) {
 // Density with which light is looked for where a way from a vertex ends, as light_target has it.
 float plain_density(Vertex v, vec3 direction, Segment way) {
   if (way.bent) return 0.0;
-  if (has_feature(kFeatureSuns) && is_sky(way.hit) && sun_pdf(direction) > 0.0) return restir.restir_trust * sun_pdf(direction);
+  if (has_feature(kFeatureSuns) && is_sky(way.hit) && sun_pdf(direction) > 0.0)
+    return restir.restir_trust * sun_pdf(direction);
   if (!has_lights() || way.hit.instance == kNoIndex || is_within_light(v, way.hit.t)) return 0.0;
   uint first = first_light_of(way.hit.instance);
   if (first == kNoIndex) return 0.0;

@@ -1,4 +1,5 @@
-// The pixels of ReSTIR's passes: where their reservoirs are, which of them reuse, and whose history and neighbours they take up.
+// The pixels of ReSTIR's passes: where their reservoirs are, which of them reuse, and whose history and neighbours they
+// take up.
 #ifndef FB_RESTIR_PIXEL
 #define FB_RESTIR_PIXEL
 #include "estimators/restir/steps/all.glsl"
@@ -38,7 +39,8 @@ Vertex former_vertex(FormerTexel f) {
   return v;
 }
 
-// Where a block takes its history from: blocks change places in pairs, with others each frame, so that each history goes to one.
+// Where a block takes its history from: blocks change places in pairs, with others each frame, so that each history
+// goes to one.
 ivec2 permuted(uvec2 block) {
   uint h = hash_combine(frame.frame, frame.seed ^ 0x68e31da4u);
   uvec2 by = uvec2((h >> 8u) & 3u, (h >> 16u) & 3u), moved = block + by;
@@ -56,7 +58,8 @@ vec2 near_by(inout uint rng) {
   return far * vec2(cos(turn), sin(turn));
 }
 
-// Of pixels about a former one, so many are asked whether they hold the same sample (after the duplication maps of Lin 2026).
+// Of pixels about a former one, so many are asked whether they hold the same sample (after the duplication maps of Lin
+// 2026).
 const uint kNearFormer = 8u;
 
 uint near_former(FormerTexel f, inout uint rng) {
@@ -78,7 +81,8 @@ struct Neighbor {
 Neighbor neighbor_of(PathPixel p, GBufferTexel g, inout uint rng) {
   ivec2 block = ivec2(floor(vec2(p.block) + 0.5 + near_by(rng)));
   Neighbor n;
-  n.there = all(greaterThanEqual(block, ivec2(0))) && all(lessThan(block, ivec2(lit_blocks()))) && block != ivec2(p.block);
+  n.there =
+      all(greaterThanEqual(block, ivec2(0))) && all(lessThan(block, ivec2(lit_blocks()))) && block != ivec2(p.block);
   n.block = n.there ? uvec2(block) : p.block;
   n.pixel = light_pixel(n.block);
   n.there = n.there && n.pixel.x < frame.width && n.pixel.y < frame.height;

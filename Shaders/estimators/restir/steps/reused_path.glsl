@@ -1,5 +1,5 @@
-// What a path of a pixel that reuses carries. The includer says whether light of two reflections is reused, too (kReusesIndirect):
-// then a path hands over what it finds of it.
+// What a path of a pixel that reuses carries. The includer says whether light of two reflections is reused, too
+// (kReusesIndirect): then a path hands over what it finds of it.
 #ifndef FB_RESTIR_REUSED_PATH
 #define FB_RESTIR_REUSED_PATH
 #include "lib/interaction.glsl"

@@ -17,7 +17,9 @@ void draw_view(PathPixel p, bool lit, Vertex v) {
   } else {
     color = vec3(log2(max(r.weight, 1e-12)) / 40.0 + 0.5);
   }
-  if (!reuses(r)) color = vec3(0.5);
-  else if (r.chosen.name == 0u || !lit) color = vec3(0.0);
+  if (!reuses(r))
+    color = vec3(0.5);
+  else if (r.chosen.name == 0u || !lit)
+    color = vec3(0.0);
   ldr.at[p.at] = packUnorm4x8(vec4(clamp(color, 0.0, 1.0), 1.0));
 }

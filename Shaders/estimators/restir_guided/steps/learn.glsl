@@ -1,15 +1,17 @@
-// Step `learning` of paths that are guided and reuse: as mcpg's, and the sample that a pixel's reservoir of light of two reflections
-// held in the former frame teaches a lobe of the first vertex (after ReSTIR PG, Zeng 2025, whose lobes learn of resampled paths).
+// Step `learning` of paths that are guided and reuse: as mcpg's, and the sample that a pixel's reservoir of light of
+// two reflections held in the former frame teaches a lobe of the first vertex (after ReSTIR PG, Zeng 2025, whose lobes
+// learn of resampled paths).
 #ifndef FB_RESTIR_GUIDED_LEARN
 #define FB_RESTIR_GUIDED_LEARN
 #include "estimators/mcpg/steps/learn.glsl"
 #include "estimators/restir/steps/fresh.glsl"
 #include "lib/former.glsl"
 
-// The reservoir is that of the same pixel of the picture, whatever it showed: its sample is weighed anew here, and W, which may be
-// another vertex's, only says how much a lobe learns.
+// The reservoir is that of the same pixel of the picture, whatever it showed: its sample is weighed anew here, and W,
+// which may be another vertex's, only says how much a lobe learns.
 void learn_besides(Vertex v, Guidance g, Path path, inout uint rng) {
-  bool asks = restir.restir_teach != 0 && restir.former != kNoIndex && !IN_MEDIUM && path.depth == 0u && path.own.reused.reuses && !g.last;
+  bool asks = restir.restir_teach != 0 && restir.former != kNoIndex && !IN_MEDIUM && path.depth == 0u &&
+              path.own.reused.reuses && !g.last;
   if (!asks || guide.mc_paper != 0) return;
   IndirectReservoir r = FB_LOAD_INDIRECT(indirect_reservoirs, restir.former + lit_index(path.pixel));
   if (r.chosen.instance == kNoIndex || !(r.weight > 0.0)) return;

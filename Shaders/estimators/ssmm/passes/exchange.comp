@@ -1,5 +1,5 @@
-// Stage 1: the state that each pixel samples from in this frame: its own of the former frame or one of a few pixels about it, each as
-// often as its score is of all (Alg. 1). Pixels without paths take part, too.
+// Stage 1: the state that each pixel samples from in this frame: its own of the former frame or one of a few pixels
+// about it, each as often as its score is of all (Alg. 1). Pixels without paths take part, too.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "estimators/ssmm/steps/states.glsl"

@@ -4,12 +4,12 @@
 #include "estimators/ssmm/steps/states.glsl"
 
 struct PathOwn {
-  uint path;        // of its pixel
-  uint element;     // whose lobe its first vertex samples; kNoIndex: none
-  bool scattered;   // its first direction is the vertex's own scattering
-  vec3 origin, hit; // of its first ray
-  float score;      // of what that met; 0: nothing
-  vec3 looked_for;  // light that its first vertex found by a ray more
+  uint path;         // of its pixel
+  uint element;      // whose lobe its first vertex samples; kNoIndex: none
+  bool scattered;    // its first direction is the vertex's own scattering
+  vec3 origin, hit;  // of its first ray
+  float score;       // of what that met; 0: nothing
+  vec3 looked_for;   // light that its first vertex found by a ray more
 };
 #include "lib/path_state.glsl"
 

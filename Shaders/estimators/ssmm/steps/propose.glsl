@@ -1,6 +1,6 @@
-// Step `proposal`: a pixel's first vertex samples one lobe of its tile, or by its own scattering (Alg. 2), weighted by the density of
-// all lobes that it might have had (Eq. 8 and 9). So f cos / pdf is unbiased whatever they hold: which of them it has is even over
-// them and nothing that they hold decides it.
+// Step `proposal`: a pixel's first vertex samples one lobe of its tile, or by its own scattering (Alg. 2), weighted by
+// the density of all lobes that it might have had (Eq. 8 and 9). So f cos / pdf is unbiased whatever they hold: which
+// of them it has is even over them and nothing that they hold decides it.
 #ifndef FB_SSMM_PROPOSE
 #define FB_SSMM_PROPOSE
 #include "estimators/ssmm/steps/begin.glsl"
@@ -23,7 +23,8 @@ VmfLobe lobe_at(Vertex v, ChainState s) {
   return chain_lobe(s, v.position, ssmm.ssmm_prior, ssmm.ssmm_prior_cosine, ssmm.ssmm_prior_size);
 }
 
-// Of all lobes that the pixel might have sampled, together with scattering of this density. A lane without a lobe scatters.
+// Of all lobes that the pixel might have sampled, together with scattering of this density. A lane without a lobe
+// scatters.
 float mixture_pdf(Vertex v, Guidance g, vec3 direction, float scatter_pdf) {
   uint count = ssmm.ssmm_temporal != 0 ? uint(frame.spp) : g.tile.lanes, i = 0u;
   float lobes = 0.0, valid = 0.0;

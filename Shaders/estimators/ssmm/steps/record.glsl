@@ -1,5 +1,6 @@
-// Step `record`: the pixel's chain takes up what the first ray of a path met (Alg. 3). A state that was accepted is updated before it
-// is kept, not after, as Algorithm 3 is printed: a lobe that was just reset would be kept empty. What is refused updates nothing.
+// Step `record`: the pixel's chain takes up what the first ray of a path met (Alg. 3). A state that was accepted is
+// updated before it is kept, not after, as Algorithm 3 is printed: a lobe that was just reset would be kept empty. What
+// is refused updates nothing.
 #ifndef FB_SSMM_RECORD
 #define FB_SSMM_RECORD
 #include "lib/place_of_light.glsl"
@@ -21,17 +22,21 @@ void record_hit(inout Path path, Vertex v, Guidance g, Proposal p, Incident inci
 
 void record_last(inout Path path, Vertex v, Direct direct, vec3 throughput) {}
 
-// A pixel's first path begins its chain with the state that it sampled (r_ssmm_keep 0: with none, so that a state which found no light
-// is gone). What its own lobe finds, also nothing, always updates that; its score is another's once that is accepted.
+// A pixel's first path begins its chain with the state that it sampled (r_ssmm_keep 0: with none, so that a state which
+// found no light is gone). What its own lobe finds, also nothing, always updates that; its score is another's once that
+// is accepted.
 void record_path(Path path, vec3 sum, inout uint rng) {
   if (IN_MEDIUM) return;
   uint at = lit_index(path.pixel);
   bool first = path.own.path == 0u;
   ChainState kept = no_chain_state();
-  if (!first) kept = FB_LOAD_CHAIN(chain_states, at);
-  else if (ssmm.ssmm_keep != 0) kept = lobe_of_element(path.own.element);
+  if (!first)
+    kept = FB_LOAD_CHAIN(chain_states, at);
+  else if (ssmm.ssmm_keep != 0)
+    kept = lobe_of_element(path.own.element);
   float score = usable_score(ssmm.ssmm_indirect != 0 ? luminance(sum - path.own.looked_for) : path.own.score);
-  bool accepted = score > 0.0 && path.own.origin != path.own.hit && (!is_valid_state(kept) || rng_uniform(rng) * kept.score < score);
+  bool accepted = score > 0.0 && path.own.origin != path.own.hit &&
+                  (!is_valid_state(kept) || rng_uniform(rng) * kept.score < score);
   if (accepted) {
     ChainState s = no_chain_state();
     if (!path.own.scattered) s = lobe_of_element(path.own.element);
@@ -41,7 +46,9 @@ void record_path(Path path, vec3 sum, inout uint rng) {
     kept = updated_state(kept, path.own.origin, path.own.hit, score, ssmm.ssmm_alpha, float(ssmm.ssmm_count));
     kept.score = min(kept.score, kept.weight);
   }
-  if (accepted || first) { FB_STORE_CHAIN(chain_states, at, kept) }
+  if (accepted || first) {
+    FB_STORE_CHAIN(chain_states, at, kept)
+  }
 }
 
 // Its pixel keeps its place in the tile, and passes states on.

@@ -19,9 +19,10 @@ ChainState unpack_chain_state(uvec4 a, uvec4 b) {
   s.score = uintBitsToFloat(b.z);
   return s;
 }
-#define FB_STORE_CHAIN(array, element, s)                                           \
+#define FB_STORE_CHAIN(array, element, s)                                                 \
   array.at[2u * (element)] = uvec4(floatBitsToUint(s.target), floatBitsToUint(s.weight)); \
-  array.at[2u * (element) + 1u] = uvec4(floatBitsToUint(s.spread), floatBitsToUint(s.count), floatBitsToUint(s.score), 0u);
+  array.at[2u * (element) + 1u] =                                                         \
+      uvec4(floatBitsToUint(s.spread), floatBitsToUint(s.count), floatBitsToUint(s.score), 0u);
 #define FB_LOAD_CHAIN(array, element) unpack_chain_state(array.at[2u * (element)], array.at[2u * (element) + 1u])
 
 uvec2 lit_blocks() { return uvec2(frame.light_width, (frame.height + frame.light_block - 1u) / frame.light_block); }
@@ -38,7 +39,9 @@ Tile tile_at(uvec2 block, uint path) {
   t.at = tile_of(block, t.lanes);
   t.lane = lane_of(block, t.lanes);
   uint of_path = ssmm.ssmm_temporal != 0 ? 0u : path;
-  t.draw = ssmm.ssmm_shuffle != 0 ? rng_seed(t.at.y << 16u | t.at.x, frame.frame, of_path ^ 0x5bd1e995u, frame.seed) % t.lanes : 0u;
+  t.draw = ssmm.ssmm_shuffle != 0
+               ? rng_seed(t.at.y << 16u | t.at.x, frame.frame, of_path ^ 0x5bd1e995u, frame.seed) % t.lanes
+               : 0u;
   return t;
 }
 // The lane whose lobe a pixel's path samples.
