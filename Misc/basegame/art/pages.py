@@ -129,8 +129,9 @@ _STORY = [
     "and no monk tends them. What was set",
     "there to be guarded walks.",
     "",
-    "Go down. Find the four sigils. Bring",
-    "the light back up, or put it out.",
+    "Go down by the hub's gate. A silver",
+    "key lies over lava, a gold one under",
+    "water: they open the way back up.",
 ]
 _KEYS = [
     ("W S or arrows", "forward, back"),
