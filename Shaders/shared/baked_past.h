@@ -36,7 +36,7 @@ FB_CONST float kMostBakedFactor = 8.0f;
 FB_FN float baked_factor(BakedSums s) {
   if (!(s.baked > 0.0f) || !(s.samples > 0.0f)) return 1.0f;
   float noise = kBakedCorrelated * s.squares / (s.samples * s.samples), told = kBakedSpread / (kBakedSpread + noise);
-  return clamp(pow(s.samples / s.baked, told), 1.0f / kMostBakedFactor, kMostBakedFactor);
+  return clamp(float(pow(s.samples / s.baked, told)), 1.0f / kMostBakedFactor, kMostBakedFactor);
 }
 
 // This frame's share beside `past` frames: it counts as `frames`.
