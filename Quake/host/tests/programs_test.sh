@@ -177,10 +177,11 @@ if [[ -d $build/game/id1 || -d $data/id1 ]]; then
   [[ -d $basedir/id1 ]] || basedir=$data
   check "a size that the device does not allow is an error" ends_with_one_sentence "a picture of 16384x16384 needs a buffer of" \
     game -basedir "$basedir" -size 16384x16384 +map start +quit
-  # However little address space there is, from too little for the driver to what a game takes: one sentence or a game.
+  # However little address space there is, from too little for the driver (but enough for the program and its libraries)
+  # to what a game takes: one sentence or a game.
   starved() {
     local kilobytes status
-    for ((kilobytes = 100000; kilobytes < 6000000; kilobytes = kilobytes * 5 / 4)); do
+    for ((kilobytes = 150000; kilobytes < 6000000; kilobytes = kilobytes * 5 / 4)); do
       (ulimit -v $kilobytes && game -basedir "$basedir" -size 64x36 +map start +wait +quit) >"$scratch/log" 2>"$scratch/starved" </dev/null
       status=$?
       [[ $status -eq 0 || ($status -eq 1 && $(grep -vc '^warning' "$scratch/starved") -eq 1) ]] ||

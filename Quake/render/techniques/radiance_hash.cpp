@@ -54,6 +54,14 @@ bool is_of_another(std::string_view shader, std::string_view estimator) {
   });
 }
 
+// A technique that has no paths from a medium of its own takes those of its folder (ddgi_restir: ddgi_plus's).
+bool borrows_fog(std::string_view shader, std::string_view estimator, std::span<const CompiledShader> shaders) {
+  const std::string own = std::string(estimator) + "_medium";
+  const std::string_view folder = estimator.substr(0, estimator.find('_') + 1);
+  return shader.ends_with("_medium") && shader.starts_with(folder) &&
+         std::ranges::find(shaders, own, &CompiledShader::name) == shaders.end();
+}
+
 }  // namespace
 
 std::span<const std::string_view> display_shaders() { return kDisplayShaders; }
@@ -61,7 +69,8 @@ std::span<const std::string_view> display_shaders() { return kDisplayShaders; }
 std::uint64_t radiance_hash(std::string_view estimator, const RadianceCode& code) {
   std::uint64_t hash = code.light_list;
   for (const CompiledShader& shader : code.shaders) {
-    if (std::ranges::count(kDisplayShaders, shader.name) > 0 || is_of_another(shader.name, estimator)) continue;
+    if (std::ranges::count(kDisplayShaders, shader.name) > 0) continue;
+    if (is_of_another(shader.name, estimator) && !borrows_fog(shader.name, estimator, code.shaders)) continue;
     hash = hash_bytes(shader.name.data(), shader.name.size(), hash);
     for (const auto variant : {shader.bound, shader.address, shader.query}) hash = hash_span(variant, hash);
   }

@@ -35,8 +35,9 @@ bool counts(std::string_view estimator, std::string_view shader, VariantOfShader
 TEST(RadianceHash, HoldsWhatMakesTheLinearPicture) {
   for (const TechniqueInfo& technique : techniques()) {
     const std::string name(technique.name);
+    const std::string fog = (name == "ddgi_restir" ? "ddgi_plus" : name) + "_medium";
     for (const std::string& shader :
-         {name, name + "_medium", std::string("gbuffer"), std::string("gbuffer_water"), std::string("accumulate"),
+         {name, fog, std::string("gbuffer"), std::string("gbuffer_water"), std::string("accumulate"),
           std::string("accumulate_medium"), std::string("pose"), std::string("fold_seen")})
       EXPECT_TRUE(counts(name, shader)) << name << ' ' << shader;
   }
