@@ -178,7 +178,7 @@ void GuidingTrees::learn(std::span<const GuidingSample> samples, float samples_p
   for (const GuidingSample& s : samples) {
     vec3 position = s.position;
     if (options.filtered) {
-      const vec3 jitter(rng.uniform(-0.5f, 0.5f), rng.uniform(-0.5f, 0.5f), rng.uniform(-0.5f, 0.5f));
+      const vec3 jitter{rng.uniform(-0.5f, 0.5f), rng.uniform(-0.5f, 0.5f), rng.uniform(-0.5f, 0.5f)};  // in this order
       position += jitter * widths_[leaf(position)] / cube_.inverse_width;
     }
     if (s.weight > 0) sorted[leaf(position)].emplace_back(shared::guiding_place(s.direction), s.weight);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kTreesFalseAlarm = 1e-6, kSphere = 4 * 3.14159265358979323846;
 
-vec3 any_direction(Rng& rng) { return shared::direction_from_equal_area(vec2(rng.uniform(-1, 1), rng.uniform(-1, 1))); }
+vec3 any_direction(Rng& rng) { return shared::direction_from_equal_area(vec2{rng.uniform(-1, 1), rng.uniform(-1, 1)}); }
 
 // Light from a narrow cone that moves with x, and a little from everywhere; one vertex in five finds none.
 std::vector<GuidingSample> samples_of(int count, std::uint64_t seed) {
@@ -115,7 +115,7 @@ TEST(GuidingTrees, KeepsWhatEachIterationKnew) {
     Rng rng(99);
     std::vector<float> densities;
     for (int i = 0; i < 500; ++i) {
-      const vec3 place(rng.uniform(-120, 320), rng.uniform(-5, 55), rng.uniform(0, 100));
+      const vec3 place{rng.uniform(-120, 320), rng.uniform(-5, 55), rng.uniform(0, 100)};
       densities.push_back(trees.density(trees.leaf(place), iteration, any_direction(rng)));
     }
     return densities;
