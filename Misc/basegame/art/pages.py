@@ -126,12 +126,13 @@ _STORY = [
     "and stranger things.",
     "",
     "Its furnaces burn again under water,",
-    "and no monk tends them. What was set",
-    "there to be guarded walks.",
+    "and no monk tends them. Down by the",
+    "hub's gate lie four more, to fire,",
+    "water, glass and machine. Each keeps",
+    "a rune.",
     "",
-    "Go down by the hub's gate. A silver",
-    "key lies over lava, a gold one under",
-    "water: they open the way back up.",
+    "Four runes unseal what waits below:",
+    "only who steps into it ends it.",
 ]
 _KEYS = [
     ("W S or arrows", "forward, back"),

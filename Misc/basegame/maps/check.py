@@ -20,7 +20,7 @@ from sources import FOLDERS, HERE, maps_of, scripts
 from formats.bsp import Bsp
 from formats.wad import read_wad
 
-LIMIT = 30_000_000  # bytes of Misc/basegame, nearly all of it maps
+LIMIT = 34_000_000  # bytes of Misc/basegame, nearly all of it maps
 
 
 def sums(map_path: Path) -> str:

@@ -5,9 +5,10 @@ set -euo pipefail
 
 usage() {
   cat <<'TEXT'
-usage: Misc/basegame/maps/compile.sh [--wad FILE] [--fast] [--keep] FILE.map ...
+usage: Misc/basegame/maps/compile.sh [--wad FILE] [--fast | --entities] [--keep] FILE.map ...
   --wad FILE  the textures; without it art/make.py makes them
   --fast      no visibility and no lightmaps: to look at a map while it is being made
+  --entities  keeps FILE.bsp but for its entities, where nothing of brushes has changed: the rest stays bit for bit
   --keep      leaves the tools' files (FILE.log, .prt, .pts) in a folder that is named
 PYTHON names a Python that has numpy (python3). ERICW_ROOT names where the tools are unpacked; by default ${XDG_CACHE_HOME:-~/.cache}/fullbright/ericw.
 ERICW_MIRROR names the Debian mirror that sid is fetched from; by default the one that apt uses.
@@ -19,12 +20,13 @@ TEXT
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 python=${PYTHON:-python3}
 root=${ERICW_ROOT:-${XDG_CACHE_HOME:-$HOME/.cache}/fullbright/ericw}
-wad="" fast=no keep=no maps=()
+wad="" fast=no entities=no keep=no maps=()
 while [[ $# -gt 0 ]]; do
   case "$1" in
     --help | -h) usage; exit 0 ;;
     --wad) wad=${2:?compile.sh: --wad needs a file}; shift ;;
     --fast) fast=yes ;;
+    --entities) entities=yes ;;
     --keep) keep=yes ;;
     -*) echo "compile.sh: unknown option '$1'; see --help" >&2; exit 2 ;;
     *) maps+=("$1") ;;
@@ -89,6 +91,10 @@ compile() {
   local is_item=no
   [[ $name == b_* ]] && is_item=yes
   [[ $is_item == yes ]] && qbsp_options=("${qbsp_options[@]/-leaktest/-nofill}")
+  if [[ $entities == yes ]]; then
+    cp "$bsp" "$work/$name.bsp"
+    qbsp_options+=(-onlyents)
+  fi
   step qbsp tool qbsp "${qbsp_options[@]}" "$work/$name.map" "$work/$name.bsp" || {
     [[ -s $work/$name.pts ]] && "$python" "$here/leak.py" "$work/$name.pts" >&2
     return 1
@@ -97,7 +103,7 @@ compile() {
     echo "compile.sh: $map: qbsp's warnings above" >&2
     return 1
   fi
-  if [[ $fast == no ]]; then
+  if [[ $fast == no && $entities == no ]]; then
     [[ $is_item == yes ]] || step vis tool vis "${vis_options[@]}" "$work/$name.bsp"
     # The laboratory's scenes are for the path tracer: no lightmaps.
     [[ $name == lab_* ]] || step light tool light "${light_options[@]}" -radlights "$here/glow.rad" "$work/$name.bsp"

@@ -1,4 +1,4 @@
-"""The level: the Sunken Works. A court; the sluice hall, from which all ways go; west the furnace with the silver key over
+"""The first level, fire: the Sunken Works. A court; the sluice hall, from which all ways go; west the furnace with the silver key over
 lava; north behind the silver door the chapel and its well; down the well and under water to the cistern with the gold key;
 from there back to the hall, up by the lift to the gallery, and through the gold door to the bell tower and out."""
 

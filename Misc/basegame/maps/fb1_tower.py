@@ -1,4 +1,4 @@
-"""The bell tower behind the gold door: a last fight under the great bell, and the gate home."""
+"""The bell tower behind the gold door: a last fight under the great bell, the rune, and the gate."""
 
 from __future__ import annotations
 
@@ -55,11 +55,11 @@ def furnish(world: Map) -> None:
     part.box((WEST, cy + 162, TOP - 40), (EAST, cy + 190, TOP), "wood_beam")
     for dx in (-110, 110):
         world.add(brazier(), (cx + dx, NORTH - 60, FLOOR))
-    # The gate home.
+    # The gate to the four gates.
     world.add(slipgate(80, 136), (-832, GATE_Y, FLOOR))
     part.arch((-880, NORTH, FLOOR + 104), (-784, NORTH + 32, FLOOR + 160), "copper_plate", axis="y", segments=8)
     world.part("func_illusionary").box((-872, GATE_Y - 2, FLOOR), (-792, GATE_Y + 2, FLOOR + 136), "*teleport")
-    trigger(world, "changelevel", (-872, GATE_Y - 6, FLOOR), (-792, GATE_Y + 6, FLOOR + 130), map="start")
+    trigger(world, "changelevel", (-872, GATE_Y - 6, FLOOR), (-792, GATE_Y + 6, FLOOR + 130), map="gates")
     part.cylinder((-832, FLOOR + 186), 14, NORTH - 8, NORTH, fit("crystal_gold"), sides=8, axis="y")
     part.box((-896, NORTH - 14, FLOOR), (-880, NORTH, FLOOR + 164), {"all": "copper_plate", "south": fit("rune_b", (1, 5))})
     part.box((-784, NORTH - 14, FLOOR), (-768, NORTH, FLOOR + 164), {"all": "copper_plate", "south": fit("rune_b", (1, 5))})
@@ -78,3 +78,4 @@ def people(world: Map) -> None:
     item(world, "health", -640, 960, FLOOR, flags=1)
     item(world, "rockets", -1010, 850, FLOOR)
     item(world, "armor2", -832, 848, FLOOR + 3)
+    world.entity("item_sigil", (-832, NORTH + 18, FLOOR + 28), spawnflags=1)

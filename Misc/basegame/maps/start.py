@@ -1,5 +1,5 @@
 """The hub: the nave of the drowned foundry-monastery. South a porch with three doors that choose the skill, in the middle
-a deep pool under a broken vault with bells above it, north the furnaces and the gate to the level, east the gallery of the
+a deep pool under a broken vault with bells above it, north the furnaces and the gate to the four gates, east the gallery of the
 laboratory's scenes, and under water a way for those who want it hardest."""
 
 from __future__ import annotations
@@ -201,7 +201,7 @@ def porch(world: Map) -> None:
 
 
 def north_end(world: Map) -> None:
-    """Stairs, furnaces on both sides, the rose window, and the gate to the level."""
+    """Stairs, furnaces on both sides, the rose window, and the gate to the four gates."""
     steps = world.detail
     world.detail.stairs((-192, 384, 0), (192, 480, 64), {"all": "stone_trim", "top": "stone_a"}, "+y")
     steps.box((-NAVE, 480, 0), (NAVE, 640, 24), {"all": "stone_a", "top": "stone_floor"})
@@ -223,8 +223,8 @@ def north_end(world: Map) -> None:
     steps.box((-92, 620, 240), (92, 640, 260), "copper_trim")
     world.add(slipgate(96, 144), (0, 790, 64))
     world.part("func_illusionary").box((-48, 788, 64), (48, 792, 208), "*teleport")
-    world.part("trigger_changelevel", map="fb1").box((-48, 784, 64), (48, 796, 208), "trigger")
-    word(world, (-64, 600, 64), (64, 640, 160), "To the Sunken Works")
+    world.part("trigger_changelevel", map="gates", spawnflags=1).box((-48, 784, 64), (48, 796, 208), "trigger")
+    word(world, (-64, 600, 64), (64, 640, 160), "To the four gates")
 
 
 def word(world: Map, lo, hi, message: str) -> None:

@@ -17,7 +17,7 @@ SILVER, GOLD = 1 << 17, 1 << 18  # bits of `items`
 
 
 def play(level: str, script: str, skill: int) -> tuple[str, dict[str, str]]:
-    """Plays a script; what the program said, and the dumps that the script wrote by their names."""
+    """Plays a script; what the program said, and the dumps and demos that the script wrote by their names."""
     with tempfile.TemporaryDirectory() as user:
         folder = Path(user) / "id1"
         folder.mkdir()
@@ -25,7 +25,8 @@ def play(level: str, script: str, skill: int) -> tuple[str, dict[str, str]]:
         run = subprocess.run([BUILD / "fullbright", "-headless", "-size", "16x16", "-seed", "1", "-basedir", GAME, "-userdir",
                               user, *UNSEEN, "+host_framerate", "0.05", "+skill", str(skill), "+map", level, "+exec", script],
                              capture_output=True, text=True, timeout=900, check=False)
-        return run.stdout + run.stderr, {path.stem: path.read_text(encoding="latin-1") for path in folder.glob("*.txt")}
+        written = [*folder.glob("*.txt"), *folder.glob("*.dem")]
+        return run.stdout + run.stderr, {path.stem: path.read_text(encoding="latin-1") for path in written}
 
 
 def edicts(text: str) -> list[dict[str, str]]:
@@ -74,9 +75,11 @@ class TheWayThroughTheLevel(unittest.TestCase):
         self.assertFalse(self.items("walk_tower") & GOLD)
         self.assertLess(self.origin("walk_tower")[0], -576)  # behind it
 
-    def test_the_exit_leads_back_to_the_hub(self):
+    def test_the_exit_leads_to_the_gates_with_the_rune(self):
         self.assertEqual(edicts(self.marks["walk_tower"])[0]["model"], "maps/fb1.bsp")
-        self.assertEqual(edicts(self.marks["walk_exit"])[0]["model"], "maps/start.bsp")
+        self.assertEqual(edicts(self.marks["walk_exit"])[0]["model"], "maps/gates.bsp")
+        self.assertIn('"serverflags" "0.', self.marks["walk_tower"])
+        self.assertIn('"serverflags" "1.', self.marks["walk_exit"])
 
 
 if __name__ == "__main__":

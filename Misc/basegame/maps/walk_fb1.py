@@ -14,7 +14,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from walker import Game, Walker
+from walker import Game, Walker, write_walk
 
 HERE = Path(__file__).resolve().parent
 
@@ -143,8 +143,9 @@ def lift_and_out(walk: Walker) -> None:
     walk.turn(90)
     walk.hold("forward", 40)
     walk.stand(140)
-    walk.hold("attack", 2)  # ends the intermission
-    walk.stand(40)
+    for _ in range(2):  # ends the tally, and then the text of the rune
+        walk.hold("attack", 2)
+        walk.stand(40)
     walk.mark("walk_exit")
 
 
@@ -157,19 +158,8 @@ def main() -> int:
         return 2
     user = Path(sys.argv[3]) if len(sys.argv) == 4 else Path(tempfile.mkdtemp())
     walk = Walker(Game(Path(sys.argv[1]), Path(sys.argv[2]), user, "fb1"), first=("notarget", "god"))
-    status = 0
-    for leg in LEGS:
-        before = list(walk.lines)
-        try:
-            leg(walk)
-        except RuntimeError as error:
-            print(f"walk_fb1.py: {leg.__name__}: {error}", file=sys.stderr)
-            walk.lines, status = before, 1
-            break
-        print(f"{leg.__name__}: at {walk.state().origin}, {len(walk.lines)} lines", flush=True)
     header = "A player on the way through fb1. Written by walk_fb1.py; -headless -seed 1 +skill 0 +host_framerate 0.05 +map fb1 +exec this."
-    (HERE / "walk_fb1.cfg").write_text(walk.text(header) + "quit\n", encoding="ascii")
-    return status
+    return write_walk(walk, LEGS, HERE / "walk_fb1.cfg", header)
 
 
 if __name__ == "__main__":

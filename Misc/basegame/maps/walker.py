@@ -11,6 +11,7 @@ import hashlib
 import math
 import re
 import subprocess
+import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -141,3 +142,19 @@ class Walker:
 
     def text(self, header: str) -> str:
         return "\n".join([f"// {line}" for line in header.splitlines()] + [*SETTINGS, *ALIASES, *self.lines]) + "\n"
+
+
+def write_walk(walk: Walker, legs, target: Path, header: str) -> int:
+    """Walks the legs and writes the script; where one fails, the script ends before it. The exit status."""
+    status = 0
+    for leg in legs:
+        before = list(walk.lines)
+        try:
+            leg(walk)
+        except RuntimeError as error:
+            print(f"{target.stem}: {leg.__name__}: {error}", file=sys.stderr)
+            walk.lines, status = before, 1
+            break
+        print(f"{target.stem}: {leg.__name__}: at {walk.state().origin}, {len(walk.lines)} lines", flush=True)
+    target.write_text(walk.text(header) + "quit\n", encoding="ascii")
+    return status
