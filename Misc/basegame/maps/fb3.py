@@ -225,7 +225,7 @@ def people(world: Map) -> None:
     monster(world, "knight", -860, -200, 0, 90, skill=1)
     monster(world, "hell_knight", 872, -60, 0, 90)
     monster(world, "dog", 656, 80, 0, 270, skill=1)
-    monster(world, "shalrath", 656, 0, 0, 90, skill=2)
+    monster(world, "shalrath", 240, 100, 0, 180, skill=2)
     monster(world, "wizard", -200, 960, 60, 0)
     monster(world, "wizard", 200, 900, 100, 180, skill=1)
     monster(world, "wizard", 0, 1040, 160, 90, skill=2)

@@ -270,7 +270,7 @@ def people(world: Map) -> None:
     monster(world, "ogre", -220, 440, 0, 270, skill=1)
     monster(world, "enforcer", 60, 640, GALLERY, 180)
     monster(world, "enforcer", -380, 640, GALLERY, 0, skill=1)
-    monster(world, "shambler", -100, 560, 0, 270, skill=2)
+    monster(world, "shambler", -100, 510, 0, 270, skill=2)
     monster(world, "army", -130, -460, GALLERY, 180)
     monster(world, "hell_knight", -60, 1000, 0, 270)
     monster(world, "tarbaby", 90, 860, 0, 270, skill=1)
