@@ -197,9 +197,10 @@ void SnapshotBuilder::build(const SnapshotInput& input, scene::FrameSnapshot& sn
   snapshot.gains = snapshot.authored ? input.authored->gains() : scene::GainTable();
   if (snapshot.authored) input.authored->light_sky(snapshot.sky);
   snapshot.light_styles = scene::all_styles_of_one();
-  if (snapshot.authored)
-    for (std::size_t i = 0; i < std::min(snapshot.light_styles.size(), state.light_styles.size()); ++i)
-      snapshot.light_styles[i] = scene::light_of_display(light_style_value(state.light_styles[i], state.time));
+  for (std::size_t i = 0; i < std::min(snapshot.light_styles.size(), state.light_styles.size()); ++i) {
+    const float value = light_style_value(state.light_styles[i], state.time);
+    snapshot.light_styles[i] = snapshot.authored ? scene::light_of_display(value) : value;
+  }
   snapshot.baked = snapshot.authored || (input.active && shows_baked) ? input.authored->baked() : scene::BakedTable();
   if (snapshot.baked.image != scene::kNone)
     for (std::size_t i = 0; i < std::min(snapshot.baked.styles.size(), state.light_styles.size()); ++i)

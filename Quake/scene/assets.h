@@ -100,6 +100,7 @@ struct Material {
   vec3 cast{1.0f};  // factor on what it lights: what its map's author saw it light (FrameSnapshot::authored); then it
                     // looks as painted
   int cast_style = 0;      // light style of that light (FrameSnapshot::light_styles)
+  bool switched = false;   // it glows as that style has it, authored or not, and looks so
   float cast_fall = 0.0f;  // of that light, the scale of its linear law of distance (shared/spot.h), 1 / units; 0: none
   float roughness = 1.0f;  // GGX alpha = roughness^2; 1 with specular 0 is plain Lambert
   float specular = 0.0f;   // F0 of the dielectric coat: 0 none, 0.04 usual

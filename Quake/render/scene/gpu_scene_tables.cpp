@@ -19,12 +19,13 @@ shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternat
   out.normal = set.normal;
   out.gloss = set.gloss;
   out.base_color = vec4(m.base_color, m.alpha);
+  const float lit = m.switched ? style : 1.0f;
   const vec3 cast = authored ? glm::max(m.cast * style, vec3(kLeastCast)) : vec3(1.0f);
-  out.emission = vec4(m.emission * emission_scale(scales, m.emission_kind) * cast, 0);
+  out.emission = vec4(m.emission * emission_scale(scales, m.emission_kind) * cast * (authored ? 1.0f : lit), 0);
   const bool painted = authored && m.emission_kind != scene::EmissionKind::kConstant;
   const vec3 own =
       painted ? glm::max(m.emission, vec3(kLeastCast)) * scene::usual_emission(m.emission_kind) : vec3(1.0f);
-  const vec3 seen = 1.0f / (cast * own);
+  const vec3 seen = (authored ? lit : 1.0f) / (cast * own);
   out.seen_rg = glm::packHalf2x16(vec2(seen.x, seen.y));
   out.seen_b = glm::packHalf2x16(vec2(seen.z, authored ? m.cast_fall : 0.0f));
   out.roughness = m.roughness;

@@ -122,6 +122,26 @@ TEST_F(Tables, WhatAStyledTextureLightsPulsesAndItsLookDoesNot) {
   EXPECT_TRUE(std::isfinite(emission(true).y));
 }
 
+TEST_F(Tables, WhatBeginsOffGlowsWhenItsStyleIsOn) {
+  assets.materials[1].cast_style = 33;
+  assets.materials[1].switched = true;
+  std::array<float, 64> styles = scene::all_styles_of_one();
+  scene::Instance instance;
+  instance.material_base = 1;
+  for (const bool authored : {false, true}) {
+    const auto seen_and_cast = [&](float style) {
+      styles[33] = style;
+      table.begin(assets, 0.0, scales, {}, {}, authored, styles);
+      const shared::GpuMaterial m = entry(instance);
+      return vec2(m.emission.x * glm::unpackHalf2x16(m.seen_rg).x, m.emission.x);
+    };
+    const vec2 on = seen_and_cast(1.0f), off = seen_and_cast(0.0f);
+    EXPECT_GT(on.x, 0.0f);
+    EXPECT_EQ(off.x, 0.0f) << "to the camera, authored " << authored;
+    EXPECT_LE(off.y, 2e-3f * on.y);
+  }
+}
+
 TEST_F(Tables, GlossByNameIsNoAuthors) {
   assets.materials[0].roughness = 0.3f;
   assets.materials[0].specular = 0.04f;

@@ -130,9 +130,10 @@ struct ModelLibrary::Impl {
   std::vector<std::uint32_t> map_materials;  // of the map's textures
   std::vector<SurfaceLight> texture_lights;  // that its _surface lights give
   std::shared_ptr<const Lightmaps> lightmaps;
-  std::vector<Submodel> submodels;        // that entities show
-  std::vector<std::uint32_t> unshadowed;  // light_sources.h
-  std::map<std::uint32_t, vec3> even;     // likewise
+  std::vector<Submodel> submodels;         // that entities show
+  std::vector<std::uint32_t> unshadowed;   // light_sources.h
+  std::vector<std::uint32_t> lit_through;  // let_light_through
+  std::map<std::uint32_t, vec3> even;      // likewise
 
   std::uint32_t sphere = kNone, tetrahedron = kNone;
   std::uint32_t particle = kNone, dynamic_light = kNone, entity_light = kNone;
@@ -143,7 +144,7 @@ struct ModelLibrary::Impl {
   }
 
   void take_map(const std::string& path, formats::Bsp bsp, const std::vector<world::Entity>& entities,
-                std::optional<FileData> lit_file);
+                std::optional<FileData> lit_file, bool of_base_game);
   LitMap lit_map() const;
   void forget_map();
   Model load_model(const std::string& name);
@@ -213,7 +214,8 @@ Status ModelLibrary::load_map_file(std::string_view bsp_path) {
   Impl& impl = fresh ? *fresh : *impl_;
   std::erase_if(impl.models, [](const auto& entry) { return entry.second.kind == ModelKind::kMissing; });
   try {
-    impl.take_map(path, std::move(*bsp), entities, load_beside(with_extension(path, ".lit")));
+    impl.take_map(path, std::move(*bsp), entities, load_beside(with_extension(path, ".lit")),
+                  own_files_ && own_files_(path));
   } catch (const std::bad_alloc& failure) {
     if (!fresh) impl.forget_map();
     return Error{fmt::format("{}: {}", path, sentence_of(failure))};
@@ -223,19 +225,28 @@ Status ModelLibrary::load_map_file(std::string_view bsp_path) {
 }
 
 void ModelLibrary::Impl::take_map(const std::string& path, formats::Bsp bsp, const std::vector<world::Entity>& entities,
-                                  std::optional<FileData> lit_file) {
+                                  std::optional<FileData> lit_file, bool of_base_game) {
   map_path = path;
   map = std::make_shared<formats::Bsp>(std::move(bsp));
   lightmaps = std::make_shared<const Lightmaps>(*map, lit_file ? std::move(*lit_file) : FileData());
   if (!lightmaps->lit_error().empty())
     log_warning("{}: {}; the map's own light is used", with_extension(path, ".lit"), lightmaps->lit_error());
+  for (const std::string& error : lightmaps->errors()) log_warning("{}: {}", path, error);
   const SurfaceLights glowing = surface_lights(entities, *map);
   MapMaterials materials(*builder, *map, path, liquid_alphas(entities), glowing);
   for (std::uint32_t i = 0; i < map->models.size(); ++i)
     map_meshes.push_back(add_brush_mesh(*builder, *map, i, materials, i == 0 ? path : fmt::format("*{}", i)));
   lights = scene::entity_lights(entities, *map);
   darkening = darkening_lights(entities, *map);
-  sky = make_layered_sky(*builder, *map, dome_radiance(entities));
+  const auto faces_up = [&](const formats::BspFace& face) {
+    const std::uint32_t texture = map->texinfos[face.texinfo].texture;
+    const float up = map->planes[face.plane].normal.z * (face.back_side ? -1.0f : 1.0f);
+    return up > 0.0f && texture < map->textures.size() && is_sky_texture(map->textures[texture].name);
+  };
+  // The base game's domes were set by what white ones give.
+  sky = make_layered_sky(*builder, *map,
+                         of_base_game ? vec3(white_dome_radiance(entities))
+                                      : dome_radiance(entities, std::ranges::any_of(map->faces, faces_up)));
   sky.suns = suns(entities);
   ambient.radiance = ambient_radiance(entities);
   if (ambient.radiance == vec3(0.0f) && !has_light_source(builder->assets(), map_meshes, entities, lights, sky))
@@ -273,6 +284,7 @@ void ModelLibrary::Impl::forget_map() {
   texture_lights.clear();
   submodels.clear();
   unshadowed.clear();
+  lit_through.clear();
   even.clear();
   lightmaps.reset();
 }
@@ -292,6 +304,12 @@ void ModelLibrary::set_cast(std::uint32_t material, const vec3& cast, float fall
   m.cast = cast;
   m.cast_fall = fall;
   m.cast_style = style;
+}
+void ModelLibrary::let_light_through(const std::vector<std::uint32_t>& submodels) {
+  impl_->lit_through = submodels;
+  for (const std::uint32_t index : submodels)
+    if (const auto known = impl_->models.find(fmt::format("*{}", index)); known != impl_->models.end())
+      known->second.shadowless = known->second.mesh != kNone;
 }
 std::uint32_t ModelLibrary::add_words(const std::vector<std::uint32_t>& words) {
   constexpr std::size_t kRow = 4096;  // the last row is filled up
@@ -336,7 +354,8 @@ Model ModelLibrary::Impl::load_submodel(const std::string& name) {
   }
   Model model = brush_model(*map, index, name, map_meshes[index]);
   if (const auto own = even.find(index); own != even.end()) model.even = own->second;
-  model.shadowless = std::ranges::binary_search(unshadowed, index) && model.mesh != kNone && !glows(model.mesh);
+  model.shadowless = model.mesh != kNone && (std::ranges::binary_search(lit_through, index) ||
+                                             (std::ranges::binary_search(unshadowed, index) && !glows(model.mesh)));
   return model;
 }
 

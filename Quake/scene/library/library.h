@@ -116,6 +116,9 @@ class ModelLibrary {
   bool of_base_game() const;  // the map is this project's own
   // Material::cast and cast_fall of a material, and words for shaders as an image of their own (ImageEncoding::kWords).
   void set_cast(std::uint32_t material, const vec3& cast, float fall = 0.0f, int style = 0);
+  // Submodels, ascending, that cast no shadow where authors' light counts, besides those that never move; what glows
+  // among them gives no light of its own then.
+  void let_light_through(const std::vector<std::uint32_t>& submodels);
   std::uint32_t add_words(const std::vector<std::uint32_t>& words);
   const Sky& map_sky() const;  // layers or black, suns; the client overrides by svc_skybox / "sky" key
   Sky make_skybox(std::string_view name, const Sky& fallback);  // gfx/env/<name>{rt,bk,lf,ft,up,dn}.{png,tga,pcx}

@@ -49,6 +49,10 @@ Lightmaps::Lightmaps(const formats::Bsp& bsp, FileData lit) : lit_(std::move(lit
   if (samples_.empty()) return;
   const ByteView decoupled = bspx_lump(bsp, "DECOUPLED_LM");
   const bool has_decoupled = decoupled.size() == bsp.faces.size() * kDecoupledBytes;
+  if (!decoupled.empty() && !has_decoupled)
+    errors_.push_back(fmt::format("its lump DECOUPLED_LM has {} bytes where {} faces take {}; it is not used",
+                                  decoupled.size(), bsp.faces.size(), bsp.faces.size() * kDecoupledBytes));
+  std::size_t cut_faces = 0;
   for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
     Face face = usual_face(bsp, bsp.faces[i]);
     std::int64_t offset = bsp.faces[i].light_offset;
@@ -69,11 +73,19 @@ Lightmaps::Lightmaps(const formats::Bsp& bsp, FileData lit) : lit_(std::move(lit
       face.first = static_cast<std::uint64_t>(offset);
       const std::uint64_t luxels = static_cast<std::uint64_t>(face.width) * static_cast<std::uint64_t>(face.height);
       const std::uint64_t there = samples_.size() / static_cast<std::uint64_t>(channels_);
+      bool cut = false;
       for (std::size_t k = 0; k < 4; ++k)
-        if (face.first + (k + 1) * luxels > there) face.styles[k] = kNoStyle;
+        if (face.styles[k] != kNoStyle && face.first + (k + 1) * luxels > there) {
+          face.styles[k] = kNoStyle;
+          cut = true;
+        }
+      if (cut) ++cut_faces;
     }
     faces_.push_back(face);
   }
+  if (cut_faces > 0)
+    errors_.push_back(fmt::format("the light of {} of its {} faces ends beyond its {} samples; it is left out",
+                                  cut_faces, bsp.faces.size(), samples_.size() / static_cast<std::size_t>(channels_)));
 }
 
 void Lightmaps::choose_samples(const formats::Bsp& bsp, ByteView lit) {
@@ -96,6 +108,9 @@ void Lightmaps::choose_samples(const formats::Bsp& bsp, ByteView lit) {
     samples_ = rgb;
     channels_ = 3;
   } else {
+    if (!rgb.empty())
+      errors_.push_back(fmt::format("its lump RGBLIGHTING has {} bytes where {} samples take {}; it is not used",
+                                    rgb.size(), bsp.lighting.size(), 3 * bsp.lighting.size()));
     samples_ = bsp.lighting;
   }
 }

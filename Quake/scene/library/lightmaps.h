@@ -27,6 +27,7 @@ class Lightmaps {
   bool colored() const { return channels_ == 3; }
   ByteView samples() const { return samples_; }
   const std::string& lit_error() const { return lit_error_; }
+  const std::vector<std::string>& errors() const { return errors_; }  // sentences on what of the map's is not used
 
   // Whether a face has light baked for the k-th of its styles (k < 4), and which style that is.
   bool has(std::uint32_t face, std::size_t k) const;
@@ -53,6 +54,7 @@ class Lightmaps {
   ByteView samples_;  // the map's own, or the .lit file's
   int channels_ = 1;
   std::string lit_error_;
+  std::vector<std::string> errors_;
 };
 
 // The light that a displayed factor on a surface of this reflectance stands for: Quake multiplies what displays decode.

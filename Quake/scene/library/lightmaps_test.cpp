@@ -89,6 +89,27 @@ TEST(Lightmaps, LuxelsLieWhereALumpSays) {
   }
 }
 
+TEST(Lightmaps, LumpsThatDoNotFitAreNamed) {
+  formats::Bsp bsp = baked_room();
+  EXPECT_TRUE(Lightmaps(bsp).errors().empty());
+  bsp.bspx.emplace_back("RGBLIGHTING", Bytes(3 * bsp.lighting.size(), 64));
+  EXPECT_TRUE(Lightmaps(bsp).errors().empty());
+  EXPECT_TRUE(Lightmaps(bsp).colored());
+  bsp.bspx.back().second.pop_back();
+  bsp.bspx.emplace_back("DECOUPLED_LM", Bytes(bsp.faces.size() * 40 - 1, 0));
+  const Lightmaps maps(bsp);
+  EXPECT_FALSE(maps.colored());
+  ASSERT_EQ(maps.errors().size(), 2u);
+  EXPECT_NE(maps.errors()[0].find("RGBLIGHTING"), std::string::npos) << maps.errors()[0];
+  EXPECT_NE(maps.errors()[1].find("DECOUPLED_LM"), std::string::npos) << maps.errors()[1];
+  EXPECT_TRUE(maps.has(kLitFloor, 0)) << "the usual ones count instead";
+
+  formats::Bsp cut = baked_room();
+  cut.lighting.pop_back();  // of the last face that was baked
+  ASSERT_EQ(Lightmaps(cut).errors().size(), 1u);
+  EXPECT_NE(Lightmaps(cut).errors()[0].find("1 of its"), std::string::npos) << Lightmaps(cut).errors()[0];
+}
+
 TEST(Lightmaps, DisplaysDecodeWhatQuakeMultiplies) {
   EXPECT_NEAR(light_of_display(vec3(1), vec3(0.2f)).x, 1.0f, 1e-4f) << "as painted";
   EXPECT_NEAR(light_of_display(vec3(0.5f), vec3(0.9f)).x, 0.21f, 0.02f) << "about a power of 2.2";

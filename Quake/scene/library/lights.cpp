@@ -21,6 +21,7 @@ constexpr float kDefaultLight = 300.0f;
 constexpr float kMaxLight = 1e5f, kMinWait = 0.01f;  // beyond these are typing errors
 constexpr float kLightToolRange = 0.5f;              // light tools halve what they have added up
 constexpr float kMaxLightmap = 255.0f;
+constexpr float kUsualAngleScale = 0.5f;
 constexpr float kDefaultCone = 40.0f;  // degrees
 constexpr float kMinSunRadius = 1.0f;  // degrees: smaller suns are all noise to a path tracer without light sampling
 
@@ -55,9 +56,40 @@ LightValue light_value(const Entity& entity) {
   return result;
 }
 
-float strength_of(const Entity& entity, float value) {
-  return light_strength(value, entity.number(either(entity, "_wait"), 1.0f),
-                        entity.integer(either(entity, "_delay"), 0));
+// By how much less than at right angles a light counts where it grazes, 0 to 1 ("_anglescale", "_anglesense"), in the
+// tools 0.5 unless said. Here it is Lambert's law for all, which is 1: what is said below 0.5 makes a light as much
+// stronger as faces turned every way get by it, up to a third.
+float angle_strength(const Entity& entity) {
+  const std::string_view key =
+      either(entity, entity.has(either(entity, "_anglescale")) ? "_anglescale" : "_anglesense");
+  const float angle = std::clamp(entity.number(key, kUsualAngleScale), 0.0f, 1.0f);
+  const auto mean_of_ways = [](float a) { return 1.0f - 0.5f * a; };
+  return std::max(1.0f, mean_of_ways(angle) / mean_of_ways(kUsualAngleScale));
+}
+
+// The keys of a light that its strength and its law of distance come from. "_falloff", where a linear one ends, counts
+// instead of "wait"; "_dist" and "_range" of the world are factors for all.
+struct LightLaw {
+  float value, wait;
+  int delay;
+  float factor;  // on the strength
+  float strength() const { return factor * light_strength(value, wait, delay); }
+};
+LightLaw light_law(const Entity& entity, float value, const Entity& world) {
+  LightLaw law{value, entity.number(either(entity, "_wait"), 1.0f), entity.integer(either(entity, "_delay"), 0),
+               angle_strength(entity)};
+  const float falloff = entity.number("_falloff", 0.0f);
+  const auto world_factor = [&](std::string_view key, float usual) {
+    const float x = world.number(key, usual);
+    return x > 0.0f ? x / usual : 1.0f;
+  };
+  const bool linear = law.delay < 1 || law.delay > 5;
+  if (linear && falloff > 0.0f)
+    law.wait = std::fabs(value) / falloff;
+  else
+    law.wait = (law.wait > 0.0f ? law.wait : 1.0f) * world_factor("_dist", 1.0f);
+  law.factor *= world_factor("_range", kLightToolRange);
+  return law;
 }
 
 // The way that a spot shines: to what it targets, or by its mangle, of which positive pitch is up.
@@ -85,8 +117,21 @@ void aim(EntityLight& light, const Entity& entity, const std::vector<Entity>& en
   if (!(soft > 0.0f)) light.full_cosine = light.least_cosine;
 }
 
-bool is_light(const Entity& entity) { return entity.classname().starts_with("light"); }
+// "_nostaticlight": for engines' own lights, the tools pass it over.
+bool is_light(const Entity& entity) {
+  return entity.classname().starts_with("light") && !(entity.number("_nostaticlight", 0.0f) > 0.0f);
+}
 bool is_sun_entity(const Entity& entity) { return entity.number("_sun", 0.0f) > 0.0f; }
+// It stands for the world's key of that name.
+bool is_dome_entity(const Entity& entity, std::string_view key) { return entity.number(key, 0.0f) > 0.0f; }
+bool is_lamp(const Entity& entity) {
+  return is_light(entity) && !is_sun_entity(entity) && !is_dome_entity(entity, "_sunlight2") &&
+         !is_dome_entity(entity, "_sunlight3") && !entity.has("_surface");
+}
+
+// The tools write the style that a game's QuakeC switches.
+constexpr int kFirstSwitchedStyle = 32;
+bool begins_off(const Entity& entity) { return entity.has("targetname") && (entity.integer("spawnflags", 0) & 1) != 0; }
 
 std::array<vec3, 14> directions() {
   std::array<vec3, 14> all;
@@ -159,6 +204,10 @@ vec3 minimum_light(const Entity& entity, float value) {
 // Yaw and pitch of a mangle give the way the light goes; positive pitch is up, unlike Quake's view angles.
 vec3 towards_sun(const vec3& mangle) { return -angle_vectors({-mangle.y, mangle.x, 0.0f}).forward; }
 
+float dome_of_world(const Entity& world, std::string_view key) {
+  return std::max(0.0f, world.number(either(world, key), 0.0f)) / kLightmapUnit;
+}
+
 Sun make_sun(float value, const vec3& color, const vec3& direction, float penumbra) {
   Sun sun;
   sun.direction = direction;
@@ -220,10 +269,11 @@ std::vector<EntityLight> lamps_of(const std::vector<Entity>& entities, const for
   std::vector<EntityLight> lights;
   if (bsp.models.empty()) return lights;
   for (const Entity& entity : entities) {
-    if (!is_light(entity) || is_sun_entity(entity) || entity.has("_surface")) continue;
+    if (!is_lamp(entity)) continue;
     LightValue light = light_value(entity);
     light.value *= sign;
-    const float strength = strength_of(entity, light.value);
+    const LightLaw law = light_law(entity, light.value, entities.front());
+    const float strength = law.strength();
     if (!(strength > 0.0f) || light.color == vec3(0.0f)) continue;
     const vec3 origin = entity.vector("origin").value_or(vec3(0.0f));
     if (!(glm::length(origin) < formats::kMaxBspCoordinate)) continue;
@@ -235,8 +285,7 @@ std::vector<EntityLight> lamps_of(const std::vector<Entity>& entities, const for
     sphere.power_color = light.color * (strength / (sphere.radius * sphere.radius));
     sphere.style = std::clamp(entity.integer("style", 0), 0, 63);
     aim(sphere, entity, entities);
-    set_fall(sphere, light.value, entity.number(either(entity, "_wait"), 1.0f),
-             entity.integer(either(entity, "_delay"), 0));
+    set_fall(sphere, law.value, law.wait, law.delay);
     lights.push_back(sphere);
   }
   return lights;
@@ -252,33 +301,52 @@ std::vector<EntityLight> darkening_lights(const std::vector<Entity>& entities, c
   return lamps_of(entities, bsp, -1.0f);
 }
 
+namespace {
+
+// The light of one _surface entity; radiance 0 where no face has its texture.
+SurfaceLight surface_light(const Entity& entity, const Entity& world, const std::string& name,
+                           const formats::Bsp& bsp) {
+  double area = 0.0, patches = 0.0;
+  for (const formats::BspFace& face : bsp.faces) {
+    const std::uint32_t texture = bsp.texinfos[face.texinfo].texture;
+    if (texture >= bsp.textures.size() || lower_case(bsp.textures[texture].name) != name) continue;
+    const double a = world::face_area(bsp, face);
+    area += a;
+    patches += std::max(1.0, std::ceil(a / (128.0 * 128.0)));
+  }
+  const LightValue light = light_value(entity);
+  const LightLaw keys = light_law(entity, light.value, world);
+  const float strength = keys.strength();
+  SurfaceLight surface;
+  if (area < 1.0 || !(strength > 0.0f)) return surface;
+  // A patch of radiance R' and area A has the intensity R' A to its front; the sphere has pi r^2 R.
+  const auto radiance = static_cast<float>(kPi * strength * patches / area);
+  surface.radiance = light.color * std::min(radiance, kMaxSurfaceRadiance);
+  surface.style = std::clamp(entity.integer("style", 0), 0, 63);
+  EntityLight law;
+  set_fall(law, keys.value, keys.wait, keys.delay);
+  surface.fall_scale = law.fall == shared::kFallLinear ? law.fall_scale : 0.0f;
+  surface.switched = begins_off(entity);
+  return surface;
+}
+
+}  // namespace
+
 SurfaceLights surface_lights(const std::vector<Entity>& entities, const formats::Bsp& bsp) {
   SurfaceLights result;
-  for (const Entity& entity : entities) {
-    if (!is_light(entity) || !entity.has("_surface")) continue;
-    const std::string name = lower_case(entity.text("_surface"));
-    double area = 0.0, patches = 0.0;
-    for (const formats::BspFace& face : bsp.faces) {
-      const std::uint32_t texture = bsp.texinfos[face.texinfo].texture;
-      if (texture >= bsp.textures.size() || lower_case(bsp.textures[texture].name) != name) continue;
-      const double a = world::face_area(bsp, face);
-      area += a;
-      patches += std::max(1.0, std::ceil(a / (128.0 * 128.0)));
+  for (const bool switched : {false, true})  // a texture that glows from the start has one light, without a switch
+    for (const Entity& entity : entities) {
+      if (!is_light(entity) || !entity.has("_surface") || begins_off(entity) != switched) continue;
+      if (switched && entity.integer("style", 0) < kFirstSwitchedStyle) continue;
+      const std::string name = lower_case(entity.text("_surface"));
+      const SurfaceLight light = surface_light(entity, entities.front(), name, bsp);
+      if (light.radiance == vec3(0.0f)) continue;
+      const auto [at, added] = result.try_emplace(name, light);
+      if (added || (switched && !at->second.switched)) continue;
+      const vec3 sum = at->second.radiance + light.radiance;
+      at->second = light;
+      at->second.radiance = sum;
     }
-    const LightValue light = light_value(entity);
-    const float strength = strength_of(entity, light.value);
-    const bool begins_off = entity.has("targetname") && (entity.integer("spawnflags", 0) & 1) != 0;
-    if (area < 1.0 || !(strength > 0.0f) || begins_off) continue;
-    // A patch of radiance R' and area A has the intensity R' A to its front; the sphere has pi r^2 R.
-    const auto radiance = static_cast<float>(kPi * strength * patches / area);
-    SurfaceLight& surface = result[name];
-    surface.radiance += light.color * std::min(radiance, kMaxSurfaceRadiance);
-    surface.style = std::clamp(entity.integer("style", 0), 0, 63);
-    EntityLight law;
-    set_fall(law, light.value, entity.number(either(entity, "_wait"), 1.0f),
-             entity.integer(either(entity, "_delay"), 0));
-    surface.fall_scale = law.fall == shared::kFallLinear ? law.fall_scale : 0.0f;
-  }
   return result;
 }
 
@@ -287,7 +355,7 @@ std::vector<Sun> suns(const std::vector<Entity>& entities) {
   if (entities.empty()) return result;
   const Entity& world = entities.front();
   const auto number = [&](std::string_view key) { return world.number(either(world, key), 0.0f); };
-  const float penumbra = number("_sunlight_penumbra");
+  const float penumbra = number("_sunlight_penumbra"), angles = angle_strength(world);
   const vec3 down(0.0f, -90.0f, 0.0f);
   const auto mangle_of = [&](std::initializer_list<std::string_view> keys) {
     for (std::string_view key : keys) {
@@ -297,11 +365,11 @@ std::vector<Sun> suns(const std::vector<Entity>& entities) {
     return down;
   };
   if (const float value = number("_sunlight"); value > 0.0f)
-    result.push_back(make_sun(value, light_color(world, "_sunlight_color"),
+    result.push_back(make_sun(value * angles, light_color(world, "_sunlight_color"),
                               towards_sun(mangle_of({"_sun_mangle", "_sunlight_mangle", "_sun_angle"})), penumbra));
   if (const float value = number("_sun2"); value > 0.0f)
-    result.push_back(
-        make_sun(value, light_color(world, "_sun2_color"), towards_sun(mangle_of({"_sun2_mangle"})), penumbra));
+    result.push_back(make_sun(value * angles, light_color(world, "_sun2_color"),
+                              towards_sun(mangle_of({"_sun2_mangle"})), penumbra));
   for (const Entity& entity : entities) {
     if (!is_light(entity) || !is_sun_entity(entity)) continue;
     const LightValue light = light_value(entity);
@@ -315,15 +383,30 @@ std::vector<Sun> suns(const std::vector<Entity>& entities) {
       const vec3 way = target->vector("origin").value_or(vec3(0)) - entity.vector("origin").value_or(vec3(0));
       if (glm::length(way) > 0.0f) direction = -glm::normalize(way);
     }
-    result.push_back(make_sun(light.value, light.color, direction, entity.number("_deviance", 0.0f) * 2.0f));
+    result.push_back(make_sun(light.value * angle_strength(entity), light.color, direction,
+                              entity.number("_deviance", 0.0f) * 2.0f));
   }
   return result;
 }
 
-float dome_radiance(const std::vector<Entity>& entities) {
-  if (entities.empty()) return 0.0f;
+float white_dome_radiance(const std::vector<Entity>& entities) {
+  return entities.empty() ? 0.0f : dome_of_world(entities.front(), "_sunlight2");
+}
+
+vec3 dome_radiance(const std::vector<Entity>& entities, bool sky_below) {
+  if (entities.empty()) return vec3(0.0f);
   const Entity& world = entities.front();
-  return std::max(0.0f, world.number(either(world, "_sunlight2"), 0.0f)) / kLightmapUnit;
+  const auto half = [&](std::string_view key, std::string_view color, std::string_view other_color) {
+    vec3 sum = dome_of_world(world, key) * light_color(world, world.has(either(world, color)) ? color : other_color);
+    for (const Entity& entity : entities)
+      if (&entity != &world && is_light(entity) && is_dome_entity(entity, key)) {
+        const LightValue light = light_value(entity);
+        sum += light.color * (std::clamp(light.value, 0.0f, kMaxLight) / kLightmapUnit);
+      }
+    return sum;
+  };
+  const vec3 upper = half("_sunlight2", "_sunlight2_color", "_sunlight_color2");
+  return sky_below ? glm::max(upper, half("_sunlight3", "_sunlight3_color", "_sunlight_color3")) : upper;
 }
 
 vec3 ambient_radiance(const std::vector<Entity>& entities) {

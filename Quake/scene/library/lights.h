@@ -13,6 +13,9 @@
 //   delay 4 (a minimum, not a light): dropped
 //   delay 5 (L * (128 / (wait d + 128))^2), at d = 128/wait: R r^2 = L * 32 / wait^2
 //
+// _falloff F of a linear light is wait L / F; the world's _dist is a factor on all waits, its _range / 0.5 on all
+// values.
+//
 // Where authored light counts, lamps keep their own law of distance instead (set_fall).
 //
 // Colours are what a white wall shows on screen, so they are taken as sRGB. A spot (mangle or target) is as bright as
@@ -49,23 +52,27 @@ std::vector<EntityLight> darkening_lights(const std::vector<world::Entity>& enti
 
 // Radiance by lower-case texture name that _surface lights give: ericw-tools puts a light on every 128 x 128 units of
 // such faces; here the faces glow, with the same power over their area. Those that are off when the map begins
-// (spawnflags 1 with a targetname) give none.
+// (spawnflags 1 with a targetname) follow their style, where the tools have given them one that is switched (32 and
+// up) and no other lights the texture; else they give none.
 struct SurfaceLight {
   vec3 radiance{0.0f};
   int style = 0;            // of the last of a texture's lights
   float fall_scale = 0.0f;  // of its linear law of distance, 1 / units; 0: it has another
+  bool switched = false;    // off when the map begins
 };
 using SurfaceLights = std::map<std::string, SurfaceLight>;
 SurfaceLights surface_lights(const std::vector<world::Entity>& entities, const formats::Bsp& bsp);
 
 // _sunlight (with _sun_mangle, _sunlight_mangle, _sun_angle or the same without underscore; _sunlight_color;
-// _sunlight_penumbra), _sun2 (_sun2_mangle, _sun2_color), and light entities with "_sun" "1". Irradiance is
-// pi * value / 128 on a surface that faces the sun.
+// _sunlight_penumbra, _anglescale), _sun2 (_sun2_mangle, _sun2_color), and light entities with "_sun" "1". Irradiance
+// is pi * value / 128 on a surface that faces the sun.
 std::vector<Sun> suns(const std::vector<world::Entity>& entities);
 
-// _sunlight2 (a dome of light, from everywhere above): the mean radiance that the sky should have, value / 128; 0
-// without the key.
-float dome_radiance(const std::vector<world::Entity>& entities);
+// _sunlight2 (a dome of light, from everywhere above; _sunlight2_color or _sunlight_color2) and light entities with
+// "_sunlight2" "1": the mean radiance that the sky should have, value / 128; 0 without them. _sunlight3 is the same
+// from below: where the map has skies there, what is more of both counts, since our sky is one.
+vec3 dome_radiance(const std::vector<world::Entity>& entities, bool sky_below);
+float white_dome_radiance(const std::vector<world::Entity>& entities);  // of the world's _sunlight2 without its colour
 
 // _minlight or light of the worldspawn (_minlight_color, _mincolor): radiance from everywhere; zero without the keys.
 // The tools' lightmaps hold half of the value (of _minlight 22, 11), which shows a white wall at value / 256 on screen

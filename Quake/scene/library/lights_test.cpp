@@ -143,6 +143,71 @@ TEST(Lights, SurfaceLightsHaveThePowerOfTheirSpheres) {
   EXPECT_NEAR(radiance.x * 128 * 128 / (d * d), kPi * light_strength(128, 1, 2) / (d * d), 1e-5f);
 }
 
+TEST(Lights, SurfaceLightsThatBeginOffFollowTheirSwitch) {
+  test::MapBuilder map;
+  map.add_square(0, 0, 0, 128, map.add_texture(test::texture("panel")));
+  const std::string off = "{classname light _surface panel targetname t spawnflags 1 style 33}";
+  const auto of = [&](const std::string& text) { return surface_lights(entities_of(text), map.bsp); };
+  ASSERT_EQ(of(off).size(), 1u);
+  EXPECT_TRUE(of(off).at("panel").switched);
+  EXPECT_EQ(of(off).at("panel").style, 33);
+  EXPECT_TRUE(of("{classname light _surface panel targetname t spawnflags 1 style 3}").empty())
+      << "nothing in the game switches such a style";
+  const std::string on = "{classname light _surface panel light 100}";
+  for (const std::string& both : {on + off, off + on}) {
+    EXPECT_FALSE(of(both).at("panel").switched);
+    EXPECT_EQ(of(both).at("panel").radiance, of(on).at("panel").radiance);
+  }
+  EXPECT_FALSE(of("{classname light _surface panel targetname t style 33}").at("panel").switched) << "it begins on";
+}
+
+TEST(Lights, FalloffAndTheWorldsFactors) {
+  const auto strength = [](const EntityLight& light) { return light.power_color.x * light.radius * light.radius; };
+  const auto lights = lights_of(
+      "{classname worldspawn _dist 2 _range 1}"
+      "{classname light light 200}{classname light light 200 _falloff 400}{classname light light 200 delay 2}");
+  ASSERT_EQ(lights.size(), 3u);
+  EXPECT_NEAR(strength(lights[0]), 2.0f * light_strength(200, 2, 0), 1e-1f);
+  EXPECT_NEAR(strength(lights[1]), 2.0f * light_strength(200, 0.5f, 0), 1e-1f) << "it ends where _falloff says";
+  EXPECT_NEAR(lights[1].fall_scale, 2.0f / 400.0f, 1e-6f);
+  EXPECT_NEAR(strength(lights[2]), 2.0f * light_strength(200, 2, 2), 1e-1f);
+}
+
+TEST(Lights, AnglesThatCountForLittleMakeLightsStronger) {
+  const auto strength = [](const std::string& key) {
+    const auto lights = lights_of("{classname light light 200 " + key + "}");
+    return lights.at(0).power_color.x / lights_of("{classname light light 200}").at(0).power_color.x;
+  };
+  EXPECT_NEAR(strength("_anglescale 0"), 4.0f / 3.0f, 1e-4f) << "the mean over all ways is 1, and 0.75 at 0.5";
+  EXPECT_NEAR(strength("_anglesense 0.25"), 0.875f / 0.75f, 1e-4f);
+  EXPECT_NEAR(strength("_anglescale -7"), 4.0f / 3.0f, 1e-4f);
+  EXPECT_EQ(strength("_anglescale 0.5"), 1.0f);
+  EXPECT_EQ(strength("_anglescale 1"), 1.0f) << "Lambert's law, as here";
+  const auto sun = [](const std::string& key) {
+    return suns(entities_of("{classname worldspawn _sunlight 100 " + key + "}")).at(0).irradiance.x;
+  };
+  EXPECT_NEAR(sun("_anglescale 0") / sun(""), 4.0f / 3.0f, 1e-4f);
+}
+
+TEST(Lights, WhatStandsForASkyOrForOtherEnginesIsNoLamp) {
+  EXPECT_TRUE(lights_of("{classname light _sunlight2 1 light 99}{classname light _sunlight3 1}"
+                        "{classname light _nostaticlight 1}{classname light_globe _sun 1}")
+                  .empty());
+}
+
+TEST(Suns, DomesAboveAndBelowHaveTheirColours) {
+  const auto dome = [](std::string_view text, bool below = false) { return dome_radiance(entities_of(text), below); };
+  EXPECT_EQ(dome("{classname worldspawn}", true), vec3(0));
+  EXPECT_EQ(dome("{classname worldspawn _sunlight2 64}"), vec3(0.5f));
+  for (const char* key : {"_sunlight2_color", "_sunlight_color2", "sunlight2_color"})
+    EXPECT_EQ(dome(std::string("{classname worldspawn sunlight2 64 ") + key + " \"255 0 0\"}"), vec3(0.5f, 0, 0))
+        << key;
+  const char* both = "{classname worldspawn _sunlight2 64 _sunlight3 128 _sunlight3_color \"0 0 1\"}";
+  EXPECT_EQ(dome(both), vec3(0.5f)) << "no sky is below";
+  EXPECT_EQ(dome(both, true), vec3(0.5f, 0.5f, 1.0f));
+  EXPECT_EQ(dome("{classname worldspawn}{classname light _sunlight2 1 light 128 _color \"0 1 0\"}"), vec3(0, 1, 0));
+}
+
 TEST(Suns, KeysOfTheWorld) {
   const auto one =
       suns(entities_of("{classname worldspawn _sunlight 256 _sun_mangle \"90 -45 0\" _sunlight_color "
@@ -216,7 +281,7 @@ TEST(Sky, LayersOfItsTexture) {
     for (std::size_t x = 0; x < 8; ++x)
       sky.indices[y * 8 + x] = static_cast<std::uint8_t>(x < 4 ? (x % 2 == 0 ? 0 : 50) : 100);
   map.add_texture(sky);
-  const Sky layers = make_layered_sky(builder, map.bsp, 0.0f);
+  const Sky layers = make_layered_sky(builder, map.bsp, vec3(0.0f));
   EXPECT_EQ(layers.mode, SkyMode::kLayers);
   EXPECT_EQ(layers.color, vec3(1.0f));
   const Image &solid = builder.assets().images[layers.solid], &alpha = builder.assets().images[layers.alpha];
@@ -226,9 +291,12 @@ TEST(Sky, LayersOfItsTexture) {
   EXPECT_EQ(alpha.texels[7], 255);
   EXPECT_EQ(alpha.texels[4], 50);
   const float mean = 0.5f * (linear_from_srgb(std::uint8_t{50}) + linear_from_srgb(std::uint8_t{100}));
-  EXPECT_NEAR(make_layered_sky(builder, map.bsp, 2.0f * mean).color.x, 2.0f, 1e-3f);
-  EXPECT_EQ(make_layered_sky(builder, map.bsp, 99.0f).color.x, kMaxSkyFactor);
-  EXPECT_EQ(make_layered_sky(builder, test::MapBuilder().bsp, 1.0f).mode, SkyMode::kBlack);
+  EXPECT_NEAR(make_layered_sky(builder, map.bsp, vec3(2.0f * mean)).color.x, 2.0f, 1e-3f);
+  EXPECT_EQ(make_layered_sky(builder, map.bsp, vec3(99.0f)).color.x, kMaxSkyFactor);
+  const vec3 red = make_layered_sky(builder, map.bsp, vec3(2.0f * mean, 0.0f, 0.0f)).color;
+  EXPECT_NEAR(red.x, 2.0f, 1e-3f);
+  EXPECT_EQ(red.y, 1.0f) << "never darker than painted";
+  EXPECT_EQ(make_layered_sky(builder, test::MapBuilder().bsp, vec3(1.0f)).mode, SkyMode::kBlack);
 
   // Quake 64's: 32 by 64, the near layer above, without holes and half clear.
   test::MapBuilder quake64;
@@ -236,7 +304,7 @@ TEST(Sky, LayersOfItsTexture) {
   formats::BspTexture stacked = test::texture("sky64", 0, 32, 64);
   std::fill(stacked.indices.begin() + 32 * 32, stacked.indices.end(), std::uint8_t{7});
   quake64.add_texture(stacked);
-  const Sky half = make_layered_sky(builder, quake64.bsp, 0.0f);
+  const Sky half = make_layered_sky(builder, quake64.bsp, vec3(0.0f));
   const Image& near_layer = builder.assets().images[half.alpha];
   const Image& far_layer = builder.assets().images[half.solid];
   EXPECT_EQ(far_layer.width, 32);

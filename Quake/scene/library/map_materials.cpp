@@ -216,6 +216,8 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
     const vec3 mean = mean_color(builder_.palette(), builder_.assets().images[material.frames.front().base]);
     material.emission_kind = EmissionKind::kFullbright;
     material.emission = lit->second.radiance / std::max({mean.x, mean.y, mean.z, 0.05f});
+    material.switched = lit->second.switched;
+    if (material.switched) material.cast_style = lit->second.style;
     for (auto* sets : {&material.frames, &material.alternate_frames})
       for (TextureSet& set : *sets) set.luma = set.base;
   }

@@ -24,7 +24,7 @@ const formats::BspTexture* find_sky(const formats::Bsp& bsp) {
 
 }  // namespace
 
-Sky make_layered_sky(AssetBuilder& builder, const formats::Bsp& bsp, float dome_radiance) {
+Sky make_layered_sky(AssetBuilder& builder, const formats::Bsp& bsp, const vec3& dome_radiance) {
   Sky sky;
   const formats::BspTexture* texture = find_sky(bsp);
   if (texture == nullptr) return sky;
@@ -51,9 +51,9 @@ Sky make_layered_sky(AssetBuilder& builder, const formats::Bsp& bsp, float dome_
     }
   const float cover = static_cast<float>(covered) / (255.0f * static_cast<float>(width * height));
   const vec3 mean = glm::mix(mean_color(builder.palette(), solid), mean_color(builder.palette(), alpha), cover);
-  const float factor = std::clamp(dome_radiance / std::max(luminance(mean), 1e-3f), 1.0f, kMaxSkyFactor);
+  const vec3 factor = glm::clamp(dome_radiance / std::max(luminance(mean), 1e-3f), vec3(1.0f), vec3(kMaxSkyFactor));
   sky.mode = SkyMode::kLayers;
-  sky.color = vec3(factor);
+  sky.color = factor;
   sky.solid = builder.add_image(std::move(solid));
   sky.alpha = builder.add_image(std::move(alpha));
   return sky;

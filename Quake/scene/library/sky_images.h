@@ -14,7 +14,7 @@ constexpr float kMaxSkyFactor = 4.0f;  // how far a dome light may brighten the 
 // From the first texture named sky...: its right half is the far layer, its left half the near one, where index 0 is a
 // hole (alpha 0 in an image of colours). kBlack without such a texture. `dome_radiance`: the mean radiance wished for
 // (lights.h); the factor on the texels stays within 1 and kMaxSkyFactor.
-Sky make_layered_sky(AssetBuilder& builder, const formats::Bsp& bsp, float dome_radiance);
+Sky make_layered_sky(AssetBuilder& builder, const formats::Bsp& bsp, const vec3& dome_radiance);
 
 // gfx/env/<name> + rt bk lf ft up dn (with an underscore before the two letters if that is how they are called). With
 // none of the six: `fallback` and one logged sentence.
