@@ -8,7 +8,10 @@
 
 #include "client/session/interpolate.h"
 #include "client/session/test_session.h"
+#include "formats/test_bsp.h"
+#include "scene/authored/authored_map.h"
 #include "scene/authored/displayed_fog.h"
+#include "scene/library/test_lit_room.h"
 
 namespace fb::cl {
 namespace {
@@ -344,6 +347,48 @@ TEST(Snapshot, FogIsAsInQuakeWhereItsAuthorSawItSo) {
   EXPECT_NEAR(medium.glow_before_sky, std::pow(0.25f, 1.4f), 1e-6f);
   scene::show_as_in_quake(medium, 1e30f, vec3(1.0f), 1.0f);
   EXPECT_TRUE(std::isfinite(medium.square)) << "whatever a server sends";
+}
+
+// A room with lightmaps that one lamp made.
+scene::ModelLibrary baked_library() {
+  namespace st = scene::test;
+  formats::Bsp bsp = st::lit_room().bsp;
+  const scene::EntityLight lamp = st::lit_lamp(vec3(256, 256, 300), 20000);
+  st::bake(bsp, [&](const vec3& p, const vec3& n) { return st::lamp_light(lamp, p, n); });
+  bsp.entities = R"({"classname" "worldspawn"}{"classname" "light" "origin" "256 256 300"})";
+  st::TestFiles files;
+  files.add_palette();
+  files.files["maps/a.bsp"] = formats::testing::write_bsp(bsp);
+  scene::ModelLibrary library([files](std::string_view path) { return files.loader()(path); });
+  EXPECT_TRUE(library.load_map("maps/a.bsp").ok());
+  return library;
+}
+
+TEST(Snapshot, WhereBakedLightCountsTorchesAndSomeDoorsAreForTheCameraAlone) {
+  Scene s;
+  s.library = baked_library();
+  scene::AuthoredMap authored(s.library);
+  authored.wait();
+  ASSERT_NE(authored.light(), nullptr);
+  s.known[2].glows = true;
+  net::EntityState torch;
+  torch.model = 3;
+  s.tell({svc::SpawnStatic{torch, true}, svc::Time{1.1f}, update(2, 2, {0, 0, 0}), update(3, 3, {100, 0, 0})});
+  s.pass(1.05);
+  const auto seen_by_light = [&](std::uint32_t id) {
+    s.builder.build({s, s.view, s.library, nullptr, s.camera, 640, 480, true, {}, &authored}, s.snapshot);
+    const scene::Instance* instance = s.find(id);
+    EXPECT_NE(instance, nullptr) << id;
+    return instance != nullptr && (instance->visibility & scene::kSeenByIndirect) != 0;
+  };
+  EXPECT_FALSE(seen_by_light(scene::kIdStatic)) << "its light is its lamp's";
+  EXPECT_TRUE(seen_by_light(scene::kIdEntity + 3)) << "what moves is no torch";
+  EXPECT_TRUE(seen_by_light(scene::kIdEntity + 2)) << "a door";
+  s.known[1].shadowless = true;
+  EXPECT_FALSE(seen_by_light(scene::kIdEntity + 2));
+  s.settings.r_authored = 0.0f;
+  EXPECT_TRUE(seen_by_light(scene::kIdEntity + 2));
+  EXPECT_TRUE(seen_by_light(scene::kIdStatic));
 }
 
 TEST(Snapshot, FogScattersItsColourInLinearLight) {

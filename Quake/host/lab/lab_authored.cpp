@@ -82,7 +82,8 @@ scene::AuthoredFog fog_of(const formats::Bsp& bsp) {
 
 int run_authored(const AuthoredOptions& options) {
   StageOptions o = options.stage;
-  if (o.map.empty()) return fail(Error{"authored: --map names the map"});
+  if (o.map.empty())
+    return fail(Error{"authored: it draws maps alone, by --map; demos and scenes have no baked light"});
   o.sets.insert(o.sets.begin(), "r_ambient=-1");  // even light is a part of what authors saw
   if (!options.fog) o.sets.insert(o.sets.begin(), "r_fog=0");
   Stage stage;
@@ -101,7 +102,9 @@ int run_authored(const AuthoredOptions& options) {
   remove_models(snapshot);
   if (const auto* light = stage.engine->client().authored().light(); options.table && light != nullptr)
     print_table(*light);
-  const std::vector<lab::MapCamera> cameras = lab::map_cameras(*library.map(), options.cameras);
+  const std::vector<lab::MapCamera> cameras =
+      o.camera.empty() ? lab::map_cameras(*library.map(), options.cameras)
+                       : std::vector<lab::MapCamera>{{"camera", snapshot.camera.position, snapshot.camera.angles}};
   const scene::AuthoredFog fog = options.fog ? fog_of(*library.map()) : scene::AuthoredFog();
   const std::vector<float> styles = stage.engine->client().light_style_values();
   std::vector<lab::AuthoredDistance> distances;

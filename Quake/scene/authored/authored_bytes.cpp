@@ -11,7 +11,7 @@
 namespace fb::scene {
 namespace {
 
-constexpr std::uint32_t kAuthoredVersion = 2;      // of how light is found: goes up with every change to it
+constexpr std::uint32_t kAuthoredVersion = 3;      // of how light is found: goes up with every change to it
 constexpr std::uint32_t kMagic = 0x544c4246;       // FBLT
 constexpr std::size_t kMostGainCells = 1u << 21u;  // of all ways
 
@@ -117,6 +117,7 @@ Bytes authored_bytes(const AuthoredLight& light, std::uint64_t key) {
   out.put(gains.origin).put(gains.side).put(gains.width).put(gains.depth).put(gains.height);
   out.put(static_cast<std::uint32_t>(gains.cells.size()));
   for (const std::uint32_t cell : gains.cells) out.put(cell);
+  for (const std::uint32_t submodel : light.lit_through) out.put(submodel);
   return out.take();
 }
 
@@ -146,11 +147,14 @@ std::optional<AuthoredLight> read_authored(ByteView bytes, std::uint64_t key, co
   gains.depth = in.u32();
   gains.height = in.u32();
   const std::uint32_t cells = in.u32();
-  if (in.failed() || cells > kMostGainCells || in.remaining() != std::size_t{cells} * sizeof(std::uint32_t))
+  constexpr std::size_t kWord = sizeof(std::uint32_t);
+  const std::size_t cell_bytes = std::size_t{cells} * kWord;
+  if (in.failed() || cells > kMostGainCells || in.remaining() < cell_bytes || in.remaining() % kWord != 0)
     return std::nullopt;
   const double whole_box = static_cast<double>(gains.width) * gains.depth * gains.height * shared::kGainWays;
   if (static_cast<double>(cells) != whole_box) return std::nullopt;
   for (std::uint32_t i = 0; i < cells; ++i) gains.cells.push_back(in.u32());
+  while (in.remaining() > 0) light.lit_through.push_back(in.u32());
   return light;
 }
 

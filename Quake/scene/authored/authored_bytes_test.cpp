@@ -30,6 +30,10 @@ TEST(AuthoredBytes, WhatIsReadIsWhatWasFound) {
   const KeptRoom room;
   const auto& found = room.found();
   ASSERT_TRUE(found);
+  AuthoredLight with_doors = *found;
+  with_doors.lit_through = {2, 7};
+  EXPECT_EQ(read_authored(authored_bytes(with_doors, room.key()), room.key(), room.map())->lit_through,
+            with_doors.lit_through);
   const Bytes bytes = authored_bytes(*found, room.key());
   const auto read = read_authored(bytes, room.key(), room.map());
   ASSERT_TRUE(read);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "scene/authored/closed_doors.h"
 #include "world/bsp_query.h"
 
 namespace fb::scene {
@@ -82,6 +83,7 @@ std::optional<AuthoredLight> find_authored_light(const LitMap& map, const Lightm
     }
   }
   put_out_unbaked_styles(lightmaps, out.emitters, out.fit);
+  out.lit_through = doors_lit_through(map, out.emitters, out.fit, points, transport);
   const std::vector<LuxelPoint> many = choose_luxels(map, lightmaps, std::min(many_points(map), kMostRays / lamps));
   out.gains = make_gain_field(
       map.bsp, many, light_at(map, out.emitters, out.fit.factors, many, points, fitted_light(transport, out.fit)));

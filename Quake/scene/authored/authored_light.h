@@ -3,8 +3,10 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <future>
 #include <optional>
+#include <vector>
 
 #include "scene/authored/gain_field.h"
 #include "scene/authored/light_fit.h"
@@ -14,9 +16,10 @@ namespace fb::scene {
 struct AuthoredLight {
   MapEmitters emitters;
   LightFit fit;
-  GainField gains;         // what the fit leaves
-  std::size_t points = 0;  // of the map's faces, at which baked light was compared
-  double seconds = 0;      // that finding it took
+  GainField gains;                         // what the fit leaves
+  std::vector<std::uint32_t> lit_through;  // submodels that cast no shadow (closed_doors.h)
+  std::size_t points = 0;                  // of the map's faces, at which baked light was compared
+  double seconds = 0;                      // that finding it took
 };
 
 // Nothing where the map has no baked light, or none that says anything. Takes well under a second for a map of 20,000

@@ -39,6 +39,9 @@ void AuthoredMap::take() {
   log_info("light as baked: {} emitters at {} points, {:.2f} stops off, {:.2f} before, {:.2f} s",
            light_->emitters.all.size(), light_->points, light_->fit.stops_after, light_->fit.stops_before,
            light_->seconds);
+  if (!light_->lit_through.empty())
+    log_info("{} brush entities cast no shadow: their places were baked with light that came through them",
+             light_->lit_through.size());
   if (store_.write) store_.write(key_, authored_bytes(*light_, key_));
 }
 
@@ -64,6 +67,7 @@ BakedTable AuthoredMap::baked() {
 
 void AuthoredMap::apply(const AuthoredLight& light) {
   const LitMap map = library_.lit_map();
+  library_.let_light_through(light.lit_through);
   lamps_.assign(map.lamps.size(), vec3(1.0f));
   suns_.assign(map.suns.size(), vec3(1.0f));
   even_sky_ = vec3(0.0f);

@@ -93,20 +93,6 @@ class NearestPoint {
   std::map<Cell, std::vector<std::uint32_t>> by_cell_;
 };
 
-// Zero where it would be dark on any display.
-vec3 unshadowed_light(const EntityLight& lamp, const LuxelPoint& p) {
-  const vec3 way = lamp.position - p.position;
-  const float cosine_times = glm::dot(way, p.normal), square = std::max(glm::dot(way, way), lamp.radius * lamp.radius);
-  if (cosine_times <= 0.0f) return vec3(0.0f);
-  const float distance = std::sqrt(square);
-  const float spot = lamp.axis == vec3(0.0f) ? 1.0f
-                                             : shared::spot_share(-glm::dot(way, lamp.axis) / distance,
-                                                                  lamp.least_cosine, lamp.full_cosine);
-  const float fall = shared::fall_share(lamp.fall, distance * lamp.fall_scale);
-  const vec3 light = lamp.power_color * (lamp.radius * lamp.radius * cosine_times / (square * distance) * spot * fall);
-  return std::max({light.x, light.y, light.z}) < kLeastLight ? vec3(0.0f) : light;
-}
-
 // Light at points, straight and by what reflects it: `mirrors`, points themselves.
 class Transport {
  public:
@@ -272,6 +258,19 @@ class Transport {
 };
 
 }  // namespace
+
+vec3 unshadowed_light(const EntityLight& lamp, const LuxelPoint& p) {
+  const vec3 way = lamp.position - p.position;
+  const float cosine_times = glm::dot(way, p.normal), square = std::max(glm::dot(way, way), lamp.radius * lamp.radius);
+  if (cosine_times <= 0.0f) return vec3(0.0f);
+  const float distance = std::sqrt(square);
+  const float spot = lamp.axis == vec3(0.0f) ? 1.0f
+                                             : shared::spot_share(-glm::dot(way, lamp.axis) / distance,
+                                                                  lamp.least_cosine, lamp.full_cosine);
+  const float fall = shared::fall_share(lamp.fall, distance * lamp.fall_scale);
+  const vec3 light = lamp.power_color * (lamp.radius * lamp.radius * cosine_times / (square * distance) * spot * fall);
+  return std::max({light.x, light.y, light.z}) < kLeastLight ? vec3(0.0f) : light;
+}
 
 std::vector<LuxelPoint> choose_luxels(const LitMap& map, const Lightmaps& lightmaps, std::size_t count) {
   std::vector<LuxelPoint> points;

@@ -26,6 +26,9 @@ std::vector<LuxelPoint> choose_luxels(const LitMap& map, const Lightmaps& lightm
 // Adds what lights of negative value took, by their keys: what is left is what the others gave.
 void give_back_darkness(const LitMap& map, std::vector<LuxelPoint>& points);
 
+// What a lamp gives a point, irradiance / pi, where nothing stands between; zero where it would be dark on any display.
+vec3 unshadowed_light(const EntityLight& lamp, const LuxelPoint& p);
+
 // Irradiance / pi at each point from each emitter at its power, after 0 .. `reflections` reflections.
 struct LightTransport {
   std::size_t points = 0, emitters = 0;
