@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/techniques/test_techniques.h"
 #include "render/test_fog.h"
 #include "scene/in_code/scenes_in_code.h"
 
@@ -99,7 +100,7 @@ TEST_F(FogFurnaceStatistics, AGlowingRoomFullOfItHasItsQuadrature) {
   std::vector<std::pair<std::pair<int, int>, double>> rows;
   for (const auto& [bounces, fog_bounces] : {std::pair(1, 1), std::pair(2, 1), std::pair(1, 2), std::pair(2, 2)})
     rows.push_back({{bounces, fog_bounces}, room.radiance({-40, 30, 10}, bounces, fog_bounces)});
-  for (const std::string& estimator : unbiased()) {
+  for (const std::string& estimator : one_of_each_family(Whose::kUnbiased)) {
     auto renderer = make_renderer(settings(estimator, 128), 16, 12);
     for (const auto& [rays, expected] : rows) {
       const RenderSettings s = settings(estimator, 128, rays.first, rays.second);

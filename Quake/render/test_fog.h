@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "render/techniques/technique.h"
 #include "render/test_device.h"
 #include "render/test_image.h"
 #include "scene/in_code/scenes_in_code.h"
@@ -28,12 +27,6 @@ class FogTest : public DeviceTest {
     s.medium_bounces = fog_bounces;
     s.jitter = 0;
     return s;
-  }
-  static std::vector<std::string> unbiased() {
-    std::vector<std::string> names;
-    for (const TechniqueInfo& technique : techniques())
-      if (technique.unbiased()) names.emplace_back(technique.name);
-    return names;
   }
   // Walls 29,440 units away on all sides.
   static scene::FrameSnapshot wide_furnace() {
