@@ -91,6 +91,8 @@ const std::vector<Entry>& entries() {
       {"moving", [] { return timed_film(scene::moving_assets(), scene::moving); }},
       {"rocket", [] { return counted_film(scene::rocket_assets(), scene::rocket); }},
       {"lightsout", [] { return counted_film(scene::lights_out_assets(), scene::lights_out); }},
+      {"three_lamps", [] { return still_film(scene::three_lamps()); }},
+      {"occluder", [] { return timed_film(scene::occluder_assets(), scene::occluder); }},
       {"alpha_panel", [] { return still_film(scene::alpha_panel()); }},
       {"textured_quad", [] { return still_film(scene::textured_quad()); }},
   };

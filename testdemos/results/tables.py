@@ -22,6 +22,7 @@ from fullbright_lab import results  # noqa: E402
 
 KEPT_ERRORS = ("mse", "mse_corrected", "relmse_corrected", "flip_hdr")
 DIGITS = 5
+FRAMES_OF_MEANS = (1, 4, 16, 64, 256)  # whose mean's error is kept, of runs so long
 
 
 def rounded(value):
@@ -36,7 +37,9 @@ def keep(folder: str, name: str) -> None:
     data = results.read(folder).data
     for experiment in data["experiments"]:
         for point in experiment["points"]:
-            point.pop("curve", None)
+            curve = point.pop("curve", {})
+            if point["frames"] >= FRAMES_OF_MEANS[-1] and "running_mse" in curve:
+                point["mse_of_means"] = [curve["running_mse"][count - 1] for count in FRAMES_OF_MEANS]
             point.pop("passes", None)
             if "errors" in point and "judge" not in experiment:
                 point["errors"] = {key: point["errors"][key] for key in KEPT_ERRORS if key in point["errors"]}
@@ -76,21 +79,37 @@ def number(value: float) -> str:
     return f"{value:.0f}" if value >= 99.5 else f"{value:.3g}"
 
 
-def gains_of(name: str, label: str) -> str:
+def gains_of(name: str, label: str, every_value: bool = False, without: tuple[str, ...] = ()) -> str:
     suite = stored(name)
-    names = list(dict.fromkeys(n for e in suite.experiments for n in e.configurations if n != "denoised"))  # pictures alone
+    experiments = [e for e in suite.experiments if e.name not in without]
+    names = list(dict.fromkeys(n for e in experiments for n in e.configurations if n != "denoised"))  # pictures alone
     rows = []
-    for experiment in suite.experiments:
-        cells = []
-        for other in names[1:]:
-            if not experiment.chosen(other):
-                cells.append("")
-                continue
-            samples, time = (experiment.gain(other, equal) for equal in ("samples", "time"))
-            interval = "" if math.isnan(samples.low) else f" ({number(samples.low)} to {number(samples.high)})"
-            cells.append(f"{number(samples.value)}{interval} / {number(time.value)}")
-        rows.append([experiment.title, *cells])
+    for experiment in experiments:
+        for value in experiment.values if every_value else experiment.values[:1]:
+            cells = []
+            for other in names[1:]:
+                if not experiment.chosen(other, value):
+                    cells.append("")
+                    continue
+                samples, time = (experiment.gain(other, equal, value) for equal in ("samples", "time"))
+                interval = "" if math.isnan(samples.low) else f" ({number(samples.low)} to {number(samples.high)})"
+                cells.append(f"{number(samples.value)}{interval} / {number(time.value)}")
+            of_value = f"; {experiment.what} {value:g}" if every_value and experiment.what else ""
+            rows.append([experiment.title + of_value, *cells])
     return rows_of([label, *(f"`{n}`" for n in names[1:])], rows) + "\n\n" + made_with(suite)
+
+
+def errors_of_means(name: str, experiment: str) -> str:
+    """Relative to the first configuration's at one frame."""
+    suite = stored(name)
+    points = {n: suite[experiment].chosen(n) for n in suite[experiment].configurations}
+    mse = {n: list(zip(*(point["mse_of_means"] for point in of))) for n, of in points.items()}
+    unit = results.over_runs(next(iter(mse.values()))[0]).value
+    rows = []
+    for i, frames in enumerate(FRAMES_OF_MEANS):
+        figures = [results.over_runs([value / unit for value in mse[n][i]]) for n in mse]
+        rows.append([f"{frames}", *(f"{f.value:.2g} ({f.low:.2g} to {f.high:.2g})" for f in figures)])
+    return rows_of(["frames", *(f"`{n}`" for n in mse)], rows) + "\n\n" + made_with(suite)
 
 
 def shown(entry: dict, name: str, factor: float = 1, enough: bool = True) -> str:
@@ -152,6 +171,8 @@ TABLES = {
     "guiding": lambda: gains_of("guiding", "view"),
     "reuse": lambda: gains_of("reuse", "view"),
     "rivals": lambda: gains_of("rivals", "view"),
+    "dittebrandt2023": lambda: gains_of("dittebrandt2023", "figure", True, ("fig16_cbox",)),
+    "dittebrandt2023_means": lambda: errors_of_means("dittebrandt2023", "fig16_cbox"),
     "judge": lambda: judge("judge"),
     "judge_librequake": lambda: judge("judge_librequake"),
     "judge_quick": lambda: judge("judge_quick"),
@@ -173,7 +194,7 @@ def main() -> int:
     commands = parser.add_subparsers(dest="command", required=True)
     keeping = commands.add_parser("keep")
     keeping.add_argument("folder")
-    keeping.add_argument("name", choices=[name for name in TABLES if name not in ("gpu", "outside")])
+    keeping.add_argument("name", choices=[name for name in TABLES if name not in ("gpu", "outside", "dittebrandt2023_means")])
     commands.add_parser("write")
     commands.add_parser("check")
     options = parser.parse_args()

@@ -197,7 +197,8 @@ const Row kMixtures[] = {
     {"cbox", "ssmm", {}, plan(24, 4, 12), 8, false, {"r_bounces=1"}, "nee"},
     {"cbox", "ssmm", {"r_ssmm_temporal=1"}, plan(24, 4, 12), 8, false, {"r_bounces=1"}, "nee"},
     {"cbox", "ssmm", {"r_ssmm_shuffle=0"}, plan(24, 4, 12), 8, true, {"r_bounces=1"}, "nee"},
-    {"moving", "ssmm_nee", {"r_ssmm_indirect=1"}, plan(12, 4, 8), 2, false, {}, "nee"},
+    {"cbox", "ssmm", {"r_ssmm_world=1"}, plan(24, 4, 12), 8, false, {"r_bounces=1"}, "nee"},
+    {"moving", "ssmm_nee", {"r_ssmm_indirect=1", "r_ssmm_world=1"}, plan(12, 4, 8), 2, false, {}, "nee"},
 };
 INSTANTIATE_TEST_SUITE_P(Mixtures, UnbiasedStatistics, testing::ValuesIn(kMixtures), row_name);
 

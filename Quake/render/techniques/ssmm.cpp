@@ -30,9 +30,12 @@ class SsmmTechnique : public PathTechnique {
       constants.seen_ways = seen_->begin_frame();
       constants.seen_stride = seen_stride(frame.lit, frame.settings, frame.medium());
     }
-    const bool fresh = memory_.begin_frame(frame.lit) || frame.cut;
-    constants.known = fresh ? 0 : 1;
-    frame_ = (seen_ ? seen_->fresh() : fresh) ? 1 : frame_ + 1;
+    world_ = frame.settings.ssmm_world != 0;
+    for (const std::uint32_t array : {shared::kSsmmWorld, shared::kSsmmClaims})
+      memory_.set_count(array, world_ ? shared::kSsmmCells : 0);
+    const bool fresh = memory_.begin_frame(frame.lit);
+    constants.known = fresh || frame.cut ? 0 : 1;
+    frame_ = (seen_ ? seen_->fresh() : constants.known == 0) ? 1 : frame_ + 1;
     std::memcpy(uniform_.mapped(), &constants, sizeof(constants));
   }
   void add_passes(const TechniquePasses& passes) override {
@@ -41,6 +44,9 @@ class SsmmTechnique : public PathTechnique {
     passes.list.dispatch("ssmm exchange", PassKind::kEstimator, passes.shaders.get("ssmm_exchange"),
                          groups_over(passes.size, 8));
     PathTechnique::add_passes(passes);
+    if (world_)
+      passes.list.dispatch("ssmm keep", PassKind::kEstimator, passes.shaders.get("ssmm_keep"),
+                           groups_over(uvec2(256, shared::kSsmmCells / 256), 8));
     if (seen_) seen_->add_fold(passes.list, passes.shaders);
   }
   void forget() override {
@@ -54,6 +60,7 @@ class SsmmTechnique : public PathTechnique {
   gpu::Buffer uniform_;
   TechniqueMemory memory_;
   std::optional<SeenGrid> seen_;  // where it looks for light, too
+  bool world_ = false;            // states are kept in the world, too
   std::uint32_t frame_ = 0;       // since it forgot
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "scene/in_code/code_scene_parts.h"
 #include "scene/shapes.h"
@@ -118,6 +119,49 @@ FrameSnapshot lights_out(const std::shared_ptr<const Assets>& assets, std::uint6
   for (std::uint32_t i = 0; i < kWeakPlaces.size(); ++i)
     add_light(kLightsOutWeak + i, kWeakPlaces[i], kWeakRadius, vec3(1.0f, 0.7f, 0.4f) * kWeakRadiance);
   if (frame < kLightsOutFrame) add_light(kLightsOutLamp, {40, 0, 150}, kLampRadius, vec3(kLampRadiance));
+  return snapshot;
+}
+
+// --- occluder ---
+
+namespace {
+
+constexpr float kPlateHeight = 110.0f, kLampHeight = 176.0f;
+
+mat4x3 plate_transform(double time) {
+  return placed({30, static_cast<float>(80 * std::sin(2 * time)), kPlateHeight}, {40, 40, 2});
+}
+
+}  // namespace
+
+std::shared_ptr<const Assets> occluder_assets() {
+  auto assets = new_code_assets();
+  const std::uint32_t walls = add_material(*assets, "walls", vec3(0.5f));
+  add_material(*assets, "light", vec3(0.0f), vec3(1.0f));
+  Mesh room;
+  add_box(room, {-256, -256, 0}, {256, 256, 192}, walls, true);
+  Mesh plate;
+  add_box(plate, vec3(-1.0f), vec3(1.0f), walls);
+  add_finished(*assets, std::move(room), "room");
+  add_sphere_mesh(*assets);
+  add_finished(*assets, std::move(plate), "plate");
+  return assets;
+}
+
+FrameSnapshot occluder(const std::shared_ptr<const Assets>& assets, double time, double prev_time) {
+  FrameSnapshot snapshot = still(assets, camera_at({-230, 0, 150}, {24, 0, 0}, 90.0f));
+  snapshot.time = time;
+  snapshot.prev_time = prev_time;
+  snapshot.instances.push_back(make_instance(kIdWorld, kFilmRoom));
+  Instance plate = make_instance(kOccluder, kPanelMesh, plate_transform(time));
+  plate.prev_transform = plate_transform(prev_time);
+  snapshot.instances.push_back(plate);
+  const auto add_light = [&](std::uint32_t id, const vec3& position, float radius, float radiance) {
+    snapshot.instances.push_back(
+        glowing(id, kLightMesh, kLightMaterial, position, vec3(radius), vec3(1.0f, 0.9f, 0.7f) * radiance));
+  };
+  add_light(kOccluderLamp, {30, 0, kLampHeight}, 5.0f, 400.0f);
+  add_light(kOccluderLamp + 1, {-150, 190, 60}, 5.0f, 4.0f);
   return snapshot;
 }
 

@@ -31,4 +31,12 @@ constexpr std::uint32_t kLightsOutWeak = kIdEntityLight;  // + 0 .. 5
 std::shared_ptr<const Assets> lights_out_assets();
 FrameSnapshot lights_out(const std::shared_ptr<const Assets>& assets, std::uint64_t frame, double frames_per_second);
 
+// Hard: what shines on a place hides within a frame. A small strong lamp under the ceiling of a closed room, a plate
+// that swings beneath it, so that the edges of its shadow run over the floor at up to 430 units a second, and a lamp
+// with a hundredth of its power (Dittebrandt 2023, Fig. 15). A function of time, in seconds.
+constexpr std::uint32_t kOccluder = kIdEntity + 1;
+constexpr std::uint32_t kOccluderLamp = kIdEntityLight;  // and the weak one
+std::shared_ptr<const Assets> occluder_assets();
+FrameSnapshot occluder(const std::shared_ptr<const Assets>& assets, double time, double prev_time);
+
 }  // namespace fb::scene

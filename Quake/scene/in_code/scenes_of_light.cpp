@@ -175,4 +175,25 @@ FrameSnapshot lava_cave() {
   return snapshot;
 }
 
+// --- three lamps ---
+
+FrameSnapshot three_lamps() {
+  auto assets = new_code_assets();
+  const std::uint32_t walls = add_material(*assets, "walls", vec3(0.6f));
+  const std::uint32_t light = add_material(*assets, "light", vec3(0.0f), vec3(1.0f));
+  Mesh room;
+  add_box(room, {-256, -256, 0}, {256, 256, 192}, walls, true);
+  const std::uint32_t room_mesh = add_finished(*assets, std::move(room), "room");
+  const std::uint32_t sphere = add_sphere_mesh(*assets);
+  FrameSnapshot snapshot = still(assets, camera_at({-230, 0, 150}, {24, 0, 0}, 90.0f));
+  snapshot.instances.push_back(make_instance(kIdWorld, room_mesh));
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    vec3 radiance(4.0f);
+    radiance[static_cast<int>(i)] = 200.0f;
+    const vec3 position(20, 130.0f - 130.0f * static_cast<float>(i), 48);
+    snapshot.instances.push_back(glowing(kThreeLamps + i, sphere, light, position, vec3(5.0f), radiance));
+  }
+  return snapshot;
+}
+
 }  // namespace fb::scene

@@ -29,4 +29,10 @@ constexpr float kStripsRecess = 384.0f;  // x from which on there is recess; the
 // glows. The causeway's top sees no lava: what it shows is reflected.
 FrameSnapshot lava_cave();
 
+// Hard for what keeps one direction a pixel: three small lamps, red, green and blue, of the same radiance, in a row
+// across a closed room, so that each outshines the others on its part of the floor and two are alike on the borders
+// (Dittebrandt 2023, Fig. 12).
+FrameSnapshot three_lamps();
+constexpr std::uint32_t kThreeLamps = kIdEntityLight;  // + 0 .. 2: red, green, blue
+
 }  // namespace fb::scene

@@ -196,6 +196,44 @@ TEST(FogScenes, WindowIsClosedAndItsSunFallsIn) {
   EXPECT_NEAR(sky, 3 * 48 * 128, 1e-2) << "between two bars";
 }
 
+TEST(LightScenes, ThreeLampsDifferInColourAlone) {
+  const FrameSnapshot snapshot = three_lamps();
+  expect_closed_space(snapshot);
+  const auto list = lights(snapshot);
+  ASSERT_EQ(list.size(), 3u);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const Instance& lamp = *find(snapshot, kThreeLamps + i);
+    EXPECT_EQ(lamp.emission[static_cast<int>(i)], 200.0f);
+    EXPECT_EQ(lamp.emission.x + lamp.emission.y + lamp.emission.z, 208.0f);
+    EXPECT_EQ(lamp.transform[0].x, list[0]->transform[0].x);
+  }
+}
+
+// The plate's shadow, from the lamp through its middle, crosses the floor, and no frame has it where the last one had.
+TEST(Films, TheOccluderSwingsUnderItsLamp) {
+  const auto assets = occluder_assets();
+  float least = 1e9f, most = -1e9f, fastest = 0;
+  for (int frame = 1; frame < 240; ++frame) {
+    const FrameSnapshot now = occluder(assets, frame / 60.0, (frame - 1) / 60.0);
+    if (frame % 40 == 1) expect_closed_space(now);
+    ASSERT_EQ(lights(now).size(), 2u);
+    const Instance &plate = *find(now, kOccluder), &lamp = *find(now, kOccluderLamp);
+    EXPECT_NEAR(power(*find(now, kOccluderLamp + 1)) / power(lamp), 0.01, 1e-5);
+    const auto shadow_of = [&](const vec3& middle) {
+      const vec3& from = lamp.transform[3];
+      return from.y + (middle.y - from.y) * from.z / (from.z - middle.z);
+    };
+    const float shadow = shadow_of(plate.transform[3]), before = shadow_of(plate.prev_transform[3]);
+    least = std::min(least, shadow);
+    most = std::max(most, shadow);
+    fastest = std::max(fastest, std::abs(shadow - before) * 60);
+  }
+  EXPECT_LT(least, -200);
+  EXPECT_GT(most, 200);
+  EXPECT_GT(fastest, 350);
+  EXPECT_LT(fastest, 450);
+}
+
 TEST(Films, RocketFliesAtItsSpeedFromFrameOneOn) {
   const auto assets = rocket_assets();
   EXPECT_EQ(find(rocket(assets, 0, 60), kRocket), nullptr);

@@ -12,10 +12,16 @@ FB_NAMESPACE_BEGIN
 //
 // States: uvec4[2] of a pixel at which light is sampled (pack_chain_state): what its chain ended the last frame with.
 // Lobes: the states that this frame samples from, of the same form: after exchange (passes/exchange.comp).
-#define FB_SSMM_ARRAYS(X)                                        \
-  X(kSsmmStates, 0u, kPixel, 32u, false, "states of the chains") \
-  X(kSsmmLobes, 1u, kPixel, 32u, false, "states to sample from")
+// World: uvec4[2] of a cell of the world, a state of the same form whose last word is GridKey::check: what chains of
+// pixels in it ended with (r_ssmm_world). Claims: uint of a cell, whose pixel teaches it in this frame: claim_of().
+#define FB_SSMM_ARRAYS(X)                                           \
+  X(kSsmmStates, 0u, kPixel, 32u, false, "states of the chains")    \
+  X(kSsmmLobes, 1u, kPixel, 32u, false, "states to sample from")    \
+  X(kSsmmWorld, 2u, kTable, 32u, false, "states kept in the world") \
+  X(kSsmmClaims, 3u, kTable, 4u, false, "claims of the world's cells")
 FB_SSMM_ARRAYS(FB_ARRAY_CONSTANT)
+
+FB_CONST uint kSsmmCells = 65536u;  // of the world; a power of two
 
 // clang-format off
 #define FB_SSMM_SETTINGS(X) \
@@ -32,7 +38,10 @@ FB_SSMM_ARRAYS(FB_ARRAY_CONSTANT)
   X(int, ssmm_keep, "r_ssmm_keep", 0, 0, 1, "ssmm: 1 a state whose lobe found nothing in a frame stays, and counts for less: lobes become narrow; 0 it is gone") \
   X(int, ssmm_count, "r_ssmm_count", 1024, 1, 65536, "ssmm: most samples that a lobe counts") \
   X(int, ssmm_apparent, "r_ssmm_apparent", 1, 0, 1, "ssmm: 1 light by way of an interface has its target where it appears to be (Ruppert 2020, Eq. 35); 0 on the interface") \
-  X(int, ssmm_indirect, "r_ssmm_indirect", 0, 0, 1, "ssmm: 1 scores count light of more reflections, too; 0 what is emitted where the ray ends")
+  X(int, ssmm_indirect, "r_ssmm_indirect", 0, 0, 1, "ssmm: 1 scores count light of more reflections, too; 0 what is emitted where the ray ends") \
+  X(int, ssmm_product, "r_ssmm_product", 1, 0, 1, "ssmm: 1 scores count what the surface reflects of that; 0 its light over the density alone") \
+  X(int, ssmm_world, "r_ssmm_world", 0, 0, 1, "ssmm: 1 states are kept in cells of the world, too, and pixels take them as those of neighbours; 0 on the screen alone (the paper)") \
+  X(float, ssmm_cell, "r_ssmm_cell", 32, 1, 4096, "ssmm: width of those cells, units")
 // clang-format on
 
 FB_CONST uint kViewOfSsmm = kViewOfTechniques + 2u;
@@ -120,6 +129,23 @@ FB_FN float spline_offset(uint bits) {
   uint sum = (bits & 31u) + ((bits >> 5u) & 31u) + ((bits >> 10u) & 31u) + ((bits >> 15u) & 31u) +
              ((bits >> 20u) & 31u) + ((bits >> 25u) & 31u);
   return (float(sum) - 93.0f) / 192.0f;
+}
+
+// --- Cells of the world ---
+// A claim is larger than 0. Of claims of one cell the largest has it: of one pixel, at random in each frame.
+FB_FN uint claim_of(uint element, uint random) { return (random & 0xff000000u) | ((element + 1u) & 0xffffffu); }
+FB_FN uint claiming_element(uint claim) { return (claim & 0xffffffu) - 1u; }
+
+// What a cell keeps of its own and of what a pixel's chain ended with: either in proportion to their scores, by a
+// random number `u`. Where the chain found nothing the cell's counts half: in the dark it fades.
+FB_FN ChainState kept_in_world(ChainState cell, ChainState found, float u) {
+  ChainState s = cell;
+  if (!is_valid_state(found))
+    s.score = 0.5f * cell.score;
+  else if (!is_valid_state(cell) || u * cell.score < found.score)
+    s = found;
+  if (s.score < 1e-20f) s = no_chain_state();
+  return s;
 }
 
 // --- Tiles ---

@@ -112,6 +112,25 @@ TEST(Ssmm, TheTemporalEstimatorIsExact) {
   }
 }
 
+// Lanes that all scatter, but for none or for one, which knows where light is.
+TEST(Ssmm, OneLobeOfATileAndNoneAreExact) {
+  for (const bool one : {false, true}) {
+    std::array<Density, kTileLanes> p;
+    p.fill(normalized({1, 1, 2, 1, 1}));
+    if (one) p[5] = normalized({1e-9, 1e-9, 1e-9, 1e-9, 1});
+    const Density all = mean_of(p);
+    for (std::uint32_t lane = 0; lane < kTileLanes; ++lane) {
+      double spatial = 0, temporal = 0;
+      for (std::uint32_t draw = 0; draw < kTileLanes; ++draw) {
+        spatial += expected(p[spatial_lane(lane, draw)], all) / kTileLanes;
+        temporal += expected(p[temporal_lane(lane, draw, kTileLanes)], all) / kTileLanes;
+      }
+      EXPECT_NEAR(spatial, sum_of(kEmitted), 1e-12);
+      EXPECT_NEAR(temporal, sum_of(kEmitted), 1e-12);
+    }
+  }
+}
+
 // A second lobe that the first one's sample moved: the sum of densities hangs on a sample of the sum.
 TEST(Ssmm, ALobeThatItsOwnSamplesMoveIsBiased) {
   const std::array<Density, kTileLanes> p = lane_densities();
@@ -233,6 +252,27 @@ TEST(Ssmm, ThePriorFades) {
     EXPECT_NEAR(prior_spread(-1, 8, distance), (1 - cosine) / 2, 1e-5 * (1 - cosine) + 1e-9);
   }
   EXPECT_EQ(prior_spread(0.25f, 8, 1), 0.75f);
+}
+
+TEST(Ssmm, ACellKeepsStatesByTheirScoresAndFadesInTheDark) {
+  ChainState cell = no_chain_state();
+  const ChainState none = no_chain_state();
+  ChainState weak = updated_state(none, vec3(0), vec3(1, 0, 0), 1, 0.1f, 1024), strong = weak;
+  weak.score = 1;
+  strong.score = 4;
+  EXPECT_FALSE(is_valid_state(kept_in_world(none, none, 0)));
+  cell = kept_in_world(cell, weak, 0.9f);
+  EXPECT_EQ(cell.score, 1);
+  EXPECT_EQ(kept_in_world(cell, strong, 0.99f).score, 4);
+  EXPECT_EQ(kept_in_world(strong, weak, 0.24f).score, 1);
+  EXPECT_EQ(kept_in_world(strong, weak, 0.26f).score, 4);
+  for (int frame = 0; frame < 70; ++frame) cell = kept_in_world(cell, none, 0.5f);
+  EXPECT_FALSE(is_valid_state(cell));
+  for (const std::uint32_t element : {0u, 1u, 0xfffffeu})
+    for (const std::uint32_t random : {0u, 0xffffffffu}) {
+      EXPECT_GT(claim_of(element, random), 0u);
+      EXPECT_EQ(claiming_element(claim_of(element, random)), element);
+    }
 }
 
 // Six numbers make a B-spline of degree 5 over the window (four, as the paper has it, would make one of degree 3).

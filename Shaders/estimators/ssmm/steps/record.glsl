@@ -17,7 +17,8 @@ void record_hit(inout Path path, Vertex v, Guidance g, Proposal p, Incident inci
   path.own.scattered = g.own == kNoIndex;
   path.own.origin = v.position;
   path.own.hit = place_of_light(incident, p.direction, ssmm.ssmm_apparent != 0);
-  path.own.score = luminance(p.weight * incident.emission);
+  bool product = ssmm.ssmm_product != 0 || !(p.pdf > 0.0);
+  path.own.score = luminance(product ? p.weight * incident.emission : incident.emission / p.pdf);
 }
 
 void record_last(inout Path path, Vertex v, Direct direct, vec3 throughput) {}
