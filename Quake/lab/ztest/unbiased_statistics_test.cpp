@@ -259,6 +259,10 @@ TEST_P(MoreUnbiasedStatistics, HasTheMeanOfPt) {
 }
 
 const Row kFeatures[] = {
+    {"rocket", "ssmm", {"r_ssmm_world=1"}, plan(24, 8, 6), 8, false, {}, "nee"},
+    {"occluder", "ssmm_nee", {"r_ssmm_world=1"}, plan(12, 4, 12), 4, false, {}, "nee"},
+    {"ripple_above", "ssmm_nee", {}, warm(), 8, false, {"r_water=1"}, "nee"},
+    {"lava", "ssmm", {"r_ssmm_tile=32"}, warm(), 4, false, {}, "nee"},
     {"lava", "pstf_cv", {"r_pstf_learn_beta=0", "r_pstf_noise=2"}, warm(), 2},
     {"lava", "pstf_is_cv", {"r_pstf_learn_beta=0", "r_pstf_beta=2"}, cold(), 2},
     {"rocket", "pstf_is_nee", {}, plan(12, 6, 4), 4, false, {}, "nee"},
