@@ -43,7 +43,7 @@ LiquidPiece scattering_piece(Segment way, vec3 direction, Parting parting) {
 // surface of which a level interface shows more is the texel's own.
 GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
   vec3 direction = normalize(ray), emission = vec3(0.0);
-  GBufferTexel texel = kNothingSeen;
+  GBufferTexel texel = kNothingSeen, other;
   WaterTexel water = kNoWater;
   Segment way = straight(frame.camera_position.xyz, direction, frame.camera_liquid);
   Parting parting = Parting(way, false, direction, kNoIndex, 1.0, 0.0, 0.0, way, 0.0);
@@ -53,16 +53,16 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
     way = follow(way, kRayEnd, kMaskCamera, kTurnThrough, true, parting, rng);
     if (!back && frame.turbid != 0u) piece = scattering_piece(way, direction, parting);
     bool missed = way.hit.instance == kNoIndex;
-    GBufferTexel other = kNothingSeen;
+    other = kNothingSeen;
     if (!missed || frame.sky_beyond != 0u) {
       way.hit.t = way.seen;  // for footprints and fog
       Surface s = load_seen_surface(way.hit, way.direction, missed);
       other.emission_specular = vec4(s.emission * way.left * seen_through_medium(s, kRayEnd), 0.0);
       if (!missed) other = texel_of(s, way, direction, point, way.seen / length(ray));
     }
-    emission += other.emission_specular.rgb;
     if (!back) {
       texel = other;
+      emission = other.emission_specular.rgb;
       water.own_liquid = way.liquid;
       water.bent = way.bent;
     } else if (!missed) {
@@ -83,6 +83,9 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
     back = true;
     way = parting.mirrored;
   } while (true);
+  // Behind the loop: lavapipe adds again, for lanes that have left, what is added up before a `break`, unless an
+  // optimizer went over the shader.
+  if (back) emission += other.emission_specular.rgb;
   if (has_feature(kFeatureSkins) && parting.opaque > 0.0) {
     parting.skin.hit.t = parting.skin.seen;
     Surface s = load_seen_surface(parting.skin.hit, direction, false);
