@@ -63,6 +63,21 @@ TEST_F(ServerSavesTest, WhatIsSavedComesBack) {
 }
 
 // The re-release's, of the game that is played; of another nothing is loaded, and what runs goes on.
+// Runes: a saved game that has them keeps them where the level starts over, and one that has none gets none.
+TEST_F(ServerSavesTest, ALevelThatStartsOverHasTheFlagsOfTheSavedGame) {
+  start_game();
+  ASSERT_TRUE(server_->save("none").ok());
+  level().vm->set(globals::serverflags, 5.0f);
+  ASSERT_TRUE(server_->save("two").ok());
+  level().vm->set(globals::serverflags, 0.0f);
+  for (const auto& [name, flags] : {std::pair("two", 5.0f), std::pair("none", 0.0f)}) {
+    ASSERT_TRUE(server_->load(name).ok());
+    EXPECT_EQ(level().vm->get(globals::serverflags), flags) << name;
+    ASSERT_TRUE(server_->restart().ok());
+    EXPECT_EQ(level().vm->get(globals::serverflags), flags) << name;
+  }
+}
+
 TEST_F(ServerSavesTest, Version6IsLoadedInItsGame) {
   start_game();
   frames(10);
