@@ -138,7 +138,7 @@ def mouths(world: Map) -> None:
 def people(world: Map) -> None:
     world.entity("info_player_deathmatch", (-704, 460, 28), angle=225)
     world.entity("info_player_deathmatch", (-1336, 0, 28), angle=45)
-    monster(world, "ogre", -1370, 330, 0, 0)
+    monster(world, "ogre", -1361, 330, 0, 0)
     monster(world, "ogre", -1320, 40, 0, 0, skill=1)
     monster(world, "enforcer", -700, 400, 0, 270)
     monster(world, "wizard", -1000, 300, 80, 0, skill=1)

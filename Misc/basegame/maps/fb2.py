@@ -191,7 +191,7 @@ def court(world: Map) -> None:
 def people(world: Map) -> None:
     arrival(world, 0, -720, 0, "The Sunlit Baths")
     world.entity("info_intermission", (-380, -400, 230), mangle=(20, 48, 0))
-    for x, y, z, angle in ((-360, 0, 0, 0), (360, 300, 0, 225), (-700, 260, 0, 180), (300, 1300, 0, 225)):
+    for x, y, z, angle in ((-360, 0, 0, 0), (360, 300, 0, 225), (-700, 260, 0, 180), (-360, -200, 0, 45)):
         world.entity("info_player_deathmatch", (x, y, z + 28), angle=angle)
     monster(world, "knight", 378, 380, 0, 180)
     monster(world, "army", -378, 380, 0, 0)

@@ -113,7 +113,7 @@ def case(world: Map) -> None:
 
 
 def west(world: Map) -> None:
-    """A floor of glass over lamps; who breaks no glass comes to the button."""
+    """A floor of glass over lamps; what holds is the way to the button."""
     part = world.detail
     a, b = WING
     part.box((-a - 64, WING_SOUTH, -32), (-a, WING_NORTH, 0), {"all": "brick_dark", "top": "tile_check"})
@@ -216,7 +216,7 @@ def dome(world: Map) -> None:
 def people(world: Map) -> None:
     arrival(world, 0, -752, 0, "The House of Glass")
     world.entity("info_intermission", (-320, -470, 250), mangle=(20, 58, 0))
-    for x, y, angle in ((-300, 300, 315), (300, -400, 135), (0, 1240, 270), (850, -140, 90)):
+    for x, y, angle in ((-300, 300, 315), (300, -400, 135), (-300, -400, 45), (850, -140, 90)):
         world.entity("info_player_deathmatch", (x, y, 28), angle=angle)
     monster(world, "knight", -240, 100, 0, 0)
     monster(world, "army", 240, 340, 0, 180)

@@ -153,7 +153,7 @@ def people(world: Map) -> None:
         world.entity("info_player_coop", (x, SOUTH + 40, 28), angle=90)
         world.entity("info_player_coop", (x, SOUTH + 100, 28), angle=90)
         world.entity("info_player_deathmatch", (x * 7, 60, 28), angle=180 * k)
-        world.entity("info_player_deathmatch", (x * 6, -200, FLOOR + 28), angle=90)
+        world.entity("info_player_deathmatch", (x * 7, -60, 28), angle=180 * k)
     world.entity("info_intermission", (-250, 130, FLOOR + 190), mangle=(14, 52, 0))
     world.entity("monster_oldone", (*OLD_ONE, FLOOR + 24), angle=270, spawnflags=2048)
     monster(world, "shambler", 270, -100, FLOOR, 200, skill=1)

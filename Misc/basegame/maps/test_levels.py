@@ -2,11 +2,23 @@
 no built game is named."""
 
 import re
+import subprocess
+import tempfile
 import unittest
 
 from test_level import BUILD, GAME, GOLD, SILVER, edicts, play
+from walker import UNSEEN
 
 BUILT = (BUILD / "fullbright").exists() and (GAME / "id1/progs.dat").exists()
+
+
+def developer_says(level: str, skill: int) -> str:
+    """What QuakeC tells developers of where it put monsters and items, over two seconds."""
+    with tempfile.TemporaryDirectory() as user:
+        run = subprocess.run([BUILD / "fullbright", "-headless", "-size", "16x16", "-seed", "1", "-basedir", GAME, "-userdir", user, *UNSEEN,
+                              "+host_framerate", "0.2", "+developer", "1", "+skill", str(skill), "+map", level, *["+wait"] * 40, "+quit"],
+                             capture_output=True, text=True, timeout=300, check=False)
+        return run.stdout + run.stderr
 
 
 class Played(unittest.TestCase):
@@ -39,6 +51,16 @@ class Played(unittest.TestCase):
 
     def of_class(self, name: str, classname: str) -> list[dict[str, str]]:
         return [e for e in self.mark(name) if e.get("classname") == classname]
+
+
+@unittest.skipUnless(BUILT, "no built game")
+class Places(unittest.TestCase):
+    def test_nobody_stands_in_a_wall_and_nothing_lies_outside(self):
+        for level in ("start", "gates", "fb1", "fb2", "fb3", "fb4"):
+            for skill in (0, 2):  # the second has all that there is
+                said = developer_says(level, skill)
+                self.assertIn("entered the game", said, level)
+                self.assertEqual(re.findall(r".*(?:stands in a wall|out of the level).*", said), [], f"{level}, skill {skill}")
 
 
 @unittest.skipUnless(BUILT, "no built game")
