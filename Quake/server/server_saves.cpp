@@ -175,7 +175,7 @@ Status Server::resume(const SaveGame& save, std::string_view name) {
   level.last_check_time = 0.0;
   (*clients_)[0].spawn_parms = save.header.spawn_parms;
   server_flags_ = level.vm->get(globals::serverflags);  // a restart keeps what the save has
-  level.paused = true;  // until the player is there
+  level.paused = true;                                  // until the player is there
   level.loaded = true;
   autosave_ = Autosave(true);
   return ok_status();
