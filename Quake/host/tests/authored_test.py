@@ -31,7 +31,9 @@ screenshot tga
 wait
 quit
 """
+# Light does not flicker: the screenshot is of whatever moment the machine got to.
 SETTINGS = """crosshair 0
+r_flatlightstyles 1
 r_drawviewmodel 0
 viewsize 130
 fov 90
@@ -108,16 +110,14 @@ class Authored(unittest.TestCase):
         width, _, rows = self.screenshot()
         theirs = luminances(width, rows)
         self.assertGreater(max(theirs) / min(theirs), 8, "a picture with light and dark")
-        # What differs are torches, which the author's picture leaves out, what moves in teleporters, and light that flickers: the
-        # screenshot is of whatever moment the machine got to (0.12 to 0.27 stops for three of four were found). Lightmaps that are
-        # read by another law are a stop and more off.
+        # What differs are torches, which the author's picture leaves out, and what moves in teleporters.
         self.lab("authored", "--cameras", "100", "--spp", "1", "--out", self.folder / "out")
         width, _, rows = read_png(self.folder / "out" / f"{CAMERA}.png")
-        self.hold("the host's picture:", luminances(width // 2, [row[3 * (width // 2) :] for row in rows]), theirs, 0.1, 0.4)
+        self.hold("the host's picture:", luminances(width // 2, [row[3 * (width // 2) :] for row in rows]), theirs, 0.1, 0.25)
         self.lab("render", "--estimator", "pt", "--set", "r_debug=authored", "--set", "fov=90", "--set", "fov_adapt=0", "--size", "640x360", "--frames", "1:1",
                  "--out", self.folder / "view")
         width, _, rows = read_png(next((self.folder / "view").glob("*.png")))
-        self.hold("the view:", luminances(width, rows), theirs, 0.1, 0.4)
+        self.hold("the view:", luminances(width, rows), theirs, 0.1, 0.25)
 
 
 if __name__ == "__main__":
