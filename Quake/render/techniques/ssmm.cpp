@@ -33,6 +33,7 @@ class SsmmTechnique : public PathTechnique {
     world_ = frame.settings.ssmm_world != 0;
     for (const std::uint32_t array : {shared::kSsmmWorld, shared::kSsmmClaims})
       memory_.set_count(array, world_ ? shared::kSsmmCells : 0);
+    memory_.set_count(shared::kSsmmClaimed, world_ ? shared::kSsmmClaimedWords + shared::kSsmmCells : 0);
     const bool fresh = memory_.begin_frame(frame.lit);
     constants.known = fresh || frame.cut ? 0 : 1;
     frame_ = (seen_ ? seen_->fresh() : constants.known == 0) ? 1 : frame_ + 1;
@@ -41,12 +42,22 @@ class SsmmTechnique : public PathTechnique {
   void add_passes(const TechniquePasses& passes) override {
     if (seen_) seen_->add_reset(passes.list);
     memory_.add_reset(passes.list);
-    passes.list.dispatch("ssmm exchange", PassKind::kEstimator, passes.shaders.get("ssmm_exchange"),
-                         groups_over(passes.size, 8));
+    passes.list.add("ssmm exchange", PassKind::kEstimator,
+                    [this, &exchange = passes.shaders.get("ssmm_exchange"),
+                     groups = groups_over(passes.size, 8)](gpu::Commands& commands) {
+                      if (world_) {
+                        constexpr std::uint32_t kNoneClaimed[shared::kSsmmClaimedWords]{0, 1, 1, 0};
+                        commands.update(memory_.buffer(shared::kSsmmClaimed), kNoneClaimed, 0);
+                        commands.barrier();
+                      }
+                      commands.dispatch(exchange, groups.x, groups.y);
+                      commands.barrier();
+                    });
     PathTechnique::add_passes(passes);
     if (world_)
-      passes.list.dispatch("ssmm keep", PassKind::kEstimator, passes.shaders.get("ssmm_keep"),
-                           groups_over(uvec2(256, shared::kSsmmCells / 256), 8));
+      passes.list.dispatch(
+          "ssmm keep", PassKind::kEstimator, passes.shaders.get("ssmm_keep"),
+          AskedGroups{&memory_.buffer(shared::kSsmmClaimed), 0, uvec2(shared::kSsmmCells / shared::kSsmmKeepGroup, 1)});
     if (seen_) seen_->add_fold(passes.list, passes.shaders);
   }
   void forget() override {

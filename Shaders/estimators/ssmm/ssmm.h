@@ -14,14 +14,19 @@ FB_NAMESPACE_BEGIN
 // Lobes: the states that this frame samples from, of the same form: after exchange (passes/exchange.comp).
 // World: uvec4[2] of a cell of the world, a state of the same form whose last word is GridKey::check: what chains of
 // pixels in it ended with (r_ssmm_world). Claims: uint of a cell, whose pixel teaches it in this frame: claim_of().
-#define FB_SSMM_ARRAYS(X)                                           \
-  X(kSsmmStates, 0u, kPixel, 32u, false, "states of the chains")    \
-  X(kSsmmLobes, 1u, kPixel, 32u, false, "states to sample from")    \
-  X(kSsmmWorld, 2u, kTable, 32u, false, "states kept in the world") \
-  X(kSsmmClaims, 3u, kTable, 4u, false, "claims of the world's cells")
+// Claimed: the workgroups of passes/keep.comp, as VkDispatchIndirectCommand has them, and the number of cells that this
+// frame's pixels claim: kSsmmClaimedWords; then those cells' places in the table, in any order.
+#define FB_SSMM_ARRAYS(X)                                              \
+  X(kSsmmStates, 0u, kPixel, 32u, false, "states of the chains")       \
+  X(kSsmmLobes, 1u, kPixel, 32u, false, "states to sample from")       \
+  X(kSsmmWorld, 2u, kTable, 32u, false, "states kept in the world")    \
+  X(kSsmmClaims, 3u, kTable, 4u, false, "claims of the world's cells") \
+  X(kSsmmClaimed, 4u, kTable, 4u, false, "cells that are claimed")
 FB_SSMM_ARRAYS(FB_ARRAY_CONSTANT)
 
 FB_CONST uint kSsmmCells = 65536u;  // of the world; a power of two
+FB_CONST uint kSsmmClaimedWords = 4u;
+FB_CONST uint kSsmmKeepGroup = 64u;  // cells of a workgroup of passes/keep.comp
 
 // clang-format off
 #define FB_SSMM_SETTINGS(X) \

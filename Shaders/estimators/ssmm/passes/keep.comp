@@ -1,14 +1,14 @@
-// Last stage of r_ssmm_world: a cell of the world keeps what the chain of the pixel that claimed it ended with.
+// Last stage of r_ssmm_world: each cell of the world that a pixel claimed keeps what that pixel's chain ended with.
+// Which place of the list it has decides nothing, so that frames repeat.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "estimators/ssmm/steps/world.glsl"
 
 void main() {
-  uvec2 at = invocation_pixel();
-  uint slot = at.y * 256u + at.x, claim = world_claims.at[slot];
-  if (claim == 0u) return;
+  uint place = gl_GlobalInvocationID.x;
+  if (place >= world_claimed.at[3]) return;
+  uint slot = world_claimed.at[kSsmmClaimedWords + place], element = claiming_element(world_claims.at[slot]);
   world_claims.at[slot] = 0u;
-  uint element = claiming_element(claim);
   GridKey cell;
   if (!world_cell(uvec2(element % frame.light_width, element / frame.light_width), cell)) return;
   uint rng = rng_seed(slot, frame.frame, 0x27d4eb2fu, frame.seed);

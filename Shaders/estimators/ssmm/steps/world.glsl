@@ -8,6 +8,7 @@
 
 FB_TECHNIQUE_ARRAY(kSsmmWorld, 16, , WorldArray, uvec4, world_states)
 FB_TECHNIQUE_ARRAY(kSsmmClaims, 4, , ClaimArray, uint, world_claims)
+FB_TECHNIQUE_ARRAY(kSsmmClaimed, 4, , ClaimedArray, uint, world_claimed)
 
 uint slot_of(GridKey cell) { return cell.hash & (kSsmmCells - 1u); }
 
@@ -25,6 +26,17 @@ bool world_cell(uvec2 block, out GridKey cell) {
   uint face = cube_face(unpack_direction(gbuffer_quad(at, 3u).x));
   cell = grid_vertex(position.xyz, ssmm.ssmm_cell, face, vec3(x, y, z));
   return true;
+}
+
+// A pixel would teach the cell in this frame. The first to say so lists it for passes/keep.comp, with a workgroup where
+// the last is full.
+void claim_cell(GridKey cell, uint claim) {
+  uint slot = slot_of(cell);
+  if (atomicMax(world_claims.at[slot], claim) == 0u) {
+    uint place = atomicAdd(world_claimed.at[3], 1u);
+    world_claimed.at[kSsmmClaimedWords + place] = slot;
+    if (place % kSsmmKeepGroup == 0u) atomicAdd(world_claimed.at[0], 1u);
+  }
 }
 
 ChainState state_of_cell(GridKey cell) {
