@@ -213,8 +213,14 @@ TEST(Ssmm, AStateHasTheMeansOfItsSamples) {
 
 TEST(Ssmm, HardStates) {
   const vec3 origin(1, 2, 3);
-  // Nothing was found: nothing is kept.
-  EXPECT_FALSE(is_valid_state(updated_state(no_chain_state(), origin, vec3(4, 5, 6), 0, 0.1f, 1024)));
+  // Nothing was found, or no number: nothing is kept, of any field.
+  for (const float score : {0.0f, std::numeric_limits<float>::quiet_NaN()}) {
+    const ChainState none = updated_state(no_chain_state(), origin, vec3(4, 5, 6), score, 0.1f, 1024);
+    EXPECT_FALSE(is_valid_state(none));
+    EXPECT_EQ(none.count, 0);
+    EXPECT_EQ(none.spread, 0);
+    EXPECT_EQ(none.target, vec3(0));
+  }
   // Found at the vertex itself: it has a state, and no lobe there.
   const ChainState here = updated_state(no_chain_state(), origin, origin, 1, 0.1f, 1024);
   EXPECT_TRUE(is_valid_state(here));
@@ -234,10 +240,61 @@ TEST(Ssmm, HardStates) {
   ChainState wide = updated_state(no_chain_state(), vec3(0), vec3(1, 0, 0), 1, 0.1f, 1024);
   wide = updated_state(wide, vec3(0), vec3(-1, 0, 0), 1, 0.1f, 1024);
   EXPECT_NEAR(wide.spread, 1, 1e-6);
+  Rng rng(7);
+  for (int i = 0; i < 1000; ++i) {
+    const vec3 way(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1));
+    wide = updated_state(updated_state(no_chain_state(), vec3(0), way, 1, 0.1f, 1024), vec3(0), -way, 1, 0.1f, 1024);
+    ASSERT_TRUE(wide.spread > 0.999f && wide.spread <= 1);
+  }
   EXPECT_EQ(usable_score(std::numeric_limits<float>::quiet_NaN()), 0);
   EXPECT_EQ(usable_score(std::numeric_limits<float>::infinity()), 0);
   EXPECT_EQ(usable_score(-1), 0);
   EXPECT_EQ(usable_score(2), 2);
+}
+
+// Mean cosines from 1 to 0 with no prior: the density is finite, is one over the sphere, and is where samples fall.
+TEST(Ssmm, LobesOfAnyWidthAreDensities) {
+  Rng rng(5);
+  for (const float spread : {0.0f, 1e-9f, 1e-6f, 1e-3f, 0.1f, 0.5f, 0.999f, 1.0f}) {
+    ChainState s = updated_state(no_chain_state(), vec3(0), vec3(0, 0, 100), 1, 0.1f, 1024);
+    s.spread = spread;
+    const VmfLobe lobe = chain_lobe(s, vec3(0), 0, 0, 8);
+    // Over x = log(1 - cosine), by midpoints.
+    constexpr int kSteps = 4000;
+    const double low = std::log(1e-14), step = (std::log(2.0) - low) / kSteps;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const double t = std::exp(low + (i + 0.5) * step), sine = std::sqrt(t * (2 - t));
+      const float pdf = vmf_lobe_pdf(lobe, vec3(static_cast<float>(sine), 0, static_cast<float>(1 - t)));
+      ASSERT_TRUE(std::isfinite(pdf)) << spread;
+      sum += 2 * std::acos(-1.0) * static_cast<double>(pdf) * t * step;
+    }
+    EXPECT_NEAR(sum, 1, 0.01) << spread;
+    for (int i = 0; i < 100; ++i) {
+      const vec3 way = vmf_sample(lobe.mu, lobe.kappa, vec2(rng.uniform(), rng.uniform()));
+      ASSERT_NEAR(length(way), 1, 1e-5f) << spread;
+      ASSERT_GT(vmf_lobe_pdf(lobe, way), 0) << spread;
+    }
+  }
+}
+
+// A target at the shading point has no lobe; one beside it has a lobe that is finite, by either prior.
+TEST(Ssmm, TargetsAtTheVertex) {
+  const vec3 origin(1000, -2000, 50);
+  for (const float distance : {0.0f, 1e-30f, 1e-20f, 1e-4f, 0.002f, 0.1f}) {
+    const ChainState s = updated_state(no_chain_state(), vec3(0), vec3(0, 0, distance), 1, 0.1f, 1024);
+    ASSERT_TRUE(is_valid_state(s));
+    EXPECT_EQ(has_lobe(s, vec3(0)), distance > 0.001f) << distance;
+    for (const float cosine : {0.0f, 0.99f, -1.0f}) {
+      const VmfLobe lobe = chain_lobe(s, vec3(0), 0.2f, cosine, 8);
+      EXPECT_TRUE(std::isfinite(lobe.kappa) && std::isfinite(lobe.scale) && std::isfinite(lobe.mu.z))
+          << distance << ' ' << cosine;
+    }
+    // Where float32 holds no difference between the two.
+    const ChainState far =
+        updated_state(no_chain_state(), origin, origin + vec3(0, 0, 0.01f * distance), 1, 0.1f, 1024);
+    EXPECT_TRUE(std::isfinite(chain_lobe(far, origin, 0.2f, -1, 8).kappa));
+  }
 }
 
 // The prior counts less with the square of the samples, and one of a size is as wide as that is far.
