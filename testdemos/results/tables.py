@@ -15,6 +15,8 @@ import re
 import sys
 from pathlib import Path
 
+import numpy as np
+
 HERE = Path(__file__).resolve().parent
 DOCUMENT = HERE.parents[1] / "Misc" / "docs" / "results.md"
 sys.path.insert(0, str(HERE.parents[1] / "Misc" / "python"))
@@ -40,6 +42,8 @@ def keep(folder: str, name: str) -> None:
             curve = point.pop("curve", {})
             if point["frames"] >= FRAMES_OF_MEANS[-1] and "running_mse" in curve:
                 point["mse_of_means"] = [curve["running_mse"][count - 1] for count in FRAMES_OF_MEANS]
+            elif curve.get("running_mse"):
+                point["mse_of_all"] = curve["running_mse"][-1]  # of the mean of all frames, those of the warm-up, too
             point.pop("passes", None)
             if "errors" in point and "judge" not in experiment:
                 point["errors"] = {key: point["errors"][key] for key in KEPT_ERRORS if key in point["errors"]}
@@ -79,7 +83,13 @@ def number(value: float) -> str:
     return f"{value:.0f}" if value >= 99.5 else f"{value:.3g}"
 
 
-def gains_of(name: str, label: str, every_value: bool = False, without: tuple[str, ...] = ()) -> str:
+def gain_of_means(experiment: results.Experiment, name: str) -> results.Interval:
+    """Of the mean of all frames of a run, over the first configuration's; nan where one is below the reference's noise."""
+    own, first = (np.array([point["mse_of_all"] for point in experiment.chosen(n)]) for n in (name, experiment.configurations[0]))
+    return results.over_runs(np.where(own > 0, first, np.nan) / np.where(own > 0, own, 1))
+
+
+def gains_of(name: str, label: str, every_value: bool = False, without: tuple[str, ...] = (), means: bool = False) -> str:
     suite = stored(name)
     experiments = [e for e in suite.experiments if e.name not in without]
     names = list(dict.fromkeys(n for e in experiments for n in e.configurations if n != "denoised"))  # pictures alone
@@ -94,6 +104,9 @@ def gains_of(name: str, label: str, every_value: bool = False, without: tuple[st
                 samples, time = (experiment.gain(other, equal, value) for equal in ("samples", "time"))
                 interval = "" if math.isnan(samples.low) else f" ({number(samples.low)} to {number(samples.high)})"
                 cells.append(f"{number(samples.value)}{interval} / {number(time.value)}")
+                if means:
+                    mean = gain_of_means(experiment, other)
+                    cells[-1] += " / unknown" if math.isnan(mean.low) else f" / {number(mean.value)} ({number(mean.low)} to {number(mean.high)})"
             of_value = f"; {experiment.what} {value:g}" if every_value and experiment.what else ""
             rows.append([experiment.title + of_value, *cells])
     return rows_of([label, *(f"`{n}`" for n in names[1:])], rows) + "\n\n" + made_with(suite)
@@ -171,6 +184,8 @@ TABLES = {
     "guiding": lambda: gains_of("guiding", "view"),
     "reuse": lambda: gains_of("reuse", "view"),
     "rivals": lambda: gains_of("rivals", "view"),
+    "rivals_small": lambda: gains_of("rivals_small", "view", means=True),
+    "dittebrandt2023_rest": lambda: gains_of("dittebrandt2023_rest", "figure", True),
     "dittebrandt2023": lambda: gains_of("dittebrandt2023", "figure", True, ("fig16_cbox",)),
     "dittebrandt2023_means": lambda: errors_of_means("dittebrandt2023", "fig16_cbox"),
     "judge": lambda: judge("judge"),
