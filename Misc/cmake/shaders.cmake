@@ -16,6 +16,9 @@ if(Python3_FOUND)
 endif()
 # FULLBRIGHT_SHADERS_FROM=FOLDER: another build folder of the same sources, whose compiled shaders are taken as they are, and
 # never compiled anew (CI's second build).
+#
+# FULLBRIGHT_RAW_SHADERS leaves glslang's optimizer out: drivers then see the shaders as they are written (Misc/docs/testing.md).
+option(FULLBRIGHT_RAW_SHADERS "Compile shaders without glslang's optimizer" OFF)
 set(FULLBRIGHT_SHADERS_FROM "" CACHE PATH "build folder of the same sources whose compiled shaders are taken as they are")
 if(FULLBRIGHT_SHADERS_FROM)
   set(FB_SHADER_DIR ${FULLBRIGHT_SHADERS_FROM}/shaders)
@@ -28,7 +31,9 @@ else()
   file(WRITE ${FB_SHADER_DIR}/nothing.comp "#version 460\nvoid main() {}\n")
   execute_process(COMMAND ${GLSLANG} -V --quiet -Os -o ${FB_SHADER_DIR}/nothing.spv ${FB_SHADER_DIR}/nothing.comp
                   RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
-  if(failed)
+  if(FULLBRIGHT_RAW_SHADERS)
+    message(STATUS "shaders are compiled without glslang's optimizer")
+  elseif(failed)
     message(STATUS "${GLSLANG} has no optimizer: the first picture will take longer on lavapipe")
   else()
     set(FB_SHADER_OPTIMIZE -Os)
