@@ -3,19 +3,23 @@
 its file in Quake/render/techniques, and its rows in the lists of techniques. What it writes builds, draws and is unbiased:
 change it from there.
 
-    Misc/new_estimator.py NAME [PART ...]     PART: lights control record memory pass final setting view, or all
+    Misc/new_estimator.py NAME [PART ...]     PART: lights control record memory table probes reuse pass final setting view, or all
 
 A part is what the loop of paths (Shaders/lib/path.glsl) or the renderer offers a technique:
     lights   looks for lights by the renderer's list at every vertex, and remembers what shadow rays reach
     control  subtracts a control variate
     record   is told what each path met (with memory: keeps it)
     memory   an array of the pixels, whose former frame's half is kept
+    table    cells of the world in a hash grid, which learn the light that is reflected there (for the control variate)
+    probes   points in a grid about the scene, with a pass that traces their rays (for the control variate)
+    reuse    a reservoir over time at every pixel: frames hang on each other
     pass     a pass of its own after the paths (works on the memory)
     final    offline, the pass that makes the picture of all iterations (from the memory)
     setting  a cvar r_NAME_... and its field in the uniform block
     view     a debug view
 
-Every estimator that its row calls unbiased is held to pt's mean by lab_test (UnbiasedStatistics, suite Every).
+Frames are independent, or learning where there is lights, table or probes, or correlated where there is reuse: the row says
+so, and tests and references go by it. Every estimator that its row calls unbiased is held to pt's mean by lab_test (UnbiasedStatistics, suite Every).
 """
 import argparse
 import pathlib
@@ -24,336 +28,199 @@ import shutil
 import subprocess
 import sys
 
-PARTS = ["lights", "control", "record", "memory", "pass", "final", "setting", "view"]
-NEEDS = {"pass": ["memory"], "final": ["pass", "record"], "view": ["memory"], "setting": ["pass"]}  # what a part's example works on
+import new_estimator_texts as texts
 
-SHADER = """// Technique `{name}`: {description}. Unbiased for paths of at most frame.bounces
-// reflections.
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_control_flow_attributes : require
-#if INTERSECTOR_QUERY
-#extension GL_EXT_ray_query : require
-#endif
-{headers}#include "lib/steps/one_path.glsl"
-#include "lib/steps/no_field.glsl"
-#include "estimators/{name}/propose.glsl"
-{direct}{control}#include "lib/steps/no_learning.glsl"
-{record}{views}
-#include "lib/paths_main.glsl"
-"""
-
-PROPOSE = """// Step `proposal` of `{name}`: half of the directions from the vertex's own scattering, half uniform over the hemisphere;
-// each is weighted by the density of both together.
-#include "lib/path_state.glsl"
-
-struct Guidance {{
-  uint none;
-}};
-void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g) {{ g.none = 0u; }}
-
-float proposal_pdf(Vertex v, Guidance g, vec3 direction, float scatter_pdf) {{
-  float uniform_pdf = dot(direction, scatter_axis(v.scatter)) > 0.0 ? 1.0 / (2.0 * kPiShared) : 0.0;
-  return 0.5 * (scatter_pdf + uniform_pdf);
-}}
-
-Proposal propose(Vertex v, inout Guidance g, inout uint rng) {{
-  vec3 w = vec3(rng_uniform(rng), rng_uniform(rng), rng_uniform(rng));
-  vec3 direction = scatter_sample(v.scatter, v.view, w).direction;
-  vec2 u = vec2(rng_uniform(rng), rng_uniform(rng));
-  if (rng_uniform(rng) < 0.5) {{
-    float r = sqrt(max(1.0 - u.x * u.x, 0.0)), phi = 2.0 * kPiShared * u.y;
-    direction = frame_about(scatter_axis(v.scatter)) * vec3(r * cos(phi), r * sin(phi), u.x);
-  }}
-  float scatter_pdf;
-  vec3 f = scatter_eval(v.scatter, v.view, direction, scatter_pdf);
-  return proposed(direction, f, proposal_pdf(v, g, direction, scatter_pdf), 0u);
-}}
-"""
-
-LIGHTS = """#include "lib/steps/direct_list.glsl"
-uint light_candidates() { return uint(own.nee_candidates); }
-uint remembered_candidates() { return uint(own.nee_remembered); }
-uint light_seen_stride() { return own.seen_stride; }
-bool knows_ways() { return own.nee_visibility != 0; }
-uint known_ways() { return own.seen_ways; }
-"""
-
-CONTROL = """// Step `control` of `{name}`: light that is the same from everywhere, of which a white surface reflects kLight.
-#include "lib/path_state.glsl"
-
-const bool kHasControl = true;
-const float kLight = 0.05;
-
-// The integral of control_at over the hemisphere, over which half of the proposals are spread.
-vec3 control_mean(Vertex v, Guidance g, Field here) {{ return vec3(kLight); }}
-vec3 control_at(Vertex v, Guidance g, Field here, vec3 direction) {{
-  return vec3(kLight * max(dot(direction, scatter_axis(v.scatter)), 0.0) / kPiShared);
-}}
-"""
-
-RECORD = """// Step `record` of `{name}`: {what}.
-#include "lib/incident.glsl"
-
-const bool kRecords = true;
-
-void record_direct(inout Path path, Vertex v, Guidance g, Direct direct, vec3 throughput) {{}}
-void record_hit(inout Path path, Vertex v, Guidance g, Proposal p, Incident incident, vec3 throughput) {{}}
-void record_last(inout Path path, Vertex v, Direct direct, vec3 throughput) {{}}
-void record_path(Path path, vec3 sum, inout uint rng) {{{store}}}
-void record_none(uvec2 block, uvec2 pixel) {{{none}}}
-"""
-STORE = """
-  if (IN_MEDIUM || any(isnan(sum)) || any(isinf(sum))) return;
-  {name}_pixels.at[own.now + lit_index(path.pixel)] = vec4(sum, 1.0);
-"""
-NONE = """
-  {name}_pixels.at[own.now + lit_index(pixel)] = vec4(0.0);
-"""
-
-ARRAYS = """// Array and constants of `{name}`.
-#ifndef FB_{NAME}_ARRAYS
-#define FB_{NAME}_ARRAYS
-#include "estimators/{name}/{name}.h"
-#include "lib/pixel.glsl"
-
-layout(set = kSetScene, binding = kBindTechniqueConstants, std140) uniform OwnBlock {{ {Name}Constants own; }};
-{array}#endif
-"""
-ARRAY = """FB_TECHNIQUE_ARRAY(k{Name}Pixels, 16, , PixelArray, vec4, {name}_pixels)
-"""
-
-PASS = """// Takes this frame's light of each pixel into the mean of those before; w: how many these are.
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#include "estimators/{name}/arrays.glsl"
-#include "lib/pixel.glsl"
-
-void main() {{
-  uvec2 pixel = light_pixel(invocation_pixel());
-  if (pixel.x >= frame.width || pixel.y >= frame.height) return;
-  uint at = lit_index(pixel);
-  vec4 now = {name}_pixels.at[own.now + at], former = {name}_pixels.at[own.former + at];
-  float frames = now.w > 0.0 ? former.w + now.w : 0.0;
-  vec3 mean = frames > 0.0 ? mix(former.rgb, now.rgb, max({alpha}, 1.0 / frames)) : vec3(0.0);
-  {name}_pixels.at[own.now + at] = vec4(mean, frames);
-}}
-"""
-
-FINAL = """// The picture of all iterations: what the last frame knew of each pixel's light.
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#if INTERSECTOR_QUERY
-#extension GL_EXT_ray_query : require
-#endif
-#include "estimators/{name}/arrays.glsl"
-#include "lib/steps/none.glsl"
-#include "lib/store_light.glsl"
-
-void main() {{
-  PathPixel p = path_pixel(invocation_pixel());
-  if (!within_picture(p)) return;
-  GBufferTexel g = gbuffer_at(p.at);
-  vec4 known = {name}_pixels.at[own.former + lit_index(p.pixel)];
-  if (reflects_light(g) && known.w > 0.0) store_light(p, g, PixelLight(known.rgb, vec4(0.0), 0.0), 1.0);
-  else store_emission(p, g);
-}}
-"""
-
-VIEWS = """// Step `views` of `{name}`: what is known of each pixel.
-#include "lib/store_light.glsl"
-
-const bool kHasViews = true;
-
-void draw_view(PathPixel p, bool lit, Vertex v) {{
-  vec3 x = lit ? {name}_pixels.at[own.former + lit_index(p.pixel)].rgb * exposure_now() : vec3(0.0);
-  ldr.at[p.at] = packUnorm4x8(vec4(sqrt(x / (1.0 + x)), 1.0));
-}}
-"""
-
-HEADER = """// `{name}`: what it keeps, what can be set, what it shows.
-#ifndef FB_{NAME}_H
-#define FB_{NAME}_H
-#include "shared/bindings.h"
-#include "shared/debug_views.h"
-#include "shared/settings.h"
-FB_NAMESPACE_BEGIN
-
-{arrays}{settings}{views}struct {Name}Constants {{
-{fields}}};
-
-FB_NAMESPACE_END
-#endif
-"""
-HEADER_ARRAYS = """// Arrays: X(constant, binding, what there is one element of, bytes of one, two halves, name).
-#define FB_{NAME}_ARRAYS_OF(X) X(k{Name}Pixels, 0u, kPixel, 16u, true, "{name} pixels")
-FB_{NAME}_ARRAYS_OF(FB_ARRAY_CONSTANT)
-
-"""
-HEADER_SETTINGS = """// clang-format off
-#define FB_{NAME}_SETTINGS(X) \\
-  X(float, {name}_alpha, "r_{name}_alpha", 0.1f, 0.001f, 1, "{name}: weight of a new frame in what is remembered of a pixel")
-// clang-format on
-
-"""
-HEADER_VIEWS = """FB_CONST uint kViewOf{Name} = kViewOfTechniques + {owner}u;
-#define FB_{NAME}_VIEWS(X) X(kView{Name}, {number}u, kViewOf{Name}, "{name}", "{name}: what is remembered of a pixel")
-FB_{NAME}_VIEWS(FB_VIEW_CONSTANT)
-
-"""
-
-PLAIN_HOST = """// Technique `{name}`: its shader alone.
-#include "render/techniques/technique.h"
-
-namespace fb::render {{
-
-extern constinit const TechniqueInfo k{Name}{{
-    .name = "{name}",
-    .description = "{description}; unbiased for paths of at most r_bounces reflections",
-    .bias = Bias::kUnbiased,
-    .make = make_path_technique}};
-
-}}  // namespace fb::render
-"""
-
-HOST = """// Technique `{name}`: what it keeps, and its passes.
-#include <cstring>
-#include <memory>
-
-#include "estimators/{name}/{name}.h"
-#include "render/techniques/path_technique.h"
-{includes}
-namespace fb::render {{
-namespace {{
-{rows}
-class {Name}Technique : public PathTechnique {{
- public:
-  {Name}Technique(const TechniqueTools& tools, std::string_view name)
-      : PathTechnique(name),
-        uniform_(tools.device, gpu::BufferUse::kUniform, sizeof(shared::{Name}Constants), "constants of {name}"){members} {{
-    tools.table.set_uniform(shared::kSetTechnique, uniform_);
-  }}
-  void prepare(const TechniqueFrame& frame) override {{
-    shared::{Name}Constants constants{{}};
-    copy_settings(frame.settings, constants);
-{prepare}    std::memcpy(uniform_.mapped(), &constants, sizeof(constants));
-  }}
-  void add_passes(const TechniquePasses& passes) override {{
-{before}    PathTechnique::add_passes(passes);
-{after}  }}
-{final}  void forget() override {{{forget}}}
-{salt}  std::uint64_t bytes() const override {{ return {bytes}; }}
-
- private:
-  gpu::Buffer uniform_;
-{fields}}};
-
-std::unique_ptr<Technique> make_{name}(const TechniqueTools& tools, std::string_view name) {{
-  return std::make_unique<{Name}Technique>(tools, name);
-}}
-
-}}  // namespace
-
-extern constinit const TechniqueInfo k{Name}{{
-    .name = "{name}",
-    .description = "{description}; unbiased for paths of at most r_bounces reflections",
-    .bias = Bias::kUnbiased,
-    .make = make_{name}{info}}};
-
-}}  // namespace fb::render
-"""
-
-PAGE = """# `{name}`
-
-{description}.
-
-- **Bias:** none, for paths of at most `r_bounces` reflections: each direction's weight is `f cos / pdf` of the density that
-  both ways of sampling have together.
-- **Choose it:** `r_estimator {name}`; in the laboratory `--estimator {name}`.
-- **Hold it to `pt`:** `build/fullbright-lab ztest --scene kinds --estimator {name}`.
-- **Measure it:** `build/fullbright-lab bench --scene kinds --config pt:r_estimator=pt --config {name}:r_estimator={name}`.
-"""
+PARTS = ["lights", "control", "record", "memory", "table", "probes", "reuse", "pass", "final", "setting", "view"]
+NEEDS = {"pass": ["memory"], "final": ["pass", "record"], "view": ["memory"], "setting": ["pass"],  # what a part's example works on
+         "table": ["control", "record"], "probes": ["control"], "reuse": ["record"]}
 
 
-def files_of(name: str, description: str, parts: set[str], view_number: int, view_owner: int) -> dict[str, str]:
-    """The new files' texts, by their paths."""
-    values = {"name": name, "NAME": name.upper(), "Name": "".join(word.capitalize() for word in name.split("_")),
-              "description": description}
-    keeps = bool(parts & {"lights", "memory", "setting"})
+def names_of(name: str) -> dict[str, str]:
+    return {"name": name, "NAME": name.upper(), "Name": "".join(word.capitalize() for word in name.split("_"))}
+
+
+def steps_of(name: str, parts: set[str]) -> dict[str, str]:
+    """The texts of its steps and passes, by their paths in its folder."""
+    names, own = names_of(name), f'#include "estimators/{name}/'
     files = {}
 
-    def shader(path: str, text: str, **more: str) -> None:
-        files[f"Shaders/estimators/{name}/{path}"] = text.format(**values, **more)
+    def write(path: str, text: str, **more: str) -> None:
+        files[path] = text.format(**names, **more)
 
-    own = f'#include "estimators/{name}/'
-    shader(f"{name}.comp", SHADER,
-           headers=own + 'arrays.glsl"\n' if keeps else "",
-           direct=LIGHTS if "lights" in parts else '#include "lib/steps/no_direct.glsl"\n',
-           control=own + 'control.glsl"\n' if "control" in parts else '#include "lib/steps/no_control.glsl"\n',
-           record=own + 'record.glsl"\n' if "record" in parts else '#include "lib/steps/no_record.glsl"\n',
-           views=own + 'views.glsl"\n' if "view" in parts else '#include "lib/steps/no_views.glsl"\n')
-    shader("propose.glsl", PROPOSE)
-    shader("README.md", PAGE)
+    carries = bool(parts & {"table", "reuse"})
+    if carries:
+        write("begin.glsl", texts.BEGIN)
+    learnt = parts & {"table", "probes"}
+    headers, fields, prepare = [], [], []
+    if carries:
+        headers.append(own + 'begin.glsl"')
+    for part, header in (("table", "cells"), ("probes", "probes"), ("reuse", "reuse")):
+        if part in parts:
+            headers.append(own + header + '.glsl"')
+    headers.append('#include "lib/path_state.glsl"')
+    if learnt:
+        fields.append("  float light;  // that is known about it\n")
+        prepare.append("  g.light = 0.0;\n")
+    if "table" in parts:
+        prepare.append("  uint cell = cell_about(v, rng);\n  if (!IN_MEDIUM && path.depth == 0u) path.own.cell = cell;\n"
+                       "  g.light += light_of_cell(cell);\n")
+    if "probes" in parts:
+        prepare.append("  g.light += light_of_probe(probe_about(v.position));\n")
+    if "reuse" in parts:
+        fields.append("  vec3 kept;    // a direction\n" if learnt else "  vec3 kept;  // a direction\n")
+        prepare.append("  g.kept = kept_direction(path, rng);\n")
+    even, density, draw = texts.EVEN["reuse" in parts]
+    write("propose.glsl", texts.PROPOSE, even=even, density=density, draw=draw, headers="\n".join(headers) + "\n",
+          fields="".join(fields) or "  uint none;\n", prepare="".join(prepare) or "  g.none = 0u;\n")
     if "control" in parts:
-        shader("control.glsl", CONTROL)
+        write("control.glsl", texts.CONTROL, what="what is known of it" if learnt else "kLight",
+              constant="" if learnt else "const float kLight = 0.05;\n", light="g.light" if learnt else "kLight")
     if "record" in parts:
-        stores = "memory" in parts
-        shader("record.glsl", RECORD, what="the light of a pixel's last path is kept" if stores else "nothing is kept yet",
-               store=STORE.format(**values) if stores else "",
-               none=NONE.format(**values) if stores else "")
+        stores = [text for part, text in (("memory", texts.STORE_PIXEL), ("table", texts.STORE_CELL)) if part in parts]
+        clears = [text for part, text in (("memory", texts.NONE_PIXEL), ("reuse", texts.NONE_KEPT)) if part in parts]
+        write("record.glsl", texts.RECORD, what="the light of paths is kept" if stores else "nothing is kept of what paths bring",
+              store=(texts.STORE + "".join(stores)).format(**names) if stores else "",
+              none="\n".join(text.format(**names).rstrip("\n") for text in clears).replace("\n\n", "\n") + "\n" if clears else "")
+    if "table" in parts:
+        write("cells.glsl", texts.CELLS)
+        write("passes/cells.comp", texts.FOLD)
+    if "probes" in parts:
+        write("probes.glsl", texts.PROBES)
+        write("passes/probes.comp", texts.ASK)
+    if "reuse" in parts:
+        write("reuse.glsl", texts.REUSE)
     if "pass" in parts:
-        shader("passes/mean.comp", PASS, alpha=f"own.{name}_alpha" if "setting" in parts else "0.0")
+        write("passes/mean.comp", texts.PASS, alpha=f"own.{name}_alpha" if "setting" in parts else "0.0")
     if "final" in parts:
-        shader("passes/final.comp", FINAL)
+        write("passes/final.comp", texts.FINAL)
     if "view" in parts:
-        shader("views.glsl", VIEWS)
-    host = f"Quake/render/techniques/{name}.cpp"
-    if not keeps:
-        files[host] = PLAIN_HOST.format(**values)
-        return files
+        write("views.glsl", texts.VIEWS)
+    return files
 
-    shader("arrays.glsl", ARRAYS, array=ARRAY.format(**values) if "memory" in parts else "")
-    fields = ""
+
+def header_of(name: str, parts: set[str], view_number: int, view_owner: int) -> str:
+    """Its header for C++ and GLSL: arrays, settings, views, the uniform block."""
+    names = names_of(name)
+    arrays, fields = "", ""
+    for list_name, which, of in (("ARRAYS_OF", "", ("memory", "reuse")), ("WORLD_OF", " that outlast a cut", ("table", "probes"))):
+        rows = [texts.ROWS[part].format(**names) for part in of if part in parts]
+        if rows:
+            arrays += texts.HEADER_ARRAYS.format(**names, list=list_name, which=which, rows=" ".join(rows))
+    if "probes" in parts:
+        fields += "  vec4 origin, spacing;  // of probes: the corner of the first one's cell, the size of cells; units\n"
     if "setting" in parts:
-        fields += f"  FB_{values['NAME']}_SETTINGS(FB_UNIFORM_FIELD)\n"
+        fields += f"  FB_{names['NAME']}_SETTINGS(FB_UNIFORM_FIELD)\n"
     if "lights" in parts:
         fields += ("  FB_LIGHT_SETTINGS(FB_UNIFORM_FIELD)\n  uint seen_stride;  // of this many shadow rays one is remembered; a power of two\n"
                    "  uint seen_ways;    // the table of ways that is read, 0 or 1\n")
     if "memory" in parts:
-        fields += "  uint now, former;  // where the halves of the array begin, elements\n"
-    shader(f"{name}.h", HEADER,
-           arrays=HEADER_ARRAYS.format(**values) if "memory" in parts else "",
-           settings=HEADER_SETTINGS.format(**values) if "setting" in parts else "",
-           views=HEADER_VIEWS.format(**values, number=view_number, owner=view_owner) if "view" in parts else "",
-           fields=fields)
-    lights, memory = "lights" in parts, "memory" in parts
-    pixels = f"shared::k{values['Name']}Pixels"
-    files[host] = HOST.format(
-        **values,
-        includes=('#include "render/techniques/seen_grid.h"\n' if lights else "")
-        + ('#include "render/techniques/technique_memory.h"\n' if memory else ""),
-        rows=f"\nconstexpr ArrayRow k{values['Name']}Rows[]{{FB_{values['NAME']}_ARRAYS_OF(FB_ARRAY_ROW)}};\n" if memory else "",
-        members=(",\n        seen_(tools)" if lights else "")
-        + (f',\n        memory_(tools.device, tools.table, k{values["Name"]}Rows, "{name} reset")' if memory else ""),
-        prepare=("    constants.seen_stride = seen_stride(frame.lit, frame.settings, frame.medium());\n"
-                 "    constants.seen_ways = seen_.begin_frame();\n    frame_ = seen_.fresh() ? 1 : frame_ + 1;\n" if lights else "")
-        + (f"    if (frame.cut) memory_.forget();\n    memory_.begin_frame(frame.lit);\n    constants.now = memory_.now({pixels});\n"
-           f"    constants.former = memory_.former({pixels});\n" if memory else ""),
-        before=("    seen_.add_reset(passes.list);\n" if lights else "") + ("    memory_.add_reset(passes.list);\n" if memory else ""),
-        after=("    seen_.add_fold(passes.list, passes.shaders);\n" if lights else "")
-        + (f'    passes.list.dispatch("{name} mean", PassKind::kEstimator, passes.shaders.get("{name}_mean"),\n'
-           "                         groups_over(passes.size, 8));\n" if "pass" in parts else ""),
-        final=("  void add_final_passes(const TechniquePasses& passes) override {\n    memory_.add_reset(passes.list);\n"
-               f'    passes.list.dispatch("{name} final", PassKind::kEstimator, passes.shaders.get("{name}_final", passes.variant),\n'
-               "                         groups_over(passes.size, 8));\n  }\n" if "final" in parts else ""),
-        forget="\n" + ("    seen_.forget();\n" if lights else "") + ("    memory_.forget();\n" if memory else "") + "  ",
-        salt="  std::uint32_t salt() const override { return frame_; }\n" if lights else "",
-        bytes=" + ".join(["seen_.bytes()"] * lights + ["memory_.bytes()"] * memory) or "0",
-        fields=("  SeenGrid seen_;\n  std::uint32_t frame_ = 0;  // since it forgot\n" if lights else "")
-        + ("  TechniqueMemory memory_;\n" if memory else ""),
-        info=(",\n    .frames = Frames::kLearning,\n    .wants_lights = true" if lights else "")
-        + (f",\n    .views = shared::kViewOf{values['Name']}" if "view" in parts else "")
-        + (",\n    .ends_iterations = true" if "final" in parts else ""))
+        fields += "  uint now, former;  // where the halves of the pixels' array begin, elements\n"
+    if "reuse" in parts:
+        fields += "  uint now_kept, former_kept;  // and those of the reservoirs'\n"
+    if "table" in parts:
+        fields += "  uint cells;  // a power of two\n"
+    if "probes" in parts:
+        fields += "  int count_x, count_y, count_z;  // probes along each axis\n"
+    return texts.HEADER.format(
+        **names, arrays=arrays, fields=fields,
+        settings=texts.HEADER_SETTINGS.format(**names) if "setting" in parts else "",
+        views=texts.HEADER_VIEWS.format(**names, number=view_number, owner=view_owner) if "view" in parts else "")
+
+
+def host_of(name: str, description: str, parts: set[str]) -> str:
+    """Its file in Quake/render/techniques."""
+    names = names_of(name)
+    lights, pixels, world = "lights" in parts, bool(parts & {"memory", "reuse"}), bool(parts & {"table", "probes"})
+    learns = lights or world or "reuse" in parts
+    rows, members, prepare, before, after, forget, fields, counted, info, includes = ([] for _ in range(10))
+    kept = []  # memories: list of rows, member, what its reset is called
+    if pixels:
+        kept.append(("ARRAYS_OF", "Rows", "memory_", f"{name} reset"))
+    if world:
+        kept.append(("WORLD_OF", "WorldRows", "world_", f"{name} world reset"))
+    if lights:
+        members.append("seen_(tools)")
+        fields.append("  SeenGrid seen_;\n")
+        includes.append("seen_grid.h")
+        before.append("    seen_.add_reset(passes.list);\n")
+        forget.append("    seen_.forget();\n")
+        counted.append("seen_.bytes()")
+        after.append("    seen_.add_fold(passes.list, passes.shaders);\n")
+    for macro, row, member, reset in kept:
+        rows.append(f"constexpr ArrayRow k{names['Name']}{row}[]{{FB_{names['NAME']}_{macro}(FB_ARRAY_ROW)}};\n")
+        members.append(f'{member}(tools.device, tools.table, k{names["Name"]}{row}, "{reset}")')
+        fields.append(f"  TechniqueMemory {member};{'  // outlasts a cut' if member == 'world_' else ''}\n")
+        before.append(f"    {member}.add_reset(passes.list);\n")
+        forget.append(f"    {member}.forget();\n")
+        counted.append(f"{member}.bytes()")
+    if kept:
+        includes.append("technique_memory.h")
+    if "probes" in parts:
+        includes.append("probe_grid.h")
+        prepare.append(texts.PREPARE_PROBES)
+        fields.append("  ProbeGrid grid_;\n")
+        before.append(texts.DISPATCH_PROBES)
+    if "table" in parts:
+        prepare.append(texts.PREPARE_CELLS)
+        after.append(texts.DISPATCH_CELLS)
+    if world:
+        prepare.append("    const bool fresh = world_.begin_frame();\n")
+    if pixels:
+        prepare.append("    if (frame.cut) memory_.forget();\n    memory_.begin_frame(frame.lit);\n")
+    for part, array, field in (("memory", "Pixels", ""), ("reuse", "Kept", "_kept")):
+        if part in parts:
+            prepare.append("".join(f"    constants.{half}{field} = memory_.{half}(shared::k{names['Name']}{array});\n" for half in ("now", "former")))
+    if lights:
+        prepare.append(("    if (fresh) seen_.forget();\n" if world else "")
+                       + "    constants.seen_stride = seen_stride(frame.lit, frame.settings, frame.medium());\n"
+                       "    constants.seen_ways = seen_.begin_frame();\n")
+    if learns:
+        since = "seen_.fresh() ? 1 : " if lights else "fresh ? 1 : " if world else ""
+        prepare.append(f"    frame_ = {since}frame_ + 1;\n")
+        fields.append(f"  std::uint32_t frame_ = 0;  // {'since it forgot' if since else 'never again the same'}\n")
+        info.append(f",\n    .frames = Frames::{'kCorrelated' if 'reuse' in parts else 'kLearning'}")
+    if "pass" in parts:
+        after.append(texts.DISPATCH_MEAN)
+    if lights:
+        info.append(",\n    .wants_lights = true")
+    if "view" in parts:
+        info.append(f",\n    .views = shared::kViewOf{names['Name']}")
+    if "final" in parts:
+        info.append(",\n    .ends_iterations = true")
+    return texts.HOST.format(
+        **names, description=description,
+        includes="".join(f'#include "render/techniques/{include}"\n' for include in sorted(includes)),
+        rows="\n" + "".join(rows) if rows else "", members="".join(f",\n        {member}" for member in members),
+        prepare="".join(prepare).replace("{name}", name).replace("{Name}", names["Name"]),
+        before="".join(before).replace("{name}", name), after="".join(after).replace("{name}", name),
+        final=texts.FINAL_PASSES.replace("{name}", name) if "final" in parts else "",
+        forget="\n" + "".join(forget) + "  ",
+        salt="  std::uint32_t salt() const override { return frame_; }\n" if learns else "",
+        bytes=" + ".join(counted) or "0", fields="".join(fields), info="".join(info))
+
+
+def files_of(name: str, description: str, parts: set[str], view_number: int, view_owner: int) -> dict[str, str]:
+    """The new files' texts, by their paths."""
+    names, folder, host = names_of(name), f"Shaders/estimators/{name}", f"Quake/render/techniques/{name}.cpp"
+    keeps = bool(parts & (set(texts.ARRAY) | {"lights", "setting"}))
+
+    def step(part: str, file: str) -> str:
+        return f'#include "{f"estimators/{name}/{file}" if part in parts else f"lib/steps/no_{file}"}.glsl"\n'
+
+    files = {f"{folder}/{path}": text for path, text in steps_of(name, parts).items()}
+    files[f"{folder}/{name}.comp"] = texts.SHADER.format(
+        **names, description=description, headers=f'#include "estimators/{name}/arrays.glsl"\n' if keeps else "",
+        begin=f"estimators/{name}/begin.glsl" if parts & {"table", "reuse"} else "lib/steps/one_path.glsl",
+        direct=texts.LIGHTS if "lights" in parts else '#include "lib/steps/no_direct.glsl"\n',
+        control=step("control", "control"), record=step("record", "record"), views=step("view", "views"))
+    files[f"{folder}/README.md"] = texts.PAGE.format(**names, description=description)
+    if not keeps:
+        files[host] = texts.PLAIN_HOST.format(**names, description=description)
+        return files
+    arrays = "".join(text.format(**names) for part, text in texts.ARRAY.items() if part in parts)
+    files[f"{folder}/arrays.glsl"] = texts.ARRAYS.format(**names, arrays=arrays)
+    files[f"{folder}/{name}.h"] = header_of(name, parts, view_number, view_owner)
+    files[host] = host_of(name, description, parts)
     return files
 
 
@@ -423,10 +290,10 @@ def main() -> int:
     if folder.exists() or options.name in shaders_of(root):
         print(f"new_estimator: there is a shader {options.name} already: an estimator's or a pass's", file=sys.stderr)
         return 2
-    texts = "".join(path.read_text() for path in [root / "Shaders/shared/debug_views.h", *(root / "Shaders/estimators").glob("*/*.h")]
+    headers_text = "".join(path.read_text() for path in [root / "Shaders/shared/debug_views.h", *(root / "Shaders/estimators").glob("*/*.h")]
                     if path.exists())
-    number = max([int(n) for n in re.findall(r"X\(kView\w+, (\d+)u", texts)], default=0) + 1
-    owner = len(re.findall(r"FB_CONST uint kViewOf\w+ = kViewOfTechniques", texts))
+    number = max([int(n) for n in re.findall(r"X\(kView\w+, (\d+)u", headers_text)], default=0) + 1
+    owner = len(re.findall(r"FB_CONST uint kViewOf\w+ = kViewOfTechniques", headers_text))
     try:
         rows = with_rows(options.name, parts, table.read_text(), headers.read_text())
     except (OSError, AssertionError) as wrong:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""new_estimator.py's estimators, built beside the sources, draw, and have pt's mean: one of a proposal alone, one with every
-part that the path loop and the renderer offer.
+"""new_estimator.py's estimators, built beside the sources, draw, and have pt's mean: one of each kind of frames. A proposal
+alone has independent ones; tables, probes and every other part that learns, learning ones; reservoirs correlated ones.
 
 usage: new_estimator_test.py BUILD
 
@@ -9,14 +9,17 @@ linked from that and BUILD's libraries, which know no new settings: parts `setti
 """
 import json
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
 import sys
 import tempfile
 
-PLAIN, WHOLE, SEEN = "toy_estimator", "toy_whole", "toy_seen"
-PARTS = {PLAIN: [], WHOLE: ["lights", "control", "record", "memory", "pass", "final"], SEEN: ["all"]}
+PLAIN, WHOLE, REUSING, SEEN = "toy_estimator", "toy_whole", "toy_reusing", "toy_seen"
+PARTS = {PLAIN: [], WHOLE: ["lights", "control", "record", "memory", "table", "probes", "pass", "final"], REUSING: ["reuse"], SEEN: ["all"]}
+FRAMES = {PLAIN: None, WHOLE: "kLearning", REUSING: "kCorrelated", SEEN: "kCorrelated"}
+DRAWN = (PLAIN, WHOLE, REUSING)
 
 
 def run(*command: str, cwd: pathlib.Path) -> str:
@@ -84,6 +87,21 @@ def begin(source: pathlib.Path, root: pathlib.Path) -> None:
     shutil.copy(source / ".clang-format", root)
 
 
+def compile_all(build: pathlib.Path, root: pathlib.Path, name: str) -> str:
+    """Its shader and its passes; their rows."""
+    folder = root / f"Shaders/estimators/{name}"
+    rows = compile_shader(build, root, name, folder / f"{name}.comp", "pt", True)
+    for path in sorted((folder / "passes").glob("*.comp")):
+        traces = "INTERSECTOR_QUERY" in path.read_text()
+        rows += compile_shader(build, root, f"{name}_{path.stem}", path, "pt" if traces else "mcpg_fold_cache", traces)
+    return rows
+
+
+def check_frames(root: pathlib.Path, name: str) -> None:
+    told = re.findall(r"\.frames = Frames::(\w+)", (root / f"Quake/render/techniques/{name}.cpp").read_text())
+    assert told == ([FRAMES[name]] if FRAMES[name] else []), f"{name}: {told}"
+
+
 def check_names(source: pathlib.Path, root: pathlib.Path) -> None:
     """Names that something has are refused, and nothing is written."""
     before = sorted(root.rglob("*"))
@@ -113,18 +131,17 @@ def main() -> int:
         begin(source, root)
         check_names(source, root)
         rows = ""
-        for name in (PLAIN, WHOLE):
+        for name in DRAWN:
             write(source, root, name)
-            rows += compile_shader(build, root, name, root / f"Shaders/estimators/{name}/{name}.comp", "pt", True)
-        rows += compile_shader(build, root, f"{WHOLE}_mean", root / f"Shaders/estimators/{WHOLE}/passes/mean.comp", "mcpg_fold_cache", False)
-        rows += compile_shader(build, root, f"{WHOLE}_final", root / f"Shaders/estimators/{WHOLE}/passes/final.comp", "pt", True)
+            check_frames(root, name)
+            rows += compile_all(build, root, name)
         table = (build / "shaders/compiled_shaders.spv.h").read_text()
         includes = "".join(f'#include "{path.name}"\n' for path in sorted(root.glob("*.spv.h")))
         table = table.replace("inline const", includes + "\ninline const", 1)
         (root / "compiled_shaders.spv.h").write_text(table.replace("kCompiledShaders{\n", "kCompiledShaders{\n" + rows, 1))
 
         host = root / "Quake/render/techniques"
-        objects = [compile_source(build, root, host / f"{name}.cpp", "techniques/techniques") for name in (PLAIN, WHOLE, "techniques")]
+        objects = [compile_source(build, root, host / f"{name}.cpp", "techniques/techniques") for name in (*DRAWN, "techniques")]
         objects.append(compile_source(build, root, source / "Quake/render/passes/shader_code.cpp", "passes/shader_code"))
         words = command_of(build, "fullbright-lab")
         lab = str(root / "fullbright-lab")
@@ -133,7 +150,7 @@ def main() -> int:
         run(*words[:first_library], *objects, *words[first_library:], cwd=build)
 
         listed = run(lab, "estimators", cwd=root)
-        for name in (PLAIN, WHOLE):
+        for name in DRAWN:
             assert name in listed, listed
             run(lab, "render", "--quiet", "--scene", "kinds", "--estimator", name, "--size", "64x48", "--frames", "0:1",
                 "--out", str(root / name), cwd=root)
@@ -153,9 +170,8 @@ def main() -> int:
         begin(source, root)
         write(source, root, SEEN)
         check_shape(root)
-        folder = root / f"Shaders/estimators/{SEEN}"
-        compile_shader(build, root, SEEN, folder / f"{SEEN}.comp", "pt", False)
-        compile_shader(build, root, f"{SEEN}_mean", folder / "passes/mean.comp", "mcpg_fold_cache", False)
+        check_frames(root, SEEN)
+        compile_all(build, root, SEEN)
         for path in (root / f"Quake/render/techniques/{SEEN}.cpp", root / "Quake/render/techniques/techniques.cpp",
                      source / "Quake/render/passes/settings.cpp", source / "Quake/render/passes/debug_views.cpp"):
             compile_source(build, root, path, "techniques/techniques")
