@@ -17,9 +17,9 @@ same_with_any_threads() {
 }
 check "pictures repeat with one thread and two" same_with_any_threads --scene moving --frames 0:5 --size 96x54
 # Two runs of 60 frames with one worker thread and with two (of lavapipe; 0 would be the calling thread alone).
-repeats() {  # repeats ARGUMENTS...
+repeats() {  # [also=ESTIMATOR] repeats ARGUMENTS...
   local estimator threads
-  for estimator in mcpg_nee nee; do
+  for estimator in mcpg_nee nee ${also:-}; do
     for threads in 1 2; do
       hashes $threads --estimator $estimator --set r_deterministic=1 --frames 0:59 --size 64x36 "$@" >"$scratch/$estimator$threads"
     done
@@ -27,7 +27,9 @@ repeats() {  # repeats ARGUMENTS...
   done
   ! cmp -s "$scratch/mcpg_nee1" "$scratch/nee1"
 }
+also=restir_guided  # reservoirs of both kinds, and what is learnt of them
 check "60 frames of what learns repeat with one thread and two" repeats --scene moving
+also=
 differs_when_racing() {  # what r_deterministic is for: without it the order of two threads shows, or this test sees nothing
   hashes 2 --estimator mcpg --frames 0:59 --size 64x36 --scene moving >"$scratch/racing" &&
     ! cmp -s "$scratch/racing" <(hashes 2 --estimator mcpg --frames 0:59 --size 64x36 --scene moving)

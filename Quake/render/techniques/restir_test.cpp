@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "render/techniques/test_restir.h"
 #include "render/test_denoiser.h"
-#include "render/test_device.h"
 #include "render/test_image.h"
 #include "scene/in_code/code_scene_parts.h"
 #include "scene/in_code/scene_of_kinds.h"
@@ -18,17 +18,6 @@
 
 namespace fb::render {
 namespace {
-
-class RestirTest : public DeviceTest {
- protected:
-  static RenderSettings reuse_settings(int bounces, const std::string& estimator = "restir_di") {
-    RenderSettings s;
-    s.estimator = estimator;
-    s.bounces = bounces;
-    s.accumulate = 0;
-    return s;
-  }
-};
 
 // A floor below two lamps of 32 units, each of them there or not.
 scene::FrameSnapshot floor_below_lamps(const std::shared_ptr<const scene::Assets>& assets, std::uint32_t floor,
@@ -59,8 +48,6 @@ struct Lamps {
     return floor_below_lamps(assets, floor, lamp, first, second);
   }
 };
-
-double mean_of(const Renderer& renderer) { return image_estimate(renderer.read().linear()).mean; }
 
 TEST_F(RestirTest, ALampThatLeavesTakesItsLightAtOnce) {
   const RenderSettings s = reuse_settings(2, "restir_gi");
@@ -217,23 +204,6 @@ TEST_F(RestirTest, ForgettingStartsAnew) {
   renderer->reset_learning();  // the view goes on: the former frame is there
   renderer->render(scene, nullptr, s);
   EXPECT_EQ(image_hash(*renderer), fresh);
-}
-
-// The means of runs with other seeds, and their standard error.
-struct Means {
-  double mean = 0, square = 0;
-  int runs = 0;
-  void add(double m) {
-    mean += (m - mean) / ++runs;
-    square += (m * m - square) / runs;
-  }
-  double error() const { return std::sqrt(std::max(square - mean * mean, 0.0) / (runs - 1)); }
-};
-void expect_equal(const Means& a, const Means& b, double least_seen) {
-  const double error = std::hypot(a.error(), b.error());
-  EXPECT_GT(b.mean, 0);
-  EXPECT_NEAR(a.mean, b.mean, 4.5 * error);
-  EXPECT_LT(error, least_seen * b.mean) << "the test can see little";
 }
 
 // Where light is sampled at one pixel of four, whose turn it is another's in the next frame.
