@@ -259,6 +259,9 @@ TEST_P(MoreUnbiasedStatistics, HasTheMeanOfPt) {
 }
 
 const Row kFeatures[] = {
+    {"rocket", "restir_di", {}, plan(16, 6, 4), 4, false, {}, "nee"},
+    {"lightsout", "restir_di", {}, plan(12, 8, 96), 4, false, {}, "nee"},
+    {"moving", "restir_di", {}, plan(12, 8, 8), 4, false, {"r_light_scale=0.5"}, "nee"},
     {"rocket", "ssmm", {"r_ssmm_world=1"}, plan(24, 8, 6), 8, false, {}, "nee"},
     {"occluder", "ssmm_nee", {"r_ssmm_world=1"}, plan(12, 4, 12), 4, false, {}, "nee"},
     {"ripple_above", "ssmm_nee", {}, warm(), 8, false, {"r_water=1"}, "nee"},
