@@ -67,6 +67,8 @@ Status Client::Impl::load_world(ClientState& state) {
 // The models that the state's names mean. Without a world, where none is required, there are only models of files.
 Status Client::Impl::load_models(ClientState& state) {
   if (state.model_names.size() < 2) return world_required ? Status(Error{"the server names no map"}) : ok_status();
+  read_settings();
+  library.set_enhanced_models(session.settings.r_enhancedmodels != 0.0f);
   const Status loaded = library.load_map(state.model_names[1]);
   if (!loaded.ok()) {
     if (world_required) return loaded;

@@ -12,6 +12,7 @@
 #include "formats/bsp.h"
 #include "formats/image.h"
 #include "formats/mdl.h"
+#include "formats/posed_model.h"
 #include "formats/spr.h"
 #include "formats/wav.h"
 
@@ -99,6 +100,24 @@ inline std::string broken(const Mdl& mdl) {
   if (mdl.vertices.size() != std::size_t{mdl.pose_count} * mdl.vertex_count) return "number of vertices";
   for (const MdlVertex& vertex : mdl.vertices) {
     if (vertex.normal >= 162) return "a vertex' normal";
+  }
+  return "";
+}
+
+inline std::string broken(const PosedModel& model) {
+  if (model.surfaces.empty() || model.vertex_count == 0 || model.pose_count == 0) return "emptiness";
+  if (model.uv.size() != model.vertex_count || model.pose_names.size() != model.pose_count) return "numbers";
+  const std::size_t all = std::size_t{model.vertex_count} * model.pose_count;
+  if (model.positions.size() != all || all > kMostPosedVertices) return "number of positions";
+  for (const vec3& p : model.positions)
+    if (!finite3(p)) return "a position";
+  for (const vec2& uv : model.uv)
+    if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return "a texture coordinate";
+  for (const PosedSurface& surface : model.surfaces) {
+    if (surface.triangles.empty()) return "a surface without triangles";
+    for (const auto& triangle : surface.triangles)
+      for (const std::uint32_t vertex : triangle)
+        if (vertex >= model.vertex_count) return "a triangle's vertex";
   }
   return "";
 }

@@ -11,6 +11,7 @@
 #include "formats/test_files.h"
 #include "formats/test_images.h"
 #include "formats/test_models.h"
+#include "formats/test_posed_models.h"
 #include "formats/test_waves.h"
 
 namespace fb::formats::testing {
@@ -61,6 +62,13 @@ void add_model_seeds(std::vector<Seed>& seeds) {
   }
 }
 
+void add_posed_seeds(std::vector<Seed>& seeds) {
+  const auto bytes = [](const std::string& text) { return Bytes(text.begin(), text.end()); };
+  seeds.push_back({"fuzz_posed_model", "md3", small_md3({"body", "head"})});
+  seeds.push_back({"fuzz_posed_model", "mesh", bytes(small_md5mesh())});
+  seeds.push_back({"fuzz_posed_model", "pair", bytes(small_md5mesh() + '\0' + small_md5anim())});
+}
+
 void add_picture_seeds(std::vector<Seed>& seeds) {
   seeds.push_back({"fuzz_wad", "pictures",
                    write_wad({{"disc", 'B', write_lmp(small_picture())}, {"num_0", 'B', write_lmp(small_picture())}})});
@@ -100,6 +108,7 @@ bool write_seeds(const std::filesystem::path& root) {
   std::vector<Seed> seeds;
   add_map_seeds(seeds);
   add_model_seeds(seeds);
+  add_posed_seeds(seeds);
   add_picture_seeds(seeds);
   add_demo_seeds(seeds);
   add_sound_seeds(seeds);

@@ -44,9 +44,11 @@ std::uint64_t next_generation() {
   return ++last;
 }
 
-PoseVertex make_pose_vertex(std::uint8_t x, std::uint8_t y, std::uint8_t z, const vec3& normal) {
+PoseVertex make_pose_vertex(std::uint32_t x, std::uint32_t y, std::uint32_t z, const vec3& normal) {
   const shared::uint packed = shared::pack_direction(normal);
-  return {x, y, z, 0, static_cast<std::int16_t>(packed & 0xffffu), static_cast<std::int16_t>(packed >> 16u)};
+  return {shared::pack_pose_position(x, y, z), static_cast<std::int16_t>(packed & 0xffffu),
+          static_cast<std::int16_t>(packed >> 16u)};
 }
+vec3 pose_numbers(const PoseVertex& vertex) { return shared::unpack_pose_position(vertex.position); }
 
 }  // namespace fb::scene

@@ -117,10 +117,10 @@ struct Material {
 // Which of a material's frames shows at a time. The one place that knows how Quake's textures animate.
 const TextureSet& texture_at(const Material& material, double time, bool alternate);
 
-// A vertex of a pose: position = (x, y, z) * Mesh::pose_scale + Mesh::pose_origin; normal in octahedral coordinates,
+// A vertex of a pose: position = pose_numbers * Mesh::pose_scale + Mesh::pose_origin; normal in octahedral coordinates,
 // signed 16-bit normalised. 8 bytes; uploaded as it is.
 struct PoseVertex {
-  std::uint8_t x, y, z, pad;
+  std::uint32_t position;  // x, y, z as shared::pack_pose_position has them
   std::int16_t normal_u, normal_v;
 };
 static_assert(sizeof(PoseVertex) == 8);
@@ -163,6 +163,8 @@ struct Assets {
 std::uint64_t next_generation();
 
 // Octahedral coding of a unit vector (Cigolle 2014), as Shaders/shared/packing.h has it.
-PoseVertex make_pose_vertex(std::uint8_t x, std::uint8_t y, std::uint8_t z, const vec3& normal);
+// Whole numbers up to shared::kMostPoseX, Y and Z.
+PoseVertex make_pose_vertex(std::uint32_t x, std::uint32_t y, std::uint32_t z, const vec3& normal);
+vec3 pose_numbers(const PoseVertex& vertex);
 
 }  // namespace fb::scene

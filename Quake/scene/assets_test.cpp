@@ -49,7 +49,7 @@ TEST(Animation, GroupsPlayByTheirEndTimes) {
 TEST(PoseVertex, KeepsItsNormal) {
   for (const vec3& n : {vec3(0, 0, 1), vec3(0, 0, -1), vec3(1, 0, 0), vec3(-0.6f, 0.64f, -0.48f)}) {
     const PoseVertex v = make_pose_vertex(1, 2, 255, n);
-    EXPECT_EQ(v.z, 255);
+    EXPECT_EQ(pose_numbers(v), vec3(1, 2, 255));
     const std::uint32_t packed = static_cast<std::uint16_t>(v.normal_u) |
                                  static_cast<std::uint32_t>(static_cast<std::uint16_t>(v.normal_v)) << 16u;
     EXPECT_NEAR(glm::length(shared::unpack_direction(packed) - n), 0.0f, 1e-4f);

@@ -121,8 +121,8 @@ Mesh make_tetrahedron() {
 
 vec3 vertex_position(const Mesh& mesh, std::uint32_t vertex, std::uint32_t pose) {
   if (!mesh.posed()) return mesh.positions[vertex];
-  const PoseVertex& v = mesh.poses[static_cast<std::size_t>(pose) * mesh.vertex_count + vertex];
-  return vec3(v.x, v.y, v.z) * mesh.pose_scale + mesh.pose_origin;
+  return pose_numbers(mesh.poses[static_cast<std::size_t>(pose) * mesh.vertex_count + vertex]) * mesh.pose_scale +
+         mesh.pose_origin;
 }
 
 double mesh_area(const Mesh& mesh, std::uint32_t pose) {

@@ -56,8 +56,7 @@ vec3 offset_origin(vec3 position, vec3 normal) {
 }
 
 vec3 pose_vertex(uint at, vec3 scale, vec3 origin) {
-  uint bytes = poses.at[at].x;
-  return vec3(float(bytes & 0xffu), float((bytes >> 8u) & 0xffu), float((bytes >> 16u) & 0xffu)) * scale + origin;
+  return unpack_pose_position(poses.at[at].x) * scale + origin;
 }
 
 vec3 previous_vertex(uint i, uint vertex) {

@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define SCENE_ACCESS coherent
 #include "lib/scene_bindings.glsl"
+#include "shared/packing.h"
 
 FB_POSE_ARRAY(kBindLevels, 4, readonly, LevelArray, uint, levels)
 FB_POSE_ARRAY(kBindCopyJobs, 16, readonly, CopyJobArray, GpuCopyJob, copy_jobs)
@@ -16,9 +17,8 @@ layout(constant_id = kSpecForQuery) const bool FOR_QUERY = false;
 const float kFlatTriangle = 1e-6;  // as on the host (render/scene/gpu_scene_assets.cpp)
 
 vec3 pose_position(uint job, uint vertex) {
-  uint a = poses.at[copy_jobs.at[job].pose_a + vertex].x, b = poses.at[copy_jobs.at[job].pose_b + vertex].x;
-  vec3 from = vec3(a & 0xffu, (a >> 8u) & 0xffu, (a >> 16u) & 0xffu);
-  vec3 to = vec3(b & 0xffu, (b >> 8u) & 0xffu, (b >> 16u) & 0xffu);
+  vec3 from = unpack_pose_position(poses.at[copy_jobs.at[job].pose_a + vertex].x);
+  vec3 to = unpack_pose_position(poses.at[copy_jobs.at[job].pose_b + vertex].x);
   return mix(from, to, copy_jobs.at[job].pose_t) * copy_jobs.at[job].scale.xyz + copy_jobs.at[job].origin.xyz;
 }
 

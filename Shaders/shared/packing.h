@@ -35,6 +35,13 @@ FB_FN vec2 unpack_snorm2x16(uint u) {
   return vec2(max(float(ix) / 32767.0f, -1.0f), max(float(iy) / 32767.0f, -1.0f));
 }
 
+// Whole numbers of a pose's vertex: eleven bits, eleven, ten, x lowest.
+const uint kMostPoseX = 2047u, kMostPoseY = 2047u, kMostPoseZ = 1023u;
+FB_FN uint pack_pose_position(uint x, uint y, uint z) { return x | (y << 11u) | (z << 22u); }
+FB_FN vec3 unpack_pose_position(uint word) {
+  return vec3(float(word & kMostPoseX), float((word >> 11u) & kMostPoseY), float(word >> 22u));
+}
+
 FB_FN uint pack_direction(vec3 d) { return pack_snorm2x16(octahedral_from_direction(d)); }
 FB_FN vec3 unpack_direction(uint u) { return direction_from_octahedral(unpack_snorm2x16(u)); }
 

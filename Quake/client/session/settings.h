@@ -60,6 +60,8 @@ namespace fb::cl {
   X(r_entlights, "r_entlights", 1.0f, "glowing spheres at the map's light entities: factor on their light, 0 none")    \
   X(r_authored, "r_authored", 1.0f,                                                                                    \
     "1: lights of maps with baked light are as strong as that says; 0: as the map's keys and textures say")            \
+  X(r_enhancedmodels, "r_enhancedmodels", 1.0f,                                                                        \
+    "1: .md5mesh and .md3 beside a model's .mdl stand in its place, from the next map on")                             \
   X(r_ambient, "r_ambient", -1.0f, "uniform ambient light: -1 as the map needs, 0 none, 1 shows plain textures")       \
   X(r_fog, "r_fog", 1.0f, "fog of the map and of the console's fog: factor on its density, 0 none")                    \
   X(r_fog_g, "r_fog_g", 0.4f, "how far ahead fog scatters light: -0.999 back, 0 evenly, 0.999 straight on")            \

@@ -48,8 +48,8 @@ bool is_flat(const vec3& e1, const vec3& e2) {
 }
 
 vec3 pose_position(const scene::Mesh& mesh, std::uint32_t pose, std::uint32_t vertex) {
-  const scene::PoseVertex& p = mesh.poses[std::size_t{pose} * mesh.vertex_count + vertex];
-  return vec3(p.x, p.y, p.z) * mesh.pose_scale + mesh.pose_origin;
+  return scene::pose_numbers(mesh.poses[std::size_t{pose} * mesh.vertex_count + vertex]) * mesh.pose_scale +
+         mesh.pose_origin;
 }
 
 // Positions that a mesh's tree is built over: its own, or the mean over poses, whose neighbourhoods are all poses'.

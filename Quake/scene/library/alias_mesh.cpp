@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 #include <glm/vec3.hpp>
 
+#include "scene/library/pose_normals.h"
 #include "scene/shapes.h"
 
 namespace fb::scene {
@@ -21,11 +20,6 @@ using formats::MdlVertex;
 const MdlVertex& vertex_in(const Mdl& mdl, std::uint32_t pose, std::uint32_t vertex) {
   return mdl.vertices[static_cast<std::size_t>(pose) * mdl.vertex_count + vertex];
 }
-vec3 position_in(const Mdl& mdl, std::uint32_t pose, std::uint32_t vertex) {
-  const MdlVertex& v = vertex_in(mdl, pose, vertex);
-  return vec3(v.x, v.y, v.z) * mdl.scale;
-}
-
 bool ever_has_area(const Mdl& mdl, const std::array<std::uint32_t, 3>& v) {
   for (std::uint32_t pose = 0; pose < mdl.pose_count; ++pose) {
     const MdlVertex &a = vertex_in(mdl, pose, v[0]), &b = vertex_in(mdl, pose, v[1]), &c = vertex_in(mdl, pose, v[2]);
@@ -35,73 +29,13 @@ bool ever_has_area(const Mdl& mdl, const std::array<std::uint32_t, 3>& v) {
   return false;
 }
 
-// For each vertex the smallest index of those that share its place in every pose.
-std::vector<std::uint32_t> welded(const Mdl& mdl) {
-  const auto compare = [&](std::uint32_t a, std::uint32_t b) {
-    for (std::uint32_t pose = 0; pose < mdl.pose_count; ++pose) {
-      const MdlVertex &p = vertex_in(mdl, pose, a), &q = vertex_in(mdl, pose, b);
-      const int key_p = p.x << 16 | p.y << 8 | p.z, key_q = q.x << 16 | q.y << 8 | q.z;
-      if (key_p != key_q) return key_p - key_q;
-    }
-    return 0;
-  };
-  std::vector<std::uint32_t> order(mdl.vertex_count);
-  std::iota(order.begin(), order.end(), 0u);
-  std::ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) { return compare(a, b) < 0; });
-  std::vector<std::uint32_t> first(mdl.vertex_count);
-  for (std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && compare(order[i - 1], order[i]) == 0 ? first[order[i - 1]] : order[i];
-  return first;
+// Relative to the model's origin.
+std::vector<vec3> positions_of(const Mdl& mdl) {
+  std::vector<vec3> positions;
+  positions.reserve(mdl.vertices.size());
+  for (const MdlVertex& v : mdl.vertices) positions.push_back(vec3(v.x, v.y, v.z) * mdl.scale);
+  return positions;
 }
-
-// Scales of a broken file may be such that products of lengths are none.
-bool is_size(float length) { return length > 0.0f && std::isfinite(length); }
-
-float corner_angle(const vec3& at, const vec3& b, const vec3& c) {
-  const vec3 u = b - at, v = c - at;
-  const float lengths = glm::length(u) * glm::length(v);
-  return is_size(lengths) ? std::acos(glm::clamp(glm::dot(u, v) / lengths, -1.0f, 1.0f)) : 0.0f;
-}
-
-class NormalBuilder {
- public:
-  NormalBuilder(const Mdl& mdl, const std::vector<MeshTriangle>& triangles)
-      : mdl_(mdl), triangles_(triangles), groups_(mdl.vertex_count), first_(welded(mdl)) {
-    for (std::uint32_t v = 0; v < mdl.vertex_count; ++v) groups_[first_[v]].push_back(v);
-  }
-
-  // Unit normals of all vertices in a pose; up for a vertex of no triangle.
-  std::vector<vec3> normals(std::uint32_t pose) const {
-    std::vector<vec3> own(mdl_.vertex_count, vec3(0.0f)), any(mdl_.vertex_count, vec3(0, 0, 1));
-    for (const MeshTriangle& triangle : triangles_) {
-      std::array<vec3, 3> p;
-      for (std::size_t k = 0; k < 3; ++k) p[k] = position_in(mdl_, pose, triangle.vertices[k]);
-      const vec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
-      const float length = glm::length(cross);
-      if (!is_size(length)) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        own[triangle.vertices[k]] += cross / length * corner_angle(p[k], p[(k + 1) % 3], p[(k + 2) % 3]);
-        any[triangle.vertices[k]] = cross / length;
-      }
-    }
-    std::vector<vec3> result(mdl_.vertex_count);
-    for (std::uint32_t v = 0; v < mdl_.vertex_count; ++v) {
-      vec3 sum(0.0f);
-      for (const std::uint32_t other : groups_[first_[v]])
-        if (other == v || glm::dot(own[other], own[v]) > 0.0f) sum += own[other];
-      const float length = glm::length(sum);
-      // Both sides of a sheet on one vertex cancel: then any side's will do.
-      result[v] = length > 1e-4f ? sum / length : any[v];
-    }
-    return result;
-  }
-
- private:
-  const Mdl& mdl_;
-  const std::vector<MeshTriangle>& triangles_;
-  std::vector<std::vector<std::uint32_t>> groups_;
-  std::vector<std::uint32_t> first_;
-};
 
 }  // namespace
 
@@ -126,10 +60,11 @@ Mesh make_alias_mesh(const Mdl& mdl, std::string name) {
     }
     mesh.triangles.push_back(triangle);
   }
-  const NormalBuilder builder(mdl, mesh.triangles);
+  const std::vector<vec3> positions = positions_of(mdl);
+  const PoseNormals pose_normals(positions, mdl.vertex_count, mesh.triangles);
   mesh.poses.reserve(static_cast<std::size_t>(mdl.pose_count) * mdl.vertex_count);
   for (std::uint32_t pose = 0; pose < mdl.pose_count; ++pose) {
-    const std::vector<vec3> normals = builder.normals(pose);
+    const std::vector<vec3> normals = pose_normals.normals(pose);
     for (std::uint32_t v = 0; v < mdl.vertex_count; ++v) {
       const MdlVertex& p = vertex_in(mdl, pose, v);
       mesh.poses.push_back(make_pose_vertex(p.x, p.y, p.z, normals[v]));

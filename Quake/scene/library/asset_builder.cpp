@@ -159,6 +159,30 @@ TextureSet AssetBuilder::replacement(const std::vector<std::string>& stems, std:
   return set;
 }
 
+TextureSet AssetBuilder::picture(std::string_view stem, std::string_view owner) {
+  const std::string path = fmt::format("{}.lmp", stem);
+  const int least = least_rank(owner);
+  const std::string key = fmt::format("{}||{}", path, least);
+  const auto [known, added] = image_files_.try_emplace(key, kNone);
+  if (added) {
+    const std::optional<FileData> bytes = load(path);
+    if (bytes && !(rank_ && rank_(path) < least)) {
+      auto image = formats::parse_lmp(*bytes, path);
+      if (image)
+        known->second =
+            add_image({path, ImageEncoding::kPalette, image->width, image->height, std::move(image->indices)});
+      else
+        log_warning("{}", image.error().message);
+    }
+  }
+  TextureSet set;
+  set.base = known->second;
+  if (set.base == kNone) return set;
+  for (const char* end : {"_luma", "_glow"})
+    if (set.luma == kNone) set.luma = image_file(fmt::format("{}{}", stem, end), ImageEncoding::kSrgba, least);
+  return set;
+}
+
 bool has_fullbright(const std::vector<std::uint8_t>& indices, bool holes) {
   return std::ranges::any_of(indices, [&](std::uint8_t i) { return i >= kFirstFullbright && !(holes && i == 255); });
 }

@@ -45,6 +45,8 @@ class AssetBuilder {
   // else _glow, _norm, _gloss. The last two also without an image, for a skin that must stay paletted since players'
   // colours change it: then `base` is kNone. Which files count: see FileRank.
   TextureSet replacement(const std::vector<std::string>& stems, std::string_view owner);
+  // Likewise the picture `stem`.lmp, in the palette's colours, with _luma or else _glow.
+  TextureSet picture(std::string_view stem, std::string_view owner);
   // Likewise the first stem that has a .mat text (material_text.h), with an image or without; one that is wrong is not
   // there, and said (once a material). True if `material` is refractive by it now.
   bool refract(Material& material, const std::vector<std::string>& stems, std::string_view owner);

@@ -19,6 +19,7 @@
 #include "scene/library/alias_mesh.h"
 #include "scene/library/asset_builder.h"
 #include "scene/library/brush_mesh.h"
+#include "scene/library/enhanced_model.h"
 #include "scene/library/light_sources.h"
 #include "scene/library/lightmaps.h"
 #include "scene/library/lights.h"
@@ -117,6 +118,7 @@ struct ModelLibrary::Impl {
   FileLoader loader;
   FileRank rank;
   std::uint64_t most_texel_bytes;
+  bool enhanced = true;
   std::unique_ptr<AssetBuilder> builder;
   std::map<std::string, Model, std::less<>> models;
   std::map<std::tuple<std::uint32_t, int, int>, std::uint32_t> translated;
@@ -150,13 +152,20 @@ struct ModelLibrary::Impl {
   Model load_model(const std::string& name);
   bool glows(std::uint32_t mesh) const;
   Model load_submodel(const std::string& name);
+  Model with_glow(Model model) const;
   std::uint32_t instance_colored(std::uint32_t& index, const char* name, EmissionKind kind);
 };
 
 ModelLibrary::ModelLibrary(FileLoader loader, FileRank rank)
     : impl_(std::make_shared<Impl>(std::move(loader), std::move(rank), kUsualTexelBytes)) {}
 
-void ModelLibrary::clear() { *impl_ = Impl(impl_->loader, impl_->rank, impl_->most_texel_bytes); }
+void ModelLibrary::clear() {
+  const bool enhanced = impl_->enhanced;
+  *impl_ = Impl(impl_->loader, impl_->rank, impl_->most_texel_bytes);
+  impl_->enhanced = enhanced;
+}
+
+void ModelLibrary::set_enhanced_models(bool enhanced) { impl_->enhanced = enhanced; }
 
 void ModelLibrary::set_most_texel_bytes(std::uint64_t most) {
   impl_->most_texel_bytes = most;
@@ -359,6 +368,13 @@ Model ModelLibrary::Impl::load_submodel(const std::string& name) {
   return model;
 }
 
+Model ModelLibrary::Impl::with_glow(Model model) const {
+  for (const std::uint32_t first : model.skin_materials)
+    for (std::uint32_t m = first; m < first + model.surface_count; ++m)
+      model.glows |= builder->assets().materials[m].emission_kind != EmissionKind::kNone;
+  return model;
+}
+
 Model ModelLibrary::Impl::load_model(const std::string& name) {
   if (name.empty()) return {};
   if (name[0] == '*' || (map && name == map_path)) return load_submodel(name);
@@ -377,11 +393,13 @@ Model ModelLibrary::Impl::load_model(const std::string& name) {
     auto mdl = formats::parse_mdl(*bytes, name);
     if (!mdl) return refuse(mdl.error());
     log_all(mdl->warnings);
-    Model model = alias_model(*builder, *mdl, name);
-    model.glows = std::ranges::any_of(model.skin_materials, [&](std::uint32_t m) {
-      return builder->assets().materials[m].emission_kind != EmissionKind::kNone;
-    });
-    return model;
+    std::optional<Model> better = enhanced ? enhanced_model(*builder, loader, rank, *mdl, name) : std::nullopt;
+    return with_glow(better ? *std::move(better) : alias_model(*builder, *mdl, name));
+  }
+  if (magic == "IDP3" || magic == "MD5V") {
+    auto posed = read_posed_model(loader, name);
+    auto model = posed ? make_posed_model(*builder, *posed, name) : Result<Model>(posed.error());
+    return model ? with_glow(*std::move(model)) : refuse(model.error());
   }
   if (magic == "IDSP") {
     auto spr = formats::parse_spr(*bytes, name);
@@ -416,16 +434,20 @@ std::uint32_t ModelLibrary::translated_skin(const Model& model, std::uint32_t sk
   translate(kShirt, top);
   translate(kTrousers, bottom);
   AssetBuilder& builder = *impl_->builder;
-  Material material = builder.assets().materials[source];
-  material.name += fmt::format(" {} {}", top, bottom);
-  for (TextureSet& set : material.frames) {
-    if (builder.assets().images[set.base].encoding != ImageEncoding::kPalette) continue;  // a file's image stays
-    Image image = builder.assets().images[set.base];
-    image.name = material.name;
-    for (std::uint8_t& i : image.texels) i = table[i];
-    set.base = builder.add_image(std::move(image));
+  for (std::uint32_t surface = 0; surface < model.surface_count; ++surface) {
+    Material material = builder.assets().materials[source + surface];
+    material.name += fmt::format(" {} {}", top, bottom);
+    for (TextureSet& set : material.frames) {
+      if (builder.assets().images[set.base].encoding != ImageEncoding::kPalette) continue;  // a file's image stays
+      Image image = builder.assets().images[set.base];
+      image.name = material.name;
+      for (std::uint8_t& i : image.texels) i = table[i];
+      set.base = builder.add_image(std::move(image));
+    }
+    const std::uint32_t added_material = builder.add_material(std::move(material));
+    if (surface == 0) known->second = added_material;
   }
-  return known->second = builder.add_material(std::move(material));
+  return known->second;
 }
 
 std::uint32_t ModelLibrary::sphere_mesh() {

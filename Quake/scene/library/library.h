@@ -24,7 +24,8 @@ enum class ModelKind { kMissing, kBrush, kAlias, kSprite };
 
 // What the client must know of a precached model.
 // Instance::material_base: 0 for brush models, whose triangles name their materials; for everything else triangles say
-// 0, and material_base is the material itself (a skin's, a sprite image's, particle_material() and so on).
+// 0, or their surface's number, and material_base is the material itself (a skin's, a sprite image's,
+// particle_material() and so on).
 struct Model {
   ModelKind kind = ModelKind::kMissing;
   std::string name;
@@ -40,6 +41,7 @@ struct Model {
   };
   std::vector<Frame> frames;
   std::vector<std::uint32_t> skin_materials;  // a material a skin (its own frames are the group's images)
+  std::uint32_t surface_count = 1;  // of a skin's: those of a model's other surfaces follow (enhanced_model.h)
   // Sprite: orientation, and a mesh and material a frame's image group.
   formats::SpriteOrientation orientation = formats::SpriteOrientation::kParallel;
   struct SpriteFrame {
@@ -96,6 +98,8 @@ class ModelLibrary {
   void set_own_files(std::function<bool(std::string_view path)> own) { own_files_ = std::move(own); }
   // Forgets everything; Assets get a new generation.
   void clear();
+  // Whether .md5mesh and .md3 stand in the place of .mdl (enhanced_model.h), of models that are asked for from now on.
+  void set_enhanced_models(bool enhanced);
   // What all images together may take, as the device and the host have memory (texel_budget.h); now and for later maps.
   void set_most_texel_bytes(std::uint64_t most);
   // Loads a map: mesh of the world and of every submodel ("*1"...), textures with replacements from textures/

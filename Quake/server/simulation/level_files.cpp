@@ -7,6 +7,7 @@
 #include "base/log.h"
 #include "base/text_mark.h"
 #include "formats/mdl.h"
+#include "formats/posed_model.h"
 #include "formats/spr.h"
 #include "fs/path.h"
 
@@ -90,6 +91,15 @@ Box alias_box(const formats::Mdl& mdl) {
   return box;
 }
 
+Box posed_box(const formats::PosedModel& model) {
+  Box box{model.positions.front(), model.positions.front()};
+  for (const vec3& p : model.positions) {
+    box.mins = glm::min(box.mins, p);
+    box.maxs = glm::max(box.maxs, p);
+  }
+  return box;
+}
+
 // Halves are of whole numbers, cut.
 Box sprite_box(const formats::Spr& spr) {
   const vec3 half(spr.max_width / 2, spr.max_width / 2, spr.max_height / 2);
@@ -120,6 +130,10 @@ Result<LevelModel> read_model(const FileData& bytes, std::string_view name) {
   if (magic == "IDPO") {
     auto mdl = formats::parse_mdl(bytes, name);
     return mdl ? Result<LevelModel>(with_box(name, alias_box(*mdl))) : mdl.error();
+  }
+  if (magic == "IDP3" || magic == "MD5V") {  // as it was bound: what animates it stands in another file
+    auto posed = magic == "IDP3" ? formats::parse_md3(bytes, name) : formats::parse_md5({bytes.text(), name}, {});
+    return posed ? Result<LevelModel>(with_box(name, posed_box(*posed))) : posed.error();
   }
   if (magic == "IDSP") {
     auto spr = formats::parse_spr(bytes, name);
