@@ -20,22 +20,19 @@ namespace {
 constexpr std::uint32_t kMostJoints = 4096, kMostWeights = 64;  // weights of one vertex
 constexpr std::uint32_t kMost = 1u << 22u;                      // of anything else
 constexpr std::uint64_t kMostJointPoses = 1u << 24u;
-constexpr int kComponents = 6;                                  // of a joint in a frame: place, orientation
+constexpr int kComponents = 6;  // of a joint in a frame: place, orientation
 
 // Words of a text; a sign stands alone, what is in quotes is one word. After the first fault there are none.
 class Words {
  public:
-  explicit Words(const Md5Text& source) : size_(source.text.size()), text_(source.text), name_(source.name) {
-    next();
-  }
+  explicit Words(const Md5Text& source) : size_(source.text.size()), text_(source.text), name_(source.name) { next(); }
 
   bool at_end() const { return word_.empty() && !quoted_; }
   bool failed() const { return error_.has_value(); }
   Error error() const { return *error_; }
 
   void refuse(std::string_view cause) {
-    if (!error_)
-      error_ = Error{fmt::format("{}: offset {} (line {}): {}", name_, taken_.offset, taken_.line, cause)};
+    if (!error_) error_ = Error{fmt::format("{}: offset {} (line {}): {}", name_, taken_.offset, taken_.line, cause)};
     text_ = word_ = {};
     quoted_ = false;
   }
@@ -395,9 +392,9 @@ class Animation {
 
   Words& words_;
   std::uint32_t frames_ = 0, numbers_ = 0;
-  std::vector<Joint> base_;   // places in their parents' space
-  std::vector<vec3> turns_;   // of the base frame
-  std::vector<Track> tracks_;  // one a joint
+  std::vector<Joint> base_;           // places in their parents' space
+  std::vector<vec3> turns_;           // of the base frame
+  std::vector<Track> tracks_;         // one a joint
   std::vector<std::uint32_t> order_;  // a joint's number in the mesh
 };
 

@@ -134,9 +134,8 @@ TEST(Md3, HasItsSurfacesBesideEachOther) {
 }
 
 TEST(Md3, AnyFileIsRefusedOrSound) {
-  const testing::Attempt attempt = testing::attempt(
-      [](const Bytes& bytes) { return parse_md3(bytes, "progs/x.md3"); },
-      [](const PosedModel& model) { return testing::broken(model); });
+  const testing::Attempt attempt = testing::attempt([](const Bytes& bytes) { return parse_md3(bytes, "progs/x.md3"); },
+                                                    [](const PosedModel& model) { return testing::broken(model); });
   testing::expect_refused_when_cut(attempt, small_md3({"body", "head"}), "progs/x.md3");
   testing::expect_sound_when_damaged(attempt, small_md3({"body", "head"}), "progs/x.md3");
 }

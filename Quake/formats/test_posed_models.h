@@ -27,9 +27,9 @@ inline std::string small_md5mesh(const std::string& shader = "progs/thing") {
   return text;
 }
 
-// Frame 0 is as it was bound, 1 has turned the upper joint by a quarter about x, 2 has moved the lower one by (1, 2, 3).
-// `swapped`: joints by their names in the other order, which is none that a child may have before its parent; so both
-// are roots then.
+// Frame 0 is as it was bound, 1 has turned the upper joint by a quarter about x, 2 has moved the lower one by (1, 2,
+// 3). `swapped`: joints by their names in the other order, which is none that a child may have before its parent; so
+// both are roots then.
 inline std::string small_md5anim(bool swapped = false) {
   std::string text = "MD5Version 10\ncommandline \"\"\n\nnumFrames 3\nnumJoints 2\nframeRate 10\n";
   text += "numAnimatedComponents 4\n\nhierarchy {\n";
@@ -40,12 +40,14 @@ inline std::string small_md5anim(bool swapped = false) {
   text += "bounds {\n";
   for (int f = 0; f < 3; ++f) text += "\t( -8 -8 0 ) ( 8 8 20 )\n";
   text += "}\n\nbaseframe {\n";
-  text += swapped ? "\t( 0 0 10 ) ( 0 0 0 )\n\t( 0 0 0 ) ( 0 0 0 )\n}\n" : "\t( 0 0 0 ) ( 0 0 0 )\n\t( 0 0 10 ) ( 0 0 0 )\n}\n";
+  text += swapped ? "\t( 0 0 10 ) ( 0 0 0 )\n\t( 0 0 0 ) ( 0 0 0 )\n}\n"
+                  : "\t( 0 0 0 ) ( 0 0 0 )\n\t( 0 0 10 ) ( 0 0 0 )\n}\n";
   text += "frame 0 {\n\t0 0 0 0\n}\nframe 1 {\n\t0.7071067811865476 0 0 0\n}\nframe 2 {\n\t0 1 2 3\n}\n";
   return text;
 }
 
-// Of as many surfaces as there are names, tetrahedra beside each other, in frames of which the second is 2 units higher.
+// Of as many surfaces as there are names, tetrahedra beside each other, in frames of which the second is 2 units
+// higher.
 inline Bytes small_md3(const std::vector<std::string>& surfaces = {"body"}, std::uint32_t frames = 2) {
   ByteWriter w;
   w.text("IDP3", 4);

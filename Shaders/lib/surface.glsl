@@ -55,9 +55,7 @@ vec3 offset_origin(vec3 position, vec3 normal) {
   return position + normal * (2e-3 + 1e-6 * max(a.x, max(a.y, a.z)));
 }
 
-vec3 pose_vertex(uint at, vec3 scale, vec3 origin) {
-  return unpack_pose_position(poses.at[at].x) * scale + origin;
-}
+vec3 pose_vertex(uint at, vec3 scale, vec3 origin) { return unpack_pose_position(poses.at[at].x) * scale + origin; }
 
 vec3 previous_vertex(uint i, uint vertex) {
   vec3 scale = instance_at(i).pose_scale.xyz, origin = instance_at(i).pose_origin.xyz;

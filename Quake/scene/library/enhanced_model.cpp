@@ -19,7 +19,7 @@ namespace {
 using formats::PosedModel;
 using formats::PosedSurface;
 
-constexpr float kFlat = 1e-6f;       // of a triangle's area, relative to its longest side's square
+constexpr float kFlat = 1e-6f;         // of a triangle's area, relative to its longest side's square
 constexpr float kLeastExtent = 1e-3f;  // of a model, units
 constexpr std::uint32_t kMostSkins = 64, kMostSkinImages = 64;
 
@@ -128,8 +128,8 @@ std::optional<Material> skin_material(AssetBuilder& builder, const PosedSurface&
     const TextureSet set = skin_image(builder, surface, text, owner, skin, image);
     if (set.base == kNone) break;
     const Image& base = builder.assets().images[set.base];
-    glows |= set.luma != kNone ||
-             (base.encoding == ImageEncoding::kPalette && has_fullbright(base.texels, /*holes=*/false));
+    glows |=
+        set.luma != kNone || (base.encoding == ImageEncoding::kPalette && has_fullbright(base.texels, /*holes=*/false));
     if (set.gloss != kNone) material.specular = 0.04f;
     material.frames.push_back(set);
   }
@@ -142,8 +142,7 @@ std::optional<Material> skin_material(AssetBuilder& builder, const PosedSurface&
 std::vector<Model::Frame> frames_of(const PosedModel& posed, const formats::Mdl* mdl) {
   std::vector<Model::Frame> frames;
   if (mdl != nullptr && posed.pose_count == mdl->pose_count) {
-    for (const formats::MdlFrame& f : mdl->frames)
-      frames.push_back({f.name, f.first_pose, f.pose_count, f.end_times});
+    for (const formats::MdlFrame& f : mdl->frames) frames.push_back({f.name, f.first_pose, f.pose_count, f.end_times});
     return frames;
   }
   const bool named = mdl != nullptr && posed.pose_count == mdl->frames.size();

@@ -16,7 +16,8 @@
 namespace fb::scene {
 
 // All poses, on a grid of 2,048 steps over the model's width and depth and 1,024 over its height. Normals are made anew
-// (pose_normals.h). Triangles that have no area in any pose are left out. A triangle's material is its surface's number.
+// (pose_normals.h). Triangles that have no area in any pose are left out. A triangle's material is its surface's
+// number.
 Mesh make_posed_mesh(const formats::PosedModel& model, std::string name);
 
 // Materials of a model: skin s has those of its surfaces from s * surfaces on.

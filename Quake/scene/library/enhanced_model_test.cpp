@@ -41,7 +41,9 @@ Bytes plain_picture(std::uint8_t index) {
 formats::Mdl thing() {
   formats::Mdl mdl = formats::testing::tetrahedron();
   for (std::size_t i = 0; i < mdl.vertices.size(); ++i) {
-    const auto at = [&](std::size_t corner) { return static_cast<std::uint8_t>(i % mdl.vertex_count == corner ? 9 : 0); };
+    const auto at = [&](std::size_t corner) {
+      return static_cast<std::uint8_t>(i % mdl.vertex_count == corner ? 9 : 0);
+    };
     mdl.vertices[i] = {at(1), at(2), at(3), 0};
   }
   return mdl;
@@ -112,7 +114,8 @@ TEST_F(Enhanced, SkinsAreNumbered) {
   const Model& model = library.model("progs/thing.mdl");
   ASSERT_EQ(model.skin_materials.size(), 3u);
   const Assets& assets = *library.assets();
-  const Material &second = assets.materials[model.skin_materials[1]], &third = assets.materials[model.skin_materials[2]];
+  const Material &second = assets.materials[model.skin_materials[1]],
+                 &third = assets.materials[model.skin_materials[2]];
   ASSERT_EQ(second.frames.size(), 2u);
   EXPECT_EQ(assets.images[texture_at(second, 0.15, false).base].name, "progs/thing_01_01.lmp");
   EXPECT_EQ(second.emission_kind, EmissionKind::kFullbright) << "an index of its second image glows";
@@ -160,7 +163,8 @@ TEST_F(Enhanced, ATextMayNameTheImages) {
   const Model& model = library.model("progs/thing.mdl");
   ASSERT_EQ(model.skin_materials.size(), 1u);
   const Assets& assets = *library.assets();
-  const Material &body = assets.materials[model.skin_materials[0]], &head = assets.materials[model.skin_materials[0] + 1];
+  const Material &body = assets.materials[model.skin_materials[0]],
+                 &head = assets.materials[model.skin_materials[0] + 1];
   EXPECT_EQ(assets.images[body.frames.at(0).base].name, "progs/body.lmp");
   ASSERT_EQ(head.frames.size(), 2u);
   EXPECT_EQ(assets.images[head.frames[0].base].name, "skins/red.tga");
@@ -193,8 +197,8 @@ TEST_F(Enhanced, WhatIsWrongIsSaidAndTheMdlShown) {
     Said said;
     ModelLibrary library(files.loader());
     EXPECT_EQ(mesh_of(library, "progs/thing.mdl").name, "progs/thing.mdl");
-    EXPECT_THAT(said.lines, testing::ElementsAre(testing::AllOf(
-                                HasSubstr("progs/thing.md5anim: offset"), HasSubstr("progs/thing.mdl is shown"))));
+    EXPECT_THAT(said.lines, testing::ElementsAre(testing::AllOf(HasSubstr("progs/thing.md5anim: offset"),
+                                                                HasSubstr("progs/thing.mdl is shown"))));
   }
   add_md5();
   files.files.erase("progs/thing_00_00.lmp");
