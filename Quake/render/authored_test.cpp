@@ -127,6 +127,36 @@ TEST_F(AuthoredTest, LampsFallOffByTheirOwnLaws) {
   }
 }
 
+// r_authored changed in play: the first frame is as if there had been none before it.
+TEST_F(AuthoredTest, AToggleLeavesNothingOfTheOtherLight) {
+  for (const char* estimator : {"nee", "mcpg_nee"}) {
+    RenderSettings s = plain_settings(estimator, 2);
+    s.denoise = 1;
+    s.taa = 1;
+    s.deterministic = 1;
+    scene::FrameSnapshot snapshot = lamp_room(vec3(64, 20, 10), 4.0f);
+    const auto draw = [&](Renderer& renderer, std::uint64_t frame, bool authored) {
+      snapshot.authored = authored;
+      snapshot.instances.back().emission = vec3(authored ? 10.0f : 1000.0f);
+      snapshot.frame = frame;
+      snapshot.prev_time = static_cast<double>(frame) / 60.0;
+      snapshot.time = static_cast<double>(frame + 1) / 60.0;
+      snapshot.cut = frame == 0;
+      renderer.render(snapshot, nullptr, s);
+      return renderer.read().output();
+    };
+    auto played = make_renderer(s, 48, 32), fresh = make_renderer(s, 48, 32);
+    for (std::uint64_t frame = 0; frame < 12; ++frame) draw(*played, frame, true);
+    const auto after = draw(*played, 12, false), anew = draw(*fresh, 12, false);
+    double apart = 0;
+    for (std::size_t i = 0; i < after.size(); ++i)
+      apart += std::abs(static_cast<double>(after[i] & 255u) - static_cast<double>(anew[i] & 255u)) /
+               static_cast<double>(after.size());
+    EXPECT_LT(apart, 1.0) << estimator << ": bytes, on average";
+    EXPECT_EQ(played->accumulated_frames(), fresh->accumulated_frames()) << estimator;
+  }
+}
+
 TEST_F(AuthoredTest, ScatteredRaysFindTheSameLightOfSuchLamps) {
   scene::FrameSnapshot snapshot = lamp_room(vec3(64, 20, 10), 24.0f);
   scene::Instance& lamp = snapshot.instances.back();

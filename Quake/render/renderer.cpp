@@ -104,7 +104,7 @@ struct Renderer::Impl {
   std::uint64_t generation = 0, number = 0;  // of the assets; of the next frame
   std::uint32_t accumulated = 0;             // frames in the mean after the last render
   bool restart = true;                       // accumulation begins anew
-  bool lost = true;                          // nothing is left of the former frame
+  bool lost = true, authored = false;        // nothing is left of the former frame; baked light counted in it
   std::optional<uvec2> iteration;            // begins with the next frame: its number, its samples
   bool ends_iterations = false;              // with the next frame
   bool final_passes = false;                 // of this frame
@@ -400,6 +400,13 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
     empty.instances.clear();
     return begin(empty, draw, asked);
   }
+  if (std::exchange(authored, snapshot.authored) != snapshot.authored) {  // all lights are others
+    finish();
+    forget_learnt();
+    scene::FrameSnapshot relit = snapshot;
+    relit.cut = true;
+    return begin(relit, draw, asked);
+  }
   choose_technique(asked.estimator);
   const RenderSettings settings = with_last_step(technique->adapt(asked), device.is_software());
   scene.prepare(snapshot, emission_scales(settings), info->wants_lights,
@@ -429,7 +436,6 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   last_step.prepare(draw, output_size, settings);
   fill_constants(snapshot, settings, scene_now);
   table.flush();
-
   passes = list_passes();
   shaders.make();
   device.start([&](gpu::Commands& commands) {
