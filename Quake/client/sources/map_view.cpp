@@ -123,8 +123,7 @@ Status load_map_view(std::string_view name, scene::ModelLibrary& library, Sessio
 
   view = View{};
   auto parsed = world::parse_entity_lump(library.map_entities(), path);
-  if (!parsed.ok()) {
-    log_warning("{}; only the world is shown", parsed.error().message);
+  if (!parsed.ok()) {  // the library has said so
     view.origin = 0.5f * (state.models[1]->mins + state.models[1]->maxs);
     return ok_status();
   }

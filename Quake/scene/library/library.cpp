@@ -146,7 +146,7 @@ struct ModelLibrary::Impl {
   }
 
   void take_map(const std::string& path, formats::Bsp bsp, const std::vector<world::Entity>& entities,
-                std::optional<FileData> lit_file, bool of_base_game);
+                const std::optional<FileData>& lit_file, bool of_base_game);
   LitMap lit_map() const;
   void forget_map();
   Model load_model(const std::string& name);
@@ -216,7 +216,7 @@ Status ModelLibrary::load_map_file(std::string_view bsp_path) {
   if (auto parsed = world::parse_entity_lump(bsp->entities, entities_name))
     entities = std::move(*parsed);
   else
-    log_warning("{}; the map has no lights", parsed.error().message);
+    log_warning("{}; the map's entities count for nothing", parsed.error().message);
 
   // Nothing can fail from here on but for want of memory. The former map stays whole until this one is.
   const auto fresh = impl_->map ? std::make_unique<Impl>(impl_->loader, impl_->rank, impl_->most_texel_bytes) : nullptr;
@@ -234,10 +234,10 @@ Status ModelLibrary::load_map_file(std::string_view bsp_path) {
 }
 
 void ModelLibrary::Impl::take_map(const std::string& path, formats::Bsp bsp, const std::vector<world::Entity>& entities,
-                                  std::optional<FileData> lit_file, bool of_base_game) {
+                                  const std::optional<FileData>& lit_file, bool of_base_game) {
   map_path = path;
   map = std::make_shared<formats::Bsp>(std::move(bsp));
-  lightmaps = std::make_shared<const Lightmaps>(*map, lit_file ? std::move(*lit_file) : FileData());
+  lightmaps = std::make_shared<const Lightmaps>(*map, lit_file);
   if (!lightmaps->lit_error().empty())
     log_warning("{}: {}; the map's own light is used", with_extension(path, ".lit"), lightmaps->lit_error());
   for (const std::string& error : lightmaps->errors()) log_warning("{}: {}", path, error);

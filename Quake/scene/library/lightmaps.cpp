@@ -44,8 +44,8 @@ bool is_sane(const vec4& axis) {
 
 }  // namespace
 
-Lightmaps::Lightmaps(const formats::Bsp& bsp, FileData lit) : lit_(std::move(lit)) {
-  choose_samples(bsp, ByteView(lit_.data(), lit_.size()));
+Lightmaps::Lightmaps(const formats::Bsp& bsp, const std::optional<FileData>& lit) {
+  if (!lit || !take_lit(bsp, *lit)) choose_samples(bsp);
   if (samples_.empty()) return;
   const ByteView decoupled = bspx_lump(bsp, "DECOUPLED_LM");
   const bool has_decoupled = decoupled.size() == bsp.faces.size() * kDecoupledBytes;
@@ -88,21 +88,28 @@ Lightmaps::Lightmaps(const formats::Bsp& bsp, FileData lit) : lit_(std::move(lit
                                   cut_faces, bsp.faces.size(), samples_.size() / static_cast<std::size_t>(channels_)));
 }
 
-void Lightmaps::choose_samples(const formats::Bsp& bsp, ByteView lit) {
+bool Lightmaps::take_lit(const formats::Bsp& bsp, const FileData& lit) {
   constexpr std::size_t kLitHeader = 8;
-  if (!lit.empty()) {
-    const bool named = lit.size() >= kLitHeader && std::memcmp(lit.data(), "QLIT", 4) == 0;
-    if (!named || read<std::int32_t>(lit, 4) != 1)
-      lit_error_ = "it is not a QLIT file of version 1";
-    else if (lit.size() - kLitHeader < 3 * bsp.lighting.size() || bsp.lighting.empty())
-      lit_error_ = fmt::format("it has {} bytes of light and the map has {} samples", lit.size() - kLitHeader,
-                               bsp.lighting.size());
-    else {
-      samples_ = lit.subspan(kLitHeader);
-      channels_ = 3;
-      return;
-    }
+  const ByteView bytes(lit.data(), lit.size());
+  const bool named = bytes.size() >= kLitHeader && std::memcmp(bytes.data(), "QLIT", 4) == 0;
+  if (bytes.empty()) {
+    lit_error_ = "it is empty";
+  } else if (!named || read<std::int32_t>(bytes, 4) != 1) {
+    lit_error_ = "it is not a QLIT file of version 1";
+  } else if (bytes.size() - kLitHeader != 3 * bsp.lighting.size() || bsp.lighting.empty()) {
+    // As in QuakeSpasm: a file that is too long is of another map, or of the same before it was changed.
+    lit_error_ = fmt::format("it has {} bytes of light where the map's {} samples take {}", bytes.size() - kLitHeader,
+                             bsp.lighting.size(), 3 * bsp.lighting.size());
+  } else {
+    lit_ = lit;
+    samples_ = bytes.subspan(kLitHeader);
+    channels_ = 3;
+    return true;
   }
+  return false;
+}
+
+void Lightmaps::choose_samples(const formats::Bsp& bsp) {
   const ByteView rgb = bspx_lump(bsp, "RGBLIGHTING");
   if (!rgb.empty() && rgb.size() >= 3 * bsp.lighting.size()) {
     samples_ = rgb;

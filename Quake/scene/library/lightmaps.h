@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,9 @@ class Lightmaps {
  public:
   static constexpr std::uint8_t kNoStyle = 255;
 
-  // The map must outlive this. `lit`: a .lit file; empty: there is none. One that does not fit the map is not used
-  // (`lit_error` says why).
-  explicit Lightmaps(const formats::Bsp& bsp, FileData lit = {});
+  // The map must outlive this. `lit`: a .lit file, if there is one. One that does not fit the map, to the byte, is not
+  // used (`lit_error` says why).
+  explicit Lightmaps(const formats::Bsp& bsp, const std::optional<FileData>& lit = std::nullopt);
 
   bool empty() const { return samples_.empty(); }
   bool colored() const { return channels_ == 3; }
@@ -46,7 +47,9 @@ class Lightmaps {
   std::array<std::uint8_t, 3> luxel(const Face& face, std::size_t k, int x, int y) const;
 
  private:
-  void choose_samples(const formats::Bsp& bsp, ByteView lit);
+  void choose_samples(const formats::Bsp& bsp);
+  // Whether it is of the map.
+  bool take_lit(const formats::Bsp& bsp, const FileData& lit);
   Face usual_face(const formats::Bsp& bsp, const formats::BspFace& face) const;
 
   std::vector<Face> faces_;

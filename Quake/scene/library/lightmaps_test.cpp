@@ -1,9 +1,12 @@
 #include "scene/library/lightmaps.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
+#include <string>
+#include <utility>
 
 #include "scene/library/test_lit_room.h"
 
@@ -53,11 +56,25 @@ TEST(Lightmaps, AFileOfColouredLightIsUsedWhereItFits) {
   const Lightmaps colored(bsp, fits);
   EXPECT_TRUE(colored.colored());
   EXPECT_EQ(colored.value(kLitFloor, 0, vec3(100, 100, 0)), vec3(1.0f, 0.5f, 0.0f));
-  const Lightmaps refused(bsp, small);
-  EXPECT_FALSE(refused.colored());
-  EXPECT_NE(refused.lit_error(), "");
+  EXPECT_EQ(colored.lit_error(), "");
+  const Bytes large = lit_file(bsp.lighting.size() + 1, {9, 9, 9});
+  Bytes odd = fits;
+  odd.push_back(0);
   const Bytes other{'Q', 'L', 'I', 'T', 2, 0, 0, 0};
-  EXPECT_NE(Lightmaps(bsp, other).lit_error(), "");
+  const std::string takes = fmt::format("samples take {}", 3 * bsp.lighting.size());
+  for (const auto& [file, why] : {std::pair<Bytes, std::string>{small, takes},
+                                  {large, takes},
+                                  {odd, takes},
+                                  {other, "version 1"},
+                                  {Bytes{}, "it is empty"}}) {
+    const Lightmaps refused(bsp, file);
+    EXPECT_FALSE(refused.colored());
+    EXPECT_NE(refused.lit_error().find(why), std::string::npos) << refused.lit_error();
+    EXPECT_NEAR(refused.value(kLitFloor, 0, vec3(200, 100, 0)).x,
+                Lightmaps(bsp).value(kLitFloor, 0, vec3(200, 100, 0)).x, 1e-6f)
+        << "the map's own";
+  }
+  EXPECT_EQ(Lightmaps(bsp).lit_error(), "") << "no file is no error";
 }
 
 TEST(Lightmaps, LuxelsLieWhereALumpSays) {
