@@ -13,8 +13,8 @@ namespace fb::cl {
 namespace {
 
 // Other modules know some of these cvars, too: who comes first registers.
-void ensure_cvar(con::Console& console, const char* name, std::string value, const char* help, unsigned flags) {
-  if (!console.find_cvar(name)) console.add_cvar(name, std::move(value), help, flags);
+void ensure_cvar(con::Console& console, con::CvarSpec spec) {
+  if (!console.find_cvar(spec.name)) console.add_cvar(std::move(spec));
 }
 
 // A number as a cvar's text: "0.02", "90".
@@ -26,6 +26,19 @@ bool is_archived(std::string_view name) {
       "fov",      "fov_adapt",   "r_lerpmodels", "r_lerpmove",  "r_particles", "r_viewmodel_quake",
       "viewsize", "r_entlights", "r_ambient",    "r_wateralpha"};
   return std::find(kArchived.begin(), kArchived.end(), name) != kArchived.end();
+}
+
+// Numbers that are 0 or 1. The others' ranges are whatever a number may be, as in QuakeSpasm.
+bool is_switch(std::string_view name) { return name == "r_authored"; }
+
+con::CvarSpec spec_of(const char* name, float value, const char* help) {
+  con::CvarSpec spec{name, text_of(value), help, is_archived(name) ? con::kCvarArchive : con::kCvarPlain};
+  if (is_switch(name)) {
+    spec.min = 0.0f;
+    spec.max = 1.0f;
+    spec.integer = true;
+  }
+  return spec;
 }
 
 // What the last message told of, as it is shown.
@@ -63,12 +76,11 @@ void Client::Impl::register_console() {
         {"viewsize", "100",
          "up to 100: the picture's size in percent, with the whole status bar; 110: without the inventory; 120: none",
          con::kCvarArchive, 30.0f, 120.0f});
-#define FB_REGISTER(member, name, value, help) \
-  ensure_cvar(console, name, text_of(value), help, is_archived(name) ? con::kCvarArchive : con::kCvarPlain);
+#define FB_REGISTER(member, name, value, help) ensure_cvar(console, spec_of(name, value, help));
   FB_CLIENT_CVARS(FB_REGISTER)
 #undef FB_REGISTER
-  ensure_cvar(console, "r_nolerp_list", kNoLerpModels,
-              "models whose animation is not interpolated, separated by commas", con::kCvarPlain);
+  ensure_cvar(console,
+              {"r_nolerp_list", kNoLerpModels, "models whose animation is not interpolated, separated by commas"});
 
   console.add_command(
       "viewpos", "viewpos: where the player is and looks: (origin) pitch yaw roll", [this](const con::Args&) {

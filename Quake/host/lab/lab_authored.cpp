@@ -1,5 +1,6 @@
 // fullbright-lab authored: maps as they are drawn beside what their authors saw.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -31,6 +32,7 @@ struct AuthoredOptions {
 constexpr float kShownField = 90.0f;  // degrees
 
 std::string row_of(const std::string& name, const lab::AuthoredDistance& d) {
+  if (d.black) return fmt::format("{:28} black in both pictures", name);
   return fmt::format("{:28} {:+6.2f} {:6.2f} {:6.2f} {:6.2f}", name, d.median, d.spread, d.correlation, d.color);
 }
 
@@ -80,6 +82,78 @@ scene::AuthoredFog fog_of(const formats::Bsp& bsp) {
   return fog;
 }
 
+// Where to look from. Says which of the map's own cameras do not count.
+Result<std::vector<lab::MapCamera>> cameras_of(const formats::Bsp& bsp, const AuthoredOptions& options,
+                                               const scene::Camera& asked) {
+  const StageOptions& o = options.stage;
+  if (!o.camera.empty()) {
+    if (!lab::in_open(bsp, asked.position))
+      return Error{fmt::format("--camera {}: it is inside a wall, a door or lava, or outside the map", o.camera)};
+    return std::vector<lab::MapCamera>{{"camera", asked.position, asked.angles}};
+  }
+  lab::MapCameras found = lab::map_cameras(bsp, options.cameras);
+  if (!found.closed.empty())
+    fmt::print("{} of the map's cameras are inside a wall, a door or lava, or outside the map, and do not count: {}\n",
+               found.closed.size(), fmt::join(found.closed, ", "));
+  if (found.open.empty())
+    return Error{o.map + ": it names no camera to look from: no start, no intermission, no teleport"};
+  return std::move(found.open);
+}
+
+struct Views {  // of one map
+  const AuthoredOptions& options;
+  Stage& stage;
+  scene::FrameSnapshot snapshot;
+  lab::AuthoredPage page;
+  std::vector<lab::AuthoredDistance> distances;
+
+  // Draws and compares one, and prints its row.
+  Status compare(const lab::MapCamera& camera) {
+    const StageOptions& o = options.stage;
+    const scene::ModelLibrary& library = stage.engine->library();
+    snapshot.camera.position = camera.position;
+    snapshot.camera.angles = camera.angles;
+    snapshot.camera.fov_x = kShownField;
+    snapshot.camera.fov_y = 0.0f;
+    snapshot.prev_camera = snapshot.camera;
+    snapshot.cut = true;
+    lab::RenderSummary summary;
+    lab::render_samples(*stage.renderer, stage.settings, snapshot, o.spp, summary, [](std::uint32_t) {});
+    ++snapshot.frame;
+    const scene::AuthoredFog fog = options.fog ? fog_of(*library.map()) : scene::AuthoredFog();
+    const lab::Picture own = lab::picture_of(stage.renderer->read().linear(), stage.size);
+    const lab::Picture authors{stage.size.x, stage.size.y,
+                               scene::authored_picture(library.lit_map(), *library.assets(), library.map_sky(),
+                                                       *library.lightmaps(), snapshot.camera, stage.size.x,
+                                                       stage.size.y, fog, stage.engine->client().light_style_values())};
+    distances.push_back(lab::authored_distance(own, authors));
+    fmt::print("{}\n", row_of(camera.name, distances.back()));
+    page.rows.push_back({camera.name, camera.name + ".png", distances.back()});
+    if (o.out.empty()) return ok_status();
+    return write_pair(fmt::format("{}/{}.png", o.out, camera.name), own, authors);
+  }
+
+  // The row of all, and the page.
+  Status sum_up(const scene::AuthoredLight* light) {
+    const StageOptions& o = options.stage;
+    page.mean = lab::mean_distance(distances);
+    // Of medians and spreads the root of the mean square, which has no sign.
+    if (!page.mean.black)
+      fmt::print("{:28} {:6.2f} {:6.2f} {:6.2f} {:6.2f}\n", "all", page.mean.median, page.mean.spread,
+                 page.mean.correlation, page.mean.color);
+    if (const auto black = std::ranges::count(distances, true, &lab::AuthoredDistance::black); black > 0) {
+      page.notes.push_back(
+          fmt::format("{} of {} views are black in both pictures and do not count.", black, distances.size()));
+      fmt::print("{}\n", page.notes.back());
+    }
+    if (o.out.empty()) return ok_status();
+    if (light != nullptr)
+      for (std::size_t i = 0; i < light->emitters.all.size(); ++i)
+        page.emitters.push_back({light->emitters.all[i].name, light->fit.factors[i], light->fit.shares[i]});
+    return fs::write_text_atomically(o.out + "/index.html", lab::authored_html(page));
+  }
+};
+
 int run_authored(const AuthoredOptions& options) {
   StageOptions o = options.stage;
   if (o.map.empty())
@@ -97,53 +171,26 @@ int run_authored(const AuthoredOptions& options) {
     if (failed) return fail(Error{fmt::format("--out {}: {}", o.out, failed.message())});
   }
   stage.renderer->resize(stage.size.x, stage.size.y);
-  scene::FrameSnapshot snapshot;
-  if (const auto more = stage.source->next(snapshot); !more) return fail(more.error());
-  remove_models(snapshot);
-  if (const auto* light = stage.engine->client().authored().light(); options.table && light != nullptr)
-    print_table(*light);
-  const std::vector<lab::MapCamera> cameras =
-      o.camera.empty() ? lab::map_cameras(*library.map(), options.cameras)
-                       : std::vector<lab::MapCamera>{{"camera", snapshot.camera.position, snapshot.camera.angles}};
-  const scene::AuthoredFog fog = options.fog ? fog_of(*library.map()) : scene::AuthoredFog();
-  const std::vector<float> styles = stage.engine->client().light_style_values();
-  std::vector<lab::AuthoredDistance> distances;
-  lab::AuthoredPage page{o.map + ": drawn, and as its author saw it", {}, {}, {}};
+  Views views{options, stage, {}, {o.map + ": drawn, and as its author saw it", {}, {}, {}, {}}, {}};
+  if (const auto more = stage.source->next(views.snapshot); !more) return fail(more.error());
+  remove_models(views.snapshot);
+  const auto cameras = cameras_of(*library.map(), options, views.snapshot.camera);
+  if (!cameras) return fail(cameras.error());
+  // With r_authored 0 nobody asks for the fit, which would be made then.
+  const scene::AuthoredLight* light = nullptr;
+  if (stage.engine->console().cvar("r_authored").on()) {
+    light = stage.engine->client().authored().light();
+  } else {
+    views.page.notes.emplace_back(
+        "r_authored 0: light is as the map's keys and textures say; nothing is fitted to its baked light.");
+    fmt::print("{}\n", views.page.notes.back());
+  }
+  if (options.table && light != nullptr) print_table(*light);
   fmt::print("{:28} {:>6} {:>6} {:>6} {:>6}\n", "camera", "median", "spread", "corr.", "color");
-  for (const lab::MapCamera& camera : cameras) {
-    snapshot.camera.position = camera.position;
-    snapshot.camera.angles = camera.angles;
-    snapshot.camera.fov_x = kShownField;
-    snapshot.camera.fov_y = 0.0f;
-    snapshot.prev_camera = snapshot.camera;
-    snapshot.cut = true;
-    lab::RenderSummary summary;
-    lab::render_samples(*stage.renderer, stage.settings, snapshot, o.spp, summary, [](std::uint32_t) {});
-    ++snapshot.frame;
-    const lab::Picture own = lab::picture_of(stage.renderer->read().linear(), stage.size);
-    const lab::Picture authors{
-        stage.size.x, stage.size.y,
-        scene::authored_picture(library.lit_map(), *library.assets(), library.map_sky(), *lightmaps, snapshot.camera,
-                                stage.size.x, stage.size.y, fog, styles)};
-    distances.push_back(lab::authored_distance(own, authors));
-    fmt::print("{}\n", row_of(camera.name, distances.back()));
-    page.rows.push_back({camera.name, camera.name + ".png", distances.back()});
-    if (!o.out.empty())
-      if (auto status = write_pair(fmt::format("{}/{}.png", o.out, camera.name), own, authors); !status)
-        return fail(status.error());
-  }
-  if (distances.empty()) return fail(Error{o.map + ": it names no camera: no start, no intermission, no teleport"});
-  page.mean = lab::mean_distance(distances);
-  // Of medians and spreads the root of the mean square, which has no sign.
-  fmt::print("{:28} {:6.2f} {:6.2f} {:6.2f} {:6.2f}\n", "all", page.mean.median, page.mean.spread,
-             page.mean.correlation, page.mean.color);
-  if (!o.out.empty()) {
-    if (const auto* light = stage.engine->client().authored().light(); light != nullptr)
-      for (std::size_t i = 0; i < light->emitters.all.size(); ++i)
-        page.emitters.push_back({light->emitters.all[i].name, light->fit.factors[i], light->fit.shares[i]});
-    if (auto status = fs::write_text_atomically(o.out + "/index.html", lab::authored_html(page)); !status)
-      return fail(status.error());
-  }
+  for (const lab::MapCamera& camera : *cameras)
+    if (auto status = views.compare(camera); !status) return fail(status.error());
+  if (auto status = views.sum_up(light); !status) return fail(status.error());
+  if (views.page.mean.black) return fail(Error{o.map + ": all its views are black: nothing is compared"});
   return finish(stage);
 }
 

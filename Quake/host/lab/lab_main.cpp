@@ -13,6 +13,16 @@
 
 namespace {
 
+// An option that is given more often than it may be; empty if none is. CLI11's own sentence counts requirements.
+std::string given_too_often(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options())
+    if (option->count() > static_cast<std::size_t>(option->get_items_expected_max()))
+      return fmt::format("{}: it is given {} times and counts once", option->get_name(), option->count());
+  for (const CLI::App* command : app.get_subcommands())
+    if (std::string found = given_too_often(*command); !found.empty()) return found;
+  return {};
+}
+
 int run(int argc, char** argv) {
   using namespace fb::host;
   fb::stop_on_signals("fullbright-lab", fb::StopMode::kAtOnce);
@@ -40,7 +50,16 @@ int run(int argc, char** argv) {
                                  add_estimators_command(app),
                                  add_settings_command(app),
                                  add_commands_command(app)};
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ArgumentMismatch& error) {
+    const std::string often = given_too_often(app);
+    if (often.empty()) return app.exit(error);
+    fmt::print(stderr, "fullbright-lab: {}\n", often);
+    return error.get_exit_code();
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  }
   for (const LabCommand& command : commands)
     if (*command.app) return command.run();
   return 1;

@@ -24,9 +24,15 @@ struct Block {
   dvec3 own{0.0}, authors{0.0};
 };
 
-bool is_open(const formats::Bsp& bsp, const vec3& point, std::uint32_t model) {
+bool in_open_of(const formats::Bsp& bsp, const vec3& point, std::uint32_t model) {
   const std::int32_t contents = world::point_contents(bsp, point, model);
   return contents == formats::kContentsEmpty || contents == formats::kContentsWater;
+}
+
+bool in_open_of_all(const formats::Bsp& bsp, const std::vector<scene::Submodel>& submodels, const vec3& point) {
+  return in_open_of(bsp, point, 0) && std::ranges::all_of(submodels, [&](const scene::Submodel& s) {
+           return in_open_of(bsp, point - s.offset, s.index);
+         });
 }
 
 double luminance_of(const dvec3& c) { return static_cast<double>(shared::luminance(vec3(c))); }
@@ -70,6 +76,9 @@ AuthoredDistance authored_distance(const Picture& own, const Picture& authors) {
     colors += 1;
   }
   d.color /= std::max(colors, 1.0);
+  d.black = std::ranges::all_of(blocks, [](const Block& block) {
+    return std::max(luminance_of(block.own), luminance_of(block.authors)) < kBlack;
+  });
   std::vector<double> sorted = off;
   std::ranges::sort(sorted);
   d.median = 0.5 * (sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]);
@@ -92,8 +101,11 @@ AuthoredDistance authored_distance(const Picture& own, const Picture& authors) {
 
 AuthoredDistance mean_distance(const std::vector<AuthoredDistance>& distances) {
   AuthoredDistance mean;
-  const double n = std::max<double>(static_cast<double>(distances.size()), 1);
+  const auto seen = std::ranges::count(distances, false, &AuthoredDistance::black);
+  mean.black = seen == 0;
+  const double n = std::max<double>(static_cast<double>(seen), 1);
   for (const AuthoredDistance& d : distances) {
+    if (d.black) continue;
     mean.median += d.median * d.median / n;
     mean.spread += d.spread * d.spread / n;
     mean.correlation += d.correlation / n;
@@ -104,8 +116,13 @@ AuthoredDistance mean_distance(const std::vector<AuthoredDistance>& distances) {
   return mean;
 }
 
-std::vector<MapCamera> map_cameras(const formats::Bsp& bsp, std::size_t most) {
-  std::vector<MapCamera> all;
+bool in_open(const formats::Bsp& bsp, const vec3& point) {
+  const auto entities = world::parse_entity_lump(bsp.entities, "the map's entities");
+  return in_open_of_all(bsp, entities ? scene::shown_submodels(*entities, bsp) : std::vector<scene::Submodel>(), point);
+}
+
+MapCameras map_cameras(const formats::Bsp& bsp, std::size_t most) {
+  MapCameras all;
   const auto entities = world::parse_entity_lump(bsp.entities, "the map's entities");
   if (!entities) return all;
   const auto submodels = scene::shown_submodels(*entities, bsp);
@@ -122,16 +139,16 @@ std::vector<MapCamera> map_cameras(const formats::Bsp& bsp, std::size_t most) {
     else
       camera.position.z += kEyes;
     if (const float yaw = entity.number("angle", 0.0f); !intermission && yaw >= 0.0f) camera.angles.y = yaw;
-    if (!is_open(bsp, camera.position, 0)) continue;
-    const bool inside = std::ranges::any_of(
-        submodels, [&](const scene::Submodel& s) { return !is_open(bsp, camera.position - s.offset, s.index); });
-    if (inside) continue;  // of a door, or of lava that is to flow away
-    all.push_back(std::move(camera));
+    if (in_open_of_all(bsp, submodels, camera.position))
+      all.open.push_back(std::move(camera));
+    else
+      all.closed.push_back(std::move(camera.name));  // of a door, or of lava that is to flow away
   }
-  if (all.size() <= most) return all;
+  if (all.open.size() <= most) return all;
   std::vector<MapCamera> chosen;
-  for (std::size_t i = 0; i < most; ++i) chosen.push_back(all[i * all.size() / most]);
-  return chosen;
+  for (std::size_t i = 0; i < most; ++i) chosen.push_back(all.open[i * all.open.size() / most]);
+  all.open = std::move(chosen);
+  return all;
 }
 
 }  // namespace fb::lab

@@ -51,6 +51,20 @@ TEST(AuthoredMeasure, SpreadIsTheRmsOfWhatTheMedianLeaves) {
   EXPECT_NEAR(mean.correlation, 0.6, 1e-9);
 }
 
+TEST(AuthoredMeasure, WhatIsBlackInBothPicturesIsNotCompared) {
+  const Picture black = blocks([](auto, auto) { return vec3(0.0f); });
+  const Picture lit = blocks([](auto x, auto) { return vec3(x == 3 ? 0.01f : 0.0f); });
+  const AuthoredDistance none = authored_distance(black, black);
+  EXPECT_TRUE(none.black);
+  EXPECT_FALSE(authored_distance(black, lit).black);
+  EXPECT_FALSE(authored_distance(lit, black).black);
+  const AuthoredDistance mean = mean_distance({{1, 3, 0.5, 0.1}, none, {-1, 3, 0.7, 0.3}});
+  EXPECT_FALSE(mean.black);
+  EXPECT_NEAR(mean.spread, 3.0, 1e-9);
+  EXPECT_NEAR(mean.correlation, 0.6, 1e-9);
+  EXPECT_TRUE(mean_distance({none, none}).black);
+}
+
 TEST(AuthoredMeasure, CamerasStandWhereTheMapSays) {
   formats::Bsp bsp;
   formats::BspLeaf solid{}, empty{};
@@ -73,24 +87,35 @@ TEST(AuthoredMeasure, CamerasStandWhereTheMapSays) {
       "{\"classname\" \"light\" \"origin\" \"7 8 9\"}{\"classname\" \"info_player_deathmatch\"}"
       "{\"classname\" \"func_door\" \"model\" \"*1\"}"
       "{\"classname\" \"info_teleport_destination\" \"origin\" \"150 0 0\"}";
-  const std::vector<MapCamera> cameras = map_cameras(bsp, 10);
+  const auto [cameras, closed] = map_cameras(bsp, 10);
   ASSERT_EQ(cameras.size(), 2u);
+  EXPECT_EQ(closed, std::vector<std::string>{"info_teleport_destination_1"});
+  EXPECT_TRUE(in_open(bsp, vec3(99, 0, 0)));
+  EXPECT_FALSE(in_open(bsp, vec3(101, 0, 0))) << "within the door";
   EXPECT_EQ(cameras[0].position, vec3(1, 2, 25));
   EXPECT_EQ(cameras[0].angles, vec3(0, 90, 0));
   EXPECT_EQ(cameras[1].position, vec3(4, 5, 6));
   EXPECT_EQ(cameras[1].angles, vec3(10, 20, 0));
-  EXPECT_EQ(map_cameras(bsp, 1).size(), 1u);
+  EXPECT_EQ(map_cameras(bsp, 1).open.size(), 1u);
+  bsp.models[0].head_nodes[0] = ~0;  // solid all over
+  EXPECT_FALSE(in_open(bsp, vec3(0, 0, 0)));
+  EXPECT_EQ(map_cameras(bsp, 10).closed.size(), 3u);
 }
 
 TEST(AuthoredReport, ThePageHasPicturesAndEmittersAndNoMarkupOfTheirs) {
-  AuthoredPage page{
-      "start <b>", {{"info_1", "info_1.png", {-0.5, 0.25, 0.875, 0.0625}}}, {-0.5, 0.25, 0.875, 0.0625}, {}};
+  AuthoredPage page{"start <b>",
+                    {"one & all"},
+                    {{"info_1", "info_1.png", {-0.5, 0.25, 0.875, 0.0625}}},
+                    {-0.5, 0.25, 0.875, 0.0625},
+                    {}};
+  page.rows.push_back({"info_2", "", {0, 0, 0, 0, true}});
   EXPECT_EQ(authored_html(page).find("Emitters"), std::string::npos);
   page.emitters.push_back({"texture \"a\" & b", vec3(0.5f, 1.0f, 2.0f), 0.125f});
   const std::string html = authored_html(page);
   for (const char* part :
-       {"start &lt;b&gt;", "<img src=\"info_1.png\"", "<td>-0.50</td><td>0.25</td><td>0.88</td><td>0.06</td>",
-        "texture &quot;a&quot; &amp; b", "<td>0.5000</td><td>1.0000</td><td>2.0000</td><td>12.50</td>"})
+       {"start &lt;b&gt;", "<p>one &amp; all</p>", "<td>info_2</td><td colspan=\"4\">black", "<img src=\"info_1.png\"",
+        "<td>-0.50</td><td>0.25</td><td>0.88</td><td>0.06</td>", "texture &quot;a&quot; &amp; b",
+        "<td>0.5000</td><td>1.0000</td><td>2.0000</td><td>12.50</td>"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
 }
 

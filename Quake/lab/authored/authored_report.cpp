@@ -38,6 +38,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string numbers(const AuthoredDistance& d) {
+  if (d.black) return "<td colspan=\"4\">black in both pictures</td>";
   return fmt::format("<td>{:+.2f}</td><td>{:.2f}</td><td>{:.2f}</td><td>{:.2f}</td>", d.median, d.spread, d.correlation,
                      d.color);
 }
@@ -47,6 +48,7 @@ std::string numbers(const AuthoredDistance& d) {
 std::string authored_html(const AuthoredPage& page) {
   std::string out = fmt::format(kHead, escaped(page.title));
   const auto to = std::back_inserter(out);
+  for (const std::string& note : page.notes) fmt::format_to(to, "<p>{}</p>\n", escaped(note));
   out += "<table><tr><th>camera</th><th>median</th><th>spread</th><th>correlation</th><th>colour</th></tr>\n";
   for (const AuthoredRow& row : page.rows)
     fmt::format_to(to, "<tr><td>{}</td>{}</tr>\n", escaped(row.camera), numbers(row.distance));

@@ -15,7 +15,8 @@ struct AuthoredRow {
 };
 struct AuthoredPage {
   std::string title;
-  std::vector<AuthoredRow> rows;  // of cameras
+  std::vector<std::string> notes;  // sentences below it
+  std::vector<AuthoredRow> rows;   // of cameras
   AuthoredDistance mean;
   struct Emitter {
     std::string name;
