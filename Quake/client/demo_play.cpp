@@ -88,7 +88,13 @@ void Client::Impl::read_demo() {
     Status status = ok_status();
     if (message.ok()) {
       state.message_view_angles = {glm::clamp(message->view_angles, -1e6f, 1e6f), state.message_view_angles[0]};
+      const bool begins = state.signon != kSignons;
+      const vec3 before = state.view_angles;
       status = parse_server_message(session, message->data, playback->message_name());
+      // With the first message that shows the level nobody has turned yet: the player looks where the server says in it
+      // (svc_setangle), which the demo's own angles say from the next on.
+      if (begins && state.signon == kSignons)
+        state.message_view_angles.fill(state.view_angles != before ? state.view_angles : state.message_view_angles[0]);
     } else {
       status = message.error();
     }

@@ -47,6 +47,14 @@ class CaptureDemo(unittest.TestCase):
         with wave.open(str(self.captures / "one/sound.wav")) as sound:
             self.assertAlmostEqual(sound.getnframes() / sound.getframerate(), len(pictures) / 10, delta=0.11)
 
+    def test_the_first_frame_looks_where_the_player_does(self):
+        looks = ["+viewpos", "+wait"] * 6
+        said = self.play("+capture_fps", "30", "+capturedemo", "cbox", "first", *looks, "+capturestop")
+        self.assertEqual(said.returncode, 0, said.stderr)
+        found = [line.split(") ")[1] for line in said.stdout.splitlines() if line.startswith("Viewpos:")]
+        self.assertGreater(len(found), 3, said.stdout)
+        self.assertEqual(set(found), {"0 90 0"}, "the demo's player stands still, turned by 90 degrees")
+
     def test_a_film_has_its_frames_and_its_sound(self):
         if not shutil.which("ffmpeg"):
             self.skipTest("no ffmpeg")
