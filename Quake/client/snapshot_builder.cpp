@@ -404,7 +404,7 @@ void SnapshotBuilder::add_lights(const SnapshotInput& input, scene::FrameSnapsho
     }
   }
   if (settings.r_entlights > 0.0f) {
-    const auto& lights = input.library.entity_lights();
+    const auto& lights = snapshot.authored ? input.authored->lamps() : input.library.entity_lights();
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const scene::EntityLight& light = lights[i];
       const auto style = static_cast<std::size_t>(light.style);  // a negative one is out of range, too

@@ -49,7 +49,8 @@ scene::AuthoredStore light_store(fs::FileSystem& files) {
             if (const auto status = files.write(name_of(key), bytes, fs::Flush::kLater); !status)
               return log_info("the map's light is not kept: {}", status.error().message);
             trim(path->parent_path(), kMostKeptLight);
-          }};
+          },
+          name_of};
 }
 
 }  // namespace fb::host

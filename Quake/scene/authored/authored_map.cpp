@@ -6,6 +6,7 @@
 #include "base/log.h"
 #include "scene/authored/authored_bytes.h"
 #include "scene/authored/baked_words.h"
+#include "scene/authored/lamps_apart.h"
 
 namespace fb::scene {
 
@@ -22,7 +23,11 @@ void AuthoredMap::look_at_map() {
   const LitMap lit = library_.lit_map();
   if (store_.read) {
     key_ = authored_key(lit, *lightmaps_);
-    if (const auto kept = store_.read(key_)) light_ = read_authored(ByteView(kept->data(), kept->size()), key_, lit);
+    if (const auto kept = store_.read(key_)) {
+      light_ = read_authored(ByteView(kept->data(), kept->size()), key_, lit);
+      if (!light_)
+        log_warning("{}: the light kept from an earlier run is damaged; it is found anew", store_.name(key_));
+    }
   }
   if (light_) {
     apply(*light_);
@@ -68,6 +73,7 @@ BakedTable AuthoredMap::baked() {
 void AuthoredMap::apply(const AuthoredLight& light) {
   const LitMap map = library_.lit_map();
   library_.let_light_through(light.lit_through);
+  apart_ = lamps_apart(map.bsp, map.lamps);
   lamps_.assign(map.lamps.size(), vec3(1.0f));
   suns_.assign(map.suns.size(), vec3(1.0f));
   even_sky_ = vec3(0.0f);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,7 @@ namespace fb::scene {
 struct AuthoredStore {
   std::function<std::optional<FileData>(std::uint64_t key)> read;
   std::function<void(std::uint64_t key, const Bytes& bytes)> write;
+  std::function<std::string(std::uint64_t key)> name;  // as sentences have it
 };
 
 class AuthoredMap {
@@ -34,7 +36,9 @@ class AuthoredMap {
   const AuthoredLight* light();
   void wait();  // until there is an answer
 
-  // Of what is found, for each frame: factors on EntityLights, the even light, and the sky with its suns.
+  // Of what is found, for each frame: the library's EntityLights so that none hides another's light, factors on them,
+  // the even light, and the sky with its suns.
+  const std::vector<EntityLight>& lamps() const { return apart_; }
   vec3 lamp_factor(std::size_t lamp) const { return lamp < lamps_.size() ? lamps_[lamp] : vec3(1.0f); }
   const vec3& ambient() const { return ambient_; }
   const GainTable& gains() const { return gains_; }
@@ -56,6 +60,7 @@ class AuthoredMap {
   std::shared_ptr<const formats::Bsp> map_;  // that all below is of
   std::shared_ptr<const Lightmaps> lightmaps_;
   std::optional<AuthoredLight> light_;
+  std::vector<EntityLight> apart_;
   std::vector<vec3> lamps_, suns_;
   vec3 ambient_{0.0f}, even_sky_{0.0f};
   GainTable gains_;
