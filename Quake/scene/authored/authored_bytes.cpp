@@ -11,9 +11,9 @@
 namespace fb::scene {
 namespace {
 
-constexpr std::uint32_t kAuthoredVersion = 3;      // of how light is found: goes up with every change to it
+constexpr std::uint32_t kAuthoredVersion = 4;      // of how light is found: goes up with every change to it
 constexpr std::uint32_t kMagic = 0x544c4246;       // FBLT
-constexpr std::size_t kMostGainCells = 1u << 21u;  // of all ways
+constexpr std::size_t kMostGainCells = 1u << 22u;  // of all ways
 
 class Key {
  public:

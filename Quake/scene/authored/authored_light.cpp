@@ -12,11 +12,12 @@ namespace fb::scene {
 namespace {
 
 constexpr std::size_t kPoints = 4000, kLeastPoints = 16;
-constexpr std::size_t kMostProducts = 3'000'000;              // points times emitters
-constexpr std::size_t kMostRays = 12'000'000;                 // points times lamps
-constexpr double kPointArea = 1200.0, kMostPoints = 16000.0;  // units^2 to a point of the gain field
-constexpr int kReflections = 2;                               // as r_bounces has it
-constexpr float kLeastBaked = 0.004f;                         // as light: below it all luxels are dark
+constexpr std::size_t kMostProducts = 3'000'000;             // points times emitters
+constexpr std::size_t kMostRays = 12'000'000;                // points times lamps
+constexpr std::size_t kMostRaysOfMany = 6'000'000;           // the same for the gain field
+constexpr double kPointArea = 600.0, kMostPoints = 32000.0;  // units^2 to a point of it
+constexpr int kReflections = 2;                              // as r_bounces has it
+constexpr float kLeastBaked = 0.004f;                        // as light: below it all luxels are dark
 
 std::size_t many_points(const LitMap& map) {
   double area = 0;
@@ -73,7 +74,7 @@ std::optional<AuthoredLight> find_authored_light(const LitMap& map, const Lightm
     // say.
     MapEmitters by_square = out.emitters;
     for (Emitter& e : by_square.all) e.fall_scale = 0.0f;
-    LightTransport other = transport_light(map, by_square, points, kReflections);
+    LightTransport other = with_other_falls(map, by_square, points, transport, kReflections);
     if (map.stopped()) return std::nullopt;
     LightFit other_fit = fit_light(by_square.all, points, other);
     if (other_fit.stops_after < out.fit.stops_after) {
@@ -84,7 +85,8 @@ std::optional<AuthoredLight> find_authored_light(const LitMap& map, const Lightm
   }
   put_out_unbaked_styles(lightmaps, out.emitters, out.fit);
   out.lit_through = doors_lit_through(map, out.emitters, out.fit, points, transport);
-  const std::vector<LuxelPoint> many = choose_luxels(map, lightmaps, std::min(many_points(map), kMostRays / lamps));
+  const std::vector<LuxelPoint> many =
+      choose_luxels(map, lightmaps, std::min(many_points(map), kMostRaysOfMany / lamps));
   out.gains = make_gain_field(
       map.bsp, many, light_at(map, out.emitters, out.fit.factors, many, points, fitted_light(transport, out.fit)));
   if (map.stopped()) return std::nullopt;

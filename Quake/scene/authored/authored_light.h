@@ -22,8 +22,8 @@ struct AuthoredLight {
   double seconds = 0;                      // that finding it took
 };
 
-// Nothing where the map has no baked light, or none that says anything. Takes well under a second for a map of 20,000
-// faces; the same each time.
+// Nothing where the map has no baked light, or none that says anything. Takes seconds (Misc/docs/measurements.md);
+// the same each time.
 std::optional<AuthoredLight> find_authored_light(const LitMap& map, const Lightmaps& lightmaps);
 
 // The same on a thread of its own. What the map refers to and the lightmaps must outlive this; its end stops the work.

@@ -11,47 +11,83 @@ namespace fb::scene {
 namespace {
 
 constexpr float kLeastSide = 48.0f;            // units
-constexpr std::size_t kMostCells = 1u << 20u;  // of all ways
+constexpr std::size_t kMostCells = 1u << 22u;  // of all ways
 constexpr float kMostGain = 16.0f;             // and 1 / kMostGain
 constexpr float kTrust = 0.1f;                 // points' worth of light that is right, in each cell
 constexpr float kDim = 0.001f;                 // added to both lights: below it all is dark
-constexpr int kSpread = 5;                     // cells that a factor reaches into the open
+constexpr int kSpread = 6;                     // cells that a factor reaches into the open
 
+// Cells of a box, x fastest.
 class Grid {
  public:
   Grid(std::array<int, 3> size) : size_(size) {}
   std::size_t cells() const {
     return static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(size_[2]);
   }
-  // The mean of a value over a cell and its neighbours along an axis, by 1 2 1 where they are within.
-  template <typename T, typename Add>
-  void blur(std::vector<T>& values, const Add& add) const {
+  // visit(cell, weight) of a cell and those around it, by 1 2 1 along each axis; the weights of all are 1.
+  template <typename Visit>
+  void around(const std::array<int, 3>& at, const Visit& visit) const {
+    for (int z = -1; z <= 1; ++z)
+      for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+          const std::array<int, 3> cell{at[0] + x, at[1] + y, at[2] + z};
+          const int off = (x != 0) + (y != 0) + (z != 0);
+          if (within(cell)) visit(index(cell), 0.125f / static_cast<float>(1 << off));
+        }
+  }
+  // visit(cell) of those that share a side.
+  template <typename Visit>
+  void beside(std::size_t cell, const Visit& visit) const {
     std::size_t stride = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto n = static_cast<std::size_t>(size_[axis]);
-      std::vector<T> out(values.size());
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        const std::size_t at = i / stride % n;
-        add(out[i], values[i], 0.5f);
-        if (at > 0) add(out[i], values[i - stride], 0.25f);
-        if (at + 1 < n) add(out[i], values[i + stride], 0.25f);
-      }
-      values = std::move(out);
+      const std::size_t at = cell / stride % n;
+      if (at > 0) visit(cell - stride);
+      if (at + 1 < n) visit(cell + stride);
       stride *= n;
     }
   }
 
  private:
+  bool within(const std::array<int, 3>& at) const {
+    return at[0] >= 0 && at[1] >= 0 && at[2] >= 0 && at[0] < size_[0] && at[1] < size_[1] && at[2] < size_[2];
+  }
+  std::size_t index(const std::array<int, 3>& at) const {
+    return (static_cast<std::size_t>(at[2]) * static_cast<std::size_t>(size_[1]) + static_cast<std::size_t>(at[1])) *
+               static_cast<std::size_t>(size_[0]) +
+           static_cast<std::size_t>(at[0]);
+  }
   std::array<int, 3> size_;
 };
+
+// Gives cells beside known ones the mean of those, a ring at a time. w: 1 where a cell is known.
+void spread(const Grid& grid, std::vector<vec4>& logs, std::vector<std::size_t> edge) {
+  std::vector<std::size_t> next;
+  std::vector<vec4> found;
+  for (int ring = 0; ring < kSpread; ++ring) {
+    next.clear();
+    found.clear();
+    for (const std::size_t cell : edge)
+      grid.beside(cell, [&](std::size_t beside) {
+        if (logs[beside].w == 0.0f) next.push_back(beside);
+      });
+    std::ranges::sort(next);
+    next.erase(std::ranges::unique(next).begin(), next.end());
+    for (const std::size_t cell : next) {
+      vec4 sum(0.0f);
+      grid.beside(cell, [&](std::size_t beside) { sum += logs[beside]; });
+      found.emplace_back(vec3(sum) / sum.w, 1.0f);
+    }
+    for (std::size_t i = 0; i < next.size(); ++i) logs[next[i]] = found[i];
+    edge.swap(next);
+  }
+}
 
 // What a point's light is off by: logarithms, so that what is bright in a cell does not decide for all of it.
 vec3 log_ratio(const vec3& baked, const vec3& light) {
   const float most = std::log(kMostGain);
   return glm::clamp(glm::log((baked + vec3(kDim)) / (light + vec3(kDim))), vec3(-most), vec3(most));
 }
-
-void add_weighted(vec4& to, const vec4& from, float weight) { to += from * weight; }
 
 }  // namespace
 
@@ -62,7 +98,7 @@ GainField make_gain_field(const formats::Bsp& bsp, const std::vector<LuxelPoint>
   for (const LuxelPoint& p : points) bounds.add(p.position);
   if (points.empty() || bsp.models.empty()) return field;
   std::array<int, 3> size{};
-  for (field.side = kLeastSide;; field.side *= 1.25f) {
+  for (field.side = kLeastSide;; field.side *= 1.1f) {
     for (int a = 0; a < 3; ++a)
       size[static_cast<std::size_t>(a)] = static_cast<int>((bounds.max[a] - bounds.min[a]) / field.side) + 3;
     if (Grid(size).cells() * shared::kGainWays <= kMostCells) break;
@@ -84,20 +120,18 @@ GainField make_gain_field(const formats::Bsp& bsp, const std::vector<LuxelPoint>
       vec3 baked(0.0f);
       for (std::size_t k = 0; k < 4; ++k)
         if (p.styles[k] != Lightmaps::kNoStyle) baked += p.baked[k];
-      sums[(static_cast<std::size_t>(at.z) * field.depth + static_cast<std::size_t>(at.y)) * field.width +
-           static_cast<std::size_t>(at.x)] += vec4(log_ratio(baked, light[i]), 1.0f) * weight;
+      const vec4 off = vec4(log_ratio(baked, light[i]), 1.0f) * weight;
+      grid.around({static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.z)},
+                  [&](std::size_t cell, float share) { sums[cell] += off * share; });
     }
-    grid.blur(sums, add_weighted);
-    std::vector<vec4> logs(cells, vec4(0.0f));  // w: 1 where it is known
-    for (std::size_t i = 0; i < cells; ++i)
-      if (sums[i].w > 0.0f) logs[i] = vec4(vec3(sums[i]) / (sums[i].w + kTrust), 1.0f);
-    for (int k = 0; k < kSpread; ++k) {
-      auto wider = logs;
-      grid.blur(wider,
-                [](vec4& to, const vec4& from, float weight) { to += vec4(vec3(from) * from.w, from.w) * weight; });
-      for (std::size_t i = 0; i < cells; ++i)
-        if (logs[i].w == 0.0f && wider[i].w > 0.0f) logs[i] = vec4(vec3(wider[i]) / wider[i].w, 1.0f);
+    std::vector<std::size_t> known;
+    for (std::size_t i = 0; i < cells; ++i) {
+      if (sums[i].w <= 0.0f) continue;
+      sums[i] = vec4(vec3(sums[i]) / (sums[i].w + kTrust), 1.0f);
+      known.push_back(i);
     }
+    std::vector<vec4>& logs = sums;
+    spread(grid, logs, known);
     for (std::size_t i = 0; i < cells; ++i)
       if (logs[i].w > 0.0f) field.cells[way * cells + i] = shared::pack_rgb9e5(glm::exp(vec3(logs[i])), 0.5f);
   }

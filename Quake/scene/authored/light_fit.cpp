@@ -1,6 +1,7 @@
 #include "scene/authored/light_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fb::scene {
@@ -18,13 +19,22 @@ constexpr double kLeastLog = -12.0;                        // how far a factor g
 constexpr double kMostOfLamps = 2.5, kMostOfOthers = 7.0;  // textures' and skies' powers are guesses before
 constexpr int kIterations = 40;
 
+// In four sums, which a processor adds side by side: the fit's time is this.
+double dot(const double* a, const double* b, std::size_t count) {
+  std::array<double, 4> sums{};
+  std::size_t k = 0;
+  for (; k + 4 <= count; k += 4)
+    for (std::size_t lane = 0; lane < 4; ++lane) sums[lane] += a[k + lane] * b[k + lane];
+  for (; k < count; ++k) sums[0] += a[k] * b[k];
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
 // Solves A x = b in place for a symmetric positive definite A (row-major, lower half); b becomes x.
 void solve_cholesky(std::vector<double>& a, std::vector<double>& b) {
   const std::size_t n = b.size();
   for (std::size_t j = 0; j < n; ++j) {
     for (std::size_t i = j; i < n; ++i) {
-      double sum = a[i * n + j];
-      for (std::size_t k = 0; k < j; ++k) sum -= a[i * n + k] * a[j * n + k];
+      const double sum = a[i * n + j] - dot(&a[i * n], &a[j * n], j);
       if (i == j)
         a[j * n + j] = std::sqrt(std::max(sum, 1e-12));
       else

@@ -15,7 +15,8 @@
 namespace fb::scene {
 namespace {
 
-constexpr int kRays = 64;      // from each point, over the hemisphere
+constexpr int kRays = 32;      // from each point, over the hemisphere
+constexpr int kSkyRays = 64;   // the same where there is a sky, whose light they find
 constexpr int kFewRays = 12;   // the same where a point is one of many
 constexpr int kPatchRays = 4;  // to the patches of one texture
 constexpr float kRayLength = 32768.0f;
@@ -93,6 +94,15 @@ class NearestPoint {
   std::map<Cell, std::vector<std::uint32_t>> by_cell_;
 };
 
+// work(i), concurrently, until the map's work is to stop.
+template <typename Work>
+void for_pieces(const LitMap& map, std::size_t count, const Work& work) {
+  parallel_for((count + kPiece - 1) / kPiece, 1, [&](std::size_t piece) {
+    if (map.stopped()) return;
+    for (std::size_t i = piece * kPiece; i < std::min(count, (piece + 1) * kPiece); ++i) work(i);
+  });
+}
+
 // Light at points, straight and by what reflects it: `mirrors`, points themselves.
 class Transport {
  public:
@@ -123,23 +133,31 @@ class Transport {
   void straight(const Add& add) {
     each_point([&](std::size_t i) { light_straight(i, add); });
   }
+  // The same of what textures give, to the bit.
+  template <typename Add>
+  void straight_of_textures(const Add& add) {
+    each_point([&](std::size_t i) {
+      Rng rng(i);
+      light_by_patches(i, leafs_seen_by(i), rng, add);
+    });
+  }
   template <typename Work>
   void each_point(const Work& work) const {
-    parallel_for((points_.size() + kPiece - 1) / kPiece, 1, [&](std::size_t piece) {
-      if (map_.stopped()) return;
-      for (std::size_t i = piece * kPiece; i < std::min(points_.size(), (piece + 1) * kPiece); ++i) work(i);
-    });
+    for_pieces(map_, points_.size(), work);
   }
   // The mirrors that a point's rays met, each by a share 1 / rays of its reflected light.
   const std::vector<std::uint32_t>& met(std::size_t point) const { return met_[point]; }
   bool is_outside(std::size_t point) const { return lost_[point] > ray_count_ / 8; }
 
  private:
+  std::vector<bool> leafs_seen_by(std::size_t i) const {
+    return world::leaf_visibility(map_.bsp, world::point_in_leaf(map_.bsp, points_[i].position));
+  }
   template <typename Add>
   void light_straight(std::size_t i, const Add& add) {
     const LuxelPoint& p = points_[i];
     Rng rng(i);
-    const std::vector<bool> seen = world::leaf_visibility(map_.bsp, world::point_in_leaf(map_.bsp, p.position));
+    const std::vector<bool> seen = leafs_seen_by(i);
     for (std::size_t e = 0; e < emitters_.all.size(); ++e) {
       const Emitter& emitter = emitters_.all[e];
       for (const std::uint32_t lamp : emitter.lamps) add(i, e, lamp_light(p, lamp, seen));
@@ -325,33 +343,72 @@ void give_back_darkness(const LitMap& map, std::vector<LuxelPoint>& points) {
       }
 }
 
+namespace {
+
+// Reflects what comes straight so many times, between the points.
+void reflect(const LitMap& map, const std::vector<LuxelPoint>& points, int reflections, LightTransport& transport) {
+  const std::size_t n = transport.emitters;
+  transport.light = transport.straight;
+  for (int k = 0; k < reflections; ++k) {
+    const auto before = transport.light;
+    for_pieces(map, points.size(), [&](std::size_t i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        float* const to = &transport.light[c][i * n];
+        std::copy_n(&transport.straight[c][i * n], n, to);
+        for (const std::uint32_t j : transport.met[i]) {
+          const float share = points[j].reflectance[static_cast<int>(c)] / static_cast<float>(transport.rays);
+          for (std::size_t e = 0; e < n; ++e) to[e] += share * before[c][j * n + e];
+        }
+        // An even light, the last, is not reflected: the renderer adds it once.
+        to[n - 1] = transport.straight[c][i * n + n - 1];
+      }
+    });
+  }
+}
+
+bool shows_sky(const formats::Bsp& bsp) {
+  return std::ranges::any_of(bsp.faces, [&](const formats::BspFace& face) {
+    const std::uint32_t texture = bsp.texinfos[face.texinfo].texture;
+    return texture < bsp.textures.size() && is_sky_texture(bsp.textures[texture].name);
+  });
+}
+
+// Adds to what comes straight.
+auto adder_of(LightTransport& transport) {
+  return [&transport](std::size_t i, std::size_t e, const vec3& light) {
+    for (std::size_t c = 0; c < 3; ++c) transport.straight[c][i * transport.emitters + e] += light[static_cast<int>(c)];
+  };
+}
+
+}  // namespace
+
 LightTransport transport_light(const LitMap& map, const MapEmitters& emitters, const std::vector<LuxelPoint>& points,
                                int reflections) {
   LightTransport out;
   out.points = points.size();
-  const std::size_t n = out.emitters = emitters.all.size();
-  for (auto& channel : out.light) channel.assign(out.points * n, 0.0f);
-  Transport transport(map, emitters, points, points, kRays);
-  transport.straight([&](std::size_t i, std::size_t e, const vec3& light) {
-    for (std::size_t c = 0; c < 3; ++c) out.light[c][i * n + e] += light[static_cast<int>(c)];
-  });
-  const auto straight = out.light;
-  for (int k = 0; k < reflections; ++k) {
-    const auto before = out.light;
-    transport.each_point([&](std::size_t i) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        float* const to = &out.light[c][i * n];
-        std::copy_n(&straight[c][i * n], n, to);
-        for (const std::uint32_t j : transport.met(i)) {
-          const float share = points[j].reflectance[static_cast<int>(c)] / static_cast<float>(kRays);
-          for (std::size_t e = 0; e < n; ++e) to[e] += share * before[c][j * n + e];
-        }
-        // An even light, the last, is not reflected: the renderer adds it once.
-        to[n - 1] = straight[c][i * n + n - 1];
-      }
-    });
+  out.emitters = emitters.all.size();
+  for (auto& channel : out.straight) channel.assign(out.points * out.emitters, 0.0f);
+  out.rays = shows_sky(map.bsp) ? kSkyRays : kRays;
+  Transport transport(map, emitters, points, points, out.rays);
+  transport.straight(adder_of(out));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    out.met.push_back(transport.met(i));
+    out.outside.push_back(transport.is_outside(i) ? 1 : 0);
   }
-  for (std::size_t i = 0; i < points.size(); ++i) out.outside.push_back(transport.is_outside(i) ? 1 : 0);
+  reflect(map, points, reflections, out);
+  return out;
+}
+
+LightTransport with_other_falls(const LitMap& map, const MapEmitters& emitters, const std::vector<LuxelPoint>& points,
+                                const LightTransport& former, int reflections) {
+  LightTransport out = former;
+  for (std::size_t e = 0; e < out.emitters; ++e)
+    if (emitters.all[e].kind == EmitterKind::kTexture)
+      for (auto& channel : out.straight)
+        for (std::size_t i = 0; i < out.points; ++i) channel[i * out.emitters + e] = 0.0f;
+  Transport transport(map, emitters, points, points, 0);
+  transport.straight_of_textures(adder_of(out));
+  reflect(map, points, reflections, out);
   return out;
 }
 

@@ -32,11 +32,18 @@ vec3 unshadowed_light(const EntityLight& lamp, const LuxelPoint& p);
 // Irradiance / pi at each point from each emitter at its power, after 0 .. `reflections` reflections.
 struct LightTransport {
   std::size_t points = 0, emitters = 0;
-  std::array<std::vector<float>, 3> light;  // of a channel: points x emitters, row-major
-  std::vector<std::uint8_t> outside;        // of points: 1 where many ways lead out of the map, which leaks
+  std::array<std::vector<float>, 3> light;      // of a channel: points x emitters, row-major
+  std::array<std::vector<float>, 3> straight;   // the same without reflections
+  int rays = 0;                                 // from each point over its hemisphere
+  std::vector<std::vector<std::uint32_t>> met;  // of points: those that its rays met, whose light it reflects
+  std::vector<std::uint8_t> outside;            // of points: 1 where many ways lead out of the map, which leaks
 };
 LightTransport transport_light(const LitMap& map, const MapEmitters& emitters, const std::vector<LuxelPoint>& points,
                                int reflections);
+// The same where emitters differ from those of `former` by their textures' laws of distance (fall_scale) alone: only
+// what textures give is computed anew.
+LightTransport with_other_falls(const LitMap& map, const MapEmitters& emitters, const std::vector<LuxelPoint>& points,
+                                const LightTransport& former, int reflections);
 
 // The same of all emitters times their factors, at any points, by what the mirrors reflect: points whose light is
 // known. Negative where most ways lead out of the map.
