@@ -92,8 +92,8 @@ TEST_F(SsmmHardTest, StatesAreFoundWhereTheSurfaceWas) {
   }
 }
 
-// Light without end, and light that is no number, is counted and is as no light: pictures and states are those of a lamp
-// that has gone out, to the last bit, whether states that find nothing stay or not.
+// Light without end, and light that is no number, is counted and is as no light: pictures and states are those of a
+// lamp that has gone out, to the last bit, whether states that find nothing stay or not.
 TEST_F(SsmmHardTest, LightThatIsNotFiniteIsAsNone) {
   for (const int keep : {0, 1}) {
     RenderSettings s = hard_settings();
@@ -155,8 +155,8 @@ TEST_F(SsmmHardTest, OnePixelThatGlowsAndLobesOfAnyWidth) {
   scene.assets = assets;
   // In the middle of a pixel beside the picture's centre, 100 units away.
   constexpr std::ptrdiff_t kLampPixel = (kHeight / 2) * kWidth + kWidth / 2;
-  scene.instances.push_back(scene::glowing(scene::kIdEntityLight, sphere, light, vec3(100, -2.08f, -2.08f),
-                                           vec3(1.5f), vec3(0.7f)));
+  scene.instances.push_back(
+      scene::glowing(scene::kIdEntityLight, sphere, light, vec3(100, -2.08f, -2.08f), vec3(1.5f), vec3(0.7f)));
   for (const float cosine : {0.0f, 1.0f}) {
     RenderSettings s = hard_settings();
     s.ssmm_prior = 1000;
