@@ -65,8 +65,8 @@ TEST_F(AuthoredMapTest, WhatIsKeptIsUsedAndWhatIsDamagedIsToldAndFoundAnew) {
   Bytes& bytes = kept_.begin()->second;
   bytes[bytes.size() / 2] ^= 1u;
   EXPECT_TRUE(finds());
-  EXPECT_EQ(warnings_, std::vector<std::string>{
-                           "light/x: the light kept from an earlier run is damaged; it is found anew"});
+  EXPECT_EQ(warnings_,
+            std::vector<std::string>{"light/x: the light kept from an earlier run is damaged; it is found anew"});
   EXPECT_FALSE(finds()) << "whole again";
   bytes.clear();
   EXPECT_TRUE(finds());

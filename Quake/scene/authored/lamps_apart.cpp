@@ -12,8 +12,8 @@ namespace {
 constexpr float kNear = 4.0f;  // units: nearer, small spheres would still hide much of each other
 constexpr float kStep = 8.0f;  // how far a lamp is moved
 constexpr float kRoom = 4.0f;  // that is left beyond
-// Radius of a sphere by its distance from the next: of 0.375 a tenth of the light is hidden at most, on average over all
-// ways, and scattered rays still find the lamp.
+// Radius of a sphere by its distance from the next: of 0.375 a tenth of the light is hidden at most, on average over
+// all ways, and scattered rays still find the lamp.
 constexpr float kShare = 0.375f;
 
 // Where a lamp may go, up or down first: lamps stand at walls.
@@ -51,8 +51,8 @@ std::vector<EntityLight> lamps_apart(const formats::Bsp& bsp, std::vector<Entity
     if (!meets[i]) continue;
     for (std::size_t k = 0; k < lamps.size(); ++k)
       if (k != i)
-        radii[i] = std::min(radii[i], std::max(kShare * glm::length(lamps[i].position - lamps[k].position),
-                                               kMinLightRadius));
+        radii[i] =
+            std::min(radii[i], std::max(kShare * glm::length(lamps[i].position - lamps[k].position), kMinLightRadius));
   }
   for (std::size_t i = 0; i < lamps.size(); ++i) {
     const float grown = lamps[i].radius / radii[i];

@@ -1,5 +1,5 @@
-// Lamps that do not hide each other's light. To light tools a lamp is a point that nothing hides but walls; here it is a
-// sphere, and mappers put two in one place, of different styles or colours.
+// Lamps that do not hide each other's light. To light tools a lamp is a point that nothing hides but walls; here it is
+// a sphere, and mappers put two in one place, of different styles or colours.
 #pragma once
 
 #include <vector>
