@@ -72,7 +72,7 @@ void spread(const Grid& grid, std::vector<vec4>& logs, std::vector<std::size_t> 
         if (logs[beside].w == 0.0f) next.push_back(beside);
       });
     std::ranges::sort(next);
-    next.erase(std::ranges::unique(next).begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
     for (const std::size_t cell : next) {
       vec4 sum(0.0f);
       grid.beside(cell, [&](std::size_t beside) { sum += logs[beside]; });

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "formats/bsp.h"
-#include "scene/snapshot.h"
+#include "scene/library/library.h"
 
 namespace fb::scene {
 
