@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cstddef>
 #include <exception>
-#include <functional>
-#include <semaphore>
 #include <thread>
 #include <vector>
 
@@ -15,11 +12,9 @@ namespace fb {
 
 // Calls work(i) for every i below `count`, each once, the lower ones earlier; this thread takes part. `least`: pieces
 // that are worth a thread. What pieces write must not overlap. What one throws is thrown when all threads have ended;
-// pieces that had not begun by then never do. `meanwhile`, if there is one, is called on this thread some twenty times
-// a second until all is done, in the place of taking part; it must not throw.
+// pieces that had not begun by then never do. background_work.h has what does not hold this thread.
 template <typename Work>
-void parallel_for(std::size_t count, std::size_t least, const Work& work,
-                  const std::function<void()>& meanwhile = nullptr) {
+void parallel_for(std::size_t count, std::size_t least, const Work& work) {
   const std::size_t processors = std::max(std::thread::hardware_concurrency(), 1u);
   const std::size_t threads = std::clamp<std::size_t>(count / std::max<std::size_t>(least, 1), 1, processors);
   std::vector<std::exception_ptr> failures(threads);
@@ -33,20 +28,9 @@ void parallel_for(std::size_t count, std::size_t least, const Work& work,
     }
   };
   {
-    std::counting_semaphore<> ended(0);
     std::vector<std::jthread> helpers;
-    const auto help = [&](std::size_t thread) {
-      take(thread);
-      ended.release();
-    };
-    for (std::size_t thread = meanwhile ? 0 : 1; thread < threads; ++thread) helpers.emplace_back(help, thread);
-    if (!meanwhile) take(0);
-    for (std::size_t left = helpers.size(); meanwhile && left > 0;) {
-      if (ended.try_acquire_for(std::chrono::milliseconds(50)))
-        --left;
-      else
-        meanwhile();
-    }
+    for (std::size_t thread = 1; thread < threads; ++thread) helpers.emplace_back(take, thread);
+    take(0);
   }
   for (const std::exception_ptr& failure : failures)
     if (failure) std::rethrow_exception(failure);

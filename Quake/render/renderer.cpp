@@ -450,7 +450,7 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   previous_valid = true;
 }
 
-void Renderer::set_waiting(std::function<void()> waiting) { impl_->shaders.set_waiting(std::move(waiting)); }
+void Renderer::set_waiting(std::function<bool()> waiting) { impl_->shaders.set_waiting(std::move(waiting)); }
 void Renderer::set_precompiles(bool precompiles) { impl_->shaders.set_precompiles(precompiles); }
 void Renderer::set_hurries(bool hurries) { impl_->shaders.set_hurries(hurries); }
 bool Renderer::settled() const { return impl_->shaders.settled(); }

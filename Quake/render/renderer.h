@@ -54,12 +54,14 @@ class Renderer {
   // Called when a frame that was begun is finished, before the next one can overwrite its output.
   void set_finished(std::function<void()> finished);
   // Called some twenty times a second, on the caller's thread, while a frame waits for shaders that are compiled. It
-  // must not call this renderer, nor throw.
-  void set_waiting(std::function<void()> waiting);
+  // must not call this renderer, nor throw. Once it says false, begin() throws ShadersAbandoned
+  // (render/passes/shader_set.h), and this renderer draws no more.
+  void set_waiting(std::function<bool()> waiting);
   // What ShaderSet says of them (render/passes/shader_set.h). Off; a change is for shaders not made yet.
   void set_precompiles(bool precompiles);
   void set_hurries(bool hurries);
-  // No shader is being made beside the frames: they take the time that they will take.
+  // No shader is being made beside the frames: they take the time that they will take, and nothing that was abandoned
+  // holds the destructor up.
   bool settled() const;
   // Starts accumulation anew at the next frame.
   void restart_accumulation();

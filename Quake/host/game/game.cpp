@@ -19,6 +19,7 @@
 #include "formats/image_write.h"
 #include "host/game/file_commands.h"
 #include "platform/clock.h"
+#include "render/passes/shader_set.h"
 
 namespace fb::host {
 namespace {
@@ -343,6 +344,8 @@ int Game::run() {
       engine_->give_up(Error{sentence_of(failure)});
     } catch (const gpu::DeviceLost& loss) {
       replace_device(loss.what());
+    } catch (const render::ShadersAbandoned&) {  // by wait_for_shaders(), as the program is to end
+      break;
     }
   }
   try {

@@ -41,8 +41,8 @@ class Game {
   // Runs until `quit`; headless also until there is nothing left to do. Returns the exit status. Running out of memory
   // ends a game or a demo; if nothing is played, std::bad_alloc is thrown.
   int run();
-  // Nothing is compiled beside the frames. If something is, which nothing can cut short, the destructor leaves renderer
-  // and device alone, and the program must end by std::_Exit.
+  // Nothing is being compiled. If something is, which nothing can cut short, the destructor leaves renderer and device
+  // alone, and the program must end by std::_Exit.
   bool settled() const;
   const con::Console& console() const { return engine_->console(); }
   // The program's next start, if `game` has asked for one and there is anything to do there.
@@ -77,7 +77,9 @@ class Game {
   void draw_panel(scene::DrawList& list, ui::Atlas& atlas, uvec2 output, double now);
   void show_loading();
   void show_start(std::string_view what);
-  void wait_for_shaders();
+  bool wait_for_shaders();
+  void follow_waiting_window();
+  void show_waiting();
   void keep_picture(const render::RenderSettings& wanted);
   bool waits_for_level();
   bool starts_with_level() const;

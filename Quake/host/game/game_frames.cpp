@@ -122,16 +122,27 @@ void Game::keep_picture(const render::RenderSettings& wanted) {
     waiting_picture_ = {};
 }
 
-// Some twenty times a second. The former picture stays, and says why; keys that are pressed meanwhile are nobody's.
-void Game::wait_for_shaders() {
-  if (!pictured_) return show_start("compiling shaders");
-  if (!window_) return;
+// Some twenty times a second; false: nobody waits any more. The former picture stays, and says why; keys that are
+// pressed meanwhile are nobody's.
+bool Game::wait_for_shaders() {
+  if (window_) follow_waiting_window();
+  if (!pictured_)
+    show_start("compiling shaders");
+  else
+    show_waiting();
+  return !quit_ && !stop_wanted();
+}
+
+void Game::follow_waiting_window() {
   for (const platform::InputEvent& event : window_->poll_events()) {
     using Kind = platform::InputEvent::Kind;
     if (event.kind == Kind::kQuit) quit_ = true;
     if (event.kind == Kind::kResize) resized_while_waiting_ = true;
     if (counts_while_waiting(event)) keys_.handle(event);
   }
+}
+
+void Game::show_waiting() {
   if (!swapchain_ || waiting_picture_.pixels.empty() || resized_while_waiting_) return;
   const uvec2 size(swapchain_->width(), swapchain_->height());
   const double now = platform::now_seconds();

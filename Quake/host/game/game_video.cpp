@@ -94,7 +94,7 @@ Status Game::open_device() {
   if (!renderer) return renderer.error();
   renderer_ = std::move(*renderer);
   renderer_->set_finished([this] { show_drawn(); });
-  renderer_->set_waiting([this] { wait_for_shaders(); });
+  renderer_->set_waiting([this] { return wait_for_shaders(); });
   renderer_->set_precompiles(window_ != nullptr);  // who measures or records reads times and waits for no picture
   drawer_.emplace(*renderer_);
   drawer_->resize(size);

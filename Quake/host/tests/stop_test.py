@@ -226,11 +226,17 @@ def window(build, game, folder):
     case = Case(build, "a game in a window", "fullbright", "-size", "320x180", "-capture", folder / "shown", *game, "+map", "start")
     case.wait_for_file(folder / "shown" / "frame_000001.png")
     quits(case)
-    # What is not recorded begins with a smaller shader; the whole one is compiled beside it, as the cache is empty.
-    os.environ["MESA_SHADER_CACHE_DIR"] = str(folder / "shaders")
-    case = Case(build, "a game that still compiles", "fullbright", "-size", "320x180", *game, "+host_speeds", "1", "+map", "start")
-    case.wait_for("input to picture")
-    quits(case)
+    # With an empty cache the first picture waits for shaders. What is not recorded begins with smaller ones; the whole ones are
+    # compiled beside them, and what the second frame asks for besides is waited for again.
+    shown = [*game, "+host_speeds", "1", "+map", "start"]
+    for name, line, seconds in (("a game that waits for its first shaders", "^path guiding", 0.5),
+                                ("a game that still compiles", "input to picture", 0.0),
+                                ("a game that waits for its second shaders", "input to picture", 0.1)):
+        os.environ["MESA_SHADER_CACHE_DIR"] = str(folder / name)
+        case = Case(build, name, "fullbright", "-size", "320x180", *shown)
+        case.wait_for(line)
+        time.sleep(seconds)
+        quits(case)
     del os.environ["MESA_SHADER_CACHE_DIR"]
 
 

@@ -1,11 +1,12 @@
 #include "render/passes/shader_set.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <optional>
 #include <utility>
 
-#include "base/parallel.h"
+#include "base/background_work.h"
 
 namespace fb::render {
 namespace {
@@ -15,11 +16,36 @@ namespace {
 constexpr std::size_t kProbeWords = 20'000;
 // Frames that need nothing new before what can wait is begun: the first of them are drawn while those before are shown.
 constexpr int kQuiet = 2;
+constexpr std::chrono::milliseconds kWait(50);  // between two calls of what set_waiting() has set
 
 }  // namespace
 
 ShaderSet::ShaderSet(gpu::Device& device, const gpu::BindingTable& table, bool by_address, bool gpu_lanes)
     : device_(device), table_(table), by_address_(by_address), gpu_lanes_(gpu_lanes) {}
+
+// What make() makes, kept by the set: threads may outlast the call.
+struct ShaderSet::Batch {
+  struct Step {
+    std::size_t shader;
+    bool code;  // of the driver's cache; or the pipeline
+  };
+  void take(const ShaderSet& set, std::size_t i) {
+    const auto [shader, code] = steps[i];
+    if (!code)
+      asked[shader]->second = set.compile(asked[shader]->first);
+    else if (!cached && !precompiler->compile_if_new(sources[shader]) && i == 0)
+      cached = true;
+  }
+
+  std::vector<Made> asked;
+  std::vector<gpu::ShaderSource> sources;
+  std::vector<Step> steps;
+  std::optional<gpu::Precompiler> precompiler;
+  std::atomic<bool> cached{false};
+  std::optional<BackgroundWork> work;  // last: its threads use the others
+};
+
+ShaderSet::~ShaderSet() = default;
 
 void ShaderSet::set_precompiles(bool precompiles) { precompiles_ = precompiles && gpu::Precompiler::helps(device_); }
 
@@ -46,26 +72,18 @@ const gpu::ComputePipeline& ShaderSet::get(std::string_view name, const Variant&
   return get(name, variant);
 }
 
-void ShaderSet::make() {
-  const auto asked = std::exchange(asked_, {});
-  quiet_ = asked.empty() ? quiet_ + 1 : 0;
-  std::vector<gpu::ShaderSource> sources;
-  for (const auto& pipeline : asked) sources.push_back(source(pipeline->first));
+std::unique_ptr<ShaderSet::Batch> ShaderSet::plan(std::vector<Made> asked) const {
+  auto batch = std::make_unique<Batch>();
+  for (const Made& pipeline : asked) batch->sources.push_back(source(pipeline->first));
   // Long ones first, so that the processors end together.
   std::vector<std::size_t> order(asked.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  const auto words = [&](std::size_t i) { return sources[i].spirv.size(); };
+  const auto words = [&](std::size_t i) { return batch->sources[i].spirv.size(); };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return words(a) > words(b); });
 
-  struct Step {
-    std::size_t shader;
-    bool code;  // of the driver's cache; or the pipeline
-  };
-  std::vector<Step> steps;
-  std::optional<gpu::Precompiler> precompiler;
-  std::atomic<bool> cached{false};
-  if (precompiles_ && !asked.empty()) {
-    precompiler.emplace(device_, first_dispatch());
+  std::vector<Batch::Step>& steps = batch->steps;
+  if (precompiles_) {
+    batch->precompiler.emplace(device_, first_dispatch());
     const auto small =
         std::find_if(order.rbegin(), order.rend(), [&](std::size_t i) { return words(i) >= kProbeWords; });
     const std::size_t probe = small != order.rend() ? *small : order.back();
@@ -75,21 +93,36 @@ void ShaderSet::make() {
       if (i != probe) steps.push_back({i, true});
   }
   for (const std::size_t i : order)
-    if (!precompiler || i != order.front()) steps.push_back({i, false});
-  const auto take = [&](std::size_t i) {
-    const auto [shader, code] = steps[i];
-    if (!code)
-      asked[shader]->second = compile(asked[shader]->first);
-    else if (!cached && !precompiler->compile_if_new(sources[shader]) && i == 0)
-      cached = true;
-  };
+    if (!precompiles_ || i != order.front()) steps.push_back({i, false});
+  batch->asked = std::move(asked);
+  return batch;
+}
+
+void ShaderSet::compile_asked() {
+  std::vector<Made> asked = std::exchange(asked_, {});
+  under_way_ = plan(asked);
+  under_way_->work.emplace(under_way_->steps.size(),
+                           [this, &batch = *under_way_](std::size_t i) { batch.take(*this, i); });
   try {
-    if (!steps.empty()) parallel_for(steps.size(), 1, take, waiting_);
+    while (!under_way_->work->wait_for(kWait))
+      if (waiting_ && !waiting_()) {
+        under_way_->work->give_up();
+        throw ShadersAbandoned();
+      }
+  } catch (const ShadersAbandoned&) {
+    throw;
   } catch (...) {
-    for (const auto& pipeline : asked)
+    under_way_.reset();
+    for (const Made& pipeline : asked)
       if (!pipeline->second) pipelines_.erase(pipeline);
     throw;
   }
+  under_way_.reset();
+}
+
+void ShaderSet::make() {
+  quiet_ = asked_.empty() ? quiet_ + 1 : 0;
+  if (!asked_.empty()) compile_asked();
   if (quiet_ < kQuiet) return;  // the frame just asked for would wait for its processors
   for (Late& late : late_)
     if (!late.thread.joinable() && !late.done) late.thread = std::jthread([this, &late] { make_late(late); });

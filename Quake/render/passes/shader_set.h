@@ -5,9 +5,11 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <list>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -37,16 +39,23 @@ struct Variant {
   auto operator<=>(const Variant&) const = default;
 };
 
+// Nobody wants the picture any more for which shaders are being compiled.
+struct ShadersAbandoned : std::exception {
+  const char* what() const noexcept override { return "the compilation of shaders was abandoned"; }
+};
+
 class ShaderSet {
  public:
   ShaderSet(gpu::Device& device, const gpu::BindingTable& table, bool by_address, bool gpu_lanes);
+  ~ShaderSet();
   // `name`: of a shader in Shaders/CMakeLists.txt. Passes that trace nothing have one variant. It stays where it is,
   // and is to be used after make().
   const gpu::ComputePipeline& get(std::string_view name, const Variant& variant = {});
   // The same, but where pictures are wanted soon (set_hurries) and `variant` has not been compiled, it is compiled on
   // a thread, and until that is done `meanwhile`, a smaller shader of the same result, is returned.
   const gpu::ComputePipeline& get(std::string_view name, const Variant& variant, const Variant& meanwhile);
-  // Makes what was asked for since. May throw OutOfMemory: then what is left is to be asked for again.
+  // Makes what was asked for since. May throw OutOfMemory: then what is left is to be asked for again; or
+  // ShadersAbandoned (set_waiting).
   void make();
 
   // What a driver would compile at the first dispatch is compiled in make(), on all processors (gpu/precompiler.h).
@@ -55,10 +64,11 @@ class ShaderSet {
   // so pictures do not repeat to the bit. Without effect on a driver whose frames would wait for the compilation
   // anyway.
   void set_hurries(bool hurries);
-  // Nothing is being made beside the frames.
-  bool settled() const { return late_.empty(); }
-  // Called some twenty times a second while make() waits.
-  void set_waiting(std::function<void()> waiting) { waiting_ = std::move(waiting); }
+  // Nothing is being made beside the frames, nor was left behind by make().
+  bool settled() const { return late_.empty() && !under_way_; }
+  // Called some twenty times a second while make() waits. Once it says false, make() throws ShadersAbandoned and this
+  // set serves nothing any more but its destructor, which waits for what no driver can cut short.
+  void set_waiting(std::function<bool()> waiting) { waiting_ = std::move(waiting); }
 
  private:
   using Key = std::tuple<std::string, Variant>;
@@ -69,6 +79,10 @@ class ShaderSet {
     std::atomic<bool> done{false};
     std::jthread thread;
   };
+  using Made = std::map<Key, gpu::ComputePipeline>::iterator;
+  struct Batch;
+  std::unique_ptr<Batch> plan(std::vector<Made> asked) const;
+  void compile_asked();
   gpu::ShaderSource source(const Key& key) const;
   gpu::ShaderSource first_dispatch() const;
   gpu::ComputePipeline compile(const Key& key) const;
@@ -79,9 +93,10 @@ class ShaderSet {
   bool by_address_, gpu_lanes_, precompiles_ = false, hurries_ = false;
   int quiet_ = 0;  // make()s in a row that had nothing to make
   std::map<Key, gpu::ComputePipeline> pipelines_;
-  std::vector<std::map<Key, gpu::ComputePipeline>::iterator> asked_;
+  std::vector<Made> asked_;
   std::list<Late> late_;
-  std::function<void()> waiting_;
+  std::function<bool()> waiting_;
+  std::unique_ptr<Batch> under_way_;  // what make() makes, or has left
 };
 
 }  // namespace fb::render

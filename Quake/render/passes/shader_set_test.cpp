@@ -68,6 +68,17 @@ TEST_F(ShaderSetTest, ASetThatHurriesGivesASmallOneMeanwhile) {
   EXPECT_EQ(&last == &first, waits);
 }
 
+TEST_F(ShaderSetTest, WhoeverWaitsMayLeave) {
+  const gpu::BindingTable table(*device_);
+  ShaderSet set(*device_, table, false, false);
+  int calls = 0;
+  set.set_waiting([&] { return ++calls < 2; });
+  set.get("nee", whole());  // takes any driver longer than two calls
+  EXPECT_THROW(set.make(), ShadersAbandoned);
+  EXPECT_EQ(calls, 2);
+  EXPECT_FALSE(set.settled()) << "a thread still compiles";
+}
+
 TEST_F(ShaderSetTest, OneThatHurriesNoLongerWaitsForWhatIsUnderWay) {
   const gpu::BindingTable table(*device_);
   ShaderSet set(*device_, table, false, false);
