@@ -18,7 +18,6 @@ namespace fb::lab {
 namespace {
 
 // Work is cut into dispatches of so many samples a pixel, so that progress shows and no device's watchdog bites.
-constexpr std::uint32_t kSamplesPerPass = 16;
 
 // The frame that ends the run early names how far the source went.
 Result<bool> step(FrameSource& source, scene::FrameSnapshot& snapshot, std::uint64_t frame) {
@@ -57,8 +56,8 @@ Status write_frame(const render::Renderer& renderer, const RenderJob& job, std::
 }  // namespace
 
 // All passes have equal weight, so they must have equal samples: the largest divisor of spp that is small enough.
-std::uint32_t samples_per_pass(std::uint32_t spp) {
-  std::uint32_t per_pass = std::min(spp, kSamplesPerPass);
+std::uint32_t samples_per_pass(std::uint32_t spp, std::uint32_t most) {
+  std::uint32_t per_pass = std::min(spp, most);
   while (spp % per_pass != 0) --per_pass;
   return per_pass;
 }
@@ -71,11 +70,12 @@ double RenderSummary::Pass::median() const {
 }
 
 void render_samples(render::Renderer& renderer, render::RenderSettings& settings, const scene::FrameSnapshot& snapshot,
-                    std::uint32_t spp, RenderSummary& summary, const std::function<void(std::uint32_t)>& progress) {
+                    std::uint32_t spp, RenderSummary& summary, const std::function<void(std::uint32_t)>& progress,
+                    std::uint32_t most_per_pass) {
   renderer.restart_accumulation();
   settings.accumulate = 1;
   std::uint32_t done = 0;
-  const std::uint32_t per_pass = samples_per_pass(spp);
+  const std::uint32_t per_pass = samples_per_pass(spp, most_per_pass);
   settings.spp = static_cast<int>(per_pass);
   while (done < spp) {
     renderer.render(snapshot, nullptr, settings);

@@ -37,12 +37,14 @@ struct RenderSummary {
   std::vector<Pass> passes;
 };
 // Samples of each of the passes that make `spp`: a divisor of it, at most 16, so that progress shows and no device's
-// watchdog bites.
-std::uint32_t samples_per_pass(std::uint32_t spp);
+// watchdog bites; or at most `most`, fewer for an estimator that learns from pass to pass.
+constexpr std::uint32_t kMostPerPass = 16;
+std::uint32_t samples_per_pass(std::uint32_t spp, std::uint32_t most = kMostPerPass);
 // Averages `spp` samples of one snapshot in the renderer's linear image, in passes of equally many, whose scatter gives
 // its variance. Adds the time they took to `summary` as a frame; tells `progress` how many samples are done.
 void render_samples(render::Renderer& renderer, render::RenderSettings& settings, const scene::FrameSnapshot& snapshot,
-                    std::uint32_t spp, RenderSummary& summary, const std::function<void(std::uint32_t)>& progress);
+                    std::uint32_t spp, RenderSummary& summary, const std::function<void(std::uint32_t)>& progress,
+                    std::uint32_t most_per_pass = kMostPerPass);
 
 // Renders frames in order. A demo that ends before job.last is an error that says how many frames there were.
 Result<RenderSummary> render_frames(FrameSource& source, render::Renderer& renderer, render::RenderSettings settings,

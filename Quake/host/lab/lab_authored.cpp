@@ -3,7 +3,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include "base/progress.h"
@@ -17,6 +19,7 @@
 #include "scene/authored/authored_map.h"
 #include "scene/authored/authored_picture.h"
 #include "scene/library/asset_builder.h"
+#include "scene/library/lightmaps.h"
 #include "shared/tone.h"
 #include "world/entity_lump.h"
 
@@ -29,7 +32,8 @@ struct AuthoredOptions {
   bool table = false, fog = false;
 };
 
-constexpr float kShownField = 90.0f;  // degrees
+constexpr float kShownField = 90.0f;        // degrees
+constexpr std::uint32_t kSamplesAPass = 2;  // guiding learns between them
 
 std::string row_of(const std::string& name, const lab::AuthoredDistance& d) {
   if (d.black) return fmt::format("{:28} black in both pictures", name);
@@ -84,20 +88,33 @@ scene::AuthoredFog fog_of(const formats::Bsp& bsp) {
 
 // Where to look from. Says which of the map's own cameras do not count.
 Result<std::vector<lab::MapCamera>> cameras_of(const formats::Bsp& bsp, const AuthoredOptions& options,
-                                               const scene::Camera& asked) {
+                                               const std::optional<scene::Camera>& asked) {
   const StageOptions& o = options.stage;
-  if (!o.camera.empty()) {
-    if (!lab::in_open(bsp, asked.position))
+  if (asked) {
+    if (!lab::in_open(bsp, asked->position))
       return Error{fmt::format("--camera {}: it is inside a wall, a door or lava, or outside the map", o.camera)};
-    return std::vector<lab::MapCamera>{{"camera", asked.position, asked.angles}};
+    return std::vector<lab::MapCamera>{{"camera", asked->position, asked->angles}};
   }
   lab::MapCameras found = lab::map_cameras(bsp, options.cameras);
+  if (!found.nowhere.empty())
+    fmt::print("{} of the map's cameras have no origin of three numbers, and do not count: {}\n", found.nowhere.size(),
+               fmt::join(found.nowhere, ", "));
   if (!found.closed.empty())
     fmt::print("{} of the map's cameras are inside a wall, a door or lava, or outside the map, and do not count: {}\n",
                found.closed.size(), fmt::join(found.closed, ", "));
-  if (found.open.empty())
-    return Error{o.map + ": it names no camera to look from: no start, no intermission, no teleport"};
-  return std::move(found.open);
+  if (!found.open.empty()) return std::move(found.open);
+  const bool none = found.closed.empty() && found.nowhere.empty();
+  return Error{fmt::format(
+      "{}: {}; --camera x,y,z,pitch,yaw,roll looks from where you like", o.map,
+      none ? "it names no camera to look from: no start, no intermission, no teleport" : "none of its cameras counts")};
+}
+
+// What makes the comparison say less than it seems to; empty: nothing.
+std::string doubt_of(const scene::Lightmaps& lightmaps) {
+  constexpr double kMostlyBlack = 0.9;
+  const double black = lightmaps.black_share();
+  if (black < kMostlyBlack) return {};
+  return fmt::format("{:.0f}% of the map's baked light is black: was it lit?", std::floor(100.0 * black));
 }
 
 struct Views {  // of one map
@@ -117,9 +134,9 @@ struct Views {  // of one map
     snapshot.camera.fov_y = 0.0f;
     snapshot.prev_camera = snapshot.camera;
     snapshot.cut = true;
+    stage.renderer->reset_learning();  // whatever else was looked at
     lab::RenderSummary summary;
-    lab::render_samples(*stage.renderer, stage.settings, snapshot, o.spp, summary, [](std::uint32_t) {});
-    ++snapshot.frame;
+    lab::render_samples(*stage.renderer, stage.settings, snapshot, o.spp, summary, nullptr, kSamplesAPass);
     const scene::AuthoredFog fog = options.fog ? fog_of(*library.map()) : scene::AuthoredFog();
     const lab::Picture own = lab::picture_of(stage.renderer->read().linear(), stage.size);
     const lab::Picture authors{stage.size.x, stage.size.y,
@@ -154,17 +171,25 @@ struct Views {  // of one map
   }
 };
 
-int run_authored(const AuthoredOptions& options) {
+int run_authored(const AuthoredOptions& options, bool out_given) {
   StageOptions o = options.stage;
   if (o.map.empty())
     return fail(Error{"authored: it draws maps alone, by --map; demos and scenes have no baked light"});
-  o.sets.insert(o.sets.begin(), "r_ambient=-1");  // even light is a part of what authors saw
+  if (out_given && o.out.empty()) return fail(Error{"--out: the name of a folder is wanted"});
+  if (const auto size = parse_size(o.size); size && (size->x < lab::kBlocksAcross || size->y < lab::kBlocksDown))
+    return fail(
+        Error{fmt::format("--size {}: pictures are compared in {} x {} blocks; they need as many pixels at least",
+                          o.size, lab::kBlocksAcross, lab::kBlocksDown)});
+  // Even light is a part of what authors saw. Figures repeat, and a view's are its own.
+  o.sets.insert(o.sets.begin(), {"r_ambient=-1", "r_deterministic=1"});
   if (!options.fog) o.sets.insert(o.sets.begin(), "r_fog=0");
   Stage stage;
   if (auto status = open_stage(stage, o); !status) return fail(status.error());
   const scene::ModelLibrary& library = stage.engine->library();
   const auto lightmaps = library.lightmaps();
   if (lightmaps == nullptr || lightmaps->empty()) return fail(Error{o.map + ": it has no baked light"});
+  const auto cameras = cameras_of(*library.map(), options, stage.camera);
+  if (!cameras) return fail(cameras.error());
   if (!o.out.empty()) {
     std::error_code failed;
     std::filesystem::create_directories(o.out, failed);
@@ -174,8 +199,6 @@ int run_authored(const AuthoredOptions& options) {
   Views views{options, stage, {}, {o.map + ": drawn, and as its author saw it", {}, {}, {}, {}}, {}};
   if (const auto more = stage.source->next(views.snapshot); !more) return fail(more.error());
   remove_models(views.snapshot);
-  const auto cameras = cameras_of(*library.map(), options, views.snapshot.camera);
-  if (!cameras) return fail(cameras.error());
   // With r_authored 0 nobody asks for the fit, which would be made then.
   const scene::AuthoredLight* light = nullptr;
   if (stage.engine->console().cvar("r_authored").on()) {
@@ -184,6 +207,10 @@ int run_authored(const AuthoredOptions& options) {
     views.page.notes.emplace_back(
         "r_authored 0: light is as the map's keys and textures say; nothing is fitted to its baked light.");
     fmt::print("{}\n", views.page.notes.back());
+  }
+  if (const std::string doubt = doubt_of(*lightmaps); !doubt.empty()) {
+    views.page.notes.push_back(doubt);
+    fmt::print("{}\n", doubt);
   }
   if (options.table && light != nullptr) print_table(*light);
   fmt::print("{:28} {:>6} {:>6} {:>6} {:>6}\n", "camera", "median", "spread", "corr.", "color");
@@ -199,17 +226,18 @@ int run_authored(const AuthoredOptions& options) {
 LabCommand add_authored_command(CLI::App& app) {
   auto options = std::make_shared<AuthoredOptions>();
   options->stage.size = "160x90";
-  options->stage.estimator = "nee";
-  options->stage.spp = 48;
+  options->stage.estimator = "mcpg_nee";
+  options->stage.spp = 64;
   CLI::App* authored = app.add_subcommand(
       "authored", "draws a map from its starts, intermissions and teleports, beside its textures in its baked light");
   add_stage_options(*authored, options->stage);
-  add_number(*authored, "--cameras", options->cameras, 1u, 1000u, "at most so many, evenly chosen");
+  add_number(*authored, "--cameras", options->cameras, 1u, 1000u,
+             "at most so many, evenly chosen in the order of the map's entities");
   authored->add_flag("--fog", options->fog, "with the map's fog, here and there");
   authored->add_flag("--table", options->table, "print how strong each emitter is by the baked light");
-  authored->add_option("--out", options->stage.out,
-                       "folder for a page, index.html, and its pictures: drawn and authored side by side");
-  return {authored, [options] { return run_authored(*options); }};
+  const CLI::Option* out = authored->add_option(
+      "--out", options->stage.out, "folder for a page, index.html, and its pictures: drawn and authored side by side");
+  return {authored, [options, out] { return run_authored(*options, out->count() > 0); }};
 }
 
 }  // namespace fb::host

@@ -54,6 +54,7 @@ Status set_cvars(con::Console& console, const StageOptions& o) {
 Status open_source(Stage& stage, const StageOptions& o) {
   const auto camera = parse_camera(o.camera);
   if (!camera) return camera.error();
+  stage.camera = *camera;
   if (!o.scene.empty()) {
     render::register_render_cvars(stage.own_console);
     if (auto status = set_cvars(stage.own_console, o); !status) return status;

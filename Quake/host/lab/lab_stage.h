@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,6 +65,7 @@ struct Stage {
   std::unique_ptr<gpu::Device> device;
   std::unique_ptr<render::Renderer> renderer;
   render::RenderSettings settings;
+  std::optional<scene::Camera> camera;  // --camera's
   uvec2 size{0, 0};
 
   con::Console& console() { return engine ? engine->console() : own_console; }

@@ -3,6 +3,7 @@
 without LibreQuake or a Vulkan device."""
 
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -26,7 +27,8 @@ class AuthoredCommand(unittest.TestCase):
             (self.folder / "id1" / pak.name).symlink_to(pak)
 
     def lab(self, *arguments, game_map=MAP, status=0):
-        command = [BUILD / "fullbright-lab", "authored", "--basedir", self.folder, "--map", game_map, "--size", "32x18", "--spp", "1", *arguments]
+        usual = [word for pair in (("--size", "32x18"), ("--spp", "1")) if pair[0] not in arguments for word in pair]
+        command = [BUILD / "fullbright-lab", "authored", "--basedir", self.folder, "--map", game_map, *usual, *arguments]
         done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
         self.assertEqual(done.returncode, status, done.stdout + done.stderr)
         return done
@@ -53,8 +55,49 @@ class AuthoredCommand(unittest.TestCase):
     def test_wrong_settings_are_a_sentence(self):
         done = self.lab("--set", "r_authored=7", status=1)
         self.assertIn("--set r_authored=7: r_authored: 7 is", done.stderr)
-        done = self.lab("--spp", "2", status=114)
+        done = self.lab("--spp", "2", "--spp", "1", status=114)
         self.assertEqual(done.stderr, "fullbright-lab: --spp: it is given 2 times and counts once\n")
+
+    def test_what_cannot_be_compared_is_refused_before_the_map_is_fitted(self):
+        for arguments, sentence in ((("--size", "8x8"), "--size 8x8: pictures are compared in 16 x 9 blocks"),
+                                    (("--out", ""), "--out: the name of a folder is wanted"),
+                                    (("--camera", "0,0,100000,0,0,0", "--out", self.folder / "never"), "it is inside a wall")):
+            done = self.lab(*arguments, status=1)
+            self.assertEqual(done.stderr.count(sentence), 1, done.stderr)
+            self.assertNotIn("light as baked", done.stdout)
+        self.assertFalse((self.folder / "never").exists())
+
+    def test_a_views_figures_are_its_own(self):
+        def rows(cameras):
+            return [line for line in self.lab("--cameras", cameras, "--spp", "2").stdout.splitlines() if line.startswith("info_")]
+
+        three, six = rows("3"), rows("6")
+        self.assertEqual((len(three), len(six)), (3, 6))
+        self.assertEqual(three, six[::2], "every second of six is one of three")
+
+    def test_cameras_that_are_nowhere_are_named(self):
+        (self.folder / f"id1/maps/{MAP}.ent").write_text('{"classname" "worldspawn"}\n{"classname" "info_player_start" "origin" "nan 0 0"}'
+                                                         '\n{"classname" "info_intermission" "origin" "0 0 99999"}')
+        done = self.lab(status=1)
+        self.assertIn("1 of the map's cameras have no origin of three numbers, and do not count: info_player_start_1", done.stdout)
+        self.assertIn("1 of the map's cameras are inside a wall", done.stdout)
+        self.assertIn("none of its cameras counts; --camera", done.stderr)
+
+    def test_a_map_that_nobody_lit_is_doubted(self):
+        plain = self.lab("--set", "r_authored=0", "--cameras", "1").stdout
+        self.assertNotIn("was it lit?", plain)
+        samples = self.samples()
+        (self.folder / f"id1/maps/{MAP}.lit").write_bytes(b"QLIT\x01\0\0\0" + bytes(3 * samples))
+        done = self.lab("--set", "r_authored=0", "--cameras", "1", "--out", self.folder / "dark")
+        self.assertIn("100% of the map's baked light is black: was it lit?", done.stdout)
+        self.assertIn("was it lit?", (self.folder / "dark/index.html").read_text())
+
+    def samples(self):
+        """How many luxels the map has: what a .lit of no light at all is told."""
+        lit = self.folder / f"id1/maps/{MAP}.lit"
+        lit.write_bytes(b"QLIT\x01\0\0\0")
+        done = self.lab("--set", "r_authored=0", "--cameras", "1")
+        return int(re.search(r"where the map's (\d+) samples take", done.stderr)[1])
 
     def test_a_map_whose_entities_are_damaged_says_so_once(self):
         (self.folder / f"id1/maps/{MAP}.ent").write_text('{"classname" "worldspawn"\n"x')

@@ -15,10 +15,10 @@
 namespace fb::lab {
 namespace {
 
-constexpr std::uint32_t kBlocksAcross = 16, kBlocksDown = 9;
 constexpr double kBlack = 5e-4;    // added to luminance: half of the darkest grey that a display has
 constexpr double kColored = 2e-3;  // luminance below which colour is not compared
 constexpr float kEyes = 22.0f;     // units over an entity's origin
+constexpr float kFarthest = 1e6f;  // units that an origin may be from the map's, on an axis
 
 struct Block {
   dvec3 own{0.0}, authors{0.0};
@@ -131,9 +131,13 @@ MapCameras map_cameras(const formats::Bsp& bsp, std::size_t most) {
     const std::string_view name = entity.classname();
     const bool intermission = name == "info_intermission";
     if (!name.starts_with("info_player_") && name != "info_teleport_destination" && !intermission) continue;
+    std::string own_name = fmt::format("{}_{}", name, ++numbers[std::string(name)]);
     const auto origin = entity.vector("origin");
-    if (!origin) continue;
-    MapCamera camera{fmt::format("{}_{}", name, ++numbers[std::string(name)]), *origin, vec3(0.0f)};
+    if (!origin || !glm::all(glm::lessThan(glm::abs(*origin), vec3(kFarthest)))) {
+      all.nowhere.push_back(std::move(own_name));
+      continue;
+    }
+    MapCamera camera{std::move(own_name), *origin, vec3(0.0f)};
     if (intermission)
       camera.angles = entity.vector("mangle").value_or(vec3(0.0f));
     else

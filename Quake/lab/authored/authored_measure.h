@@ -1,6 +1,7 @@
 // How near a picture of a map is to what its author saw of it: blocks of pixels compared by luminance and colour.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "scene/snapshot.h"
 
 namespace fb::lab {
+
+constexpr std::uint32_t kBlocksAcross = 16, kBlocksDown = 9;
 
 struct AuthoredDistance {
   double median = 0;       // of log2(own / author's luminance), over blocks: stops that it is brighter
@@ -29,8 +32,9 @@ struct MapCamera {
   vec3 position, angles;
 };
 struct MapCameras {
-  std::vector<MapCamera> open;      // at most so many, evenly chosen
-  std::vector<std::string> closed;  // names of all that are not in_open()
+  std::vector<MapCamera> open;       // at most so many, evenly chosen
+  std::vector<std::string> closed;   // names of all that are not in_open()
+  std::vector<std::string> nowhere;  // names of all without an origin of three numbers
 };
 // Starts of players, intermissions, ends of teleports, at eye height.
 MapCameras map_cameras(const formats::Bsp& bsp, std::size_t most);

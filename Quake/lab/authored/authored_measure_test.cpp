@@ -85,11 +85,13 @@ TEST(AuthoredMeasure, CamerasStandWhereTheMapSays) {
       "{\"classname\" \"info_player_start\" \"origin\" \"1 2 3\" \"angle\" \"90\"}"
       "{\"classname\" \"info_intermission\" \"origin\" \"4 5 6\" \"mangle\" \"10 20 0\"}"
       "{\"classname\" \"light\" \"origin\" \"7 8 9\"}{\"classname\" \"info_player_deathmatch\"}"
+      "{\"classname\" \"info_player_coop\" \"origin\" \"nan 0 0\"}"
       "{\"classname\" \"func_door\" \"model\" \"*1\"}"
       "{\"classname\" \"info_teleport_destination\" \"origin\" \"150 0 0\"}";
-  const auto [cameras, closed] = map_cameras(bsp, 10);
+  const auto [cameras, closed, nowhere] = map_cameras(bsp, 10);
   ASSERT_EQ(cameras.size(), 2u);
   EXPECT_EQ(closed, std::vector<std::string>{"info_teleport_destination_1"});
+  EXPECT_EQ(nowhere, (std::vector<std::string>{"info_player_deathmatch_1", "info_player_coop_1"}));
   EXPECT_TRUE(in_open(bsp, vec3(99, 0, 0)));
   EXPECT_FALSE(in_open(bsp, vec3(101, 0, 0))) << "within the door";
   EXPECT_EQ(cameras[0].position, vec3(1, 2, 25));

@@ -158,6 +158,21 @@ bool Lightmaps::has(std::uint32_t face, std::size_t k) const {
   return face < faces_.size() && faces_[face].styles[k] != kNoStyle;
 }
 
+double Lightmaps::black_share() const {
+  std::uint64_t all = 0, black = 0;
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    if (!has(static_cast<std::uint32_t>(i), 0)) continue;
+    const Face& face = faces_[i];
+    for (int y = 0; y < face.height; ++y)
+      for (int x = 0; x < face.width; ++x) {
+        const auto bytes = luxel(face, 0, x, y);
+        black += std::max({bytes[0], bytes[1], bytes[2]}) == 0 ? 1 : 0;
+        ++all;
+      }
+  }
+  return all > 0 ? static_cast<double>(black) / static_cast<double>(all) : 1.0;
+}
+
 std::array<std::uint8_t, 3> Lightmaps::luxel(const Face& face, std::size_t k, int x, int y) const {
   const auto width = static_cast<std::uint64_t>(face.width), height = static_cast<std::uint64_t>(face.height);
   const std::uint64_t sample =

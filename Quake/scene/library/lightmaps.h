@@ -45,6 +45,8 @@ class Lightmaps {
   const std::vector<Face>& faces() const { return faces_; }  // of the map; none where it is empty
   // A luxel of the k-th of a face's styles, which it has, as bytes.
   std::array<std::uint8_t, 3> luxel(const Face& face, std::size_t k, int x, int y) const;
+  // Of all luxels of its faces' first styles, 0 to 1; 1 where there is none.
+  double black_share() const;
 
  private:
   void choose_samples(const formats::Bsp& bsp);

@@ -50,6 +50,18 @@ TEST(Lightmaps, AMapWithoutLightHasNone) {
   EXPECT_EQ(Lightmaps(bsp).value(kLitFloor, 0, vec3(0)), vec3(0));
 }
 
+// A light file of one colour, and one of a single luxel that is not black.
+TEST(Lightmaps, HowMuchOfItIsBlackIsKnown) {
+  const formats::Bsp bsp = baked_room();
+  EXPECT_LT(Lightmaps(bsp).black_share(), 0.5);
+  EXPECT_EQ(Lightmaps(bsp, lit_file(bsp.lighting.size(), {0, 1, 0})).black_share(), 0.0);
+  Bytes file = lit_file(bsp.lighting.size(), {0, 0, 0});
+  EXPECT_EQ(Lightmaps(bsp, file).black_share(), 1.0);
+  file.back() = 1;
+  EXPECT_NEAR(Lightmaps(bsp, file).black_share(), 1.0 - 1.0 / static_cast<double>(bsp.lighting.size()), 1e-9);
+  EXPECT_EQ(Lightmaps(lit_room().bsp).black_share(), 1.0) << "none at all";
+}
+
 TEST(Lightmaps, AFileOfColouredLightIsUsedWhereItFits) {
   const formats::Bsp bsp = baked_room();
   const Bytes fits = lit_file(bsp.lighting.size(), {128, 64, 0}), small = lit_file(bsp.lighting.size() - 1, {9, 9, 9});
