@@ -7,7 +7,7 @@ QUAKE_DIR ?=
 export FUZZ_SECONDS QUAKE_DIR JOBS
 
 .DEFAULT_GOAL := all
-.PHONY: all deps test demo play bench fuzz asan coverage settings-page check platforms tidy format clean help
+.PHONY: all deps test demo play bench fuzz asan coverage settings-page check platforms package tidy format clean help
 
 # Tests run one more at a time than there are processors: some of them wait. `make test` leaves that to run_tests.py.
 #
@@ -70,6 +70,10 @@ check: ## check layers, formatting, text and includes of the sources
 platforms: ## run make demo in a fresh installation of each Debian release that the README names
 	@$(DEPS) platforms
 	@Linux/platforms.sh
+
+package: all ## build/package: a .deb for this release of Debian, and a .tar.gz of the same files
+	@$(DEPS) package
+	@SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct) Linux/package/make.sh build
 
 tidy: ## run clang-tidy on files that differ from BASE (default: the last commit shared with the main branch)
 	@$(DEPS) check

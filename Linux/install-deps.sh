@@ -17,6 +17,7 @@ usage: Linux/install-deps.sh [--dry-run] [--quiet] [GROUP ...]
   check     what checks the source text: clang-format, clang-tidy, python3
   maps      what compiles the base game's maps anew (they are kept compiled)
   platforms what makes fresh roots of other Debian releases
+  package   what makes a .deb of a build
   slurm     what tests Linux/slurm: a Slurm cluster of this machine alone
   outside   Blender, whose Cycles judges references (testdemos/outside)
   all       every group
@@ -39,9 +40,10 @@ packages_of() {
     check) echo clang-format clang-tidy python3 ;;
     maps) echo mmdebstrap python3 python3-numpy ;;
     platforms) echo mmdebstrap git ;;
+    package) packages_of build; echo dpkg-dev file git ;;
     slurm) echo slurm-wlm munge python3-numpy ;;
     outside) echo blender python3-numpy ;;
-    all) for group in test bench fuzz coverage report check maps platforms slurm outside; do packages_of "$group"; done ;;
+    all) for group in test bench fuzz coverage report check maps platforms package slurm outside; do packages_of "$group"; done ;;
     *) echo "install-deps.sh: unknown group '$1'; see --help" >&2; return 2 ;;
   esac
 }

@@ -25,6 +25,7 @@ from fullbright_lab import results  # noqa: E402
 KEPT_ERRORS = ("mse", "mse_corrected", "relmse_corrected", "flip_hdr")
 DIGITS = 5
 FRAMES_OF_MEANS = (1, 4, 16, 64, 256)  # whose mean's error is kept, of runs so long
+COLD_FRAMES = 8  # the first of a run, whose mean error is kept
 
 
 def rounded(value):
@@ -44,6 +45,8 @@ def keep(folder: str, name: str) -> None:
                 point["mse_of_means"] = [curve["running_mse"][count - 1] for count in FRAMES_OF_MEANS]
             elif curve.get("running_mse"):
                 point["mse_of_all"] = curve["running_mse"][-1]  # of the mean of all frames, those of the warm-up, too
+                if point["warmup"] >= COLD_FRAMES:
+                    point["mse_of_first"] = float(np.mean(curve["mse"][:COLD_FRAMES]))
             point.pop("passes", None)
             if "errors" in point and "judge" not in experiment:
                 point["errors"] = {key: point["errors"][key] for key in KEPT_ERRORS if key in point["errors"]}
@@ -83,13 +86,36 @@ def number(value: float) -> str:
     return f"{value:.0f}" if value >= 99.5 else f"{value:.3g}"
 
 
-def gain_of_means(experiment: results.Experiment, name: str) -> results.Interval:
-    """Of the mean of all frames of a run, over the first configuration's; nan where one is below the reference's noise."""
-    own, first = (np.array([point["mse_of_all"] for point in experiment.chosen(n)]) for n in (name, experiment.configurations[0]))
+def gain_of(experiment: results.Experiment, name: str, key: str) -> results.Interval:
+    """Of a kept error over the first configuration's; nan where one is below the reference's noise."""
+    own, first = (np.array([point[key] for point in experiment.chosen(n)]) for n in (name, experiment.configurations[0]))
     return results.over_runs(np.where(own > 0, first, np.nan) / np.where(own > 0, own, 1))
 
 
-def gains_of(name: str, label: str, every_value: bool = False, without: tuple[str, ...] = (), means: bool = False) -> str:
+def marked(gain: results.Interval) -> str:
+    """Bold where the interval is above 1, in italics where it is below."""
+    if math.isnan(gain.value):
+        return "unknown"
+    return f"**{number(gain.value)}**" if gain.low > 1 else f"*{number(gain.value)}*" if gain.high < 1 else number(gain.value)
+
+
+def rivals(which: str) -> str:
+    """Warm frames at equal samples and at equal time; or cold frames and the mean of all. Intervals are in the marks."""
+    suite = stored("rivals")
+    rows = []
+    for experiment in suite.experiments:
+        cells = []
+        for name in experiment.configurations[1:]:
+            if which == "warm":
+                gains = [experiment.gain(name, equal) for equal in ("samples", "time")]
+            else:
+                gains = [gain_of(experiment, name, key) for key in ("mse_of_first", "mse_of_all")]
+            cells.append(" / ".join(marked(gain) for gain in gains))
+        rows.append([experiment.title, *cells])
+    return rows_of(["view", *(f"`{n}`" for n in suite.experiments[0].configurations[1:])], rows) + "\n\n" + made_with(suite)
+
+
+def gains_of(name: str, label: str, every_value: bool = False, without: tuple[str, ...] = ()) -> str:
     suite = stored(name)
     experiments = [e for e in suite.experiments if e.name not in without]
     names = list(dict.fromkeys(n for e in experiments for n in e.configurations if n != "denoised"))  # pictures alone
@@ -104,9 +130,6 @@ def gains_of(name: str, label: str, every_value: bool = False, without: tuple[st
                 samples, time = (experiment.gain(other, equal, value) for equal in ("samples", "time"))
                 interval = "" if math.isnan(samples.low) else f" ({number(samples.low)} to {number(samples.high)})"
                 cells.append(f"{number(samples.value)}{interval} / {number(time.value)}")
-                if means:
-                    mean = gain_of_means(experiment, other)
-                    cells[-1] += " / unknown" if math.isnan(mean.low) else f" / {number(mean.value)} ({number(mean.low)} to {number(mean.high)})"
             of_value = f"; {experiment.what} {value:g}" if every_value and experiment.what else ""
             rows.append([experiment.title + of_value, *cells])
     return rows_of([label, *(f"`{n}`" for n in names[1:])], rows) + "\n\n" + made_with(suite)
@@ -183,8 +206,8 @@ TABLES = {
     "default": lambda: gains_of("default", "scene"),
     "guiding": lambda: gains_of("guiding", "view"),
     "reuse": lambda: gains_of("reuse", "view"),
-    "rivals": lambda: gains_of("rivals", "view"),
-    "rivals_small": lambda: gains_of("rivals_small", "view", means=True),
+    "rivals": lambda: rivals("warm"),
+    "rivals_first_and_all": lambda: rivals("rest"),
     "dittebrandt2023_rest": lambda: gains_of("dittebrandt2023_rest", "figure", True),
     "dittebrandt2023": lambda: gains_of("dittebrandt2023", "figure", True, ("fig16_cbox",)),
     "dittebrandt2023_means": lambda: errors_of_means("dittebrandt2023", "fig16_cbox"),
@@ -209,7 +232,7 @@ def main() -> int:
     commands = parser.add_subparsers(dest="command", required=True)
     keeping = commands.add_parser("keep")
     keeping.add_argument("folder")
-    keeping.add_argument("name", choices=[name for name in TABLES if name not in ("gpu", "outside", "dittebrandt2023_means")])
+    keeping.add_argument("name", choices=[name for name in TABLES if name not in ("gpu", "outside", "dittebrandt2023_means", "rivals_first_and_all")])
     commands.add_parser("write")
     commands.add_parser("check")
     options = parser.parse_args()
