@@ -1,7 +1,7 @@
 # What an installation has, and the packages of it that `make package` makes (CPack): a .deb for the release of Debian
 # that it is built on, and a .tar.gz of the same files, which runs from any folder of a system that has the libraries.
 # The programs find the base game beside them (Quake/host/base_game.h).
-if(NOT FULLBRIGHT_BASEGAME OR NOT Python3_FOUND)
+if(NOT TARGET basegame OR NOT Python3_FOUND)
   return()
 endif()
 set(FB_PACKAGE_DIR ${CMAKE_BINARY_DIR}/package)
