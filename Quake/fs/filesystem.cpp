@@ -15,6 +15,7 @@
 #include "fs/links.h"
 #include "fs/obstacle.h"
 #include "fs/path.h"
+#include "fs/place.h"
 #include "fs/zip.h"
 
 namespace fb::fs {
@@ -23,32 +24,6 @@ namespace {
 namespace stdfs = std::filesystem;
 
 constexpr std::string_view kSettings = "config.cfg";
-constexpr int kMaxDepth = 16;  // depth of directories below a gamedir; links may form loops
-
-// One place that is searched: a pak, an archive, or a directory of loose files.
-struct Place {
-  std::string label;  // FileSystem::source_of
-  int game_index = 0;
-  std::unique_ptr<Pak> pak;
-  std::unique_ptr<Zip> zip;
-  stdfs::path directory;  // where there is neither
-
-  bool packed() const { return pak || zip; }
-  const std::vector<PakEntry>& entries() const { return pak ? pak->entries() : zip->entries(); }
-  const PakEntry* find(std::string_view name) const { return pak ? pak->find(name) : zip->find(name); }
-  const PakEntry* find_ignoring_case(std::string_view name) const {
-    return pak ? pak->find_ignoring_case(name) : zip->find_ignoring_case(name);
-  }
-  Result<FileData> read(const PakEntry& entry) const { return pak ? pak->read(entry) : zip->read(entry); }
-};
-
-struct Hit {
-  const Place* place = nullptr;
-  const PakEntry* entry = nullptr;  // of the place, if it is packed
-  stdfs::path path;                 // of a loose file
-
-  Result<FileData> read() const { return entry != nullptr ? place->read(*entry) : read_whole_file(path); }
-};
 
 bool is_file(const stdfs::path& path) {
   std::error_code code;
@@ -57,39 +32,6 @@ bool is_file(const stdfs::path& path) {
 bool is_a_directory(const stdfs::path& path) {
   std::error_code code;
   return stdfs::is_directory(path, code);
-}
-
-using ListedFiles = std::map<std::string, FoundFile>;
-
-// What find() looks for.
-struct Pattern {
-  std::string prefix;  // lower case
-  std::string_view extension;
-
-  bool file(std::string_view name) const {
-    return lower_case(name).starts_with(prefix) && ends_with_ignoring_case(name, extension);
-  }
-  // Can there be such a file below this directory ("maps/")?
-  bool directory(std::string_view name) const {
-    const std::string lower = lower_case(name);
-    return lower.starts_with(prefix) || prefix.starts_with(lower);
-  }
-};
-
-void add_loose_files(const stdfs::path& directory, const std::string& below, const Place& place, int depth,
-                     const Pattern& pattern, ListedFiles& files) {
-  std::error_code code;
-  for (stdfs::directory_iterator it(directory, code), end; !code && it != end; it.increment(code)) {
-    const std::string name = below + it->path().filename().string();
-    std::error_code unreadable;
-    if (it->is_directory(unreadable)) {
-      if (depth < kMaxDepth && pattern.directory(name + '/'))
-        add_loose_files(it->path(), name + '/', place, depth + 1, pattern, files);
-    } else if (pattern.file(name) && it->is_regular_file(unreadable)) {
-      const std::uint64_t size = it->file_size(unreadable);
-      files.emplace(name, FoundFile{name, place.label, unreadable ? 0 : size});
-    }
-  }
 }
 
 // Warns at once, because files in a folder that cannot be read would otherwise only be missed later, one by one.
@@ -435,7 +377,7 @@ std::vector<FoundFile> FileSystem::find(std::string_view prefix, std::string_vie
         if (pattern.file(entry.name)) files.emplace(entry.name, FoundFile{entry.name, place.label, entry.size});
       }
     } else {
-      add_loose_files(place.directory, "", place, 0, pattern, files);
+      add_loose_files(place.directory, place, pattern, files);
     }
   }
   std::vector<FoundFile> list;

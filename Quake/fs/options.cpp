@@ -57,18 +57,24 @@ Result<FsOptions> options_from_arguments(std::span<const std::string> arguments)
   return options;
 }
 
-std::filesystem::path default_user_dir() {
+std::filesystem::path home_directory() {
 #ifndef _WIN32
-  if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data == '/')
-    return std::filesystem::path(data) / "fullbright";
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/')
-    return std::filesystem::path(home) / ".fullbright";
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') return home;
   // A user of a service has a home there that does not exist.
   std::error_code code;
   const passwd* user = ::getpwuid(::geteuid());
   if (user != nullptr && user->pw_dir != nullptr && *user->pw_dir == '/' &&
       std::filesystem::is_directory(user->pw_dir, code))
-    return std::filesystem::path(user->pw_dir) / ".fullbright";
+    return user->pw_dir;
+#endif
+  return {};
+}
+
+std::filesystem::path default_user_dir() {
+#ifndef _WIN32
+  if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data == '/')
+    return std::filesystem::path(data) / "fullbright";
+  if (const std::filesystem::path home = home_directory(); !home.empty()) return home / ".fullbright";
 #endif
   return {};
 }

@@ -28,9 +28,11 @@ struct FsOptions {
 // not about files are ignored. Fails on an option without its value and on a gamedir that is a path.
 Result<FsOptions> options_from_arguments(std::span<const std::string> arguments);
 
-// $XDG_DATA_HOME/fullbright if that is set, else ~/.fullbright, where ~ is $HOME or, if that names no folder, what the
-// system's list of users has. Empty if there is none of them, and on Windows, where games write beside their data. It
-// need not exist.
+// $HOME or, if that names no folder, what the system's list of users has; empty if there is neither, and on Windows.
+std::filesystem::path home_directory();
+
+// $XDG_DATA_HOME/fullbright if that is set, else ~/.fullbright. Empty if there is neither, and on Windows, where games
+// write beside their data. It need not exist.
 std::filesystem::path default_user_dir();
 
 }  // namespace fb::fs

@@ -1,9 +1,11 @@
-// The base game, which is found beside the program and so needs no option.
+// Game data that needs no option: the base game beside the program, and Quake where a store put it.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include "fs/store_games.h"
 
 namespace fb::host {
 
@@ -13,5 +15,11 @@ std::filesystem::path find_base_game(const std::filesystem::path& program_direct
 
 // `arguments` preceded by -basegame DIR, unless they contain it or there is no base game.
 std::vector<std::string> with_base_game(std::vector<std::string> arguments);
+
+// `arguments` preceded by -basedir DIR of the first of `games` that they allow (-steam, -gog, -nosteam, -nogog,
+// -preforiginal), and a line that says so. As they are where they say what is played (-basedir), where `here` holds an
+// id1, and where no game is left.
+std::vector<std::string> with_store_game(std::vector<std::string> arguments, const std::vector<fs::StoreGame>& games,
+                                         const std::filesystem::path& here);
 
 }  // namespace fb::host

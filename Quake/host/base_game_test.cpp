@@ -34,6 +34,25 @@ TEST_F(BaseGame, WhatTheUserNamesStays) {
   EXPECT_THAT(with_base_game({"-basegame", "mine"}), ElementsAre("-basegame", "mine"));
 }
 
+TEST_F(BaseGame, AStoresGameIsPlayedWhereNothingElseIsNamed) {
+  const std::vector<fs::StoreGame> games{{"/s/rerelease", "Steam", true}, {"/s", "Steam", false}, {"/g", "GOG", false}};
+  const auto chosen = [&](std::vector<std::string> arguments) {
+    const std::size_t before = arguments.size();
+    const std::vector<std::string> with = with_store_game(std::move(arguments), games, folder_);
+    return with.size() == before + 2 && with[0] == "-basedir" ? with[1] : "";
+  };
+  EXPECT_EQ(chosen({"-fullscreen"}), "/s/rerelease");
+  EXPECT_EQ(chosen({"-preforiginal"}), "/s");
+  EXPECT_EQ(chosen({"-nosteam"}), "/g");
+  EXPECT_EQ(chosen({"-gog"}), "/g");
+  EXPECT_EQ(chosen({"-gog", "-remaster"}), "/g") << "there is no other";
+  EXPECT_EQ(chosen({"-basedir", "mine"}), "");
+  EXPECT_EQ(chosen({"-nosteam", "-nogog"}), "");
+  EXPECT_THAT(with_store_game({"-a"}, {}, folder_), ElementsAre("-a"));
+  directory_.put("id1/pak0.pak", "data");
+  EXPECT_EQ(chosen({}), "") << "the current folder is a game's";
+}
+
 TEST_F(BaseGame, ItsSkinsAreForItsOwnModels) {
   put("game");
   scene::test::TestFiles files;

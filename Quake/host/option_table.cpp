@@ -102,13 +102,20 @@ constexpr const char* kDisc = "music comes from files, not from a disc";
 constexpr const char* kMemory = "memory is allocated as needed";
 constexpr const char* kDisplay = "full screen keeps the display's mode, and the path tracer does its own anti-aliasing";
 constexpr const char* kOpenGl = "there is no OpenGL renderer";
-constexpr const char* kStores = "the game data is in -basedir";
+constexpr const char* kStores = "Quake is looked for in -basedir, by Steam and by GOG; the re-release is preferred";
 constexpr const char* kLooks = "there is no other look to choose";
 constexpr const char* kNothing = "there is no such feature to switch";
 
 constexpr Option kOptions[] = {
     {"-basedir", "DIR", read_elsewhere,
-     "folder that holds id1 (default: the current folder, or the base game where id1 is not there)"},
+     "folder that holds id1 (default: the current one; else Quake of Steam or GOG, or the base game)"},
+    {"-steam", "", read_elsewhere, "play Steam's Quake, not GOG's; also -gog; -nosteam, -nogog: look for none there"},
+    {"-gog", "", read_elsewhere, nullptr},
+    {"-nosteam", "", read_elsewhere, nullptr},
+    {"-nogog", "", read_elsewhere, nullptr},
+    {"-preforiginal", "", read_elsewhere,
+     "of a store's Quake the original, not the re-release of 2021; also -original"},
+    {"-original", "", read_elsewhere, nullptr},
     {"-game", "DIR", read_elsewhere, "a mod's folder beside id1; may be repeated, later ones take precedence"},
     {"-hipnotic", "", read_elsewhere, "play a mission pack or mod of this name; also -rogue, -quoth"},
     {"-rogue", "", read_elsewhere, nullptr},
@@ -242,18 +249,12 @@ constexpr Option kOptions[] = {
     {"-nomultibind", "", nullptr, kOpenGl},
     {"-nobindless", "", nullptr, kOpenGl},
     {"-noclipcontrol", "", nullptr, kOpenGl},
-    {"-steam", "", nullptr, kStores},
-    {"-nosteam", "", nullptr, kStores},
     {"-nosteamapi", "", nullptr, kStores},
-    {"-gog", "", nullptr, kStores},
-    {"-nogog", "", nullptr, kStores},
     {"-egs", "", nullptr, kStores},
     {"-noegs", "", nullptr, kStores},
     {"-epic", "", nullptr, kStores},
     {"-noepic", "", nullptr, kStores},
     {"-nonightdive", "", nullptr, kStores},
-    {"-original", "", nullptr, kStores},
-    {"-preforiginal", "", nullptr, kStores},
     {"-remaster", "", nullptr, kStores},
     {"-remastered", "", nullptr, kStores},
     {"-prefremaster", "", nullptr, kStores},

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/stop.h"
+#include "fs/options.h"
 #include "host/base_game.h"
 #include "host/game/change_game.h"
 #include "host/game/dedicated.h"
@@ -30,6 +31,10 @@ struct End {
 
 int run_once(const NextStart& start, TerminalLines& terminal, End& end) {
   auto options = parse_game_options(with_base_game(start.arguments));
+  const auto asks = [](const GameOptions& o) { return o.help || o.version || o.list_devices; };
+  if (options && !asks(*options) && !options->headless && !options->dedicated)
+    options = parse_game_options(
+        with_base_game(with_store_game(start.arguments, fs::find_store_games(fs::home_directory()), ".")));
   if (!options) {
     fmt::print(stderr, "fullbright: {}\n", options.error().message);
     return 2;
