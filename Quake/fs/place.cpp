@@ -11,7 +11,7 @@ namespace {
 constexpr int kMaxDepth = 16;  // depth of directories below a gamedir; links may form loops
 
 void add_below(const std::filesystem::path& directory, const std::string& below, const Place& place, int depth,
-                     const Pattern& pattern, ListedFiles& files) {
+               const Pattern& pattern, ListedFiles& files) {
   std::error_code code;
   for (std::filesystem::directory_iterator it(directory, code), end; !code && it != end; it.increment(code)) {
     const std::string name = below + it->path().filename().string();

@@ -35,7 +35,7 @@ struct Place {
 struct Hit {
   const Place* place = nullptr;
   const PakEntry* entry = nullptr;  // of the place, if it is packed
-  std::filesystem::path path;                 // of a loose file
+  std::filesystem::path path;       // of a loose file
 
   Result<FileData> read() const { return entry != nullptr ? place->read(*entry) : read_whole_file(path); }
 };

@@ -16,9 +16,12 @@ namespace stdfs = std::filesystem;
 
 constexpr std::uintmax_t kMostBytes = 1 << 20;  // of a list of libraries; more is none
 // Steam's own folder, by how it was installed: Valve's package, Flatpak, Snap.
-constexpr const char* kSteam[] = {".steam/steam", ".steam/root", ".local/share/Steam",
+constexpr const char* kSteam[] = {".steam/steam",
+                                  ".steam/root",
+                                  ".local/share/Steam",
                                   ".var/app/com.valvesoftware.Steam/.local/share/Steam",
-                                  ".var/app/com.valvesoftware.Steam/data/Steam", "snap/steam/common/.local/share/Steam"};
+                                  ".var/app/com.valvesoftware.Steam/data/Steam",
+                                  "snap/steam/common/.local/share/Steam"};
 // Of GOG's game, by Heroic, by Lutris and by Wine with GOG's installer.
 constexpr const char* kGog[] = {"Games/Heroic/Quake", "Games/Heroic/Quake The Offering",
                                 "Games/quake/drive_c/GOG Games/Quake", "GOG Games/Quake",

@@ -47,7 +47,8 @@ scene::AuthoredStore light_store(fs::FileSystem& files) {
             const auto path = files.write_path(name_of(key));
             if (!path) return;
             if (const auto status = files.write(name_of(key), bytes, fs::Flush::kLater); !status)
-              return log_info("the map's light is not kept: {}", status.error().message);
+              return log_warning("The map's light cannot be kept, so each start finds it anew: {}",
+                                 status.error().message);
             trim(path->parent_path(), kMostKeptLight);
           },
           name_of};

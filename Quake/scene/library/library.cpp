@@ -265,6 +265,8 @@ void ModelLibrary::Impl::take_map(const std::string& path, formats::Bsp bsp, con
     const auto lit = glowing.find(lower_case(map->textures[t].name));
     texture_lights.push_back(lit != glowing.end() ? lit->second : SurfaceLight());
   }
+  // Where there is baked light r_authored decides; elsewhere gloss that nobody authored never counts.
+  if (!of_base_game && lightmaps->empty()) drop_gloss_by_name(builder->assets());
   submodels = shown_submodels(entities, *map);
   unshadowed = unshadowed_submodels(entities, map->models.size());
   even = even_light_of_submodels(entities, map->models.size());

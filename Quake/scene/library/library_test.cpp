@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "base/log.h"
 #include "formats/test_bsp.h"
 #include "formats/test_models.h"
@@ -53,6 +56,21 @@ struct World : testing::Test {
   }
   test::TestFiles files;
 };
+
+// A map without baked light, whose texture's name speaks of metal.
+TEST_F(World, GlossByNameIsTheBaseGamesAlone) {
+  files.files["maps/m.bsp"] = map_bytes("metal", "");
+  for (const bool own : {false, true}) {
+    ModelLibrary library(files.loader());
+    library.set_own_files([&](std::string_view) { return own; });
+    ASSERT_TRUE(library.load_map("maps/m.bsp").ok());
+    const Assets& assets = *library.assets();
+    const auto metal = std::ranges::find(assets.materials, "metal", &Material::name);
+    ASSERT_NE(metal, assets.materials.end());
+    EXPECT_EQ(metal->specular > 0.0f, own);
+    EXPECT_EQ(metal->roughness < 1.0f, own);
+  }
+}
 
 TEST_F(World, MapAndSubmodels) {
   ModelLibrary library(files.loader());

@@ -42,32 +42,49 @@ bool is_sane(const vec4& axis) {
   return fits(axis.x, kMostAxis) && fits(axis.y, kMostAxis) && fits(axis.z, kMostAxis) && fits(axis.w, kMostOffset);
 }
 
+bool has_place(const Lightmaps::Face& face) {
+  return face.width > 0 && face.height > 0 && face.width <= kMostLuxels && face.height <= kMostLuxels &&
+         is_sane(face.axes[0]) && is_sane(face.axes[1]);
+}
+
+// What the lump says of a face's luxels, and where they begin; negative: it has none.
+std::int64_t read_decoupled(ByteView lump, std::size_t number, Lightmaps::Face& face) {
+  const std::size_t at = number * kDecoupledBytes;
+  face.width = read<std::uint16_t>(lump, at);
+  face.height = read<std::uint16_t>(lump, at + 2);
+  for (std::size_t a = 0; a < 2; ++a)
+    for (int c = 0; c < 4; ++c) face.axes[a][c] = read<float>(lump, at + 8 + 16 * a + 4 * static_cast<std::size_t>(c));
+  return read<std::int32_t>(lump, at + 4);
+}
+
+// Some face has a place for light.
+bool makes_sense(ByteView lump, std::size_t faces) {
+  for (std::size_t i = 0; i < faces; ++i) {
+    Lightmaps::Face face;
+    if (read_decoupled(lump, i, face) >= 0 && has_place(face)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Lightmaps::Lightmaps(const formats::Bsp& bsp, const std::optional<FileData>& lit) {
   if (!lit || !take_lit(bsp, *lit)) choose_samples(bsp);
   if (samples_.empty()) return;
   const ByteView decoupled = bspx_lump(bsp, "DECOUPLED_LM");
-  const bool has_decoupled = decoupled.size() == bsp.faces.size() * kDecoupledBytes;
-  if (!decoupled.empty() && !has_decoupled)
+  bool has_decoupled = decoupled.size() == bsp.faces.size() * kDecoupledBytes;
+  if (!decoupled.empty() && has_decoupled && !makes_sense(decoupled, bsp.faces.size())) {
+    has_decoupled = false;
+    errors_.emplace_back("its lump DECOUPLED_LM has no place for light on any face; it is not used");
+  } else if (!decoupled.empty() && !has_decoupled)
     errors_.push_back(fmt::format("its lump DECOUPLED_LM has {} bytes where {} faces take {}; it is not used",
                                   decoupled.size(), bsp.faces.size(), bsp.faces.size() * kDecoupledBytes));
   std::size_t cut_faces = 0;
   for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
     Face face = usual_face(bsp, bsp.faces[i]);
     std::int64_t offset = bsp.faces[i].light_offset;
-    if (has_decoupled) {
-      const std::size_t at = i * kDecoupledBytes;
-      face.width = read<std::uint16_t>(decoupled, at);
-      face.height = read<std::uint16_t>(decoupled, at + 2);
-      offset = read<std::int32_t>(decoupled, at + 4);
-      for (std::size_t a = 0; a < 2; ++a)
-        for (int c = 0; c < 4; ++c)
-          face.axes[a][c] = read<float>(decoupled, at + 8 + 16 * a + 4 * static_cast<std::size_t>(c));
-    }
-    const bool fits = offset >= 0 && face.width > 0 && face.height > 0 && face.width <= kMostLuxels &&
-                      face.height <= kMostLuxels && is_sane(face.axes[0]) && is_sane(face.axes[1]);
-    if (!fits) {
+    if (has_decoupled) offset = read_decoupled(decoupled, i, face);
+    if (offset < 0 || !has_place(face)) {
       face.styles.fill(kNoStyle);
     } else {
       face.first = static_cast<std::uint64_t>(offset);

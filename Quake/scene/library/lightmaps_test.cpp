@@ -118,6 +118,26 @@ TEST(Lightmaps, LuxelsLieWhereALumpSays) {
   }
 }
 
+// Of the right length, and nonsense: no luxels, more than there may be, axes that are no numbers.
+TEST(Lightmaps, ALumpThatPlacesNothingIsNamed) {
+  for (const int nonsense : {0, 1, 2}) {
+    formats::Bsp bsp = baked_room();
+    Bytes lump(bsp.faces.size() * 40, 0);
+    for (std::size_t f = 0; f < bsp.faces.size(); ++f) {
+      const std::uint16_t side = nonsense == 0 ? 0 : nonsense == 1 ? 65535 : 2;
+      const float axis = nonsense == 2 ? std::nanf("") : 1.0f;
+      std::memcpy(&lump[40 * f], &side, 2);
+      std::memcpy(&lump[40 * f + 2], &side, 2);
+      std::memcpy(&lump[40 * f + 8], &axis, 4);
+    }
+    bsp.bspx.emplace_back("DECOUPLED_LM", lump);
+    const Lightmaps maps(bsp);
+    ASSERT_EQ(maps.errors().size(), 1u) << nonsense;
+    EXPECT_NE(maps.errors()[0].find("no place for light on any face"), std::string::npos) << maps.errors()[0];
+    EXPECT_TRUE(maps.has(kLitFloor, 0)) << "the usual ones count instead";
+  }
+}
+
 TEST(Lightmaps, LumpsThatDoNotFitAreNamed) {
   formats::Bsp bsp = baked_room();
   EXPECT_TRUE(Lightmaps(bsp).errors().empty());

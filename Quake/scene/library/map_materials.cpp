@@ -224,4 +224,16 @@ std::uint32_t MapMaterials::make_material(std::uint32_t index) {
   return builder_.add_material(std::move(material));
 }
 
+void drop_gloss_by_name(Assets& assets) {
+  for (Material& material : assets.materials) {
+    const auto has_image = [](const TextureSet& set) { return set.gloss != kNone; };
+    if (!material.gloss_by_name || std::ranges::any_of(material.frames, has_image) ||
+        std::ranges::any_of(material.alternate_frames, has_image))
+      continue;
+    material.roughness = 1.0f;
+    material.specular = 0.0f;
+    material.gloss_by_name = false;
+  }
+}
+
 }  // namespace fb::scene

@@ -71,4 +71,7 @@ class MapMaterials {
   std::uint32_t missing_material_ = kNone, missing_image_ = kNone;
 };
 
+// Of materials whose gloss only a texture's name suggests, but for those with an image of it.
+void drop_gloss_by_name(Assets& assets);
+
 }  // namespace fb::scene
