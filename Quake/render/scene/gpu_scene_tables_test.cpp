@@ -142,6 +142,21 @@ TEST_F(Tables, WhatBeginsOffGlowsWhenItsStyleIsOn) {
   }
 }
 
+TEST_F(Tables, LavaIsSeenAsPaintedWhereItsAuthorsLightCounts) {
+  scene::Material& lava = assets.materials[0];
+  lava.base_color = vec3(0.5f);
+  lava.emission = vec3(1.0f);
+  for (const scene::EmissionKind kind : {scene::EmissionKind::kLava, scene::EmissionKind::kFullbright}) {
+    lava.emission_kind = kind;
+    lava.flags = kind == scene::EmissionKind::kLava ? scene::kMaterialLiquid : 0u;
+    table.begin(assets, 0.0, scales);
+    EXPECT_EQ(entry({}).base_color.x, 0.5f);
+    table.begin(assets, 0.0, scales, {}, {}, true);
+    EXPECT_EQ(entry({}).base_color.x, kind == scene::EmissionKind::kLava ? 0.0f : 0.5f) << "Quake puts no light on it";
+    EXPECT_EQ(entry({}).base_color.w, lava.alpha);
+  }
+}
+
 TEST_F(Tables, GlossByNameIsNoAuthors) {
   assets.materials[0].roughness = 0.3f;
   assets.materials[0].specular = 0.04f;
