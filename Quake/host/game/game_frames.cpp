@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/log.h"
+#include "base/stop.h"
 #include "host/game/game.h"
 #include "host/game/save_picture.h"
 #include "platform/clock.h"
