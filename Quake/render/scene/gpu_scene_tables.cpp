@@ -27,8 +27,9 @@ shared::GpuMaterial resolve(const scene::Material& m, double time, bool alternat
       painted ? glm::max(m.emission, vec3(kLeastCast)) * scene::usual_emission(m.emission_kind) : vec3(1.0f);
   const vec3 seen = (authored ? lit : 1.0f) / (cast * own);
   // Quake draws liquids that glow as they are painted, with no light on them.
-  const bool unlit = painted && (m.flags & scene::kMaterialLiquid) != 0;
-  if (unlit) out.base_color = vec4(vec3(0.0f), m.alpha);
+  const bool glows = m.emission_kind == scene::EmissionKind::kLava || m.emission_kind == scene::EmissionKind::kSlime ||
+                     m.emission_kind == scene::EmissionKind::kTeleport;
+  if (authored && glows) out.base_color = vec4(vec3(0.0f), m.alpha);
   out.seen_rg = glm::packHalf2x16(vec2(seen.x, seen.y));
   out.seen_b = glm::packHalf2x16(vec2(seen.z, authored ? m.cast_fall : 0.0f));
   out.roughness = m.roughness;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 #include <memory>
+#include <utility>
 
 #include "render/passes/frame_keys.h"
 #include "render/passes/settings.h"
@@ -146,13 +147,15 @@ TEST_F(Tables, LavaIsSeenAsPaintedWhereItsAuthorsLightCounts) {
   scene::Material& lava = assets.materials[0];
   lava.base_color = vec3(0.5f);
   lava.emission = vec3(1.0f);
-  for (const scene::EmissionKind kind : {scene::EmissionKind::kLava, scene::EmissionKind::kFullbright}) {
+  lava.flags = scene::kMaterialLiquid;
+  using Kind = scene::EmissionKind;
+  for (const auto& [kind, unlit] : {std::pair{Kind::kLava, true}, std::pair{Kind::kSlime, true},
+                                    std::pair{Kind::kTeleport, true}, std::pair{Kind::kNone, false}}) {
     lava.emission_kind = kind;
-    lava.flags = kind == scene::EmissionKind::kLava ? scene::kMaterialLiquid : 0u;
     table.begin(assets, 0.0, scales);
     EXPECT_EQ(entry({}).base_color.x, 0.5f);
     table.begin(assets, 0.0, scales, {}, {}, true);
-    EXPECT_EQ(entry({}).base_color.x, kind == scene::EmissionKind::kLava ? 0.0f : 0.5f) << "Quake puts no light on it";
+    EXPECT_EQ(entry({}).base_color.x, unlit ? 0.0f : 0.5f) << "water has its light";
     EXPECT_EQ(entry({}).base_color.w, lava.alpha);
   }
 }
