@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/library/liquid_faces.h"
+#include "scene/library/coincident_faces.h"
 #include "scene/library/surface_names.h"
 #include "scene/shapes.h"
 #include "world/bsp_query.h"
@@ -56,22 +56,38 @@ class BrushMeshBuilder {
         texinfo.texture < bsp_.textures.size() ? &bsp_.textures[texinfo.texture] : nullptr;
     if (texture != nullptr && is_tool_texture(texture->name)) return;
 
-    std::vector<vec3> polygon;
-    vec3 normal(0.0f);
-    for (std::uint32_t k = 0; k < face.surfedge_count; ++k) polygon.push_back(bsp_.face_vertex(face, k));
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
-      normal += triangle_cross(polygon[0], polygon[k], polygon[k + 1]);
-    const vec3 front = bsp_.planes[face.plane].normal * (face.back_side ? -1.0f : 1.0f);
-    // Quake's faces run clockwise as seen from the front; ours the other way.
-    if (glm::dot(normal, front) < 0.0f) std::ranges::reverse(polygon);
+    if (skies_are_cut_ && texture != nullptr && is_sky_texture(texture->name)) {
+      for (const auto [first, last] = skies_.equal_range(number);
+           const auto& [key, polygon] : std::ranges::subrange(first, last))
+        add_fan(polygon, texinfo, texture, number);
+      return;
+    }
+    std::vector<vec3> polygon = polygon_of(face);
     if (texture != nullptr && liquid_kind(texture->name) != LiquidKind::kNone)
       liquids_.push_back({face.texinfo, texinfo.texture, face.plane, face.back_side, std::move(polygon), number});
     else
       add_fan(polygon, texinfo, texture, number);
   }
 
+  // Before any face is added: where skies have two sides in one plane, what is left of them.
+  void find_skies(std::uint32_t first, std::uint32_t count) {
+    std::vector<MapFace> faces;
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const formats::BspFace& face = bsp_.faces[i];
+      const std::uint32_t texture = bsp_.texinfos[face.texinfo].texture;
+      if (face.surfedge_count < 3 || texture >= bsp_.textures.size() || !is_sky_texture(bsp_.textures[texture].name))
+        continue;
+      faces.push_back({face.texinfo, texture, face.plane, face.back_side, polygon_of(face), i});
+    }
+    const double before = area_of(faces);
+    std::vector<MapFace> left = without_coincident(std::move(faces));
+    skies_are_cut_ = area_of(left) < 0.9999 * before;
+    if (!skies_are_cut_) return;  // faces stay in the map's order
+    for (MapFace& face : left) skies_.emplace(face.number, std::move(face.polygon));
+  }
+
   Mesh take(std::string name) {
-    for (const LiquidFace& face : without_coincident(std::move(liquids_)))
+    for (const MapFace& face : without_coincident(std::move(liquids_)))
       add_fan(face.polygon, bsp_.texinfos[face.texinfo], &bsp_.textures[face.texture], face.number,
               liquid_in_front(face));
     mesh_.name = std::move(name);
@@ -80,7 +96,7 @@ class BrushMeshBuilder {
   }
 
   // Which of a face's two sides is kept says nothing of where the liquid is; the tree of nodes does.
-  bool liquid_in_front(const LiquidFace& face) const {
+  bool liquid_in_front(const MapFace& face) const {
     vec3 middle(0.0f);
     for (const vec3& p : face.polygon) middle += p / static_cast<float>(face.polygon.size());
     const vec3 front = bsp_.planes[face.plane].normal * (face.back_side ? -1.0f : 1.0f);
@@ -94,6 +110,24 @@ class BrushMeshBuilder {
   }
 
  private:
+  // Counter-clockwise as seen from the front; Quake's faces run the other way.
+  std::vector<vec3> polygon_of(const formats::BspFace& face) const {
+    std::vector<vec3> polygon;
+    vec3 normal(0.0f);
+    for (std::uint32_t k = 0; k < face.surfedge_count; ++k) polygon.push_back(bsp_.face_vertex(face, k));
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+      normal += triangle_cross(polygon[0], polygon[k], polygon[k + 1]);
+    const vec3 front = bsp_.planes[face.plane].normal * (face.back_side ? -1.0f : 1.0f);
+    if (glm::dot(normal, front) < 0.0f) std::ranges::reverse(polygon);
+    return polygon;
+  }
+
+  static double area_of(const std::vector<MapFace>& faces) {
+    double area = 0.0;
+    for (const MapFace& face : faces) area += polygon_area(face.polygon);
+    return area;
+  }
+
   void add_fan(const std::vector<vec3>& polygon, const formats::BspTexInfo& texinfo, const formats::BspTexture* texture,
                std::uint32_t number, bool liquid_in_front = false) {
     const std::size_t n = polygon.size(), start = best_fan_start(polygon);
@@ -141,7 +175,9 @@ class BrushMeshBuilder {
   MapMaterials& materials_;
   Mesh mesh_;
   std::map<std::array<float, 3>, std::uint32_t> vertices_;
-  std::vector<LiquidFace> liquids_;
+  std::vector<MapFace> liquids_;
+  std::multimap<std::uint32_t, std::vector<vec3>> skies_;  // what is left of a map's face, by its number
+  bool skies_are_cut_ = false;
 };
 
 }  // namespace
@@ -149,6 +185,7 @@ class BrushMeshBuilder {
 Mesh make_brush_mesh(const formats::Bsp& bsp, std::uint32_t model, MapMaterials& materials, std::string name) {
   BrushMeshBuilder builder(bsp, model, materials);
   const formats::BspModel& m = bsp.models[model];
+  builder.find_skies(m.first_face, m.face_count);
   for (std::uint32_t i = 0; i < m.face_count; ++i) builder.add_face(m.first_face + i);
   return builder.take(std::move(name));
 }

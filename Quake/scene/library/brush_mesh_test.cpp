@@ -10,8 +10,9 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
-#include "scene/library/liquid_faces.h"
+#include "scene/library/coincident_faces.h"
 #include "scene/library/surface_names.h"
 #include "scene/library/test_maps.h"
 #include "scene/shapes.h"
@@ -100,14 +101,14 @@ TEST(BrushMesh, LeavesToolsOutAndKeepsMissingTextures) {
   EXPECT_EQ(built->material(3).name, "outside");
 }
 
-TEST(BrushMesh, LiquidsHaveOneSurface) {
+// Upward and downward area of a square whose other side is cut otherwise, and reaches beyond.
+std::pair<double, double> area_of_two_sides(const char* name) {
   MapBuilder map;
-  const std::uint32_t water = map.add_texture(texture("*water1"));
-  map.add_square(0, 0, 0, 64, water, true);
-  // The other side, cut otherwise, and reaching beyond.
-  map.add_square(0, 0, 0, 32, water, false);
-  map.add_square(32, 32, 0, 32, water, false);
-  map.add_square(60, 0, 0, 32, water, false);
+  const std::uint32_t surface = map.add_texture(texture(name));
+  map.add_square(0, 0, 0, 64, surface, true);
+  map.add_square(0, 0, 0, 32, surface, false);
+  map.add_square(32, 32, 0, 32, surface, false);
+  map.add_square(60, 0, 0, 32, surface, false);
   const auto built = build(map);
   double up = 0.0, down = 0.0;
   for (const MeshTriangle& t : built->mesh.triangles) {
@@ -116,8 +117,29 @@ TEST(BrushMesh, LiquidsHaveOneSurface) {
     const double z = 0.5 * static_cast<double>(glm::cross(b - a, c - a).z);
     (z > 0 ? up : down) += std::fabs(z);
   }
+  return {up, down};
+}
+
+TEST(BrushMesh, LiquidsAndSkiesHaveOneSurface) {
+  for (const char* name : {"*water1", "sky1"}) {
+    const auto [up, down] = area_of_two_sides(name);
+    EXPECT_NEAR(up, 64 * 64, 0.1) << name;
+    EXPECT_NEAR(down, 28 * 32, 0.1) << name;
+  }
+  const auto [up, down] = area_of_two_sides("wall");
   EXPECT_NEAR(up, 64 * 64, 0.1);
-  EXPECT_NEAR(down, 28 * 32, 0.1);
+  EXPECT_NEAR(down, 3 * 32 * 32, 0.1);
+}
+
+// Where nothing coincides triangles are in the order of the map's faces.
+TEST(BrushMesh, SkiesStayInTheirPlace) {
+  MapBuilder map;
+  map.add_square(0, 0, 0, 64, map.add_texture(texture("sky1")));
+  map.add_square(64, 0, 0, 64, map.add_texture(texture("wall")));
+  const auto built = build(map);
+  ASSERT_EQ(built->mesh.triangles.size(), 4u);
+  EXPECT_EQ(built->material(0).name, "sky1");
+  EXPECT_EQ(built->material(3).name, "wall");
 }
 
 // A texel of 32 by 32 textures covers 1, 2 or 4 units; liquids repeat every 64, and twice or four times that if they
@@ -147,7 +169,7 @@ TEST(BrushMesh, Quake64TexturesAreDrawnAsLargeAsTheirShiftSays) {
   EXPECT_EQ(repeats("*water", 2, 0), 0.25f);
 }
 
-TEST(LiquidFaces, Subtraction) {
+TEST(CoincidentFaces, Subtraction) {
   const std::vector<vec3> a{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
   const std::vector<vec3> hole{{1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}};
   const std::vector<vec3> beside{{4, 0, 0}, {8, 0, 0}, {8, 4, 0}, {4, 4, 0}};

@@ -1,6 +1,7 @@
-// Maps draw a liquid's surface twice, once for each side, and cut the two differently. Coincident surfaces make a ray
-// tracer stop twice (and flicker), and here one surface shows on both sides: so what already has a face the other way
-// round is cut off.
+// Maps draw a liquid's surface twice, once for each side, and cut the two differently; skies of maps that are not
+// sealed have an inner and an outer side in one plane, too. Which of two coincident triangles a ray meets is chance: it
+// stops twice at a liquid, or misses the triangle that light was looked for on. Here one surface shows on both sides:
+// so what already has a face the other way round is cut off.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,7 @@
 
 namespace fb::scene {
 
-struct LiquidFace {
+struct MapFace {  // of a liquid or of a sky
   std::uint32_t texinfo, texture, plane;
   bool back_side;
   std::vector<vec3> polygon;  // convex, counter-clockwise about the face's front
@@ -18,7 +19,7 @@ struct LiquidFace {
 };
 
 // Of every plane and texture the side with the larger area stays as it is; of the other side what is not covered.
-std::vector<LiquidFace> without_coincident(std::vector<LiquidFace> faces);
+std::vector<MapFace> without_coincident(std::vector<MapFace> faces);
 
 // The parts of convex polygon `a` outside of convex polygon `b`, which lies in the same plane; `normal` is about which
 // `b` runs counter-clockwise. Parts thinner than `tolerance` (units) are dropped.

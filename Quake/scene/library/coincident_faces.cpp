@@ -1,4 +1,4 @@
-#include "scene/library/liquid_faces.h"
+#include "scene/library/coincident_faces.h"
 
 #include <algorithm>
 #include <map>
@@ -51,10 +51,10 @@ Box box_of(const Polygon& polygon) {
 }
 
 // What the covers leave of a face, as faces.
-void add_uncovered(const LiquidFace& face, const std::vector<const LiquidFace*>& covers, std::vector<LiquidFace>& out) {
+void add_uncovered(const MapFace& face, const std::vector<const MapFace*>& covers, std::vector<MapFace>& out) {
   std::vector<Polygon> parts{face.polygon};
   const Box box = box_of(face.polygon);
-  for (const LiquidFace* cover : covers) {
+  for (const MapFace* cover : covers) {
     if (!box.meets(box_of(cover->polygon))) continue;
     const vec3 normal = area_vector(cover->polygon);
     std::vector<Polygon> left;
@@ -73,7 +73,7 @@ void add_uncovered(const LiquidFace& face, const std::vector<const LiquidFace*>&
     return;
   }
   for (Polygon& part : parts) {
-    LiquidFace piece = face;
+    MapFace piece = face;
     piece.polygon = std::move(part);
     out.push_back(std::move(piece));
   }
@@ -104,23 +104,23 @@ std::vector<Polygon> subtract_polygon(const Polygon& a, const Polygon& b, const 
   return outside;
 }
 
-std::vector<LiquidFace> without_coincident(std::vector<LiquidFace> faces) {
+std::vector<MapFace> without_coincident(std::vector<MapFace> faces) {
   struct Sides {
-    std::vector<const LiquidFace*> of[2];
+    std::vector<const MapFace*> of[2];
     double area[2] = {0.0, 0.0};
   };
   std::map<std::pair<std::uint32_t, std::uint32_t>, Sides> surfaces;
-  for (const LiquidFace& face : faces) {
+  for (const MapFace& face : faces) {
     Sides& sides = surfaces[{face.plane, face.texture}];
     const std::size_t side = face.back_side ? 1 : 0;
     sides.of[side].push_back(&face);
     sides.area[side] += polygon_area(face.polygon);
   }
-  std::vector<LiquidFace> result;
+  std::vector<MapFace> result;
   for (const auto& [key, sides] : surfaces) {
     const std::size_t main = sides.area[1] > sides.area[0] ? 1 : 0;
-    for (const LiquidFace* face : sides.of[main]) result.push_back(*face);
-    for (const LiquidFace* face : sides.of[1 - main]) add_uncovered(*face, sides.of[main], result);
+    for (const MapFace* face : sides.of[main]) result.push_back(*face);
+    for (const MapFace* face : sides.of[1 - main]) add_uncovered(*face, sides.of[main], result);
   }
   return result;
 }
