@@ -137,9 +137,18 @@ FB_FN float spline_offset(uint bits) {
 }
 
 // --- Cells of the world ---
-// A claim is larger than 0. Of claims of one cell the largest has it: of one pixel, at random in each frame.
-FB_FN uint claim_of(uint element, uint random) { return (random & 0xff000000u) | ((element + 1u) & 0xffffffu); }
-FB_FN uint claiming_element(uint claim) { return (claim & 0xffffffu) - 1u; }
+// A claim is larger than 0. Of claims of one cell the largest has it: of one pixel, at random in each frame, since
+// claims are pixels' numbers in another order, by a number of the frame. One pixel in 2^32 would have claim 0: it
+// claims nothing.
+FB_FN uint claim_of(uint element, uint order) {
+  uint x = (element ^ order) * 0x9e3779b1u;
+  x = (x ^ (x >> 16u)) * 0x85ebca77u;
+  return x ^ (x >> 16u);
+}
+FB_FN uint claiming_element(uint claim, uint order) {  // by both factors' inverses
+  uint x = (claim ^ (claim >> 16u)) * 0xb6c92f47u;
+  return ((x ^ (x >> 16u)) * 0xe8b2f51u) ^ order;
+}
 
 // What a cell keeps of its own and of what a pixel's chain ended with: either in proportion to their scores, by a
 // random number `u`. Where the chain found nothing the cell's counts half: in the dark it fades.

@@ -325,11 +325,22 @@ TEST(Ssmm, ACellKeepsStatesByTheirScoresAndFadesInTheDark) {
   EXPECT_EQ(kept_in_world(strong, weak, 0.26f).score, 4);
   for (int frame = 0; frame < 70; ++frame) cell = kept_in_world(cell, none, 0.5f);
   EXPECT_FALSE(is_valid_state(cell));
-  for (const std::uint32_t element : {0u, 1u, 0xfffffeu})
-    for (const std::uint32_t random : {0u, 0xffffffffu}) {
-      EXPECT_GT(claim_of(element, random), 0u);
-      EXPECT_EQ(claiming_element(claim_of(element, random)), element);
-    }
+}
+
+TEST(Ssmm, EveryPixelOfALargeCellTeachesIt) {
+  for (const std::uint32_t element : {0u, 1u, 0xfffffeu, 0x3ffffffu})
+    for (const std::uint32_t order : {0u, 77u, 0xffffffffu})
+      EXPECT_EQ(claiming_element(claim_of(element, order), order), element);
+  constexpr std::uint32_t kPixels = 4096, kFrames = 4096;
+  Rng rng(3);
+  int quarters[4] = {0, 0, 0, 0};
+  for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+    const std::uint32_t order = rng.next();
+    std::uint32_t largest = 0;
+    for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) largest = std::max(largest, claim_of(pixel, order));
+    ++quarters[4 * claiming_element(largest, order) / kPixels];
+  }
+  for (const int count : quarters) EXPECT_NEAR(count, kFrames / 4, 4 * 28) << "four standard deviations";
 }
 
 // Six numbers make a B-spline of degree 5 over the window (four, as the paper has it, would make one of degree 3).

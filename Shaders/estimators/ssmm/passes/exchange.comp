@@ -43,7 +43,7 @@ void main() {
     ChainState other = state_of_cell(cell);
     float score = chain_score(other);
     if (score > 0.0 && (!is_valid_state(s) || rng_uniform(rng) * (sum + score) < score)) s = other;
-    claim_cell(cell, claim_of(at, rng_next(rng)));
+    claim_cell(cell, claim_of(at, claim_order()));
   }
   FB_STORE_CHAIN(chain_lobes, at, s)
 }

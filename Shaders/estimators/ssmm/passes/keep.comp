@@ -7,7 +7,8 @@
 void main() {
   uint place = gl_GlobalInvocationID.x;
   if (place >= world_claimed.at[3]) return;
-  uint slot = world_claimed.at[kSsmmClaimedWords + place], element = claiming_element(world_claims.at[slot]);
+  uint slot = world_claimed.at[kSsmmClaimedWords + place],
+       element = claiming_element(world_claims.at[slot], claim_order());
   world_claims.at[slot] = 0u;
   GridKey cell;
   if (!world_cell(uvec2(element % frame.light_width, element / frame.light_width), cell)) return;

@@ -28,10 +28,14 @@ bool world_cell(uvec2 block, out GridKey cell) {
   return true;
 }
 
+// The order of this frame's claims.
+uint claim_order() { return rng_seed(0u, frame.frame, 0x165667b1u, frame.seed); }
+
 // A pixel would teach the cell in this frame. The first to say so lists it for passes/keep.comp, with a workgroup where
 // the last is full.
 void claim_cell(GridKey cell, uint claim) {
   uint slot = slot_of(cell);
+  if (claim == 0u) return;
   if (atomicMax(world_claims.at[slot], claim) == 0u) {
     uint place = atomicAdd(world_claimed.at[3], 1u);
     world_claimed.at[kSsmmClaimedWords + place] = slot;
