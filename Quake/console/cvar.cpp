@@ -73,11 +73,13 @@ std::string Cvar::set(std::string_view text) {
     const auto given = parse_value(text);
     if (!given)
       return fmt::format("{}: \"{}\" is not a number, so it stays {} ({}).", name(), text, string_, range_text());
-    double value = spec_.integer ? std::round(*given) : *given;
+    // As the limits are, a float: 0.001 is not below a limit of 0.001.
+    const double asked = spec_.integer ? *given : static_cast<double>(static_cast<float>(*given));
+    double value = spec_.integer ? std::round(asked) : asked;
     if (spec_.least_above_zero && value > 0.0) value = std::max(value, static_cast<double>(*spec_.least_above_zero));
     if (spec_.min) value = std::max(value, static_cast<double>(*spec_.min));
     if (spec_.max) value = std::min(value, static_cast<double>(*spec_.max));
-    if (value != *given) {
+    if (value != asked) {
       taken = spec_.integer ? double_text(value) : number_text(static_cast<float>(value));  // a limit, which is a float
       sentence = fmt::format("{}: {} is not allowed ({}), so it is {} now.", name(), text, range_text(), taken);
     }

@@ -83,6 +83,10 @@ TEST(Cvar, LimitsAreNamedAsTheyAreWritten) {
   Cvar cvar({"x", "0", "", kCvarPlain, 0.0f, 0.1f});
   EXPECT_EQ(cvar.set("5"), "x: 5 is not allowed (0 to 0.1), so it is 0.1 now.");
   EXPECT_EQ(cvar.string(), "0.1");
+  EXPECT_EQ(cvar.set("0.1"), "") << "a limit itself is allowed, though its float is not the number";
+  Cvar least({"x", "1", "", kCvarPlain, 0.001f, 1.0f});
+  EXPECT_EQ(least.set("0.001"), "");
+  EXPECT_EQ(least.string(), "0.001");
 }
 
 TEST(Cvar, ListenersHearChangesOnly) {
