@@ -44,14 +44,18 @@ constexpr std::string_view kDisplayShaders[] = {
     "tonemap_lens",
 };
 
-// Another technique's paths, or a pass of another folder's (FOLDER_PASS; a folder is named as its first technique).
-bool is_of_another(std::string_view shader, std::string_view estimator) {
-  return std::ranges::any_of(techniques(), [&](const TechniqueInfo& t) {
-    if (t.name == estimator) return false;
-    const std::string begins = std::string(t.name) + "_";
-    return shader == t.name || shader == begins + "medium" ||
-           (shader.starts_with(begins) && !estimator.starts_with(begins));
-  });
+// What the names of a folder's techniques and passes begin with: restir of restir_di, restir_guided, restir_spatial.
+std::string_view family_of(std::string_view name) { return name.substr(0, name.find('_')); }
+
+// Another technique's paths, or a pass of a family that this one neither is of nor stands on.
+bool is_of_another(std::string_view shader, const TechniqueInfo& own) {
+  const std::string_view family = family_of(shader);
+  bool of_technique = false;
+  for (const TechniqueInfo& t : techniques()) {
+    if (shader == t.name || shader == std::string(t.name) + "_medium") return t.name != own.name;
+    of_technique |= family_of(t.name) == family;
+  }
+  return of_technique && family != family_of(own.name) && family != own.stands_on;
 }
 
 // A technique that has no paths from a medium of its own takes those of its folder (ddgi_restir: ddgi_plus's).
@@ -68,9 +72,11 @@ std::span<const std::string_view> display_shaders() { return kDisplayShaders; }
 
 std::uint64_t radiance_hash(std::string_view estimator, const RadianceCode& code) {
   std::uint64_t hash = code.light_list;
+  const TechniqueInfo* own = find_technique(estimator);
   for (const CompiledShader& shader : code.shaders) {
     if (std::ranges::count(kDisplayShaders, shader.name) > 0) continue;
-    if (is_of_another(shader.name, estimator) && !borrows_fog(shader.name, estimator, code.shaders)) continue;
+    if (own != nullptr && is_of_another(shader.name, *own) && !borrows_fog(shader.name, estimator, code.shaders))
+      continue;
     hash = hash_bytes(shader.name.data(), shader.name.size(), hash);
     for (const auto variant : {shader.bound, shader.address, shader.query}) hash = hash_span(variant, hash);
   }

@@ -44,13 +44,18 @@ TEST(RadianceHash, HoldsWhatMakesTheLinearPicture) {
   for (const char* name : {"mcpg", "mcpg_nee", "mcpg_tail"})
     for (const char* shader : {"mcpg_fold_cache", "mcpg_resolve_states"})
       EXPECT_TRUE(counts(name, shader)) << name << ' ' << shader << ", a pass of its folder";
+  EXPECT_TRUE(counts("restir_guided", "mcpg_fold_cache")) << "a pass of the folder that it stands on";
+  for (const char* name : {"restir_di", "restir_gi", "restir_guided"})
+    EXPECT_TRUE(counts(name, "restir_spatial")) << name;
   for (const VariantOfShader variant : {&CompiledShader::bound, &CompiledShader::address, &CompiledShader::query})
     EXPECT_TRUE(counts("nee", "nee", variant));
 }
 
 TEST(RadianceHash, LeavesOutOtherTechniquesAndTheDisplay) {
-  for (const char* shader : {"pt", "pt_medium", "mcpg", "mcpg_nee", "mcpg_nee_medium", "mcpg_tail", "mcpg_fold_cache"})
+  for (const char* shader : {"pt", "pt_medium", "mcpg", "mcpg_nee", "mcpg_nee_medium", "mcpg_tail", "mcpg_fold_cache",
+                             "restir_spatial", "pstf_fold"})
     EXPECT_FALSE(counts("nee", shader)) << shader;
+  EXPECT_FALSE(counts("restir_di", "mcpg_fold_cache"));
   for (const std::string_view shader : display_shaders()) EXPECT_FALSE(counts("nee", shader)) << shader;
 }
 

@@ -51,6 +51,7 @@ extern constinit const TechniqueInfo kRestirGuided{
     .frames = Frames::kCorrelated,
     .wants_lights = true,
     .wants_previous_gbuffer = true,
-    .views = shared::kViewOfRestir};
+    .views = shared::kViewOfRestir,
+    .stands_on = "mcpg"};
 
 }  // namespace fb::render

@@ -103,6 +103,7 @@ struct TechniqueInfo {
   std::uint32_t views = shared::kViewOfFrame;  // the debug views that it draws itself: their owner
   // The picture of offline iterations is made by its final passes; else it is the mean of all samples.
   bool ends_iterations = false;
+  std::string_view stands_on{};  // another folder, whose passes it runs, too
 
   bool unbiased() const { return bias == Bias::kUnbiased; }
   bool learns() const { return frames != Frames::kIndependent; }  // keeps something from frame to frame
