@@ -4,6 +4,7 @@
 // Jacobian 1.
 #ifndef FB_RESTIR_LIGHT_SAMPLE
 #define FB_RESTIR_LIGHT_SAMPLE
+#include "estimators/restir/places.h"
 #include "estimators/restir/restir.h"
 #include "lib/look_for_light.glsl"
 
@@ -40,21 +41,6 @@ uvec4 pack_light(LightReservoir r) {
 LightReservoir unpack_light(uvec4 words) {
   vec2 rest = unpackHalf2x16(words.w);
   return LightReservoir(LightSample(words.x, words.y), reservoir_number(uintBitsToFloat(words.z)), rest.x, rest.y);
-}
-
-vec2 unit_place(uint place) { return (vec2(place >> 16u, place & 0xffffu) + 0.5) / 65536.0; }
-uint packed_place(vec2 u) {
-  uvec2 steps = min(uvec2(max(u, vec2(0.0)) * 65536.0), uvec2(0xffffu));
-  return steps.x << 16u | steps.y;
-}
-// The weights of a triangle's vertices 1 and 2 at a place on it, and back.
-vec2 triangle_place(vec2 u) {
-  float root = sqrt(u.x);
-  return vec2(root * (1.0 - u.y), root * u.y);
-}
-vec2 unit_of_triangle(vec2 bary) {
-  float both = bary.x + bary.y;
-  return vec2(both * both, bary.y / max(both, 1e-20));
 }
 
 // Where a sample is.
