@@ -95,6 +95,13 @@ TEST_F(BenchTest, TheKeyIsOfWhatIsSeen) {
   EXPECT_TRUE(changed([](FrameSnapshot& s, Assets&) { s.sky.suns.emplace_back(); }));
   EXPECT_FALSE(changed([](FrameSnapshot&, Assets& a) { a.materials[0].index = 1.5f; })) << "nothing is behind it";
   EXPECT_TRUE(changed([](FrameSnapshot&, Assets& a) { a.meshes[0].positions[0].z += 1; }));
+  const auto in_style = [](FrameSnapshot& s, Assets& a, bool switched) {
+    a.materials[0].cast_style = 3;
+    a.materials[0].switched = switched;
+    s.light_styles[3] = 0.5f;
+  };
+  EXPECT_TRUE(changed([&](FrameSnapshot& s, Assets& a) { in_style(s, a, true); }));
+  EXPECT_FALSE(changed([&](FrameSnapshot& s, Assets& a) { in_style(s, a, false); })) << "its light has no style";
   const auto key_of_filled = [&](float index) {
     scene::FrameSnapshot snapshot = plain;
     auto assets = std::make_shared<scene::Assets>(*plain.assets);

@@ -63,6 +63,12 @@ TEST_F(JudgeTest, ReferencesAreMadeOnceAndKeptByWhatTheyDependOn) {
   settings.bounces = render::RenderSettings().bounces;
   settings.emit_lava = 1;
   EXPECT_NE(reference_key(snapshot, settings, {}), key);
+  settings = {};
+  settings.water = 0;
+  EXPECT_NE(reference_key(snapshot, settings, {}), key);
+  settings = {};
+  settings.exposure_target = 1.6f;
+  EXPECT_NE(reference_key(snapshot, settings, {}), key);
 }
 
 TEST_F(JudgeTest, AReferenceIsShownAsTheRendererShowsIt) {

@@ -18,7 +18,7 @@
 namespace fb::lab {
 namespace {
 
-constexpr std::uint32_t kFormat = 3;  // of the kept files
+constexpr std::uint32_t kFormat = 4;  // of the kept files
 constexpr const char* kExposureText = "fullbright.exposure";
 
 template <typename Item, typename Part>
@@ -96,10 +96,11 @@ render::RenderSettings reference_settings(render::RenderSettings settings, const
 std::uint64_t reference_key(const scene::FrameSnapshot& snapshot, const render::RenderSettings& settings,
                             const JudgedReferenceOptions& options) {
   std::string text =
-      fmt::format("{} {} {} {}x{} r_bounces={} r_texture_filter={} r_autoexposure={} r_exposure={}", kFormat,
-                  options.estimator, options.spp, options.width, options.height, settings.bounces,
-                  std::max(settings.texture_filter, 0), settings.auto_exposure, settings.exposure);
+      fmt::format("{} {} {} {}x{}", kFormat, options.estimator, options.spp, options.width, options.height);
+  // All rows but those of the denoiser, of the list of lights and of techniques, which leave the mean as it is.
 #define FB_TEXT(type, field, cvar, value, low, high, help) text += fmt::format(" " cvar "={}", settings.field);
+  FB_FRAME_SETTINGS(FB_TEXT)
+  FB_RENDERER_SETTINGS(FB_TEXT)
   FB_EMISSION_SETTINGS(FB_TEXT)
 #undef FB_TEXT
   return hash_bytes(text.data(), text.size(), content_key(snapshot));

@@ -26,6 +26,7 @@ std::uint64_t scene_key(const scene::FrameSnapshot& s) {
   key = hash_bytes(&s.liquid_opacity, sizeof(s.liquid_opacity), key);
   key = hash_bytes(&s.camera_liquid, sizeof(s.camera_liquid), key);
   if (s.authored) key = hash_bytes(&s.authored, sizeof(s.authored), key);
+  key = hash_span(std::span<const float>(s.light_styles), key);
   key = sky_key(s.sky, key);
   return hash_span(std::span<const float>(camera), key);
 }
