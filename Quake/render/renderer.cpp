@@ -104,6 +104,7 @@ struct Renderer::Impl {
   std::uint64_t generation = 0, number = 0;  // of the assets; of the next frame
   std::uint32_t accumulated = 0;             // frames in the mean after the last render
   bool restart = true;                       // accumulation begins anew
+  std::optional<std::uint32_t> resumed;      // frames that count as rendered before the next one
   bool lost = true, authored = false;        // nothing is left of the former frame; baked light counted in it
   std::optional<uvec2> iteration;            // begins with the next frame: its number, its samples
   bool ends_iterations = false;              // with the next frame
@@ -267,6 +268,7 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
   const bool same_view = now == key && !restart && settings.accumulate != 0;
   const bool first_frame = key == 0;
   if (!same_view) accumulated = 0;
+  accumulated = std::exchange(resumed, std::nullopt).value_or(accumulated);
   const std::uint32_t sample = accumulated;  // whose random numbers they are
   if (final_passes) accumulated = 0;         // a picture of its own, no further sample
 
@@ -459,6 +461,20 @@ void Renderer::begin_iteration(std::uint32_t number, std::uint32_t samples) {
   impl_->iteration = uvec2(number, samples);
 }
 void Renderer::end_iterations() { impl_->ends_iterations = true; }
+Bytes Renderer::save_iterations() {
+  impl_->finish();
+  Bytes state;
+  impl_->technique->save_iterations(state);
+  return state;
+}
+Status Renderer::resume_iterations(ByteView state, std::uint32_t frames) {
+  impl_->finish();
+  impl_->forget_learnt();
+  ByteReader reader(state, "iterations");
+  if (auto status = impl_->technique->resume_iterations(reader); !status) return status;
+  impl_->resumed = frames;
+  return ok_status();
+}
 void Renderer::reset_learning() { impl_->forget_learnt(); }
 std::uint32_t Renderer::accumulated_frames() const { return impl_->accumulated; }
 const std::string& Renderer::intersector_name() const {

@@ -74,6 +74,12 @@ class Renderer {
   // The next frame's picture is that of all iterations, made by the technique's final passes: only where it has them
   // (TechniqueInfo::ends_iterations). It is averaged with no other frame.
   void end_iterations();
+  // What the picture goes on from in another program, after the last frame of an iteration that is not the last
+  // (Technique::save_iterations); empty: the technique cannot.
+  Bytes save_iterations();
+  // Takes the place of these iterations, of so many frames. This renderer has rendered a frame of the same snapshot and
+  // settings; what it learnt is forgotten. Fails where the state is damaged.
+  Status resume_iterations(ByteView state, std::uint32_t frames);
   std::string iterations_report() const;  // Technique::report
 
   // Frames averaged in the linear image.

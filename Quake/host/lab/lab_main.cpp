@@ -1,5 +1,6 @@
 // fullbright-lab: render | render-merge | reference | reference-merge | export | compare | ztest | bench | iterate |
-// picture | suite | suite-merge | report | film | timedemos | authored | track | estimators | settings | commands.
+// still | picture | suite | suite-merge | report | film | timedemos | authored | track | estimators | settings |
+// commands.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -39,6 +40,7 @@ int run(int argc, char** argv) {
                                  add_ztest_command(app),
                                  add_bench_command(app, command_line),
                                  add_iterate_command(app, command_line),
+                                 add_still_command(app),
                                  add_picture_command(app, command_line),
                                  add_suite_command(app),
                                  add_suite_merge_command(app),

@@ -36,6 +36,7 @@ LabCommand add_ztest_command(CLI::App& app);
 // command_line: as it was typed, for the report.
 LabCommand add_bench_command(CLI::App& app, std::string command_line);
 LabCommand add_iterate_command(CLI::App& app, std::string command_line);
+LabCommand add_still_command(CLI::App& app);
 LabCommand add_picture_command(CLI::App& app, std::string command_line);
 LabCommand add_film_command(CLI::App& app);
 LabCommand add_timedemos_command(CLI::App& app);

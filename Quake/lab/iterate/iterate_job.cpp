@@ -73,14 +73,18 @@ void summarise(IterateLane& lane, const Reference& reference, const Frames* base
 
 IteratedPicture render_iterations(render::Renderer& renderer, render::RenderSettings settings,
                                   scene::FrameSnapshot snapshot, const Schedule& schedule,
-                                  const std::function<void(std::uint32_t)>& progress) {
+                                  const std::function<void(std::uint32_t)>& progress, const IterationBreaks* breaks) {
   const auto start = std::chrono::steady_clock::now();
   settings = settings_of_samples(std::move(settings));
   snapshot.frame = 0;  // frames differ by how many are accumulated
   snapshot.cut = true;
-  renderer.reset_learning();
-  renderer.restart_accumulation();
+  const std::uint32_t first = breaks != nullptr ? breaks->first : 0;
+  if (first == 0) {
+    renderer.reset_learning();
+    renderer.restart_accumulation();
+  }
   IteratedPicture result;
+  for (std::uint32_t i = 0; i < first; ++i) result.samples += schedule[i];
   const auto frame = [&] {
     renderer.render(snapshot, nullptr, settings);
     snapshot.cut = false;
@@ -89,13 +93,14 @@ IteratedPicture render_iterations(render::Renderer& renderer, render::RenderSett
       if (pass.kind == render::PassKind::kEstimator) result.estimator_ms += pass.milliseconds;
     }
   };
-  for (std::uint32_t i = 0; i < schedule.size(); ++i) {
+  for (std::uint32_t i = first; i < schedule.size(); ++i) {
     renderer.begin_iteration(i, schedule[i]);
     for (std::uint32_t k = 0; k < schedule[i]; ++k) {
       frame();
       ++result.samples;
       if (progress) progress(result.samples);
     }
+    if (breaks != nullptr && i + 1 < schedule.size() && !breaks->ended(i + 1, result.samples)) return result;
   }
   const render::TechniqueInfo* technique = render::find_technique(settings.estimator);
   if (technique != nullptr && technique->ends_iterations) {

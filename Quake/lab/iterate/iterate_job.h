@@ -23,11 +23,19 @@ struct IteratedPicture {
   double wall_ms = 0;                   // by the clock, with what the host does between frames
   std::string report;                   // what the technique has kept (render::Technique::report)
 };
+// Between iterations, of a picture that several runs of a program make.
+struct IterationBreaks {
+  std::uint32_t first = 0;  // iterations that the renderer has resumed (Renderer::resume_iterations)
+  // After each iteration but the last: how many are done, and their samples a pixel. False: the picture is given up,
+  // and what render_iterations returns has none.
+  std::function<bool(std::uint32_t iterations, std::uint32_t samples)> ended;
+};
 // The renderer has its size. Of the settings the samples a frame, accumulation and the denoiser are set here
 // (settings_of_samples). `progress`: samples that are done.
 IteratedPicture render_iterations(render::Renderer& renderer, render::RenderSettings settings,
                                   scene::FrameSnapshot snapshot, const Schedule& schedule,
-                                  const std::function<void(std::uint32_t)>& progress);
+                                  const std::function<void(std::uint32_t)>& progress,
+                                  const IterationBreaks* breaks = nullptr);
 
 struct IterateJob {
   std::vector<Configuration> configurations;  // gains are against the first

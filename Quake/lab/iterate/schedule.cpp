@@ -41,6 +41,16 @@ Result<Schedule> parse_schedule(std::string_view text) {
   }
 }
 
+Schedule schedule_of(std::uint32_t samples) {
+  constexpr std::size_t kEven = 4;
+  Schedule schedule;
+  for (std::uint32_t next = 2; samples > 0; next *= schedule.size() >= kEven ? 2 : 1) {
+    schedule.push_back(samples < 2 * next ? samples : next);
+    samples -= schedule.back();
+  }
+  return schedule;
+}
+
 std::string schedule_text(const Schedule& schedule) { return fmt::format("{}", fmt::join(schedule, ",")); }
 
 std::uint32_t samples_of(const Schedule& schedule) {

@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "base/rng.h"
+#include "render/techniques/iteration_state.h"
 
 namespace fb::render {
 namespace {
@@ -85,6 +86,15 @@ DirectionalTree DirectionalTree::refined(float most_share) const {
     for (Node& node : result.nodes_) node.weight = {};
   }
   return result;
+}
+
+bool DirectionalTree::set_nodes(std::vector<Node> nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (const std::uint32_t child : nodes[i].child)
+      if (child != 0 && (child <= i || child >= nodes.size())) return false;
+  if (nodes.empty()) return false;
+  nodes_ = std::move(nodes);
+  return true;
 }
 
 std::uint32_t DirectionalTree::levels() const {
@@ -208,6 +218,76 @@ std::uint64_t GuidingTrees::bytes() const {
   std::uint64_t words = places_.size() + 4 * std::uint64_t{kept_.size()};
   for (const auto& leaf : history_) words += leaf.size();
   return 4 * words;
+}
+
+void GuidingTrees::save(Bytes& state) const {
+  for (const std::uint32_t number : {iterations_, levels_, node_levels_}) put_value(state, number);
+  put_value(state, cube_);
+  put_array(state, places_);
+  put_array(state, lows_);
+  put_array(state, widths_);
+  for (const DirectionalTree& tree : recorded_) put_array(state, tree.nodes());
+  for (const auto& leaf : history_) put_array(state, leaf);
+  put_array(state, kept_);
+  put_value(state, std::uint64_t{nodes_.size()});
+}
+
+bool GuidingTrees::load(ByteReader& state) {
+  clear();
+  GuidingTrees read;
+  std::uint64_t last = 0;
+  bool whole = take_value(state, read.iterations_) && take_value(state, read.levels_) &&
+               take_value(state, read.node_levels_) && take_value(state, read.cube_) &&
+               take_array(state, read.places_) && take_array(state, read.lows_) && take_array(state, read.widths_) &&
+               read.widths_.size() == read.lows_.size();
+  read.recorded_.resize(whole ? read.lows_.size() : 0);
+  read.history_.resize(read.recorded_.size());
+  for (DirectionalTree& tree : read.recorded_) {
+    std::vector<DirectionalTree::Node> nodes;
+    whole = whole && take_array(state, nodes) && tree.set_nodes(std::move(nodes));
+  }
+  for (auto& leaf : read.history_) whole = whole && take_array(state, leaf) && leaf.size() == read.iterations_;
+  whole = whole && take_array(state, read.kept_) && take_value(state, last) && last <= read.kept_.size() &&
+          read.iterations_ > 0 && read.leads_somewhere();
+  if (!whole) return false;
+  const auto before = static_cast<std::uint32_t>(read.kept_.size() - last);
+  read.nodes_.assign(read.kept_.begin() + before, read.kept_.end());
+  for (const auto& leaf : read.history_) {
+    if (leaf.back() != shared::kUntaught && leaf.back() < before) return false;
+    read.firsts_.push_back(leaf.back() == shared::kUntaught ? leaf.back() : leaf.back() - before);
+  }
+  *this = std::move(read);
+  return true;
+}
+
+// Walks end at leaves within their rounds, and at nodes that are there.
+bool GuidingTrees::leads_somewhere() const {
+  if (places_.empty() || levels_ > 3 * kMostHalvings || node_levels_ > kMostNodeLevels) return false;
+  std::vector<std::uint32_t> depth(places_.size());
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (depth[i] > levels_) return false;
+    if ((places_[i] & shared::kGuidingLeaf) != 0) {
+      if ((places_[i] & ~shared::kGuidingLeaf) >= history_.size()) return false;
+      continue;
+    }
+    if (places_[i] <= i || places_[i] + std::size_t{1} >= places_.size()) return false;
+    for (const std::size_t half : {std::size_t{places_[i]}, std::size_t{places_[i]} + 1}) depth[half] = depth[i] + 1;
+  }
+  for (const auto& leaf : history_) {
+    for (const std::uint32_t first : leaf) {
+      if (first == shared::kUntaught) continue;
+      std::size_t most = 0;  // of the tree's nodes, each behind its parent
+      for (std::size_t at = 0; at <= most; ++at) {
+        if (first + at >= kept_.size()) return false;
+        for (int q = 0; q < 4; ++q) {
+          const std::uint32_t child = kept_[first + at][q] & 0xffffu;
+          if (child != 0 && child <= at) return false;
+          most = std::max<std::size_t>(most, child);
+        }
+      }
+    }
+  }
+  return true;
 }
 
 }  // namespace fb::render

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "base/bytes.h"
 #include "base/maths.h"
 #include "estimators/mir/guiding_tree.h"
 
@@ -41,6 +42,8 @@ class DirectionalTree {
   std::vector<shared::uvec4> packed() const;  // as shaders read it; total() > 0
   std::uint32_t levels() const;               // of nodes, 1 or more
   const std::vector<Node>& nodes() const { return nodes_; }
+  // False: a child does not stand behind its node, or there is no node.
+  bool set_nodes(std::vector<Node> nodes);
 
  private:
   std::vector<Node> nodes_{1};
@@ -85,8 +88,13 @@ class GuidingTrees {
   // Host memory of all iterations' distributions.
   std::uint64_t bytes() const;
 
+  void save(Bytes& state) const;
+  // False, and nothing learnt: the bytes are not whole, or an index leads nowhere.
+  bool load(ByteReader& state);
+
  private:
   void split(std::span<const GuidingSample> samples, float most);
+  bool leads_somewhere() const;
 
   std::uint32_t iterations_ = 0, levels_ = 0, node_levels_ = 1;
   shared::GuidingCube cube_{};

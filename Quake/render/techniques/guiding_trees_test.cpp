@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -146,6 +147,66 @@ TEST(GuidingTrees, WhatTeachesNothingIsUntaught) {
   same.assign(10, {{5, 5, 5}, {0, 0, 1}, std::numeric_limits<float>::quiet_NaN()});
   trees.learn(same, 1, {}, 0);
   EXPECT_LT(trees.density(trees.leaf({5, 5, 5}), 2, {0, 0, 1}), 0);
+}
+
+TEST(GuidingTrees, SavedAndLoadedTheyLearnOnAsIfNothingHadBeen) {
+  GuidingTrees trees, others;
+  for (std::uint32_t i = 0; i < 3; ++i) trees.learn(samples_of(4000, i), 1, {500, 0.01f, true}, i);
+  Bytes state;
+  trees.save(state);
+  ByteReader reader(state, "state");
+  ASSERT_TRUE(others.load(reader));
+  EXPECT_EQ(reader.remaining(), 0u);
+  EXPECT_EQ(others.iterations(), 3u);
+  EXPECT_EQ(others.firsts(), trees.firsts());
+  EXPECT_EQ(others.nodes(), trees.nodes());
+  Bytes first, second;
+  for (GuidingTrees* each : {&trees, &others}) each->learn(samples_of(4000, 9), 1, {500, 0.01f, true}, 9);
+  trees.save(first);
+  others.save(second);
+  EXPECT_EQ(first, second);
+}
+
+TEST(GuidingTrees, LoadsNothingThatLeadsNowhere) {
+  GuidingTrees trees;
+  for (std::uint32_t i = 0; i < 2; ++i) trees.learn(samples_of(1500, i), 1, {300, 0.05f, true}, i);
+  Bytes state;
+  trees.save(state);
+  for (std::size_t size = 0; size < state.size(); size += 97) {
+    GuidingTrees read;
+    ByteReader reader(ByteView(state.data(), size), "state");
+    EXPECT_FALSE(read.load(reader)) << size;
+    EXPECT_EQ(read.iterations(), 0u);
+    EXPECT_EQ(read.leaf({}), 0u);
+  }
+  // A word that is another: it is refused, or walks end where there is something.
+  Rng rng(5);
+  std::uint32_t refused = 0;
+  for (int round = 0; round < 3000; ++round) {
+    Bytes changed = state;
+    const auto at = static_cast<std::size_t>(rng.uniform() * static_cast<float>(state.size() / 4 - 1)) * 4;
+    const auto word = static_cast<std::uint32_t>(rng.uniform(0, 4e9f)) >> (round % 24);
+    std::memcpy(&changed[at], &word, sizeof(word));
+    GuidingTrees read;
+    ByteReader reader(changed, "state");
+    if (!read.load(reader)) {
+      ++refused;
+      continue;
+    }
+    for (const vec3 place : {vec3(-60, 10, 20), vec3(250, 40, 80)}) {
+      const std::uint32_t leaf = read.leaf(place);
+      ASSERT_LT(leaf, read.firsts().size());
+      for (std::uint32_t k = 0; k < read.iterations(); ++k) read.density(leaf, k, {0.6f, 0, 0.8f});
+    }
+  }
+  EXPECT_GT(refused, 300u);
+  // The root's halves beyond the tree; it stands behind three numbers, the cube and a count.
+  Bytes lost = state;
+  const std::uint32_t beyond = 1u << 30u;
+  std::memcpy(&lost[3 * 4 + sizeof(shared::GuidingCube) + 8], &beyond, sizeof(beyond));
+  GuidingTrees read;
+  ByteReader reader(lost, "state");
+  EXPECT_FALSE(read.load(reader));
 }
 
 }  // namespace

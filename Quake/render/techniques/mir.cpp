@@ -19,6 +19,8 @@
 #include "base/parallel.h"
 #include "estimators/mir/mir.h"
 #include "render/techniques/guiding_trees.h"
+#include "render/techniques/iteration_memory.h"
+#include "render/techniques/iteration_state.h"
 #include "render/techniques/path_store.h"
 #include "render/techniques/path_technique.h"
 #include "render/techniques/reweighting.h"
@@ -29,7 +31,6 @@ namespace fb::render {
 namespace {
 
 constexpr ArrayRow kMirRows[]{FB_MIR_ARRAYS(FB_ARRAY_ROW)};
-constexpr std::size_t kMostTaught = std::size_t{1} << 24u;  // vertices that one iteration learns from; 28 bytes each
 constexpr double kMegabyte = 1e6;
 
 vec3 color_of(const vec4& v) { return {v.x, v.y, v.z}; }
@@ -70,7 +71,7 @@ class MirTechnique : public PathTechnique {
   void begin_iteration(std::uint32_t iteration, std::uint32_t samples) override {
     if (iteration == 0)
       start_over();
-    else
+    else if (!std::exchange(learnt_, false))
       learn();
     iterating_ = begins_ = true;
     frames_ = 0;
@@ -118,6 +119,36 @@ class MirTechnique : public PathTechnique {
     start_over();
     iterating_ = false;
   }
+  void save_iterations(Bytes& state) override {
+    FB_CHECK(iterating_ && !learnt_);
+    learn();
+    learnt_ = true;
+    pictures_.save(state);
+    put_array(state, seen_);
+    put_array(state, shifted_);
+    put_value(state, salt_);
+    put_value(state, let_go_);
+    put_value(state, host_ms_);
+    trees_.save(state);
+    store_.save(state);
+  }
+  Status resume_iterations(ByteReader& state) override {
+    start_over();
+    const bool whole = pictures_.load(state) && take_array(state, seen_) && seen_.size() == pictures_.counts().size() &&
+                       take_array(state, shifted_) &&
+                       shifted_.size() == std::size_t{pictures_.size().x} * pictures_.size().y &&
+                       take_value(state, salt_) && take_value(state, let_go_) && take_value(state, host_ms_) &&
+                       trees_.load(state) && trees_.iterations() == seen_.size() &&
+                       store_.load(state, shifted_.size(), seen_.size()) && state.remaining() == 0;
+    if (!whole) {
+      start_over();
+      return state.error("the state of the iterations is damaged");
+    }
+    size_ = pictures_.size();
+    learnt_ = true;
+    upload_trees();
+    return ok_status();
+  }
   std::uint32_t salt() const override { return salt_; }
   std::uint64_t bytes() const override {
     return memory_.bytes() + tree_.buffer.size() + nodes_.buffer.size() + picture_.buffer.size();
@@ -159,7 +190,7 @@ class MirTechnique : public PathTechnique {
     seen_.clear();
     shifted_.clear();
     size_ = uvec2(0);
-    pending_ = begins_ = false;
+    pending_ = begins_ = learnt_ = false;
     salt_ = 0;
     let_go_ = vertices_weighed_ = others_ = 0;
     host_ms_ = 0;
@@ -250,6 +281,9 @@ class MirTechnique : public PathTechnique {
                  {settings_.mir_split, settings_.mir_share, settings_.mir_filter != 0},
                  static_cast<std::uint64_t>(settings_.seed) * 1024 + trees_.iterations());
     taught_.clear();
+    upload_trees();
+  }
+  void upload_trees() {
     std::vector<std::uint32_t> words = trees_.places();
     words.insert(words.end(), trees_.firsts().begin(), trees_.firsts().end());
     tree_.write(tools_, words, "guiding: spatial tree");
@@ -303,6 +337,7 @@ class MirTechnique : public PathTechnique {
   std::size_t vertices_ = 1, paths_ = 0;     // that are stored, of a path; of a frame
   bool iterating_ = false, begins_ = false;  // with the next frame
   bool pending_ = false;                     // a frame's paths are on the device
+  bool learnt_ = false;                      // from the last iteration, before the next one begins
   std::uint32_t planned_ = 0, frames_ = 0;   // samples of this iteration; those collected
   std::uint32_t salt_ = 0;
   std::uint64_t let_go_ = 0, vertices_weighed_ = 0, others_ = 0;  // paths; vertices; those of them of other densities

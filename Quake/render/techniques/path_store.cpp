@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "render/techniques/iteration_state.h"
 #include "render/techniques/reweighting.h"
 #include "shared/color.h"
 
@@ -56,6 +57,22 @@ void PathStore::shrink(std::uint64_t bytes, const std::function<void(const Path&
   }
   paths_ = std::move(paths);
   vertices_ = std::move(vertices);
+}
+
+void PathStore::save(Bytes& state) const {
+  put_array(state, paths_);
+  put_array(state, vertices_);
+}
+bool PathStore::load(ByteReader& state, std::size_t pixels, std::size_t iterations) {
+  clear();
+  PathStore read;
+  if (!take_array(state, read.paths_) || !take_array(state, read.vertices_)) return false;
+  for (const Path& path : read.paths_)
+    if (path.pixel >= pixels || path.iteration >= iterations || path.count > read.vertices_.size() ||
+        path.first > read.vertices_.size() - path.count)
+      return false;
+  *this = std::move(read);
+  return true;
 }
 
 double vertex_density(const GuidingTrees& trees, std::uint32_t leaf, std::uint32_t k, const PathVertex& vertex,
@@ -111,6 +128,23 @@ void IterationPictures::add(std::span<const vec4> frame) {
     const float y = shared::luminance(color);
     sums_.back()[i] += vec4(color.x, color.y, color.z, y * y);
   }
+}
+void IterationPictures::save(Bytes& state) const {
+  put_value(state, size_);
+  put_array(state, counts_);
+  for (const auto& sums : sums_) put_array(state, sums);
+}
+bool IterationPictures::load(ByteReader& state) {
+  begin(uvec2(0));
+  IterationPictures read;
+  if (!take_value(state, read.size_) || !take_array(state, read.counts_)) return false;
+  for (std::size_t i = 0; i < read.counts_.size(); ++i) {
+    read.sums_.emplace_back();
+    if (!take_array(state, read.sums_.back()) || read.sums_.back().size() != std::size_t{read.size_.x} * read.size_.y)
+      return false;
+  }
+  *this = std::move(read);
+  return true;
 }
 double IterationPictures::samples() const { return std::accumulate(counts_.begin(), counts_.end(), 0.0); }
 

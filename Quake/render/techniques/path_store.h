@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "base/bytes.h"
 #include "base/maths.h"
 #include "render/techniques/guiding_trees.h"
 
@@ -40,6 +41,10 @@ class PathStore {
   void clear() { *this = PathStore(); }
 
   std::uint64_t bytes() const { return paths_.size() * sizeof(Path) + vertices_.size() * sizeof(PathVertex); }
+  void save(Bytes& state) const;
+  // False, and nothing stored: the bytes are not whole, or of other pixels or iterations.
+  bool load(ByteReader& state, std::size_t pixels, std::size_t iterations);
+
   const std::vector<Path>& paths() const { return paths_; }
   std::span<const PathVertex> vertices(const Path& path) const { return {&vertices_[path.first], path.count}; }
 
@@ -76,6 +81,10 @@ class IterationPictures {
   void add(std::span<const vec4> frame);                         // radiance, row by row
   double samples() const;                                        // a pixel, of all iterations
   const std::vector<double>& counts() const { return counts_; }  // of each iteration
+
+  void save(Bytes& state) const;
+  bool load(ByteReader& state);  // false, and all forgotten: the bytes are not whole
+  uvec2 size() const { return size_; }
 
   // Mean of iterations of these shares, which add up to one.
   std::vector<vec4> mean(const std::function<double(std::size_t iteration, std::size_t pixel)>& share) const;

@@ -139,5 +139,47 @@ TEST(IterationPictures, CombineWholeIterations) {
   EXPECT_NEAR(left(IterationWeights::kInverseVariance), 2 + 4 * (12.0f / 5) / (12.0f / 5 + 2), 1e-4);
 }
 
+TEST(PathStore, SavedAndLoadedItIsTheSame) {
+  PathStore store, read;
+  store.add(4, 1, std::vector{stored_vertex(0), stored_vertex(2)});
+  store.add(7, 0, std::vector{stored_vertex(3)});
+  Bytes state;
+  store.save(state);
+  const auto load = [&](std::size_t pixels, std::size_t iterations, std::size_t lacks = 0) {
+    ByteReader reader(ByteView(state.data(), state.size() - lacks), "state");
+    return read.load(reader, pixels, iterations);
+  };
+  ASSERT_TRUE(load(8, 2));
+  ASSERT_EQ(read.paths().size(), 2u);
+  EXPECT_EQ(read.bytes(), store.bytes());
+  EXPECT_EQ(read.vertices(read.paths()[1])[0].light, vec3(3.0f));
+  EXPECT_FALSE(load(8, 2, 1));
+  EXPECT_TRUE(read.paths().empty());
+  EXPECT_FALSE(load(7, 2)) << "a pixel that is not there";
+  EXPECT_FALSE(load(8, 1)) << "an iteration that is not there";
+  state[8 + 8] = 2;  // the first path's first vertex: it has two of the three
+  EXPECT_FALSE(load(8, 2)) << "vertices that are not there";
+}
+
+TEST(IterationPictures, SavedAndLoadedTheyAreTheSame) {
+  IterationPictures pictures, read;
+  pictures.begin({2, 1});
+  pictures.begin_iteration();
+  for (const float light : {1.0f, 3.0f}) pictures.add(std::vector{vec4(light), vec4(2 * light)});
+  pictures.begin_iteration();
+  pictures.add(std::vector{vec4(5.0f), vec4(6.0f)});
+  Bytes state;
+  pictures.save(state);
+  ByteReader reader(state, "state");
+  ASSERT_TRUE(read.load(reader));
+  EXPECT_EQ(read.size(), uvec2(2, 1));
+  EXPECT_EQ(read.counts(), pictures.counts());
+  EXPECT_EQ(read.combined(IterationWeights::kAccumulate), pictures.combined(IterationWeights::kAccumulate));
+  EXPECT_EQ(read.variance(0, 1), pictures.variance(0, 1));
+  ByteReader cut(ByteView(state.data(), state.size() - 1), "state");
+  EXPECT_FALSE(read.load(cut));
+  EXPECT_EQ(read.size(), uvec2(0));
+}
+
 }  // namespace
 }  // namespace fb::render

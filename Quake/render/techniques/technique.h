@@ -13,7 +13,9 @@
 #include <string_view>
 #include <vector>
 
+#include "base/bytes.h"
 #include "base/maths.h"
+#include "base/result.h"
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "gpu/pipeline.h"
@@ -73,6 +75,12 @@ class Technique {
   virtual std::uint32_t salt() const { return 0; }
   // Device memory of what it learns, bytes.
   virtual std::uint64_t bytes() const { return 0; }
+  // After the last frame of an iteration that is not the last: appends what a picture goes on from in another program.
+  // Nothing: it cannot.
+  virtual void save_iterations(Bytes& /*state*/) {}
+  // As if the iterations that were saved had been rendered here, in pictures of the same size; fails where the bytes
+  // are damaged, and has then learnt nothing. begin_iteration of the next one follows.
+  virtual Status resume_iterations(ByteReader& state) { return state.error("no iterations can be resumed"); }
   // Of iterations: one line for people about what they have kept, empty if there is nothing to say.
   virtual std::string report() const { return ""; }
 };
