@@ -66,6 +66,8 @@ int run_still(const StillOptions& o, bool estimator_given) {
     std::fflush(stdout);
   };
   say(lab::still_text(job));
+  // Says how many pixels are rendered, too.
+  if (auto status = stage.renderer->fit(job.settings); !status) return fail(status.error());
   if (o.guided) {
     const render::IterationMemory memory =
         render::memory_of_iterations(job.settings, stage.renderer->render_size(), lab::schedule_of(job));
@@ -74,7 +76,6 @@ int run_still(const StillOptions& o, bool estimator_given) {
                                    stage.device->is_software()};
     if (auto status = lab::memory_suffices(job, memory, limits); !status) return fail(status.error());
   }
-  if (auto status = stage.renderer->fit(job.settings); !status) return fail(status.error());
 
   Progress progress("sample", o.samples, {.quiet = options.quiet});
   std::uint32_t tells = o.guided ? lab::schedule_of(job).front() : 1;  // after this sample
