@@ -167,13 +167,15 @@ Result<std::filesystem::path> output_path(const std::filesystem::path& typed) {
 }
 
 Status write_output(const std::filesystem::path& typed, std::string_view text) {
-  const auto path = output_path(typed);
-  if (!path) return path.error();
+  using std::filesystem::file_type;
   std::error_code code;
-  const auto type = std::filesystem::status(*path, code).type();
-  if (type == std::filesystem::file_type::regular || type == std::filesystem::file_type::not_found ||
-      type == std::filesystem::file_type::directory)  // which is refused
-    return write_text_atomically(*path, text);
+  // As the system follows links: that of /dev/stdout in a pipeline names no path.
+  const file_type type = std::filesystem::status(typed, code).type();
+  if (type == file_type::regular || type == file_type::not_found || type == file_type::none ||  // links in a circle
+      type == file_type::directory) {                                                           // which is refused
+    const auto path = output_path(typed);
+    return path ? write_text_atomically(*path, text) : Status(path.error());
+  }
   std::ofstream stream(typed, std::ios::binary);
   stream << text << std::flush;
   if (stream) return ok_status();

@@ -216,6 +216,18 @@ TEST(Output, FollowsTheUsersLinksAndWritesToDevices) {
   if (stdfs::exists("/dev/full")) {
     EXPECT_FALSE(write_output("/dev/full", "x"));
   }
+  // /dev/stdout in a pipeline is a link to one of these, which leads to no path.
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const std::string name = "/dev/fd/" + std::to_string(ends[1]);
+  if (stdfs::exists(name)) {
+    ASSERT_TRUE(write_output(name, "through"));
+    char text[8] = {};
+    ASSERT_EQ(read(ends[0], text, 7), 7);
+    EXPECT_STREQ(text, "through");
+  }
+  close(ends[0]);
+  close(ends[1]);
 }
 
 }  // namespace
