@@ -1,5 +1,5 @@
-// fs_make_seed_corpus DIRECTORY: writes the seeds of fuzz_pak and fuzz_zip, all made in code, into DIRECTORY/fuzz_pak/
-// and DIRECTORY/fuzz_zip/.
+// fs_make_seed_corpus DIRECTORY: writes the seeds of fuzz_pak, fuzz_zip and fuzz_mod_archive, all made in code, each
+// into the folder of its name.
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -39,7 +39,15 @@ int main(int argc, char** argv) {
       {"lying", make_zip({{"longer", "abcd", deflated("abc"), 8}, {"huge", "x", deflated("x"), 8, 0, 0xfffffff0u}})},
       {"strange", make_zip({{"bzip", "x", "x", 12}, {"secret", "x", "x", 0, 1}})},
   };
-  for (const auto& [folder, seeds] : {std::pair("fuzz_pak", &paks), std::pair("fuzz_zip", &zips)}) {
+  const Seeds mods = {
+      {"top", make_zip({{"progs.dat", "code"}, {"maps/", ""}, {"maps/start.bsp", "map"}})},
+      {"folder", make_zip({{"readme.txt", "read"}, {"Ad/PAK0.PAK", "pak"}, {"Ad/Maps/a.bsp", "map"}})},
+      {"deep", make_zip({{"ad-1.8/ad/pak0.pak", "pak", deflated("pak"), 8}, {"ad-1.8/ad/.x", "x"}})},
+      {"case", make_zip({{"progs.dat", "code"}, {"a/b", "x"}, {"A/c", "x"}})},
+      {"link", make_zip({{"progs.dat", "code", {}, 0, 0, 0, 0120777}})},
+  };
+  for (const auto& [folder, seeds] :
+       {std::pair("fuzz_pak", &paks), std::pair("fuzz_zip", &zips), std::pair("fuzz_mod_archive", &mods)}) {
     for (const auto& [name, bytes] : *seeds) {
       const auto path = std::filesystem::path(argv[1]) / folder / name;
       if (const auto status = fb::fs::write_file_atomically(path, bytes); !status) {

@@ -24,18 +24,6 @@ constexpr std::size_t kDigits = 16;
 constexpr Clock::duration kBetweenSweeps = std::chrono::minutes(1);
 constexpr std::size_t kMostFolders = 1024;  // that are remembered
 
-// The process's number is for people who wonder whose it is.
-std::string temporary_name() {
-  static std::mutex mutex;
-  static std::mt19937_64 dice = [] {
-    std::random_device device;
-    std::seed_seq seed{device(), device(), static_cast<unsigned>(::getpid())};
-    return std::mt19937_64(seed);
-  }();
-  const std::lock_guard lock(mutex);
-  return fmt::format("{}{}-{:016x}{}", kPrefix, ::getpid(), dice(), kExtension);
-}
-
 // Whether it is time to look for what killed programs have left in a folder.
 bool sweep_is_due(const stdfs::path& folder) {
   static std::mutex mutex;
@@ -47,15 +35,6 @@ bool sweep_is_due(const stdfs::path& folder) {
   if (!fresh && now - at->second < kBetweenSweeps) return false;
   at->second = now;
   return true;
-}
-
-void sweep(const stdfs::path& folder) {
-  std::vector<stdfs::path> found;
-  std::error_code code;
-  for (stdfs::directory_iterator it(folder.empty() ? "." : folder, code), end; !code && it != end; it.increment(code)) {
-    if (is_temporary_name(it->path().filename().string())) found.push_back(it->path());
-  }
-  for (const stdfs::path& path : found) remove_unless_held(path);
 }
 
 // With its names on the disk.
@@ -73,6 +52,27 @@ Status make_folders(const stdfs::path& folder, const stdfs::path& target) {
 
 }  // namespace
 
+// The process's number is for people who wonder whose it is.
+std::string temporary_name() {
+  static std::mutex mutex;
+  static std::mt19937_64 dice = [] {
+    std::random_device device;
+    std::seed_seq seed{device(), device(), static_cast<unsigned>(::getpid())};
+    return std::mt19937_64(seed);
+  }();
+  const std::lock_guard lock(mutex);
+  return fmt::format("{}{}-{:016x}{}", kPrefix, ::getpid(), dice(), kExtension);
+}
+
+void remove_left_over(const stdfs::path& folder) {
+  std::vector<stdfs::path> found;
+  std::error_code code;
+  for (stdfs::directory_iterator it(folder.empty() ? "." : folder, code), end; !code && it != end; it.increment(code)) {
+    if (is_temporary_name(it->path().filename().string())) found.push_back(it->path());
+  }
+  for (const stdfs::path& path : found) remove_unless_held(path);
+}
+
 bool is_temporary_name(const std::string& name) {
   std::string_view rest = name;
   if (!rest.starts_with(kPrefix) || !rest.ends_with(kExtension)) return false;
@@ -87,7 +87,7 @@ bool is_temporary_name(const std::string& name) {
 Result<TemporaryFile> TemporaryFile::create(const stdfs::path& target) {
   const stdfs::path folder = target.parent_path();
   if (auto status = make_folders(folder, target); !status) return status.error();
-  if (sweep_is_due(folder)) sweep(folder);
+  if (sweep_is_due(folder)) remove_left_over(folder);
   // The user knows it by the name that it will have.
   auto file = HeldFile::create([&] { return folder / temporary_name(); }, target.generic_string());
   if (!file) return file.error();

@@ -34,7 +34,12 @@ class TemporaryFile {
   HeldFile file_;
 };
 
-// Whether a file's name is one that TemporaryFile gives.
+// A name that no other program chooses. What has it and is held by nobody (fs/held_file.h) is removed as a dead
+// program's, a folder with all that is in it.
+std::string temporary_name();
+// Whether a file's name is such a one.
 bool is_temporary_name(const std::string& name);
+// Removes what killed programs have left in a folder.
+void remove_left_over(const std::filesystem::path& folder);
 
 }  // namespace fb::fs

@@ -15,6 +15,7 @@ struct ZippedFile {
   std::string packed = {};  // what the archive holds in place of the text; empty: the text
   std::uint16_t method = 0, flags = 0;
   std::uint32_t claimed_size = 0;  // 0: the text's
+  std::uint32_t mode = 0;          // a Unix system's, type and permissions; 0: another system's
 };
 
 inline void append_u16(Bytes& bytes, std::uint32_t value) {
@@ -61,10 +62,10 @@ inline Bytes make_zip(const std::vector<ZippedFile>& files) {
   for (const ZippedFile& file : files) {
     const std::string& packed = file.packed.empty() ? file.text : file.packed;
     append_long(directory, 0x02014b50u);
-    append_u16(directory, 20);
+    append_u16(directory, file.mode ? 0x0314 : 20);  // made by
     append_facts(directory, file);
     for (int i = 0; i < 3; ++i) append_u16(directory, 0);  // comment, disk, attributes
-    append_long(directory, 0);
+    append_long(directory, file.mode << 16);
     append_long(directory, static_cast<std::uint32_t>(zip.size()));
     directory.insert(directory.end(), file.name.begin(), file.name.end());
     append_long(zip, 0x04034b50u);

@@ -1,7 +1,6 @@
 #include "fs/zip.h"
 
 #include <fmt/format.h>
-#include <zip.h>
 
 #include <algorithm>
 #include <system_error>
@@ -9,62 +8,24 @@
 
 #include "base/log.h"
 #include "fs/path.h"
+#include "fs/zip_handle.h"
 
 namespace fb::fs {
-namespace {
-
-constexpr std::uint64_t kBestDeflate = 1032;  // a deflated byte unpacks to at most this many
-
-std::string text_of(int code) {
-  zip_error_t error;
-  zip_error_init_with_code(&error, code);
-  std::string text = zip_error_strerror(&error);
-  zip_error_fini(&error);
-  return text;
-}
-
-// Why a file is left out; empty if it is not.
-std::string fault_of(const zip_stat_t& stat, std::uint64_t archive_size) {
-  constexpr zip_uint64_t kNeeded = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD;
-  if ((stat.valid & kNeeded) != kNeeded) return "the archive does not say how it is packed";
-  if ((stat.valid & ZIP_STAT_ENCRYPTION_METHOD) && stat.encryption_method != ZIP_EM_NONE) return "it is encrypted";
-  if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE)
-    return fmt::format("it is packed by method {}; stored and deflated files are read", stat.comp_method);
-  if (stat.comp_size > archive_size)
-    return fmt::format("it claims {} packed bytes, and the archive has {}", stat.comp_size, archive_size);
-  if (stat.size > kMostZipFile) return fmt::format("it claims {} bytes, of {} that are read", stat.size, kMostZipFile);
-  const std::uint64_t most = stat.comp_method == ZIP_CM_STORE ? stat.comp_size : kBestDeflate * stat.comp_size;
-  if (stat.size > most)
-    return fmt::format("it claims {} bytes, and {} packed ones cannot hold them", stat.size, stat.comp_size);
-  return {};
-}
-
-}  // namespace
 
 Result<std::unique_ptr<Zip>> Zip::open(const std::filesystem::path& path, std::string name) {
   std::error_code code;
   const std::uint64_t size = std::filesystem::file_size(path, code);
   if (code) return Error{fmt::format("{}: cannot be read: {}", name, code.message())};
-  int failure = 0;
-  ::zip* archive = zip_open(path.string().c_str(), ZIP_RDONLY, &failure);
-  if (!archive) return Error{fmt::format("{}: not a zip archive that can be read: {}", name, text_of(failure))};
-  return finish(std::unique_ptr<Zip>(new Zip(archive, {}, std::move(name))), size);
+  const auto archive = open_zip(path, name);
+  if (!archive) return archive.error();
+  return finish(std::unique_ptr<Zip>(new Zip(*archive, {}, std::move(name))), size);
 }
 
 Result<std::unique_ptr<Zip>> Zip::open(FileData data, std::string name) {
-  zip_error_t failure;
-  zip_error_init(&failure);
-  zip_source_t* source = zip_source_buffer_create(data.data(), data.size(), 0, &failure);
-  ::zip* archive = source ? zip_open_from_source(source, ZIP_RDONLY, &failure) : nullptr;
-  if (!archive) {
-    const std::string cause = zip_error_strerror(&failure);
-    if (source) zip_source_free(source);
-    zip_error_fini(&failure);
-    return Error{fmt::format("{}: not a zip archive that can be read: {}", name, cause)};
-  }
-  zip_error_fini(&failure);
+  const auto archive = open_zip(data, name);
+  if (!archive) return archive.error();
   const std::uint64_t size = data.size();
-  return finish(std::unique_ptr<Zip>(new Zip(archive, std::move(data), std::move(name))), size);
+  return finish(std::unique_ptr<Zip>(new Zip(*archive, std::move(data), std::move(name))), size);
 }
 
 Result<std::unique_ptr<Zip>> Zip::finish(std::unique_ptr<Zip> zip, std::uint64_t archive_size) {
@@ -90,7 +51,7 @@ Status Zip::list(std::uint64_t archive_size) {
     std::string fault = !known                     ? "it has no name"
                         : !name                    ? "its name leads outside of the game"
                         : by_name_.contains(*name) ? "there is another of its name"
-                                                   : fault_of(stat, archive_size);
+                                                   : zip_fault(stat, archive_size, kMostZipFile);
     if (!fault.empty()) {
       if (bad++ == 0) first = fmt::format("\"{}\": {}", raw.substr(0, 200), fault);
       continue;
