@@ -53,6 +53,7 @@ Engine::Engine(fs::FileSystem files, const EngineOptions& options, const std::ve
       rng_(options.seed),
       network_(net::system_network(options.network)),
       server_list_(console_, *network_),
+      mod_installer_(console_, files_),
       port_(options.port),
       network_on_(options.network.any()) {
   library_.set_own_files([this](std::string_view path) { return files_.is_of_base_game(path); });
@@ -221,6 +222,7 @@ void Engine::frame(const FramePlan& plan, const vec2& mouse, double now) {
   advance_log_time(std::max({now - now_, plan.seconds, plan.ticks * plan.tick_seconds, 0.0}));
   now_ = now;
   server_list_.poll(now);
+  mod_installer_.poll();
   if (listener_) {
     listener_->set_timeout(static_cast<double>(console_.cvar("net_messagetimeout").value()));
     listener_->set_most_per_host(console_.cvar("sv_maxperhost").integer());
@@ -238,7 +240,8 @@ void Engine::frame(const FramePlan& plan, const vec2& mouse, double now) {
 }
 
 bool Engine::busy() {
-  if (!console_.buffer_empty() || server_list_.searching() || (server_ && server_->active())) return true;
+  if (!console_.buffer_empty() || server_list_.searching() || mod_installer_.busy()) return true;
+  if (server_ && server_->active()) return true;
   return client_ && (client_->playing() || client_->more_to_time() || client_->connected() || client_->connecting());
 }
 

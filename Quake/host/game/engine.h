@@ -19,6 +19,7 @@
 #include "fs/mod_files.h"
 #include "host/game/console_log.h"
 #include "host/game/frame_timer.h"
+#include "host/game/mod_installer.h"
 #include "host/options.h"
 #include "host/game/server_list.h"
 #include "net/datagram_listener.h"
@@ -67,6 +68,7 @@ class Engine {
   cl::Client& client() { return *client_; }
   const cl::Client& client() const { return *client_; }
   const ServerList& server_list() const { return server_list_; }
+  ModInstaller& mod_installer() { return mod_installer_; }
   audio::SoundSystem& sound() { return *sound_; }  // of what the client hears; silent until somebody starts it
   sv::Server& server() { return *server_; }
 
@@ -84,7 +86,7 @@ class Engine {
   // One frame of the game: the player's view turns, the server ticks, the client reads its messages. mouse: counts to
   // the right and downwards.
   void frame(const FramePlan& plan, const vec2& mouse, double now);
-  // Whether a game, a demo, a connection or a search for servers is running, or a command is queued.
+  // Whether a game, a demo, a connection, a search for servers or an installation is running, or a command is queued.
   bool busy();
   // Whether a game, a demo or a map is shown, or a game runs here.
   bool playing() const;
@@ -110,6 +112,7 @@ class Engine {
   Rng rng_;
   std::unique_ptr<net::Network> network_;
   ServerList server_list_;
+  ModInstaller mod_installer_;
   net::LoopbackListener loopback_;
   std::unique_ptr<net::DatagramListener> listener_;
   std::unique_ptr<sv::Server> server_;

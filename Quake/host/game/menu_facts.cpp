@@ -1,5 +1,7 @@
 #include "host/game/menu_facts.h"
 
+#include <utility>
+
 #include "host/game/mod_list.h"
 #include "host/options.h"
 #include "host/game/presets.h"
@@ -25,6 +27,8 @@ void MenuFacts::update() {
     servers_ = list.found().size();
     changed = true;
   }
+  const std::uint64_t installs = engine_.mod_installer().revision();
+  if (std::exchange(installs_, installs) != installs) changed = true;
   if (changed) ++revision_;
 }
 

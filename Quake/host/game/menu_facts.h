@@ -32,6 +32,8 @@ class MenuFacts final : public ui::menu::Facts {
   std::vector<ui::menu::MapEntry> start_maps() override { return maps_.start_maps(); }
   std::vector<std::string> demos() override;
   std::vector<ui::menu::ModEntry> mods() override;
+  std::vector<ui::menu::ArchiveEntry> archives() override { return engine_.mod_installer().archives(); }
+  ui::menu::InstallState installing() const override { return engine_.mod_installer().state(); }
   std::vector<ui::menu::ServerEntry> servers() override;
   bool searching_servers() const override { return engine_.server_list().searching(); }
   std::vector<uvec2> video_sizes() override;
@@ -47,6 +49,7 @@ class MenuFacts final : public ui::menu::Facts {
   MapList maps_;
   std::function<uvec2()> display_size_;
   std::uint64_t revision_ = 1;
+  std::uint64_t installs_ = 0;
   std::size_t servers_ = 0;
   bool searching_ = false, reads_at_once_ = false;
 };

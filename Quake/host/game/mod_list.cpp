@@ -7,7 +7,7 @@
 
 #include "base/text_mark.h"
 #include "fs/file.h"
-#include "fs/path.h"
+#include "fs/mod_install.h"
 #include "host/game/server_list.h"
 
 namespace fb::host {
@@ -34,15 +34,6 @@ std::string description_of(const stdfs::path& folder) {
 
 }  // namespace
 
-bool is_game_folder(const stdfs::path& folder) {
-  std::error_code code;
-  for (const char* name : {"pak0.pak", "progs.dat", "maps"})
-    if (stdfs::exists(folder / name, code)) return true;
-  for (stdfs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code))
-    if (fs::ends_with_ignoring_case(it->path().filename().string(), ".pk3")) return true;
-  return false;
-}
-
 std::vector<ui::menu::ModEntry> list_mods(const fs::FileSystem& files) {
   std::map<std::string, std::string> found;  // description by folder
   const fs::FsOptions& options = files.options();
@@ -53,7 +44,9 @@ std::vector<ui::menu::ModEntry> list_mods(const fs::FileSystem& files) {
     for (stdfs::directory_iterator it(place, code), end; !code && it != end; it.increment(code)) {
       std::error_code ignored;
       const std::string name = it->path().filename().string();
-      if (!it->is_directory(ignored) || (name != "id1" && !is_game_folder(it->path()))) continue;
+      // With a dot first: what is being installed.
+      if (!it->is_directory(ignored) || name.starts_with('.') || name == "archives") continue;
+      if (name != "id1" && !fs::holds_game_data(it->path())) continue;
       std::string& description = found[name];
       if (description.empty()) description = description_of(it->path());
     }

@@ -31,6 +31,21 @@ struct ModEntry {
   std::string directory, description;
   bool active = false;
 };
+// A mod's archive that can be installed.
+struct ArchiveEntry {
+  std::string name;       // "ad.zip"
+  std::string mod;        // its folder: "ad"
+  std::string size;       // of the archive, "12.0 MiB"
+  std::string facts{};    // "400 files, 30.0 MiB unpacked"
+  std::string failure{};  // one sentence: why it cannot be installed
+  bool replaces = false;  // the mod is there already
+};
+struct InstallState {
+  std::string going_on;  // the folder of the mod that is being installed; empty: none
+  int percent = 0;
+  std::string installed, failure;  // how the last one ended: its folder, or one sentence
+  std::string folder;              // where archives are looked for
+};
 struct PresetEntry {
   std::string name, purpose;
 };
@@ -58,6 +73,8 @@ class Facts {
   virtual std::vector<MapEntry> start_maps() = 0;
   virtual std::vector<std::string> demos() = 0;
   virtual std::vector<ModEntry> mods() = 0;
+  virtual std::vector<ArchiveEntry> archives() = 0;
+  virtual InstallState installing() const = 0;
   virtual std::vector<ServerEntry> servers() = 0;
   virtual bool searching_servers() const = 0;
   // Sizes that a window may have here.

@@ -137,15 +137,25 @@ void Menu::back() {
 void Menu::rebuild(View& view) {
   const PageInfo* info = find_page(view.name);
   if (info == nullptr) return;
+  const bool had_row = view.cursor < view.shown.size();
+  const std::string label = had_row ? view.page.rows[view.shown[view.cursor]].label : std::string();
   view.page = info->make(sources_);
   filter_rows(view);
+  const auto at = [&](std::size_t i) -> const std::string& { return view.page.rows[view.shown[i]].label; };
+  if (!had_row || (view.cursor < view.shown.size() && at(view.cursor) == label)) return;
+  // Rows may have come before it.
+  for (std::size_t i = 0; i < view.shown.size(); ++i) {
+    if (at(i) != label) continue;
+    view.cursor = i;
+    return;
+  }
 }
 
+// A value or a question is answered on the page as it was when that began.
 void Menu::update() {
-  if (!open() || facts_.revision() == revision_) return;
+  if (!open() || facts_.revision() == revision_ || editing_ || question_) return;
   revision_ = facts_.revision();
-  if (!view().page.live || editing_) return;
-  rebuild(view());
+  if (view().page.live) rebuild(view());
 }
 
 void Menu::move(int rows, bool around) {

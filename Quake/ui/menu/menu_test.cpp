@@ -269,6 +269,62 @@ TEST_F(MenuTest, ModsAndDemos) {
   EXPECT_THAT(read(), HasSubstr("There are no demos."));
 }
 
+TEST_F(MenuTest, ArchivesOfModsAreInstalled) {
+  facts.mod_list = {{"id1", "", true}};
+  facts.install.folder = "/home/player/archives";
+  menu.show("mods");
+  select("Install a mod");
+  EXPECT_THAT(read(), HasSubstr("/home/player/archives"));
+  menu.press(Key::kEnter);
+  EXPECT_THAT(run(), IsEmpty());
+  facts.archive_list = {{"ad 1.zip", "ad", "12.0 MiB", "400 files"},
+                        {"q.zip", "quoth", "1.0 MiB", "9 files", "", true},
+                        {"x.zip", "", "1.0 MiB", "", "x.zip: it is torn."}};
+  menu.show("mods");
+  EXPECT_THAT(read(), HasSubstr("12.0 MiB"));
+  choose("x.zip");
+  EXPECT_THAT(read(), HasSubstr("it is torn."));
+  EXPECT_THAT(run(), IsEmpty());
+  choose("Install ad");
+  EXPECT_THAT(run(), ElementsAre("installmod ad 1.zip"));
+  choose("Replace quoth");
+  EXPECT_THAT(read(), HasSubstr("Replace quoth? Saves and"));
+  menu.type("y");
+  EXPECT_THAT(run(), ElementsAre("installmod q.zip replace"));
+}
+
+TEST_F(MenuTest, AnInstallationIsFollowed) {
+  facts.mod_list = {{"id1", "", true}};
+  facts.archive_list = {{"ad.zip", "ad", "12.0 MiB", "400 files"}};
+  menu.show("mods");
+  select("Install ad");
+  facts.install = {"ad", 45, "", "", ""};
+  ++facts.changes;
+  menu.update();
+  EXPECT_THAT(read(), HasSubstr("45 %"));
+  ASSERT_NE(menu.selected(), nullptr);
+  EXPECT_EQ(menu.selected()->label, "Install ad") << "where the cursor was, though a row came before it";
+  menu.press(Key::kEnter);
+  EXPECT_THAT(run(), IsEmpty()) << "one at a time";
+  choose("Installing ad");
+  EXPECT_TRUE(menu.asking());
+  // While a question waits, the rows stay: it is answered for the one that it was asked of.
+  facts.install = {"", 0, "ad", "", ""};
+  facts.mod_list.push_back({"ad", "Arcane Dimensions", false});
+  ++facts.changes;
+  menu.update();
+  menu.type("y");
+  EXPECT_THAT(run(), ElementsAre("installmod cancel"));
+  menu.update();
+  EXPECT_THAT(read(), HasSubstr("Arcane Dimensions"));
+  select("Installed");
+  facts.install = {"", 0, "", "ad.zip: the disk is full.", ""};
+  ++facts.changes;
+  menu.update();
+  select("Not installed");
+  EXPECT_THAT(read(), HasSubstr("the disk is full."));
+}
+
 TEST_F(MenuTest, QuitAsks) {
   console.execute("menu_quit");
   choose("No, stay");

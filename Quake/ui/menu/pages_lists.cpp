@@ -115,13 +115,49 @@ Page demos_page(const Sources& sources) {
   return page;
 }
 
+namespace {
+
+// What is installed, how the last one ended, and what can be.
+void add_installs(const Sources& sources, Page& page) {
+  const InstallState state = sources.facts.installing();
+  const std::vector<ArchiveEntry> archives = sources.facts.archives();
+  page.rows.push_back(heading("Archives"));
+  if (!state.going_on.empty()) {
+    Row row = action("Installing " + state.going_on, "installmod cancel", "Enter gives it up.");
+    row.value = fmt::format("{} %", state.percent);
+    row.question = fmt::format("Give up installing {}?", state.going_on);
+    page.rows.push_back(std::move(row));
+  } else if (!state.failure.empty()) {
+    page.rows.push_back(action("Not installed", "", state.failure));
+    page.rows.back().value = "(why: below)";
+  } else if (!state.installed.empty()) {
+    page.rows.push_back(action("Installed", "", fmt::format("{} is in the list now.", state.installed)));
+    page.rows.back().value = state.installed;
+  }
+  for (const ArchiveEntry& archive : archives) {
+    const bool sound = archive.failure.empty();
+    Row row = action(sound ? (archive.replaces ? "Replace " : "Install ") + archive.mod : archive.name,
+                     fmt::format("installmod {}{}", con::in_quotes(archive.name), archive.replaces ? " replace" : ""));
+    row.value = sound ? archive.size : "(not for installing)";
+    row.help = sound ? fmt::format("{}: {}", archive.name, archive.facts) : archive.failure;
+    row.enabled = sound && state.going_on.empty();
+    if (archive.replaces) row.question = fmt::format("Replace {}? Saves and settings stay.", archive.mod);
+    page.rows.push_back(std::move(row));
+  }
+  if (!archives.empty()) return;
+  page.rows.push_back(action("Install a mod", "", "Put its .zip into " + state.folder));
+  page.rows.back().enabled = false;
+}
+
+}  // namespace
+
 Page mods_page(const Sources& sources) {
   Page page;
   page.title = "Mods";
   page.plaque = false;
   page.searchable = true;
   page.value_column = 0.4f;
-  page.empty = "There are no other game folders.";
+  page.live = true;
   const bool in_game = sources.facts.in_game();
   for (const ModEntry& mod : sources.facts.mods()) {
     Row row = action(mod.directory, "game " + con::in_quotes(mod.directory));
@@ -132,6 +168,7 @@ Page mods_page(const Sources& sources) {
     if (in_game) row.question = "Leave this game? The program starts again.";
     page.rows.push_back(std::move(row));
   }
+  add_installs(sources, page);
   return page;
 }
 

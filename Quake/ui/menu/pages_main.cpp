@@ -70,7 +70,7 @@ Page main_page(const Sources&) {
   page.rows = {link("Single Player", "singleplayer"), link("Multiplayer", "multiplayer"), link("Options", "options"),
                link("Help", "help"), link("Quit", "quit")};
   page.listed_rows = page.rows.size();
-  page.rows.push_back(link("Mods", "mods", "play with another game folder"));
+  page.rows.push_back(link("Mods", "mods", "play with another game folder, install a mod"));
   page.rows.push_back(link("Demos", "demos", "watch a recorded game"));
   page.rows.push_back(link("Credits", "credits"));
   return page;

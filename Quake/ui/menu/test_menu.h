@@ -23,6 +23,8 @@ struct TestFacts final : Facts {
   std::vector<MapEntry> map_list, start_list;
   std::vector<std::string> demo_list;
   std::vector<ModEntry> mod_list;
+  std::vector<ArchiveEntry> archive_list;
+  InstallState install;
   std::vector<ServerEntry> server_list;
   std::uint64_t changes = 1;
 
@@ -39,6 +41,8 @@ struct TestFacts final : Facts {
   std::vector<MapEntry> start_maps() override { return start_list; }
   std::vector<std::string> demos() override { return demo_list; }
   std::vector<ModEntry> mods() override { return mod_list; }
+  std::vector<ArchiveEntry> archives() override { return archive_list; }
+  InstallState installing() const override { return install; }
   std::vector<ServerEntry> servers() override { return server_list; }
   bool searching_servers() const override { return searching; }
   std::vector<uvec2> video_sizes() override { return {{640, 480}, {1280, 720}}; }
@@ -69,7 +73,7 @@ class MenuTest : public testing::Test {
     // What pages run is written down instead.
     for (const char* name :
          {"map", "save", "load", "quit", "restart", "disconnect", "maxplayers", "listen", "deathmatch", "coop", "game",
-          "playdemo", "connect", "slist", "name", "color", "vid_restart", "preset"}) {
+          "playdemo", "connect", "slist", "name", "color", "vid_restart", "preset", "installmod"}) {
       console.add_command(name, "", [this](const con::Args& args) { ran.push_back(args.joined(0)); });
     }
   }
