@@ -2,51 +2,51 @@
 // What a technique does of its own are its steps; it includes or defines each of them before this file (lib/steps/ has
 // those of a technique that lacks one, which cost nothing). In the order in which a vertex takes them:
 //
-//   begin     struct PathOwn                                                     what its paths carry
-//             void begin_path(inout Path path, uvec2 block, uint i)              path i of the pixel that is lit in the
-//             block
-//   field     struct Field                                                       what is known of the light about a
-//   point
-//             const bool kHasField, kEndsInField                                 kEndsInField: biased, paths end in the
-//             field Field field_at(Vertex v, inout Path path) vec3 field_reflection(Field there, Field here, Vertex v)
-//             light that `v` reflects, as far as it is known bool field_suffices(Field there, Field here, Path path)
-//             known well enough to end a path
-//   proposal  struct Guidance                                                    what is known at a vertex: lobes,
-//   reservoirs ...
+// clang-format off
+//   begin     struct PathOwn                                                      what its paths carry
+//             void begin_path(inout Path path, uvec2 block, uint i)               path i of the block's lit pixel
+//   field     struct Field                                                        what is known of light about a point
+//             const bool kHasField, kEndsInField                                  kEndsInField: biased, paths end in it
+//             Field field_at(Vertex v, inout Path path)
+//             vec3 field_reflection(Field there, Field here, Vertex v)            light that `v` is known to reflect
+//             bool field_suffices(Field there, Field here, Path path)             known well enough to end a path
+//   proposal  struct Guidance                                                     what is known at a vertex: lobes ...
 //             void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g)
 //             Proposal propose(Vertex v, inout Guidance g, inout uint rng)
 //             float proposal_pdf(Vertex v, Guidance g, vec3 direction, float scatter_pdf)
-//                                                                                density of propose in any direction,
-//                                                                                from the density of the vertex's own
-//                                                                                scattering
+//                 density of propose in any direction, from the density of the vertex's own scattering
 //   direct    const bool kLooksForLight
-//             Direct look_for_light(Vertex v, inout Guidance g, inout Path path, inout uint rng)   by a ray more
+//             Direct look_for_light(Vertex v, inout Guidance g, inout Path path, inout uint rng)
+//                 by a ray more
 //             float met_share(Vertex v, Segment way, Proposal p, vec3 emission, inout Path path)
-//                                                                                of emission that is met before the
-//                                                                                last vertex
-//             Direct last_light(Vertex v, inout Path path, inout uint rng)       by a path's last ray, which looks for
-//             it in turns bool point_of_light(inout uint rng, out vec3 place)                a point that may glow, for
-//             distances in a medium
-//   control   const bool kHasControl                                             a control variate h of what a vertex
-//   reflects
-//             vec3 control_mean(Vertex v, Guidance g, Field here)                the integral of h over all directions,
-//             exact vec3 control_at(Vertex v, Guidance g, Field here, vec3 direction)  h; zero where propose never goes
-//   learning  const bool kLearns, kFollowsMotion                                 kFollowsMotion: Vertex::previous is
-//   set
+//                 of emission that is met before the last vertex
+//             Direct last_light(Vertex v, inout Path path, inout uint rng)
+//                 by a path's last ray, which looks for it in turns
+//             bool point_of_light(inout uint rng, out vec3 place)
+//                 a point that may glow, for distances in a medium
+//   control   const bool kHasControl                                              a control variate h of reflection
+//             vec3 control_mean(Vertex v, Guidance g, Field here)                 integral of h over directions, exact
+//             vec3 control_at(Vertex v, Guidance g, Field here, vec3 direction)   h; zero where propose never goes
+//   learning  const bool kLearns, kFollowsMotion                                  kFollowsMotion: sets Vertex::previous
 //             void learn_direct(Guidance g, Direct direct, Path path, inout uint rng)
-//             void learn_waste(Guidance g, Path path)                            the direction was of no use
-//             void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout Path path, inout uint
-//             rng) void learn_last(Field here, Direct direct, Path path, inout uint rng)
-//   record    const bool kRecords                                                what a path did, for who stores it.
-//   The light of
-//             its rest as vertex i reflects it is r_i = direct_i + weight_i (incident_i.emission + incident_i.way.left
-//             r_(i+1)): no division by a throughput that may be zero void record_direct(inout Path path, Vertex v,
-//             Guidance g, Direct direct, vec3 throughput) void record_hit(inout Path path, Vertex v, Guidance g,
-//             Proposal p, Incident incident, vec3 throughput)    at misses, too void record_last(inout Path path,
-//             Vertex v, Direct direct, vec3 throughput)    of a last vertex that is apart void record_path(Path path,
-//             vec3 sum, inout uint rng)              its end, whatever ended it void record_none(uvec2 block, uvec2
-//             pixel)                         a pixel of the picture that has no path
-//   views     const bool kHasViews; void draw_view(...)                          lib/steps/no_views.glsl
+//             void learn_waste(Guidance g, Path path)                             the direction was of no use
+//             void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout Path path,
+//                            inout uint rng)                                      at misses, too
+//             void learn_last(Field here, Direct direct, Path path, inout uint rng)
+//   record    const bool kRecords                                                 what a path did, for who stores it
+//             void record_direct(inout Path path, Vertex v, Guidance g, Direct direct, vec3 throughput)
+//             void record_hit(inout Path path, Vertex v, Guidance g, Proposal p, Incident incident, vec3 throughput)
+//                 at misses, too
+//             void record_last(inout Path path, Vertex v, Direct direct, vec3 throughput)
+//                 of a last vertex that is apart
+//             void record_path(Path path, vec3 sum, inout uint rng)               its end, whatever ended it
+//             void record_none(uvec2 block, uvec2 pixel)                          a pixel of the picture without paths
+//   views     const bool kHasViews
+//             void draw_view(PathPixel p, bool lit, Vertex v)                     lib/steps/no_views.glsl
+//
+// The light of a path's rest as vertex i reflects it, for `record`, is r_i = direct_i + weight_i (incident_i.emission +
+// incident_i.way.left r_(i+1)): no division by a throughput that may be zero.
+// clang-format on
 #ifndef FB_LIB_PATH
 #define FB_LIB_PATH
 #include "lib/incident.glsl"

@@ -1,8 +1,8 @@
 // Draine's phase function (Draine 2003), of which Henyey and Greenstein's (1941) is the case alpha = 0 and
 // Cornette and Shanks's (1992) alpha = 1, in float32 for g from -0.999 to 0.999, 0 included:
 //
-//   p(c) = (1 - g^2) (1 + alpha c^2) / (4 pi N (1 + g^2 - 2 g c)^(3/2)),   N = 1 + alpha (1 + 2 g^2) / 3,   per
-//   steradian
+//   p(c) = (1 - g^2) (1 + alpha c^2) / (4 pi N (1 + g^2 - 2 g c)^(3/2)) per steradian,
+//   N = 1 + alpha (1 + 2 g^2) / 3
 //
 // c is the cosine between the directions of travel before and after: 1 goes straight on. Mixed with Henyey and
 // Greenstein's it is near Mie's for fog and clouds (Jendersie and d'Eon 2023; alpha up to 32 there).

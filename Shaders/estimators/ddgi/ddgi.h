@@ -17,8 +17,7 @@ FB_CONST uint kDdgiLightTexels = 64u, kDdgiDepthTexels = 256u;
 // A probe's record, uvec4[2]:
 //   0: offset from its place in the grid, units (3 floats); ddgi_cell_key of the cell that it stands for, 0: of none
 //   1: updates that its memory is worth, kDdgiMoves times how often it has moved, and kDdgiAsleep; the frame of its
-//   last
-//      turn, 0: it had none; the frame in which a path last asked it, 0: none; the mean luminance around it
+//      last turn, 0: it had none; the frame in which a path last asked it, 0: none; the mean luminance around it
 FB_CONST uint kDdgiUpdates = 0xffffu, kDdgiMoves = 0x10000u, kDdgiMostMoves = 8u, kDdgiAsleep = 0x80000000u;
 
 // Arrays: X(constant, binding, what there is one element of, bytes of one, two halves, name). Light: radiance averaged

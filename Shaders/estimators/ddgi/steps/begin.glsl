@@ -1,11 +1,9 @@
 // Step `begin` of paths that know probes. The includer says at which vertex probes come in (kPlus):
 //
 //   false  at the first: what falls straight on it is looked for, what is reflected to it probes know; its coat's
-//   reflections
-//          are a path that goes on likewise (Eq. 2)
+//          reflections are a path that goes on likewise (Eq. 2)
 //   true   at the second (r_ddgi_vertex 1: the first): all that falls on it, but its coat's reflections while the
-//   path's footprint is
-//          small (Eq. 5 to 8)
+//          path's footprint is small (Eq. 5 to 8)
 #ifndef FB_DDGI_BEGIN
 #define FB_DDGI_BEGIN
 #include "lib/interaction.glsl"
