@@ -148,7 +148,7 @@ void add_options(CLI::App& app, PictureOptions& o) {
   repeated(app.add_option("--set", o.sets, "cvar=value, for references and all configurations; may be repeated"));
   repeated(app.add_option("--views", o.views, "the views to judge, by their names: hub_300,start; default: all"));
   app.add_flag("--quick", o.quick,
-               "only the views that the suite calls quick; 160x90, 3 seeds and references of 512 samples unless other "
+               "only the views that the suite calls quick; 160x90, 4 seeds and references of 512 samples unless other "
                "options say otherwise");
   app.add_option("--size", o.size, "WIDTHxHEIGHT")->capture_default_str();
   add_number(app, "--seeds", o.seeds, 1u, 1000u, "sequences of each view and configuration; intervals are over these");
