@@ -14,7 +14,9 @@ if [[ $version != 14 ]]; then
   echo "check_format: skipped, clang-format is release $version and the sources follow release 14"
   exit 0
 fi
-wrong=$(printf '%s\0' "${files[@]}" | xargs -0 -n 32 -P "$(nproc)" clang-format --dry-run 2>&1 | sed -n 's/^\([^:]*\):[0-9]*:[0-9]*: .*/\1/p' | sort -u)
+# Each of the parallel runs says its files' names at once, so that no line holds pieces of two.
+of_run='set -o pipefail; clang-format --dry-run "$@" 2>&1 | sed -n "s/^\([^:]*\):[0-9]*:[0-9]*: .*/\1/p" | sort -u'
+wrong=$(printf '%s\0' "${files[@]}" | xargs -0 -n 32 -P "$(nproc)" bash -c "$of_run" of_run | sort -u)
 if [[ -n $wrong ]]; then
   sed 's/^/check_format: /; s/$/ is not as .clang-format wants it (make format)/' <<<"$wrong"
   exit 1

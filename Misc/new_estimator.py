@@ -34,6 +34,8 @@ PARTS = ["lights", "control", "record", "memory", "table", "probes", "reuse", "p
 NEEDS = {"pass": ["memory"], "final": ["pass", "record"], "view": ["memory"], "setting": ["pass"],  # what a part's example works on
          "table": ["control", "record"], "probes": ["control"], "reuse": ["record"]}
 
+SOURCES = (".cpp", ".h", ".glsl", ".comp")  # what Misc/check_format.sh looks at
+
 
 def names_of(name: str) -> dict[str, str]:
     return {"name": name, "NAME": name.upper(), "Name": "".join(word.capitalize() for word in name.split("_"))}
@@ -242,8 +244,8 @@ def with_rows(name: str, parts: set[str], techniques: str, headers: str) -> tupl
 
 
 def shaders_of(root: pathlib.Path) -> set[str]:
-    """Names that are taken: shaders', with what CMake calls their variants, and words that would name a struct twice."""
-    names = {"frame", "guide"}  # FrameConstants, GuideConstants
+    """The shaders that there are, with what CMake calls their variants."""
+    names = set()
     for path in (root / "Shaders/estimators").glob("*/*.comp"):
         names |= {path.stem, f"{path.stem}_medium"}
     for path in (root / "Shaders/estimators").glob("*/passes/*.comp"):
@@ -255,10 +257,51 @@ def shaders_of(root: pathlib.Path) -> set[str]:
     return names
 
 
+def identifiers_of(name: str, parts: set[str]) -> tuple[set[str], set[str]]:
+    """The words of the new files that are made of its name, and all others. A name like no other stands in for it, so that
+    what the files only use of other sources is not taken for theirs."""
+    words = set(re.findall(r"\w+", "\n".join(files_of("zqx", "", parts, 0, 0).values())))
+    made = {word for word in words if "zqx" in word.lower()}
+    names = names_of(name)
+    own = {word.replace("zqx", name).replace("ZQX", names["NAME"]).replace("Zqx", names["Name"]) for word in made - {"zqx"}}
+    return own, words - made
+
+
+def taken(root: pathlib.Path, name: str, parts: set[str], written: dict[str, str]) -> str | None:
+    """What of a new technique is there already, as a sentence: a file, a shader, a debug view, an identifier."""
+    host = root / "Quake/render/techniques"
+    beside = [f"{name}.h", f"{name}_test.cpp", f"{name}_statistics_test.cpp"]  # what is not written, but is this file's
+    paths = [root / "Shaders/estimators" / name, *(root / path for path in written), *(host / path for path in beside)]
+    for path in paths:
+        if path.exists():
+            return f"{path.relative_to(root)} is there already"
+    for shader in sorted(shaders_of(root)):
+        if shader == name or shader.startswith(f"{name}_"):  # as its passes' are called, and its paths' in a medium
+            return f"there is a shader {shader} already: an estimator's or a pass's"
+    own, others = identifiers_of(name, parts)
+    for word in sorted(own & others):
+        return f"what is written has {word} already"
+    cvars = {word for word in own if word.startswith("r_")}
+    for top in ("Shaders", "Quake"):
+        for path in sorted((root / top).rglob("*")):
+            if path.suffix not in SOURCES or not path.is_file():
+                continue
+            text = path.read_text(encoding="utf-8", errors="replace")
+            # What a test or a source of another module has for itself alone is in nobody's way, but for its cvars.
+            apart = path.suffix == ".cpp" and (path.stem.endswith("_test") or "render" not in path.relative_to(root).parts)
+            seen = cvars if apart else own
+            for word in sorted(word for word in seen if word in text):
+                if re.search(rf"\b{word}\b", text):
+                    return f"{path.relative_to(root)} has {word} already"
+            if "view" in parts and re.search(rf'\bX\(kView\w+, [^"\n]*"{name}"', text):
+                return f"{path.relative_to(root)} has a debug view {name} already"
+    return None
+
+
 def formatted(root: pathlib.Path, paths: list[pathlib.Path]) -> None:
     """In the shape that Misc/check_format.sh wants, where there is clang-format and the checkout says which shape."""
     tool, style = shutil.which("clang-format"), root / ".clang-format"
-    sources = [str(path) for path in paths if path.suffix in (".cpp", ".h")]
+    sources = [str(path) for path in paths if path.suffix in SOURCES]
     if tool and style.exists() and sources:
         subprocess.run([tool, "-i", f"--style=file:{style}", *sources], check=True)
 
@@ -272,8 +315,10 @@ def main() -> int:
     parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parent.parent,
                         help="the checkout (default: this one)")
     options = parser.parse_args()
-    if not re.fullmatch(r"[a-z][a-z0-9_]{0,30}", options.name):
-        print(f"new_estimator: '{options.name}' is no name: lower case letters, digits and _ after a letter, up to 31",
+    word = re.fullmatch(r"[a-z][a-z0-9]*(_[a-z0-9]+)*", options.name)
+    if not word or len(options.name) > 31 or options.name.split("_")[0] == "gl":  # GLSL keeps gl_ and two _ for itself
+        print(f"new_estimator: '{options.name}' is no name: up to 31 lower case letters and digits after a letter, with single _ "
+              "between them, and no gl at its begin",
               file=sys.stderr)
         return 2
     unknown = [part for part in options.parts if part not in [*PARTS, "all"]]
@@ -286,20 +331,20 @@ def main() -> int:
     root = options.root
     table = root / "Quake/render/techniques/techniques.cpp"
     headers = root / "Shaders/estimators/techniques.h"
-    folder = root / "Shaders/estimators" / options.name
-    if folder.exists() or options.name in shaders_of(root):
-        print(f"new_estimator: there is a shader {options.name} already: an estimator's or a pass's", file=sys.stderr)
-        return 2
     headers_text = "".join(path.read_text() for path in [root / "Shaders/shared/debug_views.h", *(root / "Shaders/estimators").glob("*/*.h")]
                     if path.exists())
     number = max([int(n) for n in re.findall(r"X\(kView\w+, (\d+)u", headers_text)], default=0) + 1
     owner = len(re.findall(r"FB_CONST uint kViewOf\w+ = kViewOfTechniques", headers_text))
+    written = files_of(options.name, options.description, parts, number, owner)
+    found = taken(root, options.name, parts, written)
+    if found:
+        print(f"new_estimator: {found}; choose another name", file=sys.stderr)
+        return 2
     try:
         rows = with_rows(options.name, parts, table.read_text(), headers.read_text())
     except (OSError, AssertionError) as wrong:
         print(f"new_estimator: {wrong}", file=sys.stderr)
         return 1
-    written = files_of(options.name, options.description, parts, number, owner)
     for path, text in written.items():
         (root / path).parent.mkdir(parents=True, exist_ok=True)
         (root / path).write_text(text)
@@ -310,6 +355,10 @@ def main() -> int:
             print(f"its rows in {path}")
     formatted(root, [*(root / path for path in written), table, headers])
     print("next: build, then look at  build/fullbright-lab render --scene kinds --estimator " + options.name)
+    if "setting" in parts:
+        print("and write the manual's page of settings anew:  make settings-page")
+    print(f"tests of its own: Shaders/estimators/{options.name}/*_test.cpp of its headers (found by their names), and\n"
+          f"Quake/render/techniques/{options.name}_test.cpp of its host, which TESTS in Quake/render/CMakeLists.txt lists")
     return 0
 
 

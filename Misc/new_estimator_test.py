@@ -6,6 +6,7 @@ usage: new_estimator_test.py BUILD
 
 Only what the new files and rows change is compiled, with the commands of BUILD (a finished Ninja build). The laboratory is
 linked from that and BUILD's libraries, which know no new settings: parts `setting` and `view` are only compiled.
+Names and the shape of what is written are new_estimator_files_test.py's.
 """
 import json
 import pathlib
@@ -102,24 +103,6 @@ def check_frames(root: pathlib.Path, name: str) -> None:
     assert told == ([FRAMES[name]] if FRAMES[name] else []), f"{name}: {told}"
 
 
-def check_names(source: pathlib.Path, root: pathlib.Path) -> None:
-    """Names that something has are refused, and nothing is written."""
-    before = sorted(root.rglob("*"))
-    for name in ("nee", "pt_medium", "gbuffer", "fold_seen", "mcpg_fold_cache", "denoise_mean", "frame"):
-        done = subprocess.run([sys.executable, str(source / "Misc/new_estimator.py"), name, "--root", str(root)],
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-        assert done.returncode == 2 and "already" in done.stdout, f"{name}: {done.returncode}, {done.stdout}"
-    assert sorted(root.rglob("*")) == before
-
-
-def check_shape(root: pathlib.Path) -> None:
-    """What is written needs no other formatting."""
-    if shutil.which("clang-format") is None:
-        return
-    sources = [path for path in root.rglob("*") if path.suffix in (".h", ".cpp") and "mcpg" not in path.parts]
-    run("clang-format", "--dry-run", "--Werror", f"--style=file:{root}/.clang-format", *map(str, sources), cwd=root)
-
-
 def main() -> int:
     build = pathlib.Path(sys.argv[1]).resolve()
     source = pathlib.Path(__file__).resolve().parent.parent
@@ -129,7 +112,6 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as scratch:
         root = pathlib.Path(scratch) / "drawn"
         begin(source, root)
-        check_names(source, root)
         rows = ""
         for name in DRAWN:
             write(source, root, name)
@@ -169,7 +151,6 @@ def main() -> int:
         root = pathlib.Path(scratch) / "compiled"
         begin(source, root)
         write(source, root, SEEN)
-        check_shape(root)
         check_frames(root, SEEN)
         compile_all(build, root, SEEN)
         for path in (root / f"Quake/render/techniques/{SEEN}.cpp", root / "Quake/render/techniques/techniques.cpp",
