@@ -48,7 +48,9 @@ def keep(folder: str, name: str) -> None:
                 if point["warmup"] >= COLD_FRAMES:
                     point["mse_of_first"] = float(np.mean(curve["mse"][:COLD_FRAMES]))
             point.pop("passes", None)
-            if "errors" in point and "judge" not in experiment:
+            if "judge" in experiment:  # whose figures stand in "judged"
+                point.pop("errors", None)
+            elif "errors" in point:
                 point["errors"] = {key: point["errors"][key] for key in KEPT_ERRORS if key in point["errors"]}
     text = json.dumps(rounded(data), indent=1)
     text = re.sub(r"\n {5,}", " ", text)  # a point a line
@@ -174,6 +176,22 @@ def judge(name: str) -> str:
     return rows_of(head, rows) + "\n\n" + made_with(suite)
 
 
+def rivals_picture() -> str:
+    """FLIP of every configuration; the last rows are geometric means over views, of FLIP and of a frame's time."""
+    suite = stored("rivals_picture")
+    names = suite.experiments[0].configurations
+    views = [e for e in suite.experiments if all(e.chosen(name) for name in names)]
+    rows, flips, times = [], [], []
+    for experiment in views:
+        of = {entry["configuration"]: entry for entry in experiment.data["judged"]}
+        flips.append([of[name]["flip"]["value"] for name in names])
+        times.append([of[name]["all_ms"]["value"] for name in names])
+        rows.append([experiment.name, *map(number, flips[-1]), f"{experiment.data['truth']['flip']:.3f}"])
+    for title, values in (("FLIP, all", flips), ("ms, all", times)):
+        rows.append([title, *map(number, np.exp(np.log(values).mean(axis=0))), ""])
+    return rows_of(["view", *(f"`{n}`" for n in names), "of noise"], rows) + "\n\n" + made_with(suite)
+
+
 def outside() -> str:
     data = json.loads((HERE / "outside.json").read_text())
     rows = []
@@ -208,11 +226,11 @@ TABLES = {
     "reuse": lambda: gains_of("reuse", "view"),
     "rivals": lambda: rivals("warm"),
     "rivals_first_and_all": lambda: rivals("rest"),
+    "rivals_picture": rivals_picture,
     "dittebrandt2023_rest": lambda: gains_of("dittebrandt2023_rest", "figure", True),
     "dittebrandt2023": lambda: gains_of("dittebrandt2023", "figure", True, ("fig16_cbox",)),
     "dittebrandt2023_means": lambda: errors_of_means("dittebrandt2023", "fig16_cbox"),
     "judge": lambda: judge("judge"),
-    "judge_librequake": lambda: judge("judge_librequake"),
     "judge_quick": lambda: judge("judge_quick"),
     "gpu": gpu,
     "outside": outside,
