@@ -57,9 +57,8 @@ class BrushMeshBuilder {
     if (texture != nullptr && is_tool_texture(texture->name)) return;
 
     if (skies_are_cut_ && texture != nullptr && is_sky_texture(texture->name)) {
-      for (const auto [first, last] = skies_.equal_range(number);
-           const auto& [key, polygon] : std::ranges::subrange(first, last))
-        add_fan(polygon, texinfo, texture, number);
+      for (auto [piece, end] = skies_.equal_range(number); piece != end; ++piece)
+        add_fan(piece->second, texinfo, texture, number);
       return;
     }
     std::vector<vec3> polygon = polygon_of(face);
