@@ -84,10 +84,11 @@ std::uint64_t content_key(const scene::FrameSnapshot& s) {
       }
   }
   if (s.assets)  // at 1 they change nothing: keys of stored pictures stay
-    for (const scene::Material& m : s.assets->materials)
-      if (const float style = s.light_styles[static_cast<std::size_t>(m.cast_style)];
-          style != 1.0f && (s.authored || m.switched))
-        key = hash_value(m.cast_style, hash_value(m.switched ? 1 : 0, hash_value(style, key)));
+    for (const scene::Material& m : s.assets->materials) {
+      const auto style = static_cast<std::size_t>(m.cast_style);  // a damaged map's may be any number
+      if (style >= s.light_styles.size() || s.light_styles[style] == 1.0f || !(s.authored || m.switched)) continue;
+      key = hash_value(m.cast_style, hash_value(m.switched ? 1 : 0, hash_value(s.light_styles[style], key)));
+    }
   if (s.authored && s.assets)
     for (const scene::Material& m : s.assets->materials)
       key = hash_value(m.cast_fall, hash_bytes(&m.cast, sizeof m.cast, key));

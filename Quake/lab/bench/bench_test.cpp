@@ -102,6 +102,10 @@ TEST_F(BenchTest, TheKeyIsOfWhatIsSeen) {
   };
   EXPECT_TRUE(changed([&](FrameSnapshot& s, Assets& a) { in_style(s, a, true); }));
   EXPECT_FALSE(changed([&](FrameSnapshot& s, Assets& a) { in_style(s, a, false); })) << "its light has no style";
+  EXPECT_FALSE(changed([](FrameSnapshot&, Assets& a) {
+    a.materials[0].switched = true;
+    a.materials[0].cast_style = 200;
+  })) << "there is no such style";
   const auto key_of_filled = [&](float index) {
     scene::FrameSnapshot snapshot = plain;
     auto assets = std::make_shared<scene::Assets>(*plain.assets);
