@@ -159,12 +159,12 @@ def check_cpp(root):
                     yield f"{name}:{number}: {target} is not for {module}"
 
 
-# An estimator that puts the steps of others together.
-STANDS_ON = {"restir_guided": ("mcpg", "restir")}
-
-
-def may_include(estimator):
-    return (estimator, *STANDS_ON.get(estimator, ()))
+def may_include(root, estimator):
+    """A technique's folder may include that of its family, the first word of its name, and the one whose passes it runs, as its
+    row says (TechniqueInfo::stands_on)."""
+    row = root / "Quake/render/techniques" / f"{estimator}.cpp"
+    stands_on = re.findall(r'\.stands_on = "(\w+)"', row.read_text(encoding="utf-8")) if row.exists() else []
+    return (estimator, estimator.split("_")[0], *stands_on)
 
 
 def check_shaders(root):
@@ -187,7 +187,7 @@ def check_shaders(root):
                 yield f"{name}:{number}: {layer} must not include {target}"
             elif name.parts[1:] == ("estimators", "techniques.h"):  # the list of their headers
                 continue
-            elif first == layer == "estimators" and "/" in target and target.split("/")[1] not in may_include(name.parts[2]):
+            elif first == layer == "estimators" and "/" in target and target.split("/")[1] not in may_include(root, name.parts[2]):
                 yield f"{name}:{number}: one estimator must not include another; what they share belongs in lib"
 
 
@@ -259,11 +259,12 @@ SELF_TEST = {  # file: (text, lines that break a rule)
     "Shaders/shared/a.h": ('#include "shared/b.h"\n#include "lib/trace.glsl"\n', [2]),
     "Shaders/lib/a.glsl": ('#include "shared/b.h"\n#include "lib/b.glsl"\n#include "passes/c.glsl"\n', [3]),
     "Shaders/estimators/pt/pt.comp": ('#include "lib/a.glsl"\n#include "estimators/rival/r.glsl"\n', [2]),
-    "Shaders/estimators/restir_guided/g.glsl": (
-        '#include "estimators/mcpg/a.glsl"\n#include "estimators/restir/a.glsl"\n#include "estimators/pt/a.glsl"\n',
+    "Quake/render/techniques/rival_two.cpp": ('    .stands_on = "pt"};\n', []),
+    "Shaders/estimators/rival_two/g.glsl": (
+        '#include "estimators/pt/a.glsl"\n#include "estimators/rival/a.glsl"\n#include "estimators/nee/a.glsl"\n',
         [3],
     ),
-    "Shaders/estimators/mcpg/m.glsl": ('#include "estimators/restir_guided/g.glsl"\n', [1]),
+    "Shaders/estimators/rival/m.glsl": ('#include "estimators/rival_two/g.glsl"\n', [1]),
     "Shaders/passes/a.comp": ('#include "lib/a.glsl"\n#include "estimators/pt/pt.comp"\n', [2]),
 }
 

@@ -94,7 +94,7 @@ def compile_all(build: pathlib.Path, root: pathlib.Path, name: str) -> str:
     rows = compile_shader(build, root, name, folder / f"{name}.comp", "pt", True)
     for path in sorted((folder / "passes").glob("*.comp")):
         traces = "INTERSECTOR_QUERY" in path.read_text()
-        rows += compile_shader(build, root, f"{name}_{path.stem}", path, "pt" if traces else "mcpg_fold_cache", traces)
+        rows += compile_shader(build, root, f"{name}_{path.stem}", path, "pt" if traces else "fold_seen", traces)
     return rows
 
 

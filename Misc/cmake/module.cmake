@@ -8,8 +8,8 @@
 #     leaves these files out unless FULLBRIGHT_ALL_TESTS is set.
 #   intersector: NAME_intersector, which runs INTERSECTOR, a filter of GoogleTest ("A*:B*"). What another driver may do
 #     otherwise; "*" labels the whole program, else label repeats, too: the host code is run by NAME already.
-#   sequences: NAME_sequences, which runs SEQUENCES, a filter: tests that compile many shaders, draw many frames or calculate for
-#     long, whose host code others run; label repeats, too.
+#   sequences: NAME_sequences. Tests that compile many shaders, draw many frames or calculate for long, whose host code others
+#     run: suites whose names end in Sequences; label repeats, too.
 # SHARDS n: each of these in n parts, which may run side by side.
 # COST n: about how many seconds the longest of them take on two cores under the sanitizers; ctest begins with those, so
 # that none is left running alone at the end.
@@ -19,6 +19,19 @@
 option(FULLBRIGHT_ALL_TESTS "Build the statistical tests under the sanitizers, too" OFF)
 set(FULLBRIGHT_TESTED "" CACHE STRING "Modules whose test programs are built; empty: all")
 set(FB_STATISTICAL_SUITES "*Statistics.*:*Statistics/*")
+set(FB_SEQUENCE_SUITES "*Sequences.*")
+
+# Whether one of these files has a suite whose name ends in Sequences.
+function(fb_has_sequences result)
+  set(${result} FALSE PARENT_SCOPE)
+  foreach(file ${ARGN})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(STRINGS ${file} suites REGEX "^TEST(_F)?\\([A-Za-z0-9]*Sequences," LIMIT_COUNT 1)
+    if(suites)
+      set(${result} TRUE PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
 
 function(fb_add_gtest name program filter label shards cost)
   foreach(shard RANGE 1 ${shards})
@@ -37,7 +50,7 @@ function(fb_add_gtest name program filter label shards cost)
 endfunction()
 
 function(fb_module name)
-  cmake_parse_arguments(M "" "INTERSECTOR;SEQUENCES;SHARDS;COST" "SOURCES;LINKS;PRIVATE_LINKS;TESTS;TEST_LINKS;BENCHMARKS;BENCHMARK_LINKS;FUZZERS" ${ARGN})
+  cmake_parse_arguments(M "" "INTERSECTOR;SHARDS;COST" "SOURCES;LINKS;PRIVATE_LINKS;TESTS;TEST_LINKS;BENCHMARKS;BENCHMARK_LINKS;FUZZERS" ${ARGN})
   if(M_SOURCES)
     add_library(fb_${name} STATIC ${M_SOURCES})
     target_link_libraries(fb_${name} PUBLIC fb_options ${M_LINKS} PRIVATE ${M_PRIVATE_LINKS})
@@ -73,9 +86,10 @@ function(fb_module name)
       list(APPEND moved "${M_INTERSECTOR}")
       fb_add_gtest(${name}_intersector ${name}_test "${M_INTERSECTOR}" "intersector;repeats" ${M_SHARDS} ${M_COST})
     endif()
-    if(M_SEQUENCES)
-      list(APPEND moved "${M_SEQUENCES}")
-      fb_add_gtest(${name}_sequences ${name}_test "${M_SEQUENCES}" "sequences;repeats" 1 ${M_COST})
+    fb_has_sequences(sequences ${M_TESTS})
+    if(sequences)
+      list(APPEND moved "${FB_SEQUENCE_SUITES}")
+      fb_add_gtest(${name}_sequences ${name}_test "${FB_SEQUENCE_SUITES}" "sequences;repeats" 1 ${M_COST})
     endif()
     if(moved)
       string(JOIN ":" moved ${moved})

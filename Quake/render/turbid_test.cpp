@@ -23,7 +23,7 @@
 namespace fb::render {
 namespace {
 
-class TurbidTest : public WaterDeviceTest {
+class TurbidSequences : public WaterDeviceTest {
  protected:
   static RenderSettings turbid_settings(const std::string& estimator, int spp) {
     RenderSettings s = water_settings(estimator, 1);
@@ -55,7 +55,7 @@ ImageEstimate mean_of(Renderer& renderer, const scene::FrameSnapshot& snapshot, 
 }
 
 // Where the liquid has no end in sight it is fog.
-TEST_F(TurbidTest, AroundALampItIsAsFog) {
+TEST_F(TurbidSequences, AroundALampItIsAsFog) {
   const float extinction = 0.01f, share = 0.6f;
   const float g = 0.7f;
   scene::FrameSnapshot fog = scene::slab(extinction, g);
@@ -105,7 +105,7 @@ double seen_from_above(double sigma, double scattering, double depth) {
          (1 - r0) * integral(0, depth, 24, [&](double z) { return scattering * std::exp(-sigma * z) * arrives(z); });
 }
 
-TEST_F(TurbidTest, FromAboveItHasTheIntegralOverSnellsCone) {
+TEST_F(TurbidSequences, FromAboveItHasTheIntegralOverSnellsCone) {
   const float depth = 120.0f, scattering = 0.006f;
   const vec3 absorption(0.004f, 0.0f, 0.03f);
   scene::FrameSnapshot snapshot;
@@ -153,7 +153,7 @@ TEST_F(TurbidTest, FromAboveItHasTheIntegralOverSnellsCone) {
 }
 
 // Each path of a pixel that has fog and a liquid begins in one of them: together they bring what each brings alone.
-TEST_F(TurbidTest, FogAndALiquidAddUp) {
+TEST_F(TurbidSequences, FogAndALiquidAddUp) {
   scene::FrameSnapshot pool = scene::ripple({40.0f, true, true, 0.006f});
   pool.medium = {0.003f, vec3(0.8f), 0.4f, 0.0f, 1.0f};
   RenderSettings s = turbid_settings("nee", 32);
@@ -183,7 +183,7 @@ TEST_F(TurbidTest, FogAndALiquidAddUp) {
 }
 
 // A clear liquid that loses as much light is drawn instead, by the same shaders as ever.
-TEST_F(TurbidTest, WithoutScatteringItIsAClearLiquid) {
+TEST_F(TurbidSequences, WithoutScatteringItIsAClearLiquid) {
   const auto hash = [&](const vec3& absorption, float scattering, float factor) {
     scene::FrameSnapshot snapshot = scene::one_light(20.0f, 10.0f, 0.5f);
     look(snapshot, {-60, 0, 30}, 20, 90);
@@ -199,7 +199,7 @@ TEST_F(TurbidTest, WithoutScatteringItIsAClearLiquid) {
   EXPECT_NE(hash(half, 0.25f, 1.0f), hash(half + vec3(0.25f), 0.0f, 1.0f));
 }
 
-TEST_F(TurbidTest, NothingIsLostAtTheEndsOfTheRanges) {
+TEST_F(TurbidSequences, NothingIsLostAtTheEndsOfTheRanges) {
   for (const char* estimator : {"nee", "mcpg_nee"})  // they have the steps of the others
     for (const float scattering : {1e-9f, 1e-2f, 10.0f})
       for (const float z : {-1e-4f, 60.0f}) {
@@ -221,7 +221,7 @@ TEST_F(TurbidTest, NothingIsLostAtTheEndsOfTheRanges) {
 }
 
 // A pool beside its dry rim: what scatters in the water stays in it. The same samples, denoised and not.
-TEST_F(TurbidTest, DenoisedItKeepsItsEnergy) {
+TEST_F(TurbidSequences, DenoisedItKeepsItsEnergy) {
   for (const bool above : {true, false}) {
     const scene::FrameSnapshot pool = scene::ripple({40.0f, true, above, 0.006f});
     RenderSettings s = denoised_settings("mcpg_nee");
@@ -242,7 +242,7 @@ TEST_F(TurbidTest, DenoisedItKeepsItsEnergy) {
 
 // A block of pixels that lies across the rim of a pool is asked at dry pixels, too: there nothing scatters, which says
 // nothing of the light in the water.
-TEST_F(TurbidTest, DenoisedItIsNoDarkerAtAPoolsRim) {
+TEST_F(TurbidSequences, DenoisedItIsNoDarkerAtAPoolsRim) {
   scene::FrameSnapshot pool = scene::furnace(0.0f, 1.0f);
   look(pool, {0, 0, 60}, 90, 60);
   add_water(pool, 0.0f, 20.0f, vec3(0.0f), 0.02f);

@@ -49,7 +49,7 @@ TEST(Schedule, SaysInOneSentenceWhatIsWanted) {
   }
 }
 
-class IterateTest : public render::DeviceTest {
+class IterateSequences : public render::DeviceTest {
  protected:
   static constexpr std::uint32_t kWidth = 32, kHeight = 24;
   static View view_of(const std::string& scene) {
@@ -85,7 +85,7 @@ class IterateTest : public render::DeviceTest {
   }
 };
 
-TEST_F(IterateTest, ThePictureIsTheMeanOfAllSamples) {
+TEST_F(IterateSequences, ThePictureIsTheMeanOfAllSamples) {
   const View view = view_of("cbox");
   const auto renderer = make_renderer(settings_of("pt"), kWidth, kHeight);
   std::vector<std::uint32_t> told;
@@ -113,7 +113,7 @@ TEST_F(IterateTest, ThePictureIsTheMeanOfAllSamples) {
   EXPECT_GT(parts.gpu_ms, renderer->gpu_milliseconds()) << "of all frames, not of the last";
 }
 
-TEST_F(IterateTest, EveryRunBeginsWithNothing) {
+TEST_F(IterateSequences, EveryRunBeginsWithNothing) {
   const View view = view_of("kinds");
   for (const char* estimator : {"mcpg", "mcpg_nee"}) {
     const auto renderer = make_renderer(settings_of(estimator), kWidth, kHeight);
@@ -128,7 +128,7 @@ TEST_F(IterateTest, EveryRunBeginsWithNothing) {
   }
 }
 
-TEST_F(IterateTest, RunsAreMeasuredAgainstTheReference) {
+TEST_F(IterateSequences, RunsAreMeasuredAgainstTheReference) {
   const View view = view_of("cbox");
   const Reference reference = reference_of(view, 4096);
   const auto result = run_iterate(*device_, view, reference,
@@ -159,7 +159,7 @@ TEST_F(IterateTest, RunsAreMeasuredAgainstTheReference) {
   EXPECT_THAT(iterate_json(*result, title), testing::HasSubstr("\"gain_relmse\""));
 }
 
-TEST_F(IterateTest, RefusesWhatCannotBe) {
+TEST_F(IterateSequences, RefusesWhatCannotBe) {
   const View view = view_of("cbox");
   Configuration four{"four", settings_of("pt")};
   four.settings.spp = 4;

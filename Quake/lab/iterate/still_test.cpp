@@ -64,7 +64,7 @@ TEST(Still, RefusesWhatMemoryDoesNotHold) {
               testing::HasSubstr("up to 30 MB of the device's memory are needed and it has 29"));
 }
 
-class StillTest : public render::DeviceTest {
+class StillSequences : public render::DeviceTest {
  protected:
   static constexpr std::uint32_t kWidth = 32, kHeight = 24;
   static scene::FrameSnapshot cbox() {
@@ -103,7 +103,7 @@ class StillTest : public render::DeviceTest {
   TestDirectory directory_;
 };
 
-TEST_F(StillTest, KilledAndResumedItHasTheSameBits) {
+TEST_F(StillSequences, KilledAndResumedItHasTheSameBits) {
   for (const int form : {0, 1, 2, 3}) {
     StillJob job = job_of();
     if (form == 1) job.settings.mir_decorrelated = 1;
@@ -132,7 +132,7 @@ TEST_F(StillTest, KilledAndResumedItHasTheSameBits) {
   }
 }
 
-TEST_F(StillTest, AStateIsRefusedThatIsDamagedOrOfAnotherPicture) {
+TEST_F(StillSequences, AStateIsRefusedThatIsDamagedOrOfAnotherPicture) {
   const StillJob job = job_of("state");
   ASSERT_TRUE(run(job, 2).ok());
   const auto file = fs::read_whole_file(job.resume);
@@ -174,7 +174,7 @@ TEST_F(StillTest, AStateIsRefusedThatIsDamagedOrOfAnotherPicture) {
   EXPECT_EQ(with(good), "accepted");
 }
 
-TEST_F(StillTest, WhereNoStateCanBeWrittenThePictureGoesOn) {
+TEST_F(StillSequences, WhereNoStateCanBeWrittenThePictureGoesOn) {
   StillJob job = job_of("file/state");
   ASSERT_TRUE(fs::write_text_atomically(directory_.path() / "file", "no folder").ok());
   const auto without = run(job_of()), with = run(job);
@@ -182,7 +182,7 @@ TEST_F(StillTest, WhereNoStateCanBeWrittenThePictureGoesOn) {
   EXPECT_EQ(with->picture.pixels, without->picture.pixels);
 }
 
-TEST_F(StillTest, TellsMoreMemoryThanItTakes) {
+TEST_F(StillSequences, TellsMoreMemoryThanItTakes) {
   StillJob job = job_of();
   job.size = {4 * kWidth, 4 * kHeight};  // so that a tenth of a MB is stored
   job.samples = 4;

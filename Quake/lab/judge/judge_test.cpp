@@ -16,7 +16,9 @@
 namespace fb::lab {
 namespace {
 
-TEST_F(JudgeTest, AMovingViewIsHeldToEachFramesReference) {
+using JudgeSequences = JudgeTest;
+
+TEST_F(JudgeSequences, AMovingViewIsHeldToEachFramesReference) {
   const SuiteView view = view_of("moving", 40, 41, 0);
   const auto references = references_of(view, 256), others = references_of(view_of("moving", 0, 1, 0), 256);
   ASSERT_EQ(references.size(), 2u);
@@ -29,7 +31,7 @@ TEST_F(JudgeTest, AMovingViewIsHeldToEachFramesReference) {
   EXPECT_LT(2 * right->figures.lanes[0].seeds[0][kRelMse], wrong->figures.lanes[0].seeds[0][kRelMse]);
 }
 
-TEST_F(JudgeTest, ReferencesAreMadeOnceAndKeptByWhatTheyDependOn) {
+TEST_F(JudgeSequences, ReferencesAreMadeOnceAndKeptByWhatTheyDependOn) {
   const std::string folder = directory_.file("references");
   const SuiteView view = view_of("cbox", 0, 1, 0);
   const auto made = references_of(view, 64, folder);
@@ -71,7 +73,7 @@ TEST_F(JudgeTest, ReferencesAreMadeOnceAndKeptByWhatTheyDependOn) {
   EXPECT_NE(reference_key(snapshot, settings, {}), key);
 }
 
-TEST_F(JudgeTest, AReferenceIsShownAsTheRendererShowsIt) {
+TEST_F(JudgeSequences, AReferenceIsShownAsTheRendererShowsIt) {
   const JudgeJob job = job_of({}, 1);
   const auto steps = tone_curve_difference({"this", "fullbright-lab", true}, job);
   ASSERT_TRUE(steps.ok()) << steps.error().message;
@@ -79,7 +81,7 @@ TEST_F(JudgeTest, AReferenceIsShownAsTheRendererShowsIt) {
   EXPECT_GT(*steps, 0) << "there is dither";
 }
 
-TEST_F(JudgeTest, RefusesWhatCannotBe) {
+TEST_F(JudgeSequences, RefusesWhatCannotBe) {
   const SuiteView view = view_of("moving", 0, 1, 0);
   auto references = references_of(view, 32);
   JudgeJob job = job_of({lane("pt", 1)}, 1);

@@ -18,6 +18,8 @@
 namespace fb::lab {
 namespace {
 
+using ReferenceSequences = ReferenceTest;
+
 render::RenderSettings repeatable(const char* estimator) {
   render::RenderSettings settings;
   settings.estimator = estimator;
@@ -73,7 +75,7 @@ TEST_F(ReferenceTest, OfTheFurnaceIsItsClosedFormWithItsUncertainty) {
   EXPECT_EQ(image->texts().at("fullbright.estimator"), "pt");
 }
 
-TEST_F(ReferenceTest, InterruptedSplitOrGrownItIsTheSame) {
+TEST_F(ReferenceSequences, InterruptedSplitOrGrownItIsTheSame) {
   // An estimator that learns, so that what one block has learnt would show in the next.
   const render::RenderSettings settings = repeatable("mcpg_nee");
   const ReferenceJob whole = job("whole", 12, 12, kSpp);
@@ -130,7 +132,7 @@ TEST_F(ReferenceTest, InterruptedSplitOrGrownItIsTheSame) {
   EXPECT_FALSE(std::filesystem::exists(path("no.exr")));
 }
 
-TEST_F(ReferenceTest, EndsAtTheErrorThatIsAskedFor) {
+TEST_F(ReferenceSequences, EndsAtTheErrorThatIsAskedFor) {
   render::RenderSettings sharp;
   sharp.jitter = 0;
   ReferenceJob wanted = job("lava", 24, 24, 1u << 16u);
@@ -150,7 +152,7 @@ TEST_F(ReferenceTest, EndsAtTheErrorThatIsAskedFor) {
   EXPECT_EQ(make("lava", sharp, brief)->samples, 256u) << "a block at least";
 }
 
-TEST_F(ReferenceTest, WarmingUpTeachesWhoLearnsAndChangesNothingElse) {
+TEST_F(ReferenceSequences, WarmingUpTeachesWhoLearnsAndChangesNothingElse) {
   struct Run {
     ReferenceSummary summary;
     double variance;  // the mean pixel's

@@ -10,7 +10,9 @@
 namespace fb::render {
 namespace {
 
-TEST_F(FogDenoiserTest, AStillViewConvergesToTheRawMean) {
+using FogDenoiserSequences = FogDenoiserTest;
+
+TEST_F(FogDenoiserSequences, AStillViewConvergesToTheRawMean) {
   RenderSettings s = denoising_fog(0.5f, 0.5f);
   s.accumulate = 1;
   s.svgf_mean_frames = 4;
@@ -23,7 +25,7 @@ TEST_F(FogDenoiserTest, AStillViewConvergesToTheRawMean) {
 
 // Shafts of light of which a first frame's samples meet a few: each block that met one is spread over its surroundings,
 // and is not shown as a dot.
-TEST_F(FogDenoiserTest, AFirstFrameShowsNoDots) {
+TEST_F(FogDenoiserSequences, AFirstFrameShowsNoDots) {
   const RenderSettings s = denoising_fog(0.5f, 0.5f);
   double dots = 0;
   constexpr int kSeeds = 8;
@@ -48,7 +50,7 @@ TEST_F(FogDenoiserTest, AFirstFrameShowsNoDots) {
   EXPECT_LT(dots, 55);  // 35; 80 where the frame's few samples were taken to tell their deviation
 }
 
-TEST_F(FogDenoiserTest, ComesAndGoes) {
+TEST_F(FogDenoiserSequences, ComesAndGoes) {
   const RenderSettings s = denoising_fog(0.5f, 0.5f);
   auto renderer = make_renderer(s, 48, 48);
   auto clear_renderer = make_renderer(s, 48, 48);

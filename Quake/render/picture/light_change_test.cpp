@@ -14,7 +14,7 @@
 namespace fb::render {
 namespace {
 
-using LightChangeTest = DeviceTest;
+using LightChangeSequences = DeviceTest;
 
 TEST(LightChange, AHistoryIsKeptByWhatChanceMayDo) {
   // 400 samples of deviation 2 and mean 1 over 19 frames' means: the mean's error is 0.1.
@@ -55,7 +55,7 @@ RenderSettings settings_at(float light_scale) {
 }
 
 // A flash of two frames: what is shown of it, relative to what each frame's light is in the mean.
-TEST_F(LightChangeTest, InItsSecondFrameAFlashIsWhatItIs) {
+TEST_F(LightChangeSequences, InItsSecondFrameAFlashIsWhatItIs) {
   const Lamp l = lamp();
   for (const float light_scale : {1.0f, 0.5f}) {
     const RenderSettings s = settings_at(light_scale);
@@ -79,7 +79,7 @@ TEST_F(LightChangeTest, InItsSecondFrameAFlashIsWhatItIs) {
 }
 
 // Of light whose samples scatter, none of it changing, next to no pixel loses its past.
-TEST_F(LightChangeTest, NoiseIsNoChange) {
+TEST_F(LightChangeSequences, NoiseIsNoChange) {
   for (const float light_scale : {1.0f, 0.5f})
     for (const char* estimator : {"nee", "pt"}) {
       RenderSettings s = settings_at(light_scale);

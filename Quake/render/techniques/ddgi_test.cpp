@@ -24,7 +24,7 @@ constexpr float kProbeAlbedo = 0.6f, kProbeEmission = 0.7f;
 constexpr double kProbeLight = static_cast<double>(kProbeEmission) / (1 - static_cast<double>(kProbeAlbedo));
 constexpr const char* kProbeEstimators[]{"ddgi", "ddgi_plus", "ddgi_restir"};
 
-class DdgiTest : public DeviceTest {
+class DdgiSequences : public DeviceTest {
  protected:
   static RenderSettings probe_settings(const std::string& estimator, int bounces = 3) {
     RenderSettings s;
@@ -58,7 +58,7 @@ class DdgiTest : public DeviceTest {
 
 // Any number of reflections in a closed room of albedo a and emission e: e / (1 - a), from probes that hold as much
 // (ddgi_plus), or what of it is reflected (ddgi).
-TEST_F(DdgiTest, AFurnaceHasItsClosedForm) {
+TEST_F(DdgiSequences, AFurnaceHasItsClosedForm) {
   const scene::FrameSnapshot scene = scene::furnace(kProbeAlbedo, kProbeEmission, true);
   for (const char* estimator : kProbeEstimators) {
     for (const int vertex : {2, 1}) {
@@ -81,7 +81,7 @@ TEST_F(DdgiTest, AFurnaceHasItsClosedForm) {
 
 // A coat under even light reflects what a surface of its directional albedo does, so a furnace with one is as bright
 // whatever of it probes stand for; divided by 2 pi, as Eq. 6 is printed, gloss is half of what it should be.
-TEST_F(DdgiTest, GlossIsAsBrightAsWhatIsMirrored) {
+TEST_F(DdgiSequences, GlossIsAsBrightAsWhatIsMirrored) {
   scene::FrameSnapshot scene = scene::furnace(1.0f, kProbeEmission, false);
   auto assets = std::make_shared<scene::Assets>(*scene.assets);
   assets->materials[0].base_color = vec3(kProbeAlbedo);
@@ -102,7 +102,7 @@ TEST_F(DdgiTest, GlossIsAsBrightAsWhatIsMirrored) {
 }
 
 // Without light, black, and white.
-TEST_F(DdgiTest, AlbedosAtTheirEnds) {
+TEST_F(DdgiSequences, AlbedosAtTheirEnds) {
   for (const char* estimator : kProbeEstimators) {
     for (const float emission : {0.0f, 1.0f}) {
       RenderSettings s = probe_settings(estimator);
@@ -116,7 +116,7 @@ TEST_F(DdgiTest, AlbedosAtTheirEnds) {
 }
 
 // Before any probe has had a turn, and where all are in walls or asleep: as in nee, nothing is lost.
-TEST_F(DdgiTest, WhereNothingIsKnownPathsGoOn) {
+TEST_F(DdgiSequences, WhereNothingIsKnownPathsGoOn) {
   const scene::FrameSnapshot scene = scene::furnace(kProbeAlbedo, kProbeEmission, false);
   const double all = static_cast<double>(kProbeEmission) * (1 + 0.6 + 0.36 + 0.216);
   for (const char* estimator : {"ddgi", "ddgi_plus"}) {
@@ -134,7 +134,7 @@ TEST_F(DdgiTest, WhereNothingIsKnownPathsGoOn) {
 }
 
 // A cube of rock with the only probe in its middle, under an even sky: it sleeps, and the picture is that of nee.
-TEST_F(DdgiTest, AProbeInRockSaysNothing) {
+TEST_F(DdgiSequences, AProbeInRockSaysNothing) {
   auto assets = scene::new_code_assets();
   const std::uint32_t grey = scene::add_material(*assets, "rock", vec3(0.5f));
   scene::Mesh rock;
@@ -161,7 +161,7 @@ TEST_F(DdgiTest, AProbeInRockSaysNothing) {
 
 // A box of 30,000 units: the volume is about the camera, beyond it paths go on; a camera that flies through it takes
 // its probes along.
-TEST_F(DdgiTest, AHugeMapLosesNothing) {
+TEST_F(DdgiSequences, AHugeMapLosesNothing) {
   auto assets = scene::new_code_assets();
   const std::uint32_t walls = scene::add_material(*assets, "walls", vec3(kProbeAlbedo), vec3(kProbeEmission));
   scene::Mesh room;
@@ -182,7 +182,7 @@ TEST_F(DdgiTest, AHugeMapLosesNothing) {
   }
 }
 
-TEST_F(DdgiTest, CutsSizesAndSettingsLeaveAFurnaceAsItIs) {
+TEST_F(DdgiSequences, CutsSizesAndSettingsLeaveAFurnaceAsItIs) {
   const std::pair<const char*, std::function<void(RenderSettings&)>> variants[] = {
       {"few rays", [](RenderSettings& s) { s.ddgi_rays = 64, s.ddgi_probe_rays = 16; }},
       {"all rays", [](RenderSettings& s) { s.ddgi_rays = 131072; }},
@@ -226,7 +226,7 @@ TEST_F(DdgiTest, CutsSizesAndSettingsLeaveAFurnaceAsItIs) {
 }
 
 // A box that shuts a probe in, as a door does: the probe moves or sleeps, and nothing is dark.
-TEST_F(DdgiTest, ADoorThatClosesOnAProbe) {
+TEST_F(DdgiSequences, ADoorThatClosesOnAProbe) {
   scene::FrameSnapshot scene = scene::furnace(kProbeAlbedo, kProbeEmission, true);
   for (const char* estimator : kProbeEstimators) {
     const RenderSettings s = probe_settings(estimator);
@@ -242,7 +242,7 @@ TEST_F(DdgiTest, ADoorThatClosesOnAProbe) {
 
 // A lamp that goes out leaves what probes know of its reflections: gone within some turns, later where nothing tells
 // them of the change.
-TEST_F(DdgiTest, LightThatGoesIsForgotten) {
+TEST_F(DdgiSequences, LightThatGoesIsForgotten) {
   auto assets = scene::new_code_assets();
   const std::uint32_t walls = scene::add_material(*assets, "walls", vec3(0.5f));
   const std::uint32_t light = scene::add_material(*assets, "light", vec3(0.0f), vec3(1.0f));
@@ -271,7 +271,7 @@ TEST_F(DdgiTest, LightThatGoesIsForgotten) {
   EXPECT_GT(left[0], 0.1);
 }
 
-TEST_F(DdgiTest, TheSamePicturesAgain) {
+TEST_F(DdgiSequences, TheSamePicturesAgain) {
   const scene::FrameSnapshot scene = scene::light_of_every_kind();
   for (const char* estimator : kProbeEstimators) {
     RenderSettings s = probe_settings(estimator);
@@ -290,7 +290,7 @@ TEST_F(DdgiTest, TheSamePicturesAgain) {
   }
 }
 
-TEST_F(DdgiTest, ForgettingStartsAnew) {
+TEST_F(DdgiSequences, ForgettingStartsAnew) {
   const scene::FrameSnapshot scene = scene::light_of_every_kind();
   RenderSettings s = probe_settings("ddgi");
   s.deterministic = 1;

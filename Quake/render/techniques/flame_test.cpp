@@ -31,6 +31,7 @@ class FlameTest : public DeviceTest {
     return image_estimate(renderer.read().linear());
   }
 };
+using FlameSequences = FlameTest;
 
 constexpr float kFlameAlbedo = 0.6f, kFlameGlow = 0.7f;
 
@@ -46,7 +47,7 @@ scene::FrameSnapshot glowing_room(float width, float emission) {
   return snapshot;
 }
 
-TEST_F(FlameTest, OneReflectionWithinItHasNoVariance) {
+TEST_F(FlameSequences, OneReflectionWithinItHasNoVariance) {
   const double expected = static_cast<double>(kFlameGlow) * (1 + static_cast<double>(kFlameAlbedo));
   for (const char* estimator : {"pt", "nee", "mcpg", "mcpg_nee"}) {
     const RenderSettings s = flame_settings(estimator, 1);

@@ -19,8 +19,10 @@
 namespace fb::render {
 namespace {
 
+using GuideSequences = GuideTest;
+
 // With r_deterministic, as where a device runs all paths at once, a state takes one sample of each part of a frame.
-class GuideAtOnceTest : public GuideTest {
+class GuideAtOnceSequences : public GuideTest {
  protected:
   // Mean of the logarithm of the squared error of frames of a rocket's flight.
   double rocket_error(const std::string& estimator, int parts, std::uint64_t first, std::uint64_t last) {
@@ -56,21 +58,21 @@ class GuideAtOnceTest : public GuideTest {
   std::map<std::uint64_t, std::vector<vec4>> truths_;
 };
 
-TEST_F(GuideAtOnceTest, APartOfAFrameLearnsFromThoseBefore) {
+TEST_F(GuideAtOnceSequences, APartOfAFrameLearnsFromThoseBefore) {
   const double gain = std::exp(rocket_error("mcpg", 1, 3, 5) - rocket_error("mcpg", 0, 3, 5));
   RecordProperty("gain", std::to_string(gain));
   EXPECT_GT(gain, 2);
 }
 
 // Else a state forgets where its light is by what those found who do not see it.
-TEST_F(GuideAtOnceTest, ASightOutranksAMiss) {
+TEST_F(GuideAtOnceSequences, ASightOutranksAMiss) {
   const double gain = std::exp(rocket_error("pt", 1, 11, 13) - rocket_error("mcpg", 1, 11, 13));
   RecordProperty("gain", std::to_string(gain));
   EXPECT_GT(gain, 8);
 }
 
 // A face of sky near by shows a sun that is far off: what one point learns of it must serve its neighbours.
-TEST_F(GuideTest, ASunIsADirection) {
+TEST_F(GuideSequences, ASunIsADirection) {
   auto assets = scene::new_code_assets();
   const std::uint32_t ground = scene::add_material(*assets, "ground", vec3(0.5f));
   const std::uint32_t sky = scene::add_material(*assets, "sky", vec3(0.0f), vec3(1.0f));
@@ -100,7 +102,7 @@ TEST_F(GuideTest, ASunIsADirection) {
   EXPECT_GT(variance[0] / variance[1], 50);
 }
 
-TEST_F(GuideTest, ResizingKeepsTheMean) {
+TEST_F(GuideSequences, ResizingKeepsTheMean) {
   for (const int deterministic : {0, 1}) {
     const RenderSettings s = guided(2, 2, [&](RenderSettings& r) { r.deterministic = deterministic; });
     auto renderer = make_renderer(s, 64, 48);

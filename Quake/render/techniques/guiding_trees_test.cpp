@@ -63,7 +63,7 @@ double p_of_draws(const GuidingTrees& trees, const vec3& place, std::uint64_t se
   return test.p();
 }
 
-TEST(GuidingTrees, DrawsHaveTheirDensityAlsoAfterSubdivisions) {
+TEST(GuidingTreesSequences, DrawsHaveTheirDensityAlsoAfterSubdivisions) {
   for (const bool filtered : {true, false}) {
     GuidingTrees trees;
     std::size_t leaves = 0, nodes = 0;

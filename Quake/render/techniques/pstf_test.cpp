@@ -51,11 +51,12 @@ class PstfTest : public DeviceTest {
     return sum / static_cast<double>(output.size());
   }
 };
+using PstfSequences = PstfTest;
 
 // Light from everywhere is the same, so that incident light is e / (1 - a) in all fields once they have settled,
 // however few reflections paths have: fields take light on from field to field. With the ends of paths counted, too, as
 // printed, they are darker.
-TEST_F(PstfTest, AFurnacesFieldHasItsClosedForm) {
+TEST_F(PstfSequences, AFurnacesFieldHasItsClosedForm) {
   const scene::FrameSnapshot scene = lit_furnace();
   const float light = kFieldEmission / (1 - kFieldAlbedo), exposure = 0.2f;
   const auto shown = [&](float l) {
@@ -78,7 +79,7 @@ TEST_F(PstfTest, AFurnacesFieldHasItsClosedForm) {
 
 // Of any number of reflections where the field stands for paths, of as many as paths have where it is of whole paths,
 // and the unbiased estimate alone where gamma is 1.
-TEST_F(PstfTest, BiasedFormsHaveAFurnacesLight) {
+TEST_F(PstfSequences, BiasedFormsHaveAFurnacesLight) {
   const scene::FrameSnapshot scene = lit_furnace();
   const double e = static_cast<double>(kFieldEmission), a = static_cast<double>(kFieldAlbedo);
   const double all = e / (1 - a), four = e * (1 + a + a * a + a * a * a);
@@ -122,7 +123,7 @@ const std::pair<const char*, std::function<void(RenderSettings&)>> kFieldVariant
     {"many samples", [](RenderSettings& s) { s.spp = 8; }},
 };
 
-TEST_F(PstfTest, NothingIsLostOrAddedWhateverIsSet) {
+TEST_F(PstfSequences, NothingIsLostOrAddedWhateverIsSet) {
   const scene::FrameSnapshot scene = lit_furnace();
   for (const char* estimator : {"pstf_cv", "pstf_is_cv_nee"}) {
     auto renderer = make_renderer(pstf_settings(estimator), 64, 48);
@@ -161,7 +162,7 @@ TEST_F(PstfTest, AlbedosAtTheirEnds) {
   }
 }
 
-TEST_F(PstfTest, TheSamePicturesAgain) {
+TEST_F(PstfSequences, TheSamePicturesAgain) {
   RenderSettings s = pstf_settings("pstf_cv_nee");
   s.deterministic = 1;
   s.spp = 2;

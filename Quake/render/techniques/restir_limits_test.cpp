@@ -19,7 +19,7 @@
 namespace fb::render {
 namespace {
 
-using RestirLimitsTest = RestirTest;
+using RestirLimitsSequences = RestirTest;
 
 // A floor, seen from above, and what is added to it; its light comes from what hangs over it, behind the camera.
 class FloorScene {
@@ -84,7 +84,7 @@ Means means_of(RenderSettings s, const scene::FrameSnapshot& snapshot, const Com
   return means;
 }
 
-TEST_F(RestirLimitsTest, OneTexelThatGlows) {
+TEST_F(RestirLimitsSequences, OneTexelThatGlows) {
   FloorScene floor;
   scene::Image image{"one texel", scene::ImageEncoding::kSrgba, 4, 4, {}};
   for (int i = 0; i < 16; ++i) {
@@ -105,7 +105,7 @@ TEST_F(RestirLimitsTest, OneTexelThatGlows) {
                means_of(reuse_settings(1, "nee"), snapshot, plan, *device_), 0.05);
 }
 
-TEST_F(RestirLimitsTest, TenThousandLamps) {
+TEST_F(RestirLimitsSequences, TenThousandLamps) {
   FloorScene floor;
   floor.add(ten_thousand_lamps(0.25f, floor.glow(vec3(40.0f))));
   const scene::FrameSnapshot snapshot = floor.snapshot();
@@ -130,7 +130,7 @@ std::vector<float> shown(RenderSettings s, std::uint32_t view, const scene::Fram
 
 // A lamp under the floor takes nearly all draws of the list; each of ten thousand that light the floor has hardly any,
 // and a W beyond a million where it is found. Where there is no other lamp there is no W.
-TEST_F(RestirLimitsTest, WeightsBeyondAMillionAndOfNothing) {
+TEST_F(RestirLimitsSequences, WeightsBeyondAMillionAndOfNothing) {
   for (const bool shines : {true, false}) {
     FloorScene floor;
     scene::Mesh hidden;
@@ -153,7 +153,7 @@ TEST_F(RestirLimitsTest, WeightsBeyondAMillionAndOfNothing) {
   }
 }
 
-TEST_F(RestirLimitsTest, ConfidenceEndsAtItsMost) {
+TEST_F(RestirLimitsSequences, ConfidenceEndsAtItsMost) {
   FloorScene floor;
   scene::Mesh lamp;
   add_lamp(lamp, {0, 0, 120}, 64, floor.glow(vec3(1.0f)));
@@ -175,7 +175,7 @@ TEST_F(RestirLimitsTest, ConfidenceEndsAtItsMost) {
 }
 
 // Pixels on both sides of a wall seen edge on have one normal and one depth, so each is the other's neighbour.
-TEST_F(RestirLimitsTest, NeighboursBehindAWall) {
+TEST_F(RestirLimitsSequences, NeighboursBehindAWall) {
   FloorScene floor;
   scene::Mesh parts;
   scene::add_box(parts, {-0.25f, -140, 0}, {0.25f, 140, 70}, floor.grey());
@@ -201,7 +201,7 @@ TEST_F(RestirLimitsTest, NeighboursBehindAWall) {
 }
 
 // A demo that is sought backwards without a cut: lamps jump to where they were, and others are lit than before.
-TEST_F(RestirLimitsTest, TimeJumpsBack) {
+TEST_F(RestirLimitsSequences, TimeJumpsBack) {
   const auto assets = scene::candle_assets();
   std::vector<scene::FrameSnapshot> film;
   double former = 2.0;
@@ -231,7 +231,7 @@ TEST_F(RestirLimitsTest, TimeJumpsBack) {
 
 // A lamp whose light is no number: what is lost of it is counted, no pixel shows it, and when it has gone its light is
 // in no reservoir.
-TEST_F(RestirLimitsTest, LightThatIsNoNumberIsCountedAndZero) {
+TEST_F(RestirLimitsSequences, LightThatIsNoNumberIsCountedAndZero) {
   for (const float radiance : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     for (const auto& [estimator, keeps_radiance] :
          {std::pair{"restir_di", 0}, std::pair{"restir_gi", 0}, std::pair{"restir_gi", 1}}) {

@@ -19,6 +19,8 @@
 namespace fb::render {
 namespace {
 
+using RestirSequences = RestirTest;
+
 // A floor below two lamps of 32 units, each of them there or not.
 scene::FrameSnapshot floor_below_lamps(const std::shared_ptr<const scene::Assets>& assets, std::uint32_t floor,
                                        std::uint32_t lamp, bool first, bool second) {
@@ -49,7 +51,7 @@ struct Lamps {
   }
 };
 
-TEST_F(RestirTest, ALampThatLeavesTakesItsLightAtOnce) {
+TEST_F(RestirSequences, ALampThatLeavesTakesItsLightAtOnce) {
   const RenderSettings s = reuse_settings(2, "restir_gi");
   const Lamps lamps;
   auto renderer = make_renderer(s, 64, 48);
@@ -62,7 +64,7 @@ TEST_F(RestirTest, ALampThatLeavesTakesItsLightAtOnce) {
 
 // Light of a lamp that was not there in the former frame: reservoirs of then could not have held it, and weights that
 // thought so would lose most of it.
-TEST_F(RestirTest, ALampThatComesIsNeitherLateNorLost) {
+TEST_F(RestirSequences, ALampThatComesIsNeitherLateNorLost) {
   const Lamps lamps;
   double mean[3] = {}, square[3] = {};
   constexpr int kRuns = 24;
@@ -133,7 +135,7 @@ TEST_F(RestirTest, CutsSizesAndScalesLeaveNothingBehind) {
 }
 
 // No W is 64 times the mean of a square of 64.
-TEST_F(RestirTest, BoilingEmptiesWhatStandsOut) {
+TEST_F(RestirSequences, BoilingEmptiesWhatStandsOut) {
   const scene::FrameSnapshot scene = scene::light_of_every_kind();
   std::uint64_t hashes[2] = {};
   double means[3] = {};
@@ -170,7 +172,7 @@ TEST_F(RestirTest, AHistoryThatPixelsShareCountsAsLess) {
   EXPECT_LT(confidence[1], 0.95 * confidence[0]) << confidence[0];
 }
 
-TEST_F(RestirTest, TheSamePicturesAgain) {
+TEST_F(RestirSequences, TheSamePicturesAgain) {
   const scene::FrameSnapshot scene = scene::light_of_every_kind();
   for (const char* estimator : {"restir_gi", "restir_guided"}) {
     RenderSettings s = reuse_settings(2, estimator);
@@ -207,7 +209,7 @@ TEST_F(RestirTest, ForgettingStartsAnew) {
 }
 
 // Where light is sampled at one pixel of four, whose turn it is another's in the next frame.
-TEST_F(RestirTest, LightAtOnePixelOfFourHasTheSameMean) {
+TEST_F(RestirSequences, LightAtOnePixelOfFourHasTheSameMean) {
   const scene::FrameSnapshot scene = scene::cornell_box();
   Means of[2];
   for (const bool reuses : {false, true}) {
@@ -307,7 +309,7 @@ class PanelsInTurn {
   std::uint32_t ground_, panel_, light_;
 };
 
-TEST_F(RestirTest, SamplesFollowThingsThatChangeTheirPlaceInTheTable) {
+TEST_F(RestirSequences, SamplesFollowThingsThatChangeTheirPlaceInTheTable) {
   const PanelsInTurn panels;
   Means of[2];
   for (const bool reuses : {false, true}) {

@@ -177,7 +177,7 @@ double bias_of(const std::vector<std::size_t>& schedule, bool apart, const Estim
   return expectation(schedule, apart, estimator) / kIntegral - 1;
 }
 
-TEST(Reweighting, EnergyIsLostWhereTheSameSamplesTeach) {
+TEST(ReweightingSequences, EnergyIsLostWhereTheSameSamplesTeach) {
   double former = -1, bias = -1;
   for (const std::size_t n : {1u, 2u, 4u, 8u, 16u, 32u}) {
     bias = bias_of({n, n}, false, balance);
@@ -191,7 +191,7 @@ TEST(Reweighting, EnergyIsLostWhereTheSameSamplesTeach) {
 }
 
 // The paper finds slightly more bias; here that is so with a few samples and turns round with many.
-TEST(Reweighting, VarianceAwarenessLosesMoreOnlyWithFewSamples) {
+TEST(ReweightingSequences, VarianceAwarenessLosesMoreOnlyWithFewSamples) {
   for (const std::size_t n : {4u, 8u, 12u})
     EXPECT_LT(bias_of({n, n}, false, variance_aware), bias_of({n, n}, false, balance)) << n;
   const double many = bias_of({24, 24}, false, variance_aware);
@@ -199,7 +199,7 @@ TEST(Reweighting, VarianceAwarenessLosesMoreOnlyWithFewSamples) {
   EXPECT_LT(many, -1e-3);
 }
 
-TEST(Reweighting, AConstantStoreIsBiasedAsAFullOneWithThePartialMixture) {
+TEST(ReweightingSequences, AConstantStoreIsBiasedAsAFullOneWithThePartialMixture) {
   const auto with = [](bool reweighted) { return [=](const Iterations& i) { return partial(i, reweighted); }; };
   for (const std::vector<std::size_t>& schedule : {std::vector<std::size_t>{4, 4}, {2, 2, 2}, {8, 8}, {20, 20}}) {
     const double partial_bias = bias_of(schedule, false, with(true)), naive = bias_of(schedule, false, with(false));
@@ -214,7 +214,7 @@ TEST(Reweighting, AConstantStoreIsBiasedAsAFullOneWithThePartialMixture) {
   EXPECT_LT(std::abs(apart), 5e-3);
 }
 
-TEST(Reweighting, NothingIsLostWhereOtherSamplesTeach) {
+TEST(ReweightingSequences, NothingIsLostWhereOtherSamplesTeach) {
   for (const std::vector<std::size_t>& schedule :
        {std::vector<std::size_t>{1, 1}, {2, 2}, {1, 1, 1}, {2, 1, 2}, {1, 3}})
     EXPECT_NEAR(bias_of(schedule, true, balance), 0, kExact) << schedule.size();
@@ -223,13 +223,13 @@ TEST(Reweighting, NothingIsLostWhereOtherSamplesTeach) {
   EXPECT_GT(std::abs(bias_of({2, 2}, true, variance_aware)), 1e-3);
 }
 
-TEST(Reweighting, WhatTheFoilsLose) {
+TEST(ReweightingSequences, WhatTheFoilsLose) {
   EXPECT_NEAR(bias_of({2, 2, 1}, false, accumulated), 0, kExact);
   EXPECT_NEAR(bias_of({2, 2, 1}, false, last_alone), 0, kExact);
   EXPECT_LT(bias_of({3, 3}, false, by_inverse_variance), -1e-3) << "of a pixel: weights depend on its samples";
 }
 
-TEST(Reweighting, FactorsOfAllIterationsAddUpToOne) {
+TEST(ReweightingSequences, FactorsOfAllIterationsAddUpToOne) {
   // A path that each of three iterations may make: the sum of n_i p_i times the factor is 1 (Eq. 3's condition).
   const std::array<double, 3> p{0.3, 1e-9, 4e7}, counts{2, 8, 5}, v{1, 2.5, 1.2};
   double balance_sum = 0, aware_sum = 0;
@@ -243,7 +243,7 @@ TEST(Reweighting, FactorsOfAllIterationsAddUpToOne) {
   EXPECT_NEAR(aware_sum, 1, kExact);
 }
 
-TEST(Reweighting, DensitiesOfZeroAndOf1e30StayFinite) {
+TEST(ReweightingSequences, DensitiesOfZeroAndOf1e30StayFinite) {
   const double infinite = std::numeric_limits<double>::infinity();
   const std::array<double, 3> counts{2, 2, 4};
   const std::array<double, 3> never{0, -infinite, -infinite};
@@ -266,7 +266,7 @@ TEST(Reweighting, DensitiesOfZeroAndOf1e30StayFinite) {
   EXPECT_DOUBLE_EQ(variance_factor(3, 2), 1.5);
 }
 
-TEST(Reweighting, SharesOfWholeIterations) {
+TEST(ReweightingSequences, SharesOfWholeIterations) {
   const std::array<double, 3> counts{1, 2, 4};
   const auto shares = inverse_variance_shares(std::array{std::nan(""), 2.0, 0.5}, counts);
   EXPECT_DOUBLE_EQ(shares[0], 0);

@@ -19,7 +19,9 @@
 namespace fb::render {
 namespace {
 
-TEST_F(SsmmTest, CutsSizesAndTilesLeaveTheMeanAsItIs) {
+using SsmmSequences = SsmmTest;
+
+TEST_F(SsmmSequences, CutsSizesAndTilesLeaveTheMeanAsItIs) {
   const scene::FrameSnapshot scene = scene::furnace(0.6f, 0.7f, true);
   const double expected = 0.7 * (1 + 0.6 + 0.36);
   for (const char* estimator : {"ssmm", "ssmm_nee"}) {
@@ -72,7 +74,7 @@ TEST_F(SsmmTest, LightThatGoesOutLeavesNoState) {
   EXPECT_GT(valid(lit), 48 * 36 / 4);
 }
 
-TEST_F(SsmmTest, TheSamePicturesAgain) {
+TEST_F(SsmmSequences, TheSamePicturesAgain) {
   const auto assets = scene::moving_assets();
   for (const bool temporal : {false, true}) {
     RenderSettings s = ssmm_settings(temporal ? "ssmm" : "ssmm_nee");

@@ -26,7 +26,7 @@ struct KeptRoom {
   std::uint64_t key() const { return authored_key(map(), Lightmaps(bsp)); }
 };
 
-TEST(AuthoredBytes, WhatIsReadIsWhatWasFound) {
+TEST(AuthoredBytesSequences, WhatIsReadIsWhatWasFound) {
   const KeptRoom room;
   const auto& found = room.found();
   ASSERT_TRUE(found);
@@ -49,7 +49,7 @@ TEST(AuthoredBytes, WhatIsReadIsWhatWasFound) {
   EXPECT_EQ(authored_bytes(*read, room.key()), bytes);
 }
 
-TEST(AuthoredBytes, DamagedOnesAreRefused) {
+TEST(AuthoredBytesSequences, DamagedOnesAreRefused) {
   const KeptRoom room;
   const auto& found = room.found();
   ASSERT_TRUE(found);
@@ -64,7 +64,7 @@ TEST(AuthoredBytes, DamagedOnesAreRefused) {
   }
 }
 
-TEST(AuthoredBytes, TheKeyIsOfAllThatLightIsFoundFrom) {
+TEST(AuthoredBytesSequences, TheKeyIsOfAllThatLightIsFoundFrom) {
   const KeptRoom room;
   const std::uint64_t key = room.key();
   EXPECT_EQ(KeptRoom().key(), key);

@@ -44,7 +44,7 @@ struct TwoLamps {
   float factor(std::size_t emitter) const { return found->fit.factors[emitter].y; }
 };
 
-TEST(AuthoredLight, PowersComeBackFromWhatTheyBaked) {
+TEST(AuthoredLightSequences, PowersComeBackFromWhatTheyBaked) {
   TwoLamps room;
   room.find(0.3f, 1.8f);
   EXPECT_NEAR(room.factor(0), 0.3f, 0.03f);
@@ -53,7 +53,7 @@ TEST(AuthoredLight, PowersComeBackFromWhatTheyBaked) {
   EXPECT_GT(room.found->fit.stops_before, 0.5);
 }
 
-TEST(AuthoredLight, ALampKeepsItsLawOfDistance) {
+TEST(AuthoredLightSequences, ALampKeepsItsLawOfDistance) {
   formats::Bsp bsp = lit_room().bsp;
   std::vector<EntityLight> lamps{lit_lamp(vec3(120, 130, 300), 20000)};
   const auto stops_after = [&](std::uint32_t law) {
@@ -71,7 +71,7 @@ TEST(AuthoredLight, ALampKeepsItsLawOfDistance) {
   EXPECT_LT(stops_after(shared::kFallLinear), 0.5 * stops_after(shared::kFallSquare));
 }
 
-TEST(AuthoredLight, ALampOfAStyleThatNoLuxelHasGivesNothing) {
+TEST(AuthoredLightSequences, ALampOfAStyleThatNoLuxelHasGivesNothing) {
   formats::Bsp bsp = lit_room().bsp;
   LitMap map = lit_map(bsp);
   map.lamps = {lit_lamp(vec3(120, 130, 300), 20000), lit_lamp(vec3(300, 300, 200), 20000)};
@@ -83,7 +83,7 @@ TEST(AuthoredLight, ALampOfAStyleThatNoLuxelHasGivesNothing) {
   EXPECT_NEAR(found->fit.factors[0].y, 1.0f, 0.1f) << "and takes nothing from the others";
 }
 
-TEST(AuthoredLight, WhatADarkeningLightTookIsGivenBack) {
+TEST(AuthoredLightSequences, WhatADarkeningLightTookIsGivenBack) {
   formats::Bsp bsp = lit_room().bsp;
   const EntityLight lamp = lit_lamp(vec3(120, 130, 300), 20000), dark = lit_lamp(vec3(300, 300, 200), 4000);
   bake(bsp, [&](const vec3& p, const vec3& n) {
@@ -98,21 +98,21 @@ TEST(AuthoredLight, WhatADarkeningLightTookIsGivenBack) {
   EXPECT_LT(without, 1.3f) << "the lamp alone is thought weaker";
 }
 
-TEST(AuthoredLight, NoiseInTheBakeIsEvenedOut) {
+TEST(AuthoredLightSequences, NoiseInTheBakeIsEvenedOut) {
   TwoLamps room;
   room.find(0.5f, 1.0f, 0.3f);
   EXPECT_NEAR(room.factor(0), 0.5f, 0.05f);
   EXPECT_NEAR(room.factor(1), 1.0f, 0.1f);
 }
 
-TEST(AuthoredLight, ALampThatLitNothingGivesNothing) {
+TEST(AuthoredLightSequences, ALampThatLitNothingGivesNothing) {
   TwoLamps room;
   room.find(1.0f, 0.0f);
   EXPECT_NEAR(room.factor(0), 1.0f, 0.1f);
   EXPECT_LT(room.factor(1), 0.02f);
 }
 
-TEST(AuthoredLight, LampsThatCannotBeToldApartShareWhatTheyBaked) {
+TEST(AuthoredLightSequences, LampsThatCannotBeToldApartShareWhatTheyBaked) {
   TwoLamps room;
   room.lamps[1].position = room.lamps[0].position + vec3(2, 0, 0);
   room.find(0.5f, 0.5f);
@@ -136,7 +136,7 @@ float share_of_ceiling(const vec3& p, const vec3& n) {
   return static_cast<float>(std::fabs(sum) / (2 * static_cast<double>(kPi)));
 }
 
-TEST(AuthoredLight, ASkyAloneIsAsBrightAsItsRoom) {
+TEST(AuthoredLightSequences, ASkyAloneIsAsBrightAsItsRoom) {
   formats::Bsp bsp = lit_room(true).bsp;
   LitMap map = lit_map(bsp);
   map.sky = vec3(0.1f);
@@ -173,7 +173,7 @@ TEST(AuthoredLight, WithoutBakedLightNothingIsFound) {
   EXPECT_FALSE(find_authored_light(map, Lightmaps(bsp))) << "black everywhere says nothing";
 }
 
-TEST(AuthoredLight, IsTheSameEachTime) {
+TEST(AuthoredLightSequences, IsTheSameEachTime) {
   TwoLamps a, b;
   a.find(0.3f, 1.8f);
   b.find(0.3f, 1.8f);
@@ -193,7 +193,7 @@ TEST(AuthoredLight, ItsThreadEndsWithItsTask) {
   EXPECT_TRUE(task.take());
 }
 
-TEST(AuthoredLight, WhatFallsOffAsNoLampDoesIsLeftToTheGains) {
+TEST(AuthoredLightSequences, WhatFallsOffAsNoLampDoesIsLeftToTheGains) {
   TwoLamps room;
   // Brighter by the height than any lamp makes it: 0.05 at the floor, 1.6 at the ceiling.
   bake(room.bsp, [](const vec3& p, const vec3&) { return 0.05f * std::exp2(5.0f * p.z / kLitRoom); });

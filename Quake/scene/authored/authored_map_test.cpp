@@ -14,9 +14,9 @@
 namespace fb::scene {
 namespace {
 
-class AuthoredMapTest : public testing::Test {
+class AuthoredMapSequences : public testing::Test {
  protected:
-  AuthoredMapTest() {
+  AuthoredMapSequences() {
     formats::Bsp bsp = test::lit_room().bsp;
     const EntityLight lamp = test::lit_lamp(vec3(256, 256, 300), 20000);
     test::bake(bsp, [&](const vec3& p, const vec3& n) { return test::lamp_light(lamp, p, n); });
@@ -27,7 +27,7 @@ class AuthoredMapTest : public testing::Test {
       if (level == LogLevel::kWarning) warnings_.emplace_back(line);
     });
   }
-  ~AuthoredMapTest() override { remove_log_listener(handle_); }
+  ~AuthoredMapSequences() override { remove_log_listener(handle_); }
 
   // Whether the map's light was found anew; what is kept stays for the next.
   bool finds() {
@@ -56,7 +56,7 @@ class AuthoredMapTest : public testing::Test {
   int handle_ = 0;
 };
 
-TEST_F(AuthoredMapTest, WhatIsKeptIsUsedAndWhatIsDamagedIsToldAndFoundAnew) {
+TEST_F(AuthoredMapSequences, WhatIsKeptIsUsedAndWhatIsDamagedIsToldAndFoundAnew) {
   EXPECT_TRUE(finds());
   EXPECT_TRUE(warnings_.empty());
   EXPECT_FALSE(finds()) << "it is kept";

@@ -8,33 +8,34 @@
 #define FB_GUIDING_NODE(i) mir_nodes.at[i]
 #include "estimators/mir/guiding_tree.h"
 
+struct FrozenDirections {
+  uint first;  // node of the distribution, or kUntaught
+};
+float frozen_pdf(FrozenDirections d, vec3 direction) { return guiding_pdf(d.first, mir.node_levels, direction); }
+vec3 frozen_draw(FrozenDirections d, vec2 u) { return guiding_draw(d.first, mir.node_levels, u); }
+#include "lib/frozen.glsl"
+
 struct Guidance {
-  uint first;         // node of the distribution, or kUntaught
+  FrozenDirections directions;
   float scatter_pdf;  // of the direction that was drawn
 };
+bool is_taught(Guidance g) { return g.directions.first != kUntaught; }
 
 void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g) {
-  g.first = kUntaught;
+  g.directions.first = kUntaught;
   g.scatter_pdf = 0.0;
   if (mir.taught == 0u || v.glows || IN_MEDIUM) return;
-  g.first =
+  g.directions.first =
       mir_tree.at[mir.leaves + guiding_leaf(GuidingCube(mir.cube_low, mir.cube_inverse_width), mir.levels, v.position)];
 }
 
 float proposal_pdf(Vertex v, Guidance g, vec3 direction, float scatter_pdf) {
-  return g.first != kUntaught ? mix(guiding_pdf(g.first, mir.node_levels, direction), scatter_pdf, mir.mir_defence)
-                              : scatter_pdf;
+  return proposed_pdf(g.directions, is_taught(g), mir.mir_defence, direction, scatter_pdf);
 }
 
 Proposal propose(Vertex v, inout Guidance g, inout uint rng) {
-  bool guided = rng_uniform(rng) >= mir.mir_defence && g.first != kUntaught;
-  vec3 u = vec3(rng_uniform(rng), rng_uniform(rng), rng_uniform(rng));
-  ScatterSample s = scatter_sample(v.scatter, v.view, u);
-  vec3 direction = guided ? guiding_draw(g.first, mir.node_levels, u.xy) : s.direction;
-  vec3 f = scatter_eval(v.scatter, v.view, direction, g.scatter_pdf);
-  float pdf = proposal_pdf(v, g, direction, g.scatter_pdf);
-  // A reflection below the surface is in no density: nothing that is weighed by one may be of it.
-  if (!guided && g.scatter_pdf == 0.0) pdf = 0.0;
-  return proposed(direction, f, pdf, guided ? 0u : s.flags);
+  FrozenProposal p = propose_frozen(v, g.directions, is_taught(g), mir.mir_defence, rng);
+  g.scatter_pdf = p.scatter_pdf;
+  return proposed(p.direction, p.f, p.pdf, p.flags);
 }
 #endif

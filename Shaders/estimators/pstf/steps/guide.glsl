@@ -13,6 +13,11 @@
 #include "estimators/pstf/steps/trees.glsl"
 #include "estimators/pstf/steps/guidance.glsl"
 
+#define FrozenDirections CellTree
+float frozen_pdf(CellTree tree, vec3 direction) { return tree_pdf(direction_tree(tree), direction); }
+vec3 frozen_draw(CellTree tree, vec2 u) { return tree_sample(direction_tree(tree), u); }
+#include "lib/frozen.glsl"
+
 void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g) {
   prepare_cell(v, here, path, g);
   g.beta = beta_at(path, learnt_mixture_beta(g.moments));
@@ -22,34 +27,19 @@ void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance
 // A flame's own light is all about its points.
 bool is_guided(Vertex v, Guidance g) { return g.taught >= kTreeTaught && !v.glows; }
 
-float mixture_pdf(Vertex v, Guidance g, vec3 direction, float scatter_pdf, out float guided_pdf) {
-  guided_pdf = is_guided(v, g) ? tree_pdf(direction_tree(g.tree), direction) : 0.0;
-  return is_guided(v, g) ? mix(guided_pdf, scatter_pdf, pstf.pstf_defence) : scatter_pdf;
-}
-
 Proposal propose(Vertex v, inout Guidance g, inout uint rng) {
-  bool guided = rng_uniform(rng) >= pstf.pstf_defence && is_guided(v, g);
-  vec3 u = vec3(rng_uniform(rng), rng_uniform(rng), rng_uniform(rng));
-  ScatterSample s = scatter_sample(v.scatter, v.view, u);
-  vec3 direction = guided ? tree_sample(direction_tree(g.tree), u.xy) : s.direction;
-  uint flags = guided ? 0u : s.flags;
-  float scatter_pdf, guided_pdf;
-  vec3 f = scatter_eval(v.scatter, v.view, direction, scatter_pdf);
-  float pdf = mixture_pdf(v, g, direction, scatter_pdf, guided_pdf);
-  // A reflection below the surface is in no density: nothing that is weighed by one may be of it.
-  if (!guided && scatter_pdf == 0.0) pdf = 0.0;
-  g.pdf = (flags & kScatterDelta) == 0u ? pdf : 0.0;
-  float cosine = max(dot(direction, g.normal), 0.0) / kPiShared;
+  FrozenProposal drawn = propose_frozen(v, g.tree, is_guided(v, g), pstf.pstf_defence, rng);
+  g.pdf = (drawn.flags & kScatterDelta) == 0u ? drawn.pdf : 0.0;
+  float cosine = max(dot(drawn.direction, g.normal), 0.0) / kPiShared;
   g.over = g.pdf > 0.0 ? cosine / g.pdf : 0.0;
-  g.off = g.pdf > 0.0 ? (guided_pdf - cosine) / g.pdf : 0.0;
+  g.off = g.pdf > 0.0 ? (drawn.frozen_pdf - cosine) / g.pdf : 0.0;
   if (!is_guided(v, g)) g.off = g.beta = 0.0;
-  Proposal p = proposed(direction, f, pdf, flags);
+  Proposal p = proposed(drawn.direction, drawn.f, drawn.pdf, drawn.flags);
   g.weight = p.weight;
   return p;
 }
 float proposal_pdf(Vertex v, Guidance g, vec3 direction, float scatter_pdf) {
-  float guided_pdf;
-  return mixture_pdf(v, g, direction, scatter_pdf, guided_pdf);
+  return proposed_pdf(g.tree, is_guided(v, g), pstf.pstf_defence, direction, scatter_pdf);
 }
 
 const bool kHasControl = kMixtureControl;
@@ -57,6 +47,6 @@ const bool kHasControl = kMixtureControl;
 vec3 control_mean(Vertex v, Guidance g, Field here) { return vec3(0.0); }
 vec3 control_at(Vertex v, Guidance g, Field here, vec3 direction) {
   float cosine = max(dot(direction, g.normal), 0.0) / kPiShared;
-  return (g.beta * (tree_pdf(direction_tree(g.tree), direction) - cosine)) * g.albedo * g.mean;
+  return (g.beta * (frozen_pdf(g.tree, direction) - cosine)) * g.albedo * g.mean;
 }
 #endif
