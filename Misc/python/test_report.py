@@ -96,6 +96,17 @@ class Results(Made):
         with self.assertRaisesRegex(KeyError, "no experiment 'bax'; it has seen, box, lights"):
             results.read(self.folder)["bax"]
 
+    def test_gains_over_another_are_of_each_run_and_rare_runs_are_told(self):
+        box = results.read(self.folder)["box"]
+        self.assertAlmostEqual(box.gain("pt", "samples", over="nee").value, 1 / box.gain("nee", "samples").value)
+        self.assertFalse(results.rare_runs_rule([0.002, 0.003, 0.004, 0.003]))
+        self.assertTrue(results.rare_runs_rule([0.002, 0.003, 1.05, 0.003]))
+        self.assertTrue(box.gain("nee", "samples").rare is False)
+        made = made_results()
+        made["experiments"][1]["points"][0]["errors"]["mse_corrected"] = 80.0
+        (self.folder / "results.json").write_text(json.dumps(made))
+        self.assertTrue(results.read(self.folder)["box"].gain("nee", "samples").rare)
+
     def test_the_interval_of_a_mean_holds_it_as_often_as_it_says(self):
         random = np.random.default_rng(4)
         for freedom, t in ((1, 12.706), (7, 2.3646), (30, 2.0423)):
@@ -114,6 +125,23 @@ class Results(Made):
                 (self.folder / "results.json").write_text(text)
             with self.assertRaisesRegex(ValueError, pattern):
                 results.read(self.folder)
+
+    def test_damaged_members_are_named(self):
+        def damaged(change):
+            made = made_results()
+            change(made["experiments"][1])
+            (self.folder / "results.json").write_text(json.dumps(made))
+            return results.read(self.folder)
+
+        for change, pattern in ((lambda e: e.pop("points"), r'experiments\[1\]: there is no "points"'),
+                                (lambda e: e["points"][2]["errors"].update(mse="x"), r"points\[2\]: errors.mse: a number"),
+                                (lambda e: e["points"][2]["errors"].update(mse={}), r"points\[2\]: errors.mse: a number"),
+                                (lambda e: e["points"][0]["curve"].update(mse=[[]]), r"points\[0\]: curve.mse: numbers"),
+                                (lambda e: e["points"].append([]), r"points\[4\]: an object is wanted"),
+                                (lambda e: e.update(configurations=3), '"configurations" is of another kind')):
+            with self.subTest(pattern), self.assertRaisesRegex(ValueError, pattern):
+                damaged(change)
+        damaged(lambda e: e["points"][0]["errors"].update(mse=None))  # not a number, and no damage
 
     def test_exr_reads_back_what_it_writes(self):
         planes, header = exr.read(str(REFERENCE))

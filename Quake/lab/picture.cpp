@@ -27,6 +27,18 @@ Result<std::vector<vec3>> colors(const ExrImage& image, const std::string& path,
 
 }  // namespace
 
+Status check_reference(const Reference& reference, const std::string& path) {
+  if (!std::ranges::all_of(reference.mean.pixels, finite))
+    return Error{fmt::format("{}: holds values that are not finite; a reference has none", path)};
+  const auto is_variance = [](const vec3& v) { return finite(v) && v.x >= 0 && v.y >= 0 && v.z >= 0; };
+  if (!std::ranges::all_of(reference.variance, is_variance))
+    return Error{
+        fmt::format("{}: variance.R, .G or .B hold values below zero or not finite; leave these channels out "
+                    "where the variance is not known",
+                    path)};
+  return ok_status();
+}
+
 Result<ExrPicture> read_exr_picture(const std::string& path) {
   const auto image = read_exr(path);
   if (!image) return image.error();

@@ -28,6 +28,9 @@ struct Reference {
   std::vector<vec3> variance;  // of each pixel's mean; empty: unknown
 };
 
+// Fails, naming `path`, where a value is not finite or a variance is none.
+Status check_reference(const Reference& reference, const std::string& path);
+
 // EXR: channels R, G, B, and variance.R, .G, .B where it has them; `text` are its lines of text.
 struct ExrPicture {
   Reference content;

@@ -129,6 +129,45 @@ bool rare_values_rule(std::span<const double> values) {
   return sum > 0 && *std::ranges::max_element(values) > 0.1 * sum;
 }
 
+std::size_t tail_count(std::size_t total) {
+  const double n = static_cast<double>(total);
+  return static_cast<std::size_t>(std::min(0.2 * n, 3 * std::sqrt(n)));
+}
+
+double tail_shape(std::vector<double> largest, std::size_t total) {
+  const std::size_t n = tail_count(total);
+  if (n < 5 || largest.size() <= n) return kNone;
+  std::ranges::sort(largest);
+  const double threshold = largest[largest.size() - n - 1];
+  std::vector<double> x(largest.end() - static_cast<std::ptrdiff_t>(n), largest.end());
+  for (double& value : x) value -= threshold;
+  const double quartile = x[static_cast<std::size_t>(static_cast<double>(n) / 4 + 0.5) - 1], most = x.back();
+  if (!(quartile > 0)) return kNone;
+  // The mean over a grid of theta = k / scale, each weighed by its profile likelihood; mean_log(theta) is k there.
+  const auto mean_log = [&](double theta) {
+    double sum = 0;
+    for (const double value : x) sum += std::log1p(-theta * value);
+    return sum / static_cast<double>(n);
+  };
+  const std::size_t grid = 30 + static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
+  std::vector<double> thetas(grid), likelihoods(grid);
+  for (std::size_t i = 0; i < grid; ++i) {
+    const double at = 1 - std::sqrt(static_cast<double>(grid) / (static_cast<double>(i) + 0.5));
+    thetas[i] = 1 / most + at / (3 * quartile);
+    const double k = mean_log(thetas[i]);
+    likelihoods[i] = static_cast<double>(n) * (std::log(-thetas[i] / k) - k - 1);
+  }
+  const double best = *std::ranges::max_element(likelihoods);
+  double weights = 0, theta = 0;
+  for (std::size_t i = 0; i < grid; ++i) {
+    const double weight = std::exp(likelihoods[i] - best);
+    weights += weight;
+    theta += weight * thetas[i];
+  }
+  const double k = mean_log(theta / weights), count = static_cast<double>(n);
+  return (k * count + 0.5 * 10) / (count + 10);
+}
+
 std::string too_few_runs(std::size_t runs, std::size_t fewest) {
   return fmt::format("95% intervals want {} runs; there {} {}", fewest, runs == 1 ? "is" : "are", runs);
 }

@@ -52,6 +52,13 @@ Estimate factor_between(std::span<const double> above, std::span<const double> b
 // Whether rare values rule the sum: one of twenty or more holds over a tenth of it. What happens in fewer than a third
 // of eight runs is often in none of them, so that no interval of these knows of it.
 bool rare_values_rule(std::span<const double> values);
+// The shape k of a generalised Pareto distribution fitted to the tail of `total` values (Zhang and Stephens 2009, with
+// Vehtari 2024's prior for few): from 1 / n on moments of order n do not exist. `largest`: at least those that
+// tail_count says, and one more. Not a number where there are fewer than 5, or all are the same.
+std::size_t tail_count(std::size_t total);
+double tail_shape(std::vector<double> largest, std::size_t total);
+// From here on squared errors have no variance, and the interval of their mean promises too much.
+inline constexpr double kHeavyTail = 0.5;
 // Why there is no interval: "95% intervals want 8 runs; there are 3".
 std::string too_few_runs(std::size_t runs, std::size_t fewest = kFewestRuns);
 

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
 
 #include "base/rng.h"
 
@@ -115,6 +119,38 @@ TEST(StatisticsOfRuns, RareValuesThatRuleAreToldOf) {
     told += rare_values_rule(values);
   }
   EXPECT_NEAR(told, 23, 14);
+}
+
+TEST(StatisticsOfRuns, TheTailsShapeIsThatOfTheDistribution) {
+  // Pareto of exponent a has shape 1 / a, an exponential 0, a uniform -1; of 20,000 values 424 are the tail, whose
+  // shape k is known to about (1 + k) / sqrt(424), which is 0.1 at most here. The prior pulls by 10 in 434 to 0.5.
+  constexpr std::size_t kValues = 20000;
+  const auto shape = [](auto inverse) {
+    Rng rng(8);
+    std::vector<double> values(kValues);
+    for (double& v : values) v = inverse(1.0 - rng.uniform());
+    return tail_shape(std::move(values), kValues);
+  };
+  EXPECT_NEAR(shape([](double u) { return std::pow(u, -1.0); }), 1.0, 0.3);
+  EXPECT_NEAR(shape([](double u) { return std::pow(u, -0.5); }), 0.5, 0.23);
+  EXPECT_NEAR(shape([](double u) { return 7 * std::pow(u, -0.25); }), 0.25, 0.2);
+  EXPECT_NEAR(shape([](double u) { return -std::log(u); }), 0.01, 0.16);
+  EXPECT_NEAR(shape([](double u) { return 1 - u; }), -0.97, 0.16);
+}
+
+TEST(StatisticsOfRuns, TheLargestValuesAloneTellTheTail) {
+  Rng rng(9);
+  std::vector<double> values(1000);
+  for (double& v : values) v = 1 / (1.0 - rng.uniform());
+  std::vector<double> largest = values;
+  std::ranges::sort(largest, std::greater<>());
+  largest.resize(tail_count(values.size()) + 1);
+  EXPECT_EQ(tail_shape(largest, values.size()), tail_shape(values, values.size()));
+  largest.pop_back();
+  EXPECT_TRUE(std::isnan(tail_shape(largest, values.size()))) << "no threshold";
+  EXPECT_TRUE(std::isnan(tail_shape(std::vector<double>(10, 1.0), 10)));
+  EXPECT_TRUE(std::isnan(tail_shape(std::vector<double>(1000, 1.0), 1000))) << "nothing varies";
+  EXPECT_TRUE(std::isnan(tail_shape({}, 0)));
 }
 
 }  // namespace

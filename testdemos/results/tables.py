@@ -3,6 +3,7 @@
 
     tables.py keep DIR NAME    stores the results of a suite (DIR/results.json) as NAME.json, without curves and passes
     tables.py write            writes every table between its marks in results.md: <!-- table NAME --> ... <!-- end -->
+    tables.py compare NAME A B gain of configuration B over A in each view of stored results, run by run, and where its interval leaves out 1
     tables.py check            exit status 1 where one is not what the stored results give
 """
 
@@ -235,6 +236,24 @@ TABLES = {
     "gpu": gpu,
     "outside": outside,
 }
+
+
+def compared(name: str, below: str, above: str) -> str:
+    """Gains of one configuration over another, of each run, by view; and in how many views the interval begins above 1 or ends below it."""
+    lines = []
+    for equal in ("samples", "time"):
+        ahead, behind, open_ = [], [], []
+        for experiment in stored(name).experiments:
+            if not {below, above} <= set(experiment.configurations):
+                continue
+            gain = experiment.gain(above, equal, over=below)
+            text = f"{experiment.name} {number(gain.value)} ({number(gain.low)} to {number(gain.high)})"
+            (ahead if gain.low > 1 else behind if gain.high < 1 else open_).append(text)
+        lines += [f"{above} over {below} at equal {equal}"] + [
+            f"  {what} in {len(views)}: {', '.join(views)}" for what, views in (("ahead", ahead), ("behind", behind), ("open", open_))]
+    return "\n".join(lines)
+
+
 MARKED = re.compile(r"(<!-- table (\w+) -->\n)(?:.*?\n)??(<!-- end -->)", re.S)
 
 
@@ -251,11 +270,22 @@ def main() -> int:
     keeping = commands.add_parser("keep")
     keeping.add_argument("folder")
     keeping.add_argument("name", choices=[name for name in TABLES if name not in ("gpu", "outside", "dittebrandt2023_means", "rivals_first_and_all")])
+    comparing = commands.add_parser("compare")
+    comparing.add_argument("name", choices=[name for name in TABLES if name not in ("gpu", "outside", "judge", "judge_quick")])
+    comparing.add_argument("below")
+    comparing.add_argument("above")
     commands.add_parser("write")
     commands.add_parser("check")
     options = parser.parse_args()
     if options.command == "keep":
         keep(options.folder, options.name)
+        return 0
+    if options.command == "compare":
+        try:
+            print(compared(options.name, options.below, options.above))
+        except (OSError, ValueError, KeyError, IndexError) as error:
+            print(f"{options.name}: {error}", file=sys.stderr)
+            return 1
         return 0
     text = DOCUMENT.read_text()
     try:

@@ -32,7 +32,8 @@ def number(value: float) -> str:
 def interval(value: Interval) -> str:
     if not math.isfinite(value.value):
         return "–"
-    return number(value.value) + (f" <small>{number(value.low)} to {number(value.high)}</small>" if math.isfinite(value.low) else "")
+    rare = "<abbr title='rare runs rule the mean of the errors: the interval promises too much'>*</abbr>" if value.rare else ""
+    return number(value.value) + rare + (f" <small>{number(value.low)} to {number(value.high)}</small>" if math.isfinite(value.low) else "")
 
 
 def table(head: list[str], rows: list[list[str]], caption: str) -> str:
@@ -49,15 +50,19 @@ def runs(experiment: Experiment, fewest: int = results.FEWEST_RUNS) -> str:
 
 
 def gains(experiment: Experiment) -> str:
-    rows = []
+    rows, rare = [], False
     for name in experiment.configurations:
-        error = results.over_runs(experiment.errors(name, "relmse_corrected"))
+        errors = experiment.errors(name, "relmse_corrected")
+        error = results.over_runs(errors)
+        error.rare = results.rare_runs_rule(errors)
         time = results.over_runs(experiment.milliseconds(name), results.FEWEST_STEADY_RUNS)
         first = name == experiment.configurations[0]
-        rows.append([name, interval(error), interval(time), "1" if first else interval(experiment.gain(name, "samples")),
-                     "1" if first else interval(experiment.gain(name, "time"))])
+        gains = [] if first else [experiment.gain(name, equal) for equal in ("samples", "time")]
+        rare = rare or any(told.rare for told in (error, *gains))
+        rows.append([name, interval(error), interval(time), *(["1", "1"] if first else [interval(gain) for gain in gains])])
     return table(["", "relMSE of a frame", "ms of the estimator", "gain, equal samples", "gain, equal time"], rows,
-                 f"Gains in MSE over {experiment.configurations[0]}, the reference's variance taken off; geometric means over {runs(experiment)}")
+                 f"Gains in MSE over {experiment.configurations[0]}, the reference's variance taken off; geometric means over {runs(experiment)}"
+                 + ("; *: rare runs rule the mean of the errors, so that the interval promises too much" if rare else ""))
 
 
 def errors_table(experiment: Experiment) -> str:

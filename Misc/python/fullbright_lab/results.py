@@ -31,6 +31,13 @@ class Interval:
     value: float
     low: float
     high: float
+    rare: bool = False  # rare runs rule the mean, so that it promises too much
+
+
+def rare_runs_rule(values) -> bool:
+    """Whether the mean of errors over runs is more than a tenth above what a typical run has (as `bench` tells it)."""
+    values = np.asarray(values, float)
+    return bool(len(values) > 1 and (values > 0).all() and values.mean() > 1.1 * np.exp(np.log(values).mean()))
 
 
 def over_runs(values, fewest: int = FEWEST_RUNS) -> Interval:
@@ -80,19 +87,21 @@ class Experiment:
         """(runs,) of the "estimator"'s own passes or of the whole "frame", medians."""
         return np.array([point["milliseconds"][of] for point in self.chosen(configuration, value)], float)
 
-    def gain(self, configuration: str, equal: str, value: float | None = None) -> Interval:
-        """How many times smaller the error (MSE less the reference's variance) is than the first configuration's, at equal "samples" or
-        "time": geometric mean of the runs' own gains; nan where a run has no error above the reference's noise."""
+    def gain(self, configuration: str, equal: str, value: float | None = None, over: str | None = None) -> Interval:
+        """How many times smaller the error (MSE less the reference's variance) is than that of the configuration `over` (default: the first), at
+        equal "samples" or "time": geometric mean of the runs' own gains; nan where a run has no error above the reference's noise."""
 
         def rows(name):
             points = self.chosen(name, value)
             return np.array([[p["errors"].get("mse_corrected", p["errors"]["mse"]), p["samples"], p["milliseconds"]["estimator"]] for p in points], float).T
 
-        mse, samples, time = rows(self.configurations[0])
+        mse, samples, time = rows(over or self.configurations[0])
         own, own_samples, own_time = rows(configuration)
         known = (mse > 0) & (own > 0)
         ratios = np.where(known, mse / np.where(known, own, 1), np.nan)
-        return over_runs(ratios * (samples / own_samples if equal == "samples" else time / own_time))
+        gain = over_runs(ratios * (samples / own_samples if equal == "samples" else time / own_time))
+        gain.rare = rare_runs_rule(mse) or rare_runs_rule(own)
+        return gain
 
     def pictures(self, value_index: int = 0) -> dict[str, np.ndarray]:
         """(H, W, 3) float32 linear radiance by configuration, and the "reference"; empty where none were kept."""
@@ -127,6 +136,34 @@ class Suite:
         raise KeyError(f"{self.folder} has no experiment {name!r}; it has {', '.join(experiment.name for experiment in self.experiments)}")
 
 
+NUMBER = (int, float, type(None))  # null: not a number
+MEMBERS = {"": {"title": str, "manifest": dict, "complete": bool, "experiments": list},
+           "experiments": {"name": str, "title": str, "points": list, "configurations": list, "vary": (dict, type(None)), "command": str},
+           "configurations": {"name": str},
+           "points": {"configuration": str, "value": NUMBER, "repeat": int, "samples": NUMBER, "errors": dict, "milliseconds": dict}}
+
+
+def check(data, what: str = "", of: str = "") -> None:
+    """Raises ValueError, naming the place, where a member of results is missing or of another kind than formats.md says."""
+    if not isinstance(data, dict):
+        raise ValueError(f"{what or 'the file'}: an object is wanted")
+    for name, kind in MEMBERS[of].items():
+        if name not in data and not (of == "points" and name in ("samples", "errors", "milliseconds")):
+            raise ValueError(f"{what or 'the file'}: there is no \"{name}\"")
+        if name in data and not isinstance(data[name], kind):
+            raise ValueError(f"{what or 'the file'}: \"{name}\" is of another kind than results have")
+        if isinstance(data.get(name), list):
+            for i, entry in enumerate(data[name]):
+                check(entry, f"{what}{', ' if what else ''}{name}[{i}]", name)
+    for name in ("errors", "milliseconds") if of == "points" else ():
+        for key, value in data.get(name, {}).items():
+            if not isinstance(value, NUMBER) or isinstance(value, bool):
+                raise ValueError(f"{what}: {name}.{key}: a number is wanted")
+    for key, rows in data.get("curve", {}).items() if of == "points" and isinstance(data.get("curve", {}), dict) else ():
+        if not isinstance(rows, list) or not all(isinstance(value, NUMBER) for value in rows):
+            raise ValueError(f"{what}: curve.{key}: numbers are wanted")
+
+
 def read(folder: str | Path) -> Suite:
     """Raises ValueError with one sentence where the folder holds no results."""
     path = Path(folder) / "results.json"
@@ -138,4 +175,8 @@ def read(folder: str | Path) -> Suite:
         raise ValueError(f"{path}: line {error.lineno}: {error.msg}") from None
     if not isinstance(data, dict) or data.get("format") != FORMAT:
         raise ValueError(f"{path}: these are no results of a suite")
+    try:
+        check(data)
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
     return Suite(Path(folder), data)

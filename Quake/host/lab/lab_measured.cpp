@@ -32,6 +32,7 @@ struct KnownReference {
 Result<KnownReference> read_reference(const std::string& path) {
   auto picture = lab::read_exr_picture(path);
   if (!picture) return picture.error();
+  if (auto status = lab::check_reference(picture->content, path); !status) return status.error();
   KnownReference known{std::move(picture->content), std::nullopt};
   if (const auto text = picture->texts.find("fullbright.jitter"); text != picture->texts.end())
     known.jitter = text->second == "1" ? 1 : 0;

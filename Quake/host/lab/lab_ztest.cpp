@@ -41,6 +41,9 @@ int run_ztest(const ZTestCommand& c) {
   lab::ReferenceRuns expected(*stage.device, *film, reference);
   const auto verdict = lab::judge(expected, tested, c.alpha);
   if (!verdict) return fail(verdict.error());
+  if (verdict->test.tested == 0 && verdict->test.pooled == 0)
+    return fail(
+        Error{"nothing was tested: in no block of pixels does either estimator's light vary (is the view black?)"});
   if (c.blocks) fmt::print("{}", lab::ztest_map(verdict->test));
   fmt::print("{}a bias of the energy of {:.3g}% would be found nine times in ten\n", verdict->text(),
              100 * verdict->test.detectable(c.alpha));

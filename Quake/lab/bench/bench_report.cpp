@@ -242,7 +242,7 @@ std::string bench_csv(const BenchResult& result) {
     for (std::uint32_t run = 0; run < c.frames.runs; ++run) {
       for (std::uint32_t i = 0; i < c.frames.warmup + c.frames.measured; ++i) {
         const FrameRecord& f = c.frames.at(run, i);
-        const bool warm = i >= c.frames.warmup;
+        const bool warm = c.frames.warmup > 0 && i >= c.frames.warmup;
         out += fmt::format("{},{},{},{},{},{}", c.name, run, i, warm ? 1 : 0, f.gpu_ms, f.estimator_ms);
         for (const Metric& metric : columns) out += f.measured ? fmt::format(",{}", metric.value(f.errors)) : ",";
         out += result.still ? fmt::format(",{},{}", f.running_mse, f.running_rel_mse) : ",,";

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <string_view>
 
@@ -144,9 +145,26 @@ void summarise(Comparison& c) {
     const Figure& figure = c.files.front().figures[f];
     // An error that is all noise of the reference may be negative, and has no logarithm.
     const bool positive = std::ranges::all_of(values, [](double v) { return v > 0; });
-    c.spreads.push_back(
-        {figure.name, mean(values), figure.multiplies && positive ? factor_over_runs(values) : mean_over_runs(values)});
+    Estimate typical = figure.multiplies && positive ? factor_over_runs(values) : mean_over_runs(values);
+    if (figure.name == "bias") {  // the reference's error is that of all runs
+      const double of_reference = 1.96 * c.reference_bias_error;
+      const double half = std::hypot(typical.interval.high - typical.value, of_reference);
+      typical.interval = {typical.value - half, typical.value + half};
+    }
+    c.spreads.push_back({figure.name, mean(values), typical});
   }
+}
+
+// Adds the largest of a file's squared errors, of which tail_shape is told; `total`: pixels of all files.
+void add_largest(std::vector<double>& largest, const Picture& reference, const Picture& test, std::size_t total) {
+  std::vector<double> errors(test.pixels.size());
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const vec3 d = test.pixels[i] - reference.pixels[i];
+    errors[i] = (double{d.x} * d.x + double{d.y} * d.y + double{d.z} * d.z) / 3;
+  }
+  const std::size_t kept = std::min(errors.size(), tail_count(total) + 1);
+  std::ranges::partial_sort(errors, errors.begin() + static_cast<std::ptrdiff_t>(kept), std::greater<>());
+  largest.insert(largest.end(), errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(kept));
 }
 
 // What a picture has none of, as a small one has no ms_ssim, is a dash.
@@ -163,8 +181,8 @@ Result<Comparison> compare(const CompareJob& job) {
   auto reference = load(job.reference);
   if (!reference) return reference.error();
   const Picture& r = reference->stored.mean;
+  if (auto status = check_reference(reference->stored, job.reference); !status) return status.error();
   for (const vec3& p : r.pixels) {
-    if (!finite(p)) return Error{fmt::format("{}: holds values that are not finite", job.reference)};
     c.reference_mean += (double{p.x} + p.y + p.z) / (3.0 * static_cast<double>(r.pixels.size()));
   }
   c.linear = reference->is_linear;
@@ -173,6 +191,7 @@ Result<Comparison> compare(const CompareJob& job) {
   if (c.linear && job.flip) c.exposures = flip::choose_exposures(r);
   const Picture shown_reference = displayed(r, c.linear, job.exposure);
   Runs runs;
+  std::vector<double> largest;                // of the pixels' squared errors
   std::map<std::uint64_t, std::string> seen;  // file by the hash of its pixels
   for (const std::string& file : job.tests) {
     auto test = load(file);
@@ -184,6 +203,7 @@ Result<Comparison> compare(const CompareJob& job) {
     const Errors errors = measure(reference->stored, t, options);
     c.peak = errors.peak;
     if (!reference->stored.variance.empty()) c.reference_variance = errors.reference_variance;
+    c.reference_bias_error = errors.reference_bias_error;
     zero_what_is_not_finite(t);
     const Picture shown_test = displayed(t, c.linear, job.exposure);
     const PicturePair pair{r, t, shown_reference, shown_test};
@@ -206,9 +226,12 @@ Result<Comparison> compare(const CompareJob& job) {
       return Error{
           fmt::format("{}: the same picture as {}: runs want seeds of their own (r_seed)", file, first->second)};
     runs.add(t);
+    if (job.tests.size() > 1) add_largest(largest, r, t, job.tests.size() * t.pixels.size());
   }
   if (c.files.size() > 1) {
     summarise(c);
+    const double shape = tail_shape(std::move(largest), c.files.size() * r.pixels.size());
+    if (!std::isnan(shape)) c.tail = shape;
     if (c.linear) {
       c.variance = runs.variance();
       c.bias_squared = runs.bias_squared(reference->stored);
@@ -246,6 +269,12 @@ std::string comparison_table(const Comparison& c) {
   if (c.variance) {
     out += fmt::format("  {:18} {:.6g}\n  {:18} {:.6g}\n", "variance", *c.variance, "bias_squared", *c.bias_squared);
   }
+  if (c.tail && *c.tail > kHeavyTail)
+    out += fmt::format(
+        "\nThe largest errors fall off so slowly that their mean has no variance (Pareto's shape {:.2f}, above {}): "
+        "rare "
+        "samples\nrule, and what these {} files lack of them no interval and no mean here knows. Take more runs.\n",
+        *c.tail, kHeavyTail, c.files.size());
   return out;
 }
 
@@ -279,6 +308,7 @@ std::string comparison_json(const Comparison& c) {
     runs["variance"] = *c.variance;
     runs["bias_squared"] = *c.bias_squared;
   }
+  if (c.tail) runs["tail_shape"] = *c.tail;
   return json_text(json);
 }
 

@@ -49,11 +49,13 @@ struct Comparison {
   double reference_mean = 0;  // over pixels and channels
   double peak = 0;            // PSNR's
   std::optional<double> reference_variance;
+  double reference_bias_error = 0;  // standard error that the reference gives to every file's bias
   std::optional<flip::Exposures> exposures;
   std::vector<ComparedFile> files;
   std::vector<Spread> spreads;  // of several files
   // Of several linear files: the runs' variance and squared bias, whose sum is the corrected MSE's mean.
   std::optional<double> variance, bias_squared;
+  std::optional<double> tail;  // tail_shape of the pixels' squared errors, of several files
 };
 // Fails with the file and the cause: unreadable, another size, PNG held to EXR.
 Result<Comparison> compare(const CompareJob& job);

@@ -4,8 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/rng.h"
 #include "base/test_directory.h"
@@ -116,6 +117,55 @@ TEST_F(CompareTest, RunsOfOneThing) {
   EXPECT_THAT(comparison_table(*compare(job)), HasSubstr("7 files: mean; 95% intervals want 8 runs; there are 7"));
 }
 
+// Most of the bias's error is the reference's here, and common to all runs.
+TEST_F(CompareTest, TheBiasOfRunsHasTheReferencesErrorToo) {
+  constexpr int kTrials = 200;
+  int held = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const auto seed = 100 * static_cast<std::uint64_t>(trial);
+    CompareJob job;
+    job.flip = false;
+    job.reference = exr("reference.exr", 1.0f, 0.6f, seed, 0.12f, 8, 8);
+    for (std::uint64_t i = 1; i <= 8; ++i)
+      job.tests.push_back(exr("run" + std::to_string(i) + ".exr", 1.0f, 0.85f, seed + i, -1, 8, 8));
+    const auto c = compare(job);
+    ASSERT_TRUE(c.ok()) << c.error().message;
+    const auto bias = std::ranges::find(c->spreads, "bias", &Spread::name);
+    ASSERT_NE(bias, c->spreads.end());
+    held += bias->typical.interval.low <= 0 && bias->typical.interval.high >= 0;
+  }
+  EXPECT_GE(held, 178) << "0.95 less four binomial standard errors";
+  EXPECT_LE(held, 199);
+}
+
+TEST_F(CompareTest, RareSamplesAreToldOf) {
+  CompareJob job;
+  job.flip = false;
+  job.reference = exr("reference.exr", 1.0f, 0.0f, 1);
+  for (std::uint64_t i = 1; i <= 8; ++i) job.tests.push_back(exr("even" + std::to_string(i) + ".exr", 1.0f, 0.5f, i));
+  const auto even = compare(job);
+  ASSERT_TRUE(even.ok()) << even.error().message;
+  EXPECT_LT(*even->tail, 0.1) << "squares of uniform numbers end";
+  EXPECT_THAT(comparison_table(*even), testing::Not(HasSubstr("rare samples")));
+  EXPECT_THAT(comparison_json(*even), HasSubstr("\"tail_shape\""));
+  job.tests.clear();
+  Rng rng(5);
+  for (int i = 0; i < 8; ++i) {
+    ExrImage image(48, 32);
+    for (const char* channel : {"R", "G", "B"}) {
+      std::vector<float> plane(image.pixels());
+      for (float& v : plane) v = 1.0f + std::pow(1.0f - rng.uniform(0.0f, 1.0f), -0.4f);  // its squares' shape is 0.8
+      image.add_channel(channel, plane);
+    }
+    job.tests.push_back(path("wild" + std::to_string(i) + ".exr"));
+    ASSERT_TRUE(write_exr(job.tests.back(), image).ok());
+  }
+  const auto wild = compare(job);
+  ASSERT_TRUE(wild.ok()) << wild.error().message;
+  EXPECT_NEAR(*wild->tail, 0.8, 0.3);
+  EXPECT_THAT(comparison_table(*wild), HasSubstr("what these 8 files lack"));
+}
+
 TEST_F(CompareTest, PngsAreComparedAsStored) {
   CompareJob job;
   job.reference = png("a.png", 0);
@@ -151,6 +201,14 @@ TEST_F(CompareTest, RefusesInOneSentenceThatNamesTheFile) {
   EXPECT_THAT(refusal(path("depth.exr")), HasSubstr("no channel R"));
   job.reference = exr("inf.exr", std::numeric_limits<float>::infinity(), 0, 1);
   EXPECT_THAT(refusal(job.reference), HasSubstr("not finite"));
+  for (const float variance : {-1e-3f, std::numeric_limits<float>::quiet_NaN()}) {
+    ExrImage image(48, 32);
+    for (const char* channel : {"R", "G", "B", "variance.R", "variance.G", "variance.B"})
+      image.add_channel(channel, std::vector<float>(image.pixels(), channel[0] == 'v' ? variance : 1.0f));
+    ASSERT_TRUE(write_exr(path("variance.exr"), image).ok());
+    job.reference = path("variance.exr");
+    EXPECT_THAT(refusal(job.reference), HasSubstr("below zero or not finite"));
+  }
   job.flip_map = "map.png";
   job.tests = {"a.exr", "b.exr"};
   EXPECT_THAT(compare(job).error().message, HasSubstr("--flip-map"));

@@ -19,8 +19,8 @@ struct BlockPlan {
   std::uint32_t first = 0;    // samples a pixel before it
   std::uint32_t samples = 0;  // a pixel
 };
-// Blocks of 256 samples, from the eighth on of 512, and so on: few files for many samples, and an interruption loses no
-// more than a part. The last takes what does not fill another one.
+// Blocks of 256 samples, eight of them, then of 512, and so on: few files for many samples, and an interruption loses
+// no more than a part. The last takes what does not fill another one.
 std::uint32_t block_samples(std::uint32_t index);
 std::vector<BlockPlan> plan_blocks(std::uint32_t spp);
 

@@ -49,8 +49,10 @@ Result<Manifest> read_manifest(const std::string& path) {
 Status same(const Manifest& a, const Manifest& b, const std::string& where) {
   for (const Member& member : kMembers) {
     if (a.*member.value == b.*member.value) continue;
-    return Error{fmt::format("{}: the results there are of another {} ({}; now {}): choose another folder", where,
-                             member.name, a.*member.value, b.*member.value)};
+    const bool settings = member.value == &Manifest::overrides;
+    return Error{fmt::format("{}: the results there are of another {} ({}; now {}): choose another folder{}", where,
+                             settings ? "set of options" : member.name, a.*member.value, b.*member.value,
+                             settings ? ", or give the same options" : "")};
   }
   return ok_status();
 }
@@ -152,8 +154,9 @@ bool SuiteFolder::has(const std::string& piece) const {
 }
 
 Result<Json> SuiteFolder::piece(const std::string& name) const {
-  const auto file = JsonFile::read(fmt::format("{}/pieces/{}.json", path_, name));
-  if (!file) return file.error();
+  const std::string path = fmt::format("{}/pieces/{}.json", path_, name);
+  const auto file = JsonFile::read(path);
+  if (!file) return Error{file.error().message + "; delete it, and the suite makes that piece again"};
   return file->json();
 }
 
