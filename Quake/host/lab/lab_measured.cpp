@@ -28,12 +28,15 @@ Result<std::vector<lab::Configuration>> configurations_of(con::Console& console,
 struct KnownReference {
   lab::Reference reference;
   std::optional<int> jitter;
+  std::string view;  // that it is of; empty: it does not say
 };
 Result<KnownReference> read_reference(const std::string& path) {
   auto picture = lab::read_exr_picture(path);
   if (!picture) return picture.error();
   if (auto status = lab::check_reference(picture->content, path); !status) return status.error();
-  KnownReference known{std::move(picture->content), std::nullopt};
+  KnownReference known{std::move(picture->content), std::nullopt, ""};
+  if (const auto text = picture->texts.find("fullbright.view"); text != picture->texts.end())
+    known.view = text->second.substr(0, text->second.find(" --frame"));
   if (const auto text = picture->texts.find("fullbright.jitter"); text != picture->texts.end())
     known.jitter = text->second == "1" ? 1 : 0;
   return known;
@@ -82,6 +85,9 @@ Status open_measured(Measured& m, const MeasuredOptions& o, const lab::ViewOptio
     auto read = read_reference(o.reference);
     if (!read) return read.error();
     known = std::move(*read);
+    if (!known->view.empty() && known->view != view_text(o.stage))
+      fmt::print(stderr, "fullbright-lab: --reference {}: it is of `{}`, and this view is `{}`\n", o.reference,
+                 known->view, view_text(o.stage));
   }
   const int jitter = jitter_of(stage.settings, known);
   stage.settings.jitter = jitter;

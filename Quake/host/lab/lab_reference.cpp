@@ -18,15 +18,6 @@ struct ReferenceOptions {
   std::string blocks, shard;
 };
 
-std::string view_text(const ReferenceOptions& o) {
-  std::string text = !o.stage.scene.empty() ? "--scene " + o.stage.scene
-                     : o.stage.demo.empty() ? "--map " + o.stage.map
-                                            : "--demo " + o.stage.demo;
-  if (!o.stage.camera.empty()) text += " --camera " + o.stage.camera;
-  if (o.stage.lambert) text += " --lambert";
-  return text + fmt::format(" --frame {}", o.frame);
-}
-
 int run_reference(const ReferenceOptions& options, bool samples_given) {
   const StageOptions& o = options.stage;
   if (!o.out.ends_with(".exr")) return fail(Error{fmt::format("--out {}: a reference is an .exr file", o.out)});
@@ -51,7 +42,7 @@ int run_reference(const ReferenceOptions& options, bool samples_given) {
   job.out = o.out;
   const bool several = lab::plan_blocks(job.spp).size() > 1 || shard->count > 1;
   job.blocks = !options.blocks.empty() ? options.blocks : several ? o.out + ".blocks" : "";
-  job.view = view_text(options);
+  job.view = view_text(o) + fmt::format(" --frame {}", options.frame);
   job.program = version_text() + ", " + build_text();
   job.quiet = o.quiet;
   const auto summary = lab::render_reference(*stage.source, *stage.renderer, stage.settings, job);

@@ -129,6 +129,13 @@ void add_stage_options(CLI::App& app, StageOptions& o) {
   app.add_flag("--timing", o.timing, "print the median GPU time of each pass");
 }
 
+std::string view_text(const StageOptions& o) {
+  std::string text = !o.scene.empty() ? "--scene " + o.scene : o.demo.empty() ? "--map " + o.map : "--demo " + o.demo;
+  if (!o.camera.empty()) text += " --camera " + o.camera;
+  if (o.lambert) text += " --lambert";
+  return text;
+}
+
 Status open_view(Stage& stage, const StageOptions& o) {
   auto size = parse_size(o.size);
   if (!size) return Error{"--size: " + size.error().message};

@@ -57,6 +57,8 @@ struct StageOptions {
   bool lambert = false, validation = false, quiet = false, timing = false;
 };
 void add_stage_options(CLI::App& app, StageOptions& options);
+// What is seen, as its options say: "--scene cbox --lambert".
+std::string view_text(const StageOptions& options);
 
 // Device, settings and frames, ready to render.
 struct Stage {

@@ -270,6 +270,12 @@ check "a reference is an .exr file" fails_with "no.png: a reference is an .exr f
 check "what a setting would be is not told where it is refused" bash -c "! '$lab' render --scene cbox --set r_bounces=-1 2>&1 | grep 'so it is'"
 check "an error of 0 is refused" fails_with "--error 0: a number from 1e-06 to 10 is wanted" \
   "$lab" reference --scene cbox --error 0 --out "$scratch/no.exr"
+check "bench tells that a reference is of another view" grep -q 'is of `--scene cbox`, and this view is `--scene lava`' <<<"$(
+  "$lab" bench --quiet --scene lava --size 48x27 --frames 0:1 --repeats 1 --reference "$scratch/r.exr" 2>&1)"
+check "and is silent where it is of this one" bash -c "! '$lab' bench --quiet --scene cbox --size 48x27 --frames 0:1 --repeats 1 \
+  --reference '$scratch/r.exr' 2>&1 | grep 'this view is'"
+check "ztest of what is black is no result" fails_with "nothing was tested" \
+  "$lab" ztest --scene cbox --size 8x8 --estimator pt --set r_bounces=0 --runs 4 --frames 1
 check "bench refuses a cvar that is not the renderer's" fails_with "no cvar" "$lab" bench --scene cbox --config a:b=1
 # The judge with programs of its own, one of them in the role of an older one that writes one format at a time.
 cat >"$scratch/suite.json" <<'END'

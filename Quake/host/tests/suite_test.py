@@ -107,7 +107,7 @@ def merges(lab, first):
     merge = ["suite-merge", lab.suite, "--experiments", "cbox,moving,lights", "--out", lab.folder / "merged"]
     lab.refuses("of 7 pieces are missing: ", *merge, *shards[:3])
     lab.refuses("is in ", *merge, *shards, shards[0])
-    lab.refuses("of another overrides", *merge, *shards, "--size", "48x32")
+    lab.refuses("of another set of options", *merge, *shards, "--size", "48x32")
     other = lab.folder / "other.json"
     other.write_text(lab.suite.read_text().replace('"repeats": 2', '"picture": false, "repeats": 2'))
     lab.refuses("of another suite", merge[0], other, *merge[2:], *shards)
@@ -177,7 +177,7 @@ def fits_time(lab):
 
 
 def refuses(lab):
-    lab.refuses("of another overrides", "suite", lab.suite, "--out", lab.folder / "whole", "--repeats", "3")
+    lab.refuses("of another set of options", "suite", lab.suite, "--out", lab.folder / "whole", "--repeats", "3")
     lab.refuses("--shard 5/4", "suite", lab.suite, "--out", lab.folder / "x", "--shard", "5/4")
     lab.refuses("has no such experiment", "suite", lab.suite, "--out", lab.folder / "x", "--experiments", "cobx")
     typo = lab.folder / "typo.json"
