@@ -149,6 +149,8 @@ Status open_stage(Stage& stage, const StageOptions& o) {
   if (auto status = open_view(stage, o); !status) return status;
   if (auto status = known_estimator(o.estimator, "--estimator"); !status) return status;
   stage.settings.estimator = o.estimator;
+  if (stage.settings.light_scale > 0 && stage.settings.light_scale < 1 && stage.settings.denoise <= 0)
+    fmt::print(stderr, "fullbright-lab: r_light_scale is the denoiser's: it counts with --set r_denoise=1\n");
   gpu::DeviceOptions wanted;
   wanted.preferred = o.device;
   wanted.validation = o.validation;

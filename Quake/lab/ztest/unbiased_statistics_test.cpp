@@ -258,10 +258,15 @@ TEST_P(MoreUnbiasedStatistics, HasTheMeanOfPt) {
   look_at(GetParam());
 }
 
+// Pixels that take turns see other moments of what moves, so that a moving reference takes the same turns.
 const Row kFeatures[] = {
     {"rocket", "restir_di", {}, plan(16, 6, 4), 4, false, {}, "nee"},
     {"lightsout", "restir_di", {}, plan(12, 8, 96), 4, false, {}, "nee"},
-    {"moving", "restir_di", {}, plan(12, 8, 8), 4, false, {"r_light_scale=0.5"}, "nee"},
+    {"moving", "restir_di", {}, plan(16, 16, 8), 4, false, {"r_denoise=1", "r_light_scale=0.5"}, "nee"},
+    {"moving", "restir_gi", {}, plan(16, 16, 8), 4, false, {"r_denoise=1", "r_light_scale=0.5"}, "nee"},
+    {"cbox", "restir_guided", {"r_denoise=1", "r_light_scale=0.5"}, plan(16, 16, 8), 4, false, {}, "nee"},
+    {"cbox", "ssmm", {"r_denoise=1", "r_light_scale=0.5"}, plan(24, 16, 12), 8, false, {"r_bounces=1"}, "nee"},
+    {"cbox", "mcpg_nee", {"r_denoise=1", "r_light_scale=0.5"}, plan(16, 16, 8), 4},
     {"rocket", "ssmm", {"r_ssmm_world=1"}, plan(24, 8, 6), 8, false, {}, "nee"},
     {"occluder", "ssmm_nee", {"r_ssmm_world=1"}, plan(12, 4, 12), 4, false, {}, "nee"},
     {"ripple_above", "ssmm_nee", {}, warm(), 8, false, {"r_water=1"}, "nee"},

@@ -54,13 +54,21 @@ class Player {
       if (frames_of(settings_.estimator) != render::Frames::kIndependent)
         renderer_->render(frame(), nullptr, settings_);
   }
-  Picture average(std::uint32_t frames) {
+  // Of pixels that take turns (r_light_scale) the mean of the frames that sampled them.
+  Result<Picture> average(std::uint32_t frames) {
     const std::size_t pixels = std::size_t{sampling_.plan.width} * sampling_.plan.height;
-    Picture picture{sampling_.plan.width, sampling_.plan.height, std::vector<vec3>(pixels, vec3(0.0f))};
+    std::vector<vec4> sums(pixels, vec4(0.0f));
     for (std::uint32_t i = 0; i < frames; ++i, ++next_) {
       renderer_->render(frame(), nullptr, settings_);
       const std::vector<vec4> radiance = renderer_->read().linear();
-      for (std::size_t p = 0; p < pixels; ++p) picture.pixels[p] += vec3(radiance[p]) / static_cast<float>(frames);
+      for (std::size_t p = 0; p < pixels; ++p) sums[p] += vec4(radiance[p].w * vec3(radiance[p]), radiance[p].w);
+    }
+    Picture picture{sampling_.plan.width, sampling_.plan.height, std::vector<vec3>(pixels)};
+    for (std::size_t p = 0; p < pixels; ++p) {
+      if (!(sums[p].w > 0))
+        return Error{fmt::format(
+            "{} frames a run sample some pixels never, which take turns (r_light_scale): give more", frames)};
+      picture.pixels[p] = vec3(sums[p]) / sums[p].w;
     }
     return picture;
   }
@@ -124,7 +132,9 @@ Result<SampledRuns> render_runs(gpu::Device& device, const Film& film, const Sam
       if (auto status = player.restart(run); !status) return status.error();
       player.pass_over(plan.skip);
     }
-    result.blocks.add(player.average(plan.frames));
+    const auto picture = player.average(plan.frames);
+    if (!picture) return picture.error();
+    result.blocks.add(*picture);
   }
   result.lost = player.lost();
   return result;
