@@ -178,16 +178,21 @@ def judge(name: str) -> str:
 
 
 def rivals_picture() -> str:
-    """FLIP of every configuration; the last rows are geometric means over views, of FLIP and of a frame's time."""
+    """FLIP of every configuration, marked where its interval leaves the first one's out: bold below it, in italics above; the last rows are
+    geometric means over views, of FLIP and of a frame's time."""
     suite = stored("rivals_picture")
     names = suite.experiments[0].configurations
     views = [e for e in suite.experiments if all(e.chosen(name) for name in names)]
     rows, flips, times = [], [], []
     for experiment in views:
         of = {entry["configuration"]: entry for entry in experiment.data["judged"]}
-        flips.append([of[name]["flip"]["value"] for name in names])
+        told = [results.judged_figure(of[name], "flip") for name in names]
+        flips.append([figure.value for figure in told])
         times.append([of[name]["all_ms"]["value"] for name in names])
-        rows.append([experiment.name, *map(number, flips[-1]), f"{experiment.data['truth']['flip']:.3f}"])
+        first = told[0]
+        marks = [number(first.value)] + [f"**{number(f.value)}**" if f.high < first.low else f"*{number(f.value)}*" if f.low > first.high else number(f.value)
+                                         for f in told[1:]]
+        rows.append([experiment.name, *marks, f"{experiment.data['truth']['flip']:.3f}"])
     for title, values in (("FLIP, all", flips), ("ms, all", times)):
         rows.append([title, *map(number, np.exp(np.log(values).mean(axis=0))), ""])
     return rows_of(["view", *(f"`{n}`" for n in names), "of noise"], rows) + "\n\n" + made_with(suite)
