@@ -234,6 +234,7 @@ TABLES = {
     "rivals_first_and_all": lambda: rivals("rest"),
     "rivals_picture": rivals_picture,
     "dittebrandt2023_rest": lambda: gains_of("dittebrandt2023_rest", "figure", True),
+    "dittebrandt2023_moving": lambda: gains_of("dittebrandt2023_moving", "figure", True),
     "dittebrandt2023": lambda: gains_of("dittebrandt2023", "figure", True, ("fig16_cbox",)),
     "dittebrandt2023_means": lambda: errors_of_means("dittebrandt2023", "fig16_cbox"),
     "judge": lambda: judge("judge"),
