@@ -96,10 +96,11 @@ def gain_of(experiment: results.Experiment, name: str, key: str) -> results.Inte
 
 
 def marked(gain: results.Interval) -> str:
-    """Bold where the interval is above 1, in italics where it is below."""
+    """Bold where the interval is above 1, in italics where it is below; with a dagger where rare runs rule."""
     if math.isnan(gain.value):
         return "unknown"
-    return f"**{number(gain.value)}**" if gain.low > 1 else f"*{number(gain.value)}*" if gain.high < 1 else number(gain.value)
+    rare = "†" if gain.rare else ""
+    return (f"**{number(gain.value)}**" if gain.low > 1 else f"*{number(gain.value)}*" if gain.high < 1 else number(gain.value)) + rare
 
 
 def rivals(which: str) -> str:
@@ -131,7 +132,7 @@ def gains_of(name: str, label: str, every_value: bool = False, without: tuple[st
                     cells.append("")
                     continue
                 samples, time = (experiment.gain(other, equal, value) for equal in ("samples", "time"))
-                interval = "" if math.isnan(samples.low) else f" ({number(samples.low)} to {number(samples.high)})"
+                interval = ("†" if samples.rare else "") + ("" if math.isnan(samples.low) else f" ({number(samples.low)} to {number(samples.high)})")
                 cells.append(f"{number(samples.value)}{interval} / {number(time.value)}")
             of_value = f"; {experiment.what} {value:g}" if every_value and experiment.what else ""
             rows.append([experiment.title + of_value, *cells])

@@ -6,6 +6,7 @@
 #include "host/lab/lab_stage.h"
 #include "host/options.h"
 #include "lab/reference/reference_job.h"
+#include "render/techniques/technique.h"
 
 namespace fb::host {
 namespace {
@@ -27,6 +28,11 @@ int run_reference(const ReferenceOptions& options, bool samples_given) {
   if (shard->count > 1 && until)
     return fail(Error{"--shard: parts are of so many samples (--spp), not of an error or a time"});
   if (auto status = unbiased_estimator(o.estimator, "--estimator"); !status) return fail(status.error());
+  const render::TechniqueInfo* technique = render::find_technique(o.estimator);
+  if (options.warmup > 0 && technique->frames == render::Frames::kCorrelated)
+    return fail(Error{fmt::format(
+        "--warmup: {} shares samples between frames, so that each part of a block begins with nothing: leave it out",
+        o.estimator)});
   Stage stage;
   if (auto status = open_stage(stage, o); !status) return fail(status.error());
   lab::ReferenceJob job;

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
+
+#include "base/rng.h"
 
 namespace fb::lab {
 namespace {
@@ -46,6 +49,32 @@ TEST(JudgeFigures, BiasIsAPlainMeanAndKnowsTheReference) {
   EXPECT_NEAR(e.interval.high, 3.182 * 0.1 / std::sqrt(3.0), 1e-3) << "t of three degrees";
   const Estimate exact = over_seeds(lane(kBias, {0.02, 0.02, 0.02, 0.02}), kBias, 0.01);
   EXPECT_NEAR(exact.interval.high, 0.02 + 0.0196, 1e-9) << "only the reference is uncertain";
+}
+
+// Four seeds of FLIP, eight of biases whose reference has as much error as they together: 1,000 times each. Within four
+// binomial standard errors.
+TEST(JudgeFigures, IntervalsOverSeedsAndViewsHoldTheTruthAsOftenAsTheySay) {
+  constexpr int kTrials = 1000;
+  Rng rng(12);
+  const auto normal = [&] {  // Box and Muller
+    return std::sqrt(-2 * std::log(1.0 - rng.uniform())) * std::cos(2 * M_PI * rng.uniform());
+  };
+  const auto holds = [](const Estimate& e, double truth) { return e.interval.low <= truth && truth <= e.interval.high; };
+  int flip = 0, bias = 0, all = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const auto seeds = [&](std::size_t count, auto value) {
+      std::vector<double> values(count);
+      for (double& v : values) v = value();
+      return values;
+    };
+    flip += holds(over_seeds(lane(kFlip, seeds(4, [&] { return 0.2 * std::exp(0.1 * normal()); })), kFlip), 0.2);
+    const double reference = 0.01 / std::sqrt(8.0), off = reference * normal();
+    bias += holds(over_seeds(lane(kBias, seeds(8, [&] { return 0.03 + 0.01 * normal() + off; })), kBias, reference), 0.03);
+    std::vector<ViewFigures> views(3);
+    for (ViewFigures& view : views) view.lanes = {lane(kRelMse, seeds(8, [&] { return std::exp(0.5 * normal()); }))};
+    all += holds(over_views(views, 0, kRelMse), 1.0);
+  }
+  for (const int held : {flip, bias, all}) EXPECT_NEAR(held, 0.95 * kTrials, 28);
 }
 
 TEST(JudgeFigures, ASuiteWeighsViewsAlike) {

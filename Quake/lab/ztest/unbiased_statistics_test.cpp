@@ -258,6 +258,19 @@ TEST_P(MoreUnbiasedStatistics, HasTheMeanOfPt) {
   look_at(GetParam());
 }
 
+std::vector<Row> every_unbiased_cold_and_moving() {
+  std::vector<Row> rows;
+  for (const render::TechniqueInfo& technique : render::techniques()) {
+    if (!technique.unbiased() || technique.name == "pt" || technique.name == "ssmm") continue;
+    rows.push_back({"kinds", std::string(technique.name), {}, cold(), 4});
+    rows.push_back({"moving", std::string(technique.name), {}, plan(12, 4, 8), 4, false, {}, "nee"});
+    rows.push_back({"slab", std::string(technique.name), {}, warm(), 4});
+  }
+  return rows;
+}
+INSTANTIATE_TEST_SUITE_P(EveryColdMovingInFog, MoreUnbiasedStatistics,
+                         testing::ValuesIn(every_unbiased_cold_and_moving()), row_name);
+
 // Pixels that take turns see other moments of what moves, so that a moving reference takes the same turns.
 const Row kFeatures[] = {
     {"rocket", "restir_di", {}, plan(16, 6, 4), 4, false, {}, "nee"},

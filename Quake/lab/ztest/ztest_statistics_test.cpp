@@ -53,6 +53,19 @@ TEST(ZTestStatistics, SeldomCriesWolf) {
   EXPECT_LE(rare.any, most(300, 1e-3));
 }
 
+TEST(ZTestStatistics, IntervalsOfTheEnergyHoldTheBiasAsOftenAsTheySay) {
+  const Scene brighter = [](std::uint32_t x, std::uint32_t y) { return Light{room(x, y).hits, 1.03 * room(x, y).mean}; };
+  Rng rng(17);
+  constexpr int kTrials = 300;
+  int energy = 0, block = 0;
+  for (int i = 0; i < kTrials; ++i) {
+    const ZTest r = compare(room, brighter, rng);
+    energy += r.energy.low <= 0.03 && 0.03 <= r.energy.high;
+    block += r.relative.low <= 0.03 && 0.03 <= r.relative.high;
+  }
+  for (const int held : {energy, block}) EXPECT_NEAR(held, 0.95 * kTrials, 14) << "3.7 binomial standard errors";
+}
+
 TEST(ZTestStatistics, IsNotLedAstrayByWhichBlocksHoldEnough) {
   // Every block's error is about what is enough: to choose those whose error came out small would blow up their z.
   const Scene dim = [](std::uint32_t, std::uint32_t) { return Light{0.17, 1.0}; };
