@@ -59,7 +59,9 @@ TEST(JudgeFigures, IntervalsOverSeedsAndViewsHoldTheTruthAsOftenAsTheySay) {
   const auto normal = [&] {  // Box and Muller
     return std::sqrt(-2 * std::log(1.0 - rng.uniform())) * std::cos(2 * M_PI * rng.uniform());
   };
-  const auto holds = [](const Estimate& e, double truth) { return e.interval.low <= truth && truth <= e.interval.high; };
+  const auto holds = [](const Estimate& e, double truth) {
+    return e.interval.low <= truth && truth <= e.interval.high;
+  };
   int flip = 0, bias = 0, all = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
     const auto seeds = [&](std::size_t count, auto value) {
@@ -69,7 +71,8 @@ TEST(JudgeFigures, IntervalsOverSeedsAndViewsHoldTheTruthAsOftenAsTheySay) {
     };
     flip += holds(over_seeds(lane(kFlip, seeds(4, [&] { return 0.2 * std::exp(0.1 * normal()); })), kFlip), 0.2);
     const double reference = 0.01 / std::sqrt(8.0), off = reference * normal();
-    bias += holds(over_seeds(lane(kBias, seeds(8, [&] { return 0.03 + 0.01 * normal() + off; })), kBias, reference), 0.03);
+    bias +=
+        holds(over_seeds(lane(kBias, seeds(8, [&] { return 0.03 + 0.01 * normal() + off; })), kBias, reference), 0.03);
     std::vector<ViewFigures> views(3);
     for (ViewFigures& view : views) view.lanes = {lane(kRelMse, seeds(8, [&] { return std::exp(0.5 * normal()); }))};
     all += holds(over_views(views, 0, kRelMse), 1.0);

@@ -54,7 +54,9 @@ TEST(ZTestStatistics, SeldomCriesWolf) {
 }
 
 TEST(ZTestStatistics, IntervalsOfTheEnergyHoldTheBiasAsOftenAsTheySay) {
-  const Scene brighter = [](std::uint32_t x, std::uint32_t y) { return Light{room(x, y).hits, 1.03 * room(x, y).mean}; };
+  const Scene brighter = [](std::uint32_t x, std::uint32_t y) {
+    return Light{room(x, y).hits, 1.03 * room(x, y).mean};
+  };
   Rng rng(17);
   constexpr int kTrials = 300;
   int energy = 0, block = 0;
