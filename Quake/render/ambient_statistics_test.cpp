@@ -35,7 +35,7 @@ TEST_F(AmbientStatistics, FurnaceGivesItsClosedForm) {
   for (const std::string& estimator : one_of_each_family(Whose::kAll))
     for (const float emission : {0.0f, 0.7f})
       for (const int bounces : {0, 1, 3}) {
-        if (emission > 0.0f && estimator != "pt") continue;
+        if (estimator != "pt" && (emission > 0.0f || bounces < 3)) continue;
         const RenderSettings s = settings_of(estimator, bounces);
         scene::FrameSnapshot snapshot = scene::furnace(albedo, emission);
         snapshot.ambient = light;

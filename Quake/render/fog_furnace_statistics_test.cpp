@@ -103,6 +103,8 @@ TEST_F(FogFurnaceStatistics, AGlowingRoomFullOfItHasItsQuadrature) {
   for (const std::string& estimator : one_of_each_family(Whose::kUnbiased)) {
     auto renderer = make_renderer(settings(estimator, 128), 16, 12);
     for (const auto& [rays, expected] : rows) {
+      // Steps know nothing of the other kind's number of rays: both together are enough but for one estimator.
+      if (estimator != "nee" && rays.first != rays.second) continue;
       const RenderSettings s = settings(estimator, 128, rays.first, rays.second);
       const std::string what = fmt::format("{}, r_bounces {}, r_fog_bounces {}", estimator, rays.first, rays.second);
       draw(*renderer, snapshot, s, 8);

@@ -171,13 +171,14 @@ TEST_F(FogStatistics, NothingIsNotFiniteAtTheEndsOfItsNumbers) {
     for (const auto& [name, original] : scenes) {
       scene::FrameSnapshot snapshot = original;
       snapshot.medium.albedo = vec3(1.0f);
-      for (const float extinction : {0.0f, 1e-30f, 1e-9f, 0.01f, 10.0f})
-        for (const float g : {-0.999f, 0.0f, 0.999f}) {
-          snapshot.medium.extinction = extinction;
-          snapshot.medium.g = g;
-          draw(*renderer, snapshot, s, 2);
-          expect_finite(*renderer, fmt::format("{}, {}, extinction {}, g {}", estimator, name, extinction, g));
-        }
+      for (const auto& [extinction, g] :
+           {std::pair(0.0f, 0.0f), std::pair(1e-30f, 0.999f), std::pair(1e-9f, -0.999f), std::pair(0.01f, 0.999f),
+            std::pair(0.01f, -0.999f), std::pair(10.0f, 0.999f), std::pair(10.0f, -0.999f), std::pair(10.0f, 0.0f)}) {
+        snapshot.medium.extinction = extinction;
+        snapshot.medium.g = g;
+        draw(*renderer, snapshot, s, 2);
+        expect_finite(*renderer, fmt::format("{}, {}, extinction {}, g {}", estimator, name, extinction, g));
+      }
     }
   }
 }
