@@ -12,11 +12,9 @@ export FUZZ_SECONDS QUAKE_DIR JOBS
 # Tests run one more at a time than there are processors: some of them wait. `make test` leaves that to run_tests.py.
 #
 # Arguments: preset, its folder, options of the build, options of CMake. Configuring is silent unless it fails. A first build compiles sources in
-# groups, which halves its time, and where no GPU is leaves the optimizer out of shaders' forms that lavapipe does not choose; a
-# folder that is configured already keeps what it says.
-NEW_FOLDER = -DFULLBRIGHT_QUICK_BUILD=ON $(if $(wildcard /dev/dri/renderD* /dev/nvidia0 /dev/dxg),,-DFULLBRIGHT_OPTIMIZED_FORMS=bound)
+# groups, which halves its time; a folder that is configured already keeps what it says.
 define configure_and_build
-@mkdir -p $(2) && cmake --preset $(1) $(if $(wildcard $(2)/CMakeCache.txt),,$(NEW_FOLDER)) $(4) >$(2)/configure.log 2>&1 || { cat $(2)/configure.log; exit 1; }
+@mkdir -p $(2) && cmake --preset $(1) $(if $(wildcard $(2)/CMakeCache.txt),,-DFULLBRIGHT_QUICK_BUILD=ON) $(4) >$(2)/configure.log 2>&1 || { cat $(2)/configure.log; exit 1; }
 @cmake --build --preset $(1) --parallel $(JOBS) $(3)
 endef
 
@@ -73,9 +71,8 @@ platforms: ## run make demo in a fresh installation of each Debian release that 
 	@$(DEPS) platforms
 	@Linux/platforms.sh
 
-package: ## build/package: a .deb for this release of Debian, and a .tar.gz of the same files
-	@$(DEPS) build package
-	$(call configure_and_build,release,build,--target fullbright fullbright-lab basegame,"-DFULLBRIGHT_OPTIMIZED_FORMS=bound;address;query")
+package: all ## build/package: a .deb for this release of Debian, and a .tar.gz of the same files
+	@$(DEPS) package
 	@SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct) Linux/package/make.sh build
 
 tidy: ## run clang-tidy on files that differ from BASE (default: the last commit shared with the main branch)

@@ -18,10 +18,7 @@ endif()
 # never compiled anew (CI's second build).
 #
 # FULLBRIGHT_RAW_SHADERS leaves glslang's optimizer out: drivers then see the shaders as they are written (Misc/docs/testing.md).
-# FULLBRIGHT_OPTIMIZED_FORMS has the forms that it sees: it takes most of a build's time for shaders, a second or ten for each
-# form of each. Without it a driver takes half as long again over a pipeline.
 option(FULLBRIGHT_RAW_SHADERS "Compile shaders without glslang's optimizer" OFF)
-set(FULLBRIGHT_OPTIMIZED_FORMS "bound;address;query" CACHE STRING "Forms of shaders that glslang's optimizer sees")
 set(FULLBRIGHT_SHADERS_FROM "" CACHE PATH "build folder of the same sources whose compiled shaders are taken as they are")
 if(FULLBRIGHT_SHADERS_FROM)
   set(FB_SHADER_DIR ${FULLBRIGHT_SHADERS_FROM}/shaders)
@@ -43,8 +40,7 @@ else()
   endif()
 endif()
 
-# `form`: bound, address or query.
-function(fb_compile_shader name form source)
+function(fb_compile_shader name source)
   set(out ${FB_SHADER_DIR}/${name}.spv.h)
   if(FULLBRIGHT_SHADERS_FROM)
     if(NOT EXISTS ${out})
@@ -53,12 +49,9 @@ function(fb_compile_shader name form source)
     return()
   endif()
   list(TRANSFORM ARGN PREPEND -D)
-  if(form IN_LIST FULLBRIGHT_OPTIMIZED_FORMS)
-    set(optimize ${FB_SHADER_OPTIMIZE})
-  endif()
   add_custom_command(
     OUTPUT ${out}
-    COMMAND ${FB_SHADER_LAUNCHER} ${GLSLANG} -V --quiet ${optimize} --target-env vulkan1.2 -I${CMAKE_SOURCE_DIR}/Shaders ${ARGN}
+    COMMAND ${FB_SHADER_LAUNCHER} ${GLSLANG} -V --quiet ${FB_SHADER_OPTIMIZE} --target-env vulkan1.2 -I${CMAKE_SOURCE_DIR}/Shaders ${ARGN}
             --vn ${name}_spv --depfile ${out}.d -o ${out} ${source}
     DEPFILE ${out}.d
     DEPENDS ${source} ${FB_SHADER_CACHE}
@@ -67,17 +60,17 @@ function(fb_compile_shader name form source)
 endfunction()
 
 function(fb_test_shader name source)
-  fb_compile_shader(${name} bound ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+  fb_compile_shader(${name} ${CMAKE_CURRENT_SOURCE_DIR}/${source})
 endfunction()
 
 function(fb_shader name source)
   cmake_parse_arguments(S "TRACES" "" "" ${ARGN})
   set(source ${CMAKE_CURRENT_SOURCE_DIR}/${source})
-  fb_compile_shader(${name}_bound bound ${source} INTERSECTOR_QUERY=0 ARRAYS_BY_ADDRESS=0 ${S_UNPARSED_ARGUMENTS})
-  fb_compile_shader(${name}_address address ${source} INTERSECTOR_QUERY=0 ARRAYS_BY_ADDRESS=1 ${S_UNPARSED_ARGUMENTS})
+  fb_compile_shader(${name}_bound ${source} INTERSECTOR_QUERY=0 ARRAYS_BY_ADDRESS=0 ${S_UNPARSED_ARGUMENTS})
+  fb_compile_shader(${name}_address ${source} INTERSECTOR_QUERY=0 ARRAYS_BY_ADDRESS=1 ${S_UNPARSED_ARGUMENTS})
   set(query "{}")
   if(S_TRACES)
-    fb_compile_shader(${name}_query query ${source} INTERSECTOR_QUERY=1 ARRAYS_BY_ADDRESS=1 ${S_UNPARSED_ARGUMENTS})
+    fb_compile_shader(${name}_query ${source} INTERSECTOR_QUERY=1 ARRAYS_BY_ADDRESS=1 ${S_UNPARSED_ARGUMENTS})
     set(query ${name}_query_spv)
     set_property(GLOBAL APPEND_STRING PROPERTY FB_SHADER_INCLUDES "#include \"${name}_query.spv.h\"\n")
   endif()
