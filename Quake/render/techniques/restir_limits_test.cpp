@@ -13,6 +13,7 @@
 
 #include "render/techniques/test_restir.h"
 #include "scene/in_code/code_scene_parts.h"
+#include "scene/in_code/scenes_in_code.h"
 #include "scene/in_code/scenes_of_light.h"
 #include "scene/shapes.h"
 
@@ -84,6 +85,15 @@ Means means_of(RenderSettings s, const scene::FrameSnapshot& snapshot, const Com
   return means;
 }
 
+std::uint64_t picture_of(RenderSettings s, const scene::FrameSnapshot& snapshot, int frames, gpu::Device& device) {
+  s.deterministic = 1;
+  auto renderer = Renderer::create(device, s);
+  if (!renderer) return 0;
+  (*renderer)->resize(32, 24);
+  for (int i = 0; i < frames; ++i) (*renderer)->render(snapshot, nullptr, s);
+  return image_hash(**renderer);
+}
+
 TEST_F(RestirLimitsSequences, OneTexelThatGlows) {
   FloorScene floor;
   scene::Image image{"one texel", scene::ImageEncoding::kSrgba, 4, 4, {}};
@@ -103,6 +113,37 @@ TEST_F(RestirLimitsSequences, OneTexelThatGlows) {
   const Compared plan{.width = 64, .height = 48};
   expect_equal(means_of(reuse_settings(1), snapshot, plan, *device_),
                means_of(reuse_settings(1, "nee"), snapshot, plan, *device_), 0.05);
+}
+
+// Of settings that are said to be unbiased, away from their defaults: each changes the picture and leaves the mean.
+TEST_F(RestirLimitsSequences, SettingsThatLeaveTheMean) {
+  const scene::FrameSnapshot scene = scene::cornell_box();
+  struct Change {
+    const char* name;
+    void (*apply)(RenderSettings&);
+  };
+  constexpr Change kChanges[] = {
+      {"permuted", [](RenderSettings& s) { s.restir_permute = 1; }},
+      {"neighbours are not kept", [](RenderSettings& s) { s.restir_keep = 0; }},
+      {"without hope", [](RenderSettings& s) { s.restir_hope = 0; }},
+      {"no trust", [](RenderSettings& s) { s.restir_trust = 0.1f; }},
+      {"all trust", [](RenderSettings& s) { s.restir_trust = 1e6f; }},
+      {"eight sets", [](RenderSettings& s) { s.restir_sets = 8; }},
+      {"not taught", [](RenderSettings& s) { s.estimator = "restir_guided", s.restir_teach = 0; }},
+  };
+  const Compared plan{.runs = 8};
+  const Means expected = means_of(reuse_settings(2, "nee"), scene, plan, *device_);
+  std::uint64_t pictures[2] = {};  // of the defaults
+  for (const bool guided : {false, true})
+    pictures[guided ? 1 : 0] =
+        picture_of(reuse_settings(2, guided ? "restir_guided" : "restir_gi"), scene, 10, *device_);
+  for (const Change& change : kChanges) {
+    SCOPED_TRACE(change.name);
+    RenderSettings s = reuse_settings(2, "restir_gi");
+    change.apply(s);
+    EXPECT_NE(picture_of(s, scene, 10, *device_), pictures[s.estimator == "restir_guided" ? 1 : 0]);
+    expect_equal(means_of(s, scene, plan, *device_), expected, 0.01);
+  }
 }
 
 TEST_F(RestirLimitsSequences, TenThousandLamps) {

@@ -8,13 +8,16 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "render/techniques/test_ssmm.h"
 #include "render/test_image.h"
+#include "render/test_means.h"
 #include "scene/in_code/code_scene_parts.h"
 #include "scene/in_code/scenes_in_code.h"
+#include "scene/in_code/scenes_of_water.h"
 #include "scene/shapes.h"
 
 namespace fb::render {
@@ -58,6 +61,8 @@ class SsmmHardTest : public SsmmTest {
     return view_of(*renderer, moved, s, shared::kViewSsmmCount);
   }
 };
+
+using SsmmHardSequences = SsmmHardTest;
 
 // A pixel finds the state of the surface that it sees, wherever that was on the screen, and so do its neighbours: when
 // the camera moves along the wall, and when the wall moves.
@@ -198,6 +203,59 @@ TEST_F(SsmmHardTest, TheWorldIsTaughtInEveryFrame) {
   EXPECT_GT(valid[0], 0);
   EXPECT_GT(valid[1], 3 * valid[0]);
   EXPECT_GT(valid[1], static_cast<std::ptrdiff_t>(kWidth * kHeight) / 2);
+}
+
+// Settings away from their defaults: each makes another picture than all others, with the mean of `nee`.
+TEST_F(SsmmHardSequences, SettingsThatLeaveTheMean) {
+  struct Change {
+    const char* name;
+    void (*apply)(RenderSettings&);
+  };
+  const std::vector<Change> under_a_lamp = {
+      {"as it is", [](RenderSettings&) {}},
+      {"light alone", [](RenderSettings& s) { s.ssmm_product = 0; }},
+      {"no least weight", [](RenderSettings& s) { s.ssmm_alpha = 0.001f; }},
+      {"one sample counted", [](RenderSettings& s) { s.ssmm_count = 1; }},
+      {"cells of the world", [](RenderSettings& s) { s.ssmm_world = 1; }},
+      {"small cells", [](RenderSettings& s) { s.ssmm_world = 1, s.ssmm_cell = 4; }},
+      {"states stay", [](RenderSettings& s) { s.ssmm_keep = 1; }},
+  };
+  const std::vector<Change> in_water = {
+      {"targets where they appear", [](RenderSettings& s) { s.water = 1; }},
+      {"targets on the interface", [](RenderSettings& s) { s.water = 1, s.ssmm_apparent = 0; }},
+  };
+  const auto means_of = [&](const scene::FrameSnapshot& scene, RenderSettings s) {
+    Means means;
+    for (s.seed = 0; s.seed < 8; ++s.seed) {
+      auto renderer = make_renderer(s, 32, 24);
+      double mean = 0;
+      for (int frame = 0; frame < 16; ++frame) {
+        renderer->render(scene, nullptr, s);
+        if (frame >= 8) mean += mean_of(*renderer) / 8;
+      }
+      EXPECT_EQ(renderer->read().counters().not_finite, 0u);
+      means.add(mean);
+    }
+    return means;
+  };
+  for (const auto& [scene, changes] : {std::pair(scene::one_light(24, 300, 0.5f), under_a_lamp),
+                                       std::pair(scene::ripple({.sun_radius = 12, .lamps = true}), in_water)}) {
+    RenderSettings plain = ssmm_settings("nee");
+    plain.water = 1;
+    const Means expected = means_of(scene, plain);
+    std::set<std::uint64_t> pictures;
+    for (const Change& change : changes) {
+      SCOPED_TRACE(change.name);
+      RenderSettings s = ssmm_settings("ssmm_nee");
+      s.ssmm_prior_cosine = 0.99f;  // without it hardly a pixel has a state
+      change.apply(s);
+      expect_equal(means_of(scene, s), expected, 0.02);
+      s.deterministic = 1;
+      auto renderer = make_renderer(s, 32, 24);
+      render_still(*renderer, scene, s, 12);
+      EXPECT_TRUE(pictures.insert(image_hash(*renderer)).second) << "it changes nothing";
+    }
+  }
 }
 
 // A demo that goes back: the first frame behind it has no state of what came later, and frames repeat.

@@ -31,7 +31,7 @@ FB_RESTIR_INDIRECT_ARRAYS(FB_ARRAY_CONSTANT)
   X(float, restir_history, "r_restir_history", 20, 0, 1000, "restir: frames of candidates that the former frame's reservoir counts as, at most; 0: nothing is reused over time") \
   X(int, restir_neighbors, "r_restir_neighbors", 3, 0, 8, "restir: neighbours whose reservoirs a pixel reuses") \
   X(float, restir_radius, "r_restir_radius", 30, 1, 200, "restir: how far away they are at most, pixels of a picture of 1080 rows") \
-  X(int, restir_mis, "r_restir_mis", 0, 0, 1, "restir: weights of what is reused: 0 by targets, unbiased; 1 by confidence alone (1/M), biased: dark where light comes into sight") \
+  X(int, restir_mis, "r_restir_mis", 0, 0, 1, "restir: weights of what is reused for the light that first vertices look for: 0 by targets, unbiased; 1 by confidence alone (1/M), biased: dark where light comes into sight") \
   X(int, restir_visibility, "r_restir_visibility", 0, 0, 2, "restir: 1 a ray drops candidates that do not arrive before they are reused, biased: what one pixel's candidates do not see is lost to others; 2 rays ask so wherever a sample is weighed, unbiased where nothing moves and nothing is translucent") \
   X(float, restir_boiling, "r_restir_boiling", 0, 0, 64, "restir: reservoirs are emptied whose W is more than so many times the mean of those in their square of 8x8 pixels (restir_gi: of light of two reflections, too), biased: dark; 0: none is") \
   X(int, restir_duplicates, "r_restir_duplicates", 0, 0, 1, "restir: 1 a history that pixels about it have as well counts as less, biased: confidence hangs on what a sample is") \

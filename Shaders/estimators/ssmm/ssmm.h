@@ -179,6 +179,14 @@ FB_FN uvec2 block_of_lane(uvec2 tile, uint lane, uint lanes) {
 // many further on.
 FB_FN uint spatial_lane(uint lane, uint mask) { return lane ^ mask; }
 FB_FN uint temporal_lane(uint lane, uint shift, uint lanes) { return (lane + shift) % lanes; }
+FB_FN uint sampled_lane(uint lane, uint draw, uint path, uint lanes, bool temporal) {
+  return temporal ? temporal_lane(lane, draw + path, lanes) : spatial_lane(lane, draw);
+}
+// Of whose lobes a sample's density is the mean: that of all paths of the pixel (Eq. 8), or of all lanes (Eq. 9).
+FB_FN uint weighed_lanes(uint paths, uint lanes, bool temporal) { return temporal ? paths : lanes; }
+FB_FN uint weighed_lane(uint lane, uint draw, uint i, uint lanes, bool temporal) {
+  return temporal ? temporal_lane(lane, draw + i, lanes) : i;
+}
 
 FB_NAMESPACE_END
 #endif

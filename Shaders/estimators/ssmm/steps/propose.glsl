@@ -26,10 +26,11 @@ VmfLobe lobe_at(Vertex v, ChainState s) {
 // Of all lobes that the pixel might have sampled, together with scattering of this density. A lane without a lobe
 // scatters.
 float mixture_pdf(Vertex v, Guidance g, vec3 direction, float scatter_pdf) {
-  uint count = ssmm.ssmm_temporal != 0 ? uint(frame.spp) : g.tile.lanes, i = 0u;
+  bool temporal = ssmm.ssmm_temporal != 0;
+  uint count = weighed_lanes(uint(frame.spp), g.tile.lanes, temporal), i = 0u;
   float lobes = 0.0, valid = 0.0;
   do {
-    uint lane = ssmm.ssmm_temporal != 0 ? temporal_lane(g.tile.lane, g.tile.draw + i, g.tile.lanes) : i;
+    uint lane = weighed_lane(g.tile.lane, g.tile.draw, i, g.tile.lanes, temporal);
     ChainState s = lobe_of_element(element_of_lane(g.tile, lane));
     if (has_lobe(s, v.position)) {
       lobes += vmf_lobe_pdf(lobe_at(v, s), direction);
