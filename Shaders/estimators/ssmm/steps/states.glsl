@@ -45,9 +45,7 @@ Tile tile_at(uvec2 block, uint path) {
   return t;
 }
 // The lane whose lobe a pixel's path samples.
-uint sampled_lane(Tile t, uint path) {
-  return sampled_lane(t.lane, t.draw, path, t.lanes, ssmm.ssmm_temporal != 0);
-}
+uint sampled_lane(Tile t, uint path) { return sampled_lane(t.lane, t.draw, path, t.lanes, ssmm.ssmm_temporal != 0); }
 // The pixel's element; kNoIndex beyond the picture's edge, where a lane has no state.
 uint element_of_lane(Tile t, uint lane) {
   uvec2 block = block_of_lane(t.at, lane, t.lanes);
