@@ -58,8 +58,11 @@ void main() {
                 abs(depth - 1.0) < 0.2 && dot(turned, turned) < 0.3;
     vec2 moments = unpackHalf2x16(texel.z);
     float difference = s.y - moments.x, counted = min(frames, kRememberedFrames);
-    // Of few frames the variance is too small by a frame's share; of one nothing is known.
-    float variance = max(moments.y * moments.y - moments.x * moments.x, 0.0) * counted / max(counted - 1.0, 1.0);
+    // The first frame since a cut counts as many, whose spread is not known: the variance is too small by what it counts
+    // as, and by as much as one frame where it counts as one. Of the first alone nothing is known.
+    float asked = min(counted, float(frame.history_age));
+    same = same && (asked >= 2.0 || counted < 2.0);
+    float variance = max(moments.y * moments.y - moments.x * moments.x, 0.0) * counted / max(asked - 1.0, 1.0);
     // What is not the same may be anything, not even a number.
     sums.difference += same ? difference : 0.0;
     sums.square += same ? difference * difference : 0.0;

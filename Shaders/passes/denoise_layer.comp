@@ -128,9 +128,10 @@ void main() {
                     ? 1.0 / (frame.sigma_luminance * deviation + 1e-4 + 0.02 * abs(y))
                     : 0.0;
   // A block that has nothing is filled by those about it: some pixel of it may have more than the one that was asked.
+  // One whose history was given up, and that was not asked since, still has that light (frames_after_change()).
   bool empty = c.frames == 0.0;
-  vec3 sum = c.light;
   float weights = empty ? 1e-20 : 1.0;
+  vec3 sum = weights * c.light;
   for (int i = 0; i < 4; ++i) {
     float weight = taps[i].frames > 0.0 ? (empty ? 1.0 : layer_alike(c.place, taps[i].place)) *
                                               exp(-abs(luminance_of(taps[i].light) - y) * scale)

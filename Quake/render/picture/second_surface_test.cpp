@@ -43,5 +43,30 @@ TEST_F(SecondSurfaceTest, EvenLightStaysEven) {
   }
 }
 
+// Light that goes out in a few frames: also blocks that no path has asked since, among others of which none was, have a
+// number.
+TEST_F(SecondSurfaceTest, LightThatGoesOutLeavesNoHoles) {
+  for (const float light_scale : {1.0f, 0.5f}) {
+    scene::FrameSnapshot bright = scene::furnace(0.5f, 1.0f);
+    look(bright, {0, 0, -20}, -5, 100);
+    add_water(bright, 0.0f, 140.0f, vec3(0.0f));
+    scene::FrameSnapshot dim = bright;
+    dim.instances[0].flags |= scene::kInstanceColor;
+    dim.instances[0].color = vec3(0.5f);
+    dim.instances[0].emission = vec3(0.01f);
+    RenderSettings s = denoised_water_settings(light_scale);
+    s.water_waves = 1.5f;
+    auto renderer = make_renderer(s, 48, 32);
+    for (int frame = 1; frame <= 12; ++frame) {
+      renderer->render(at_time(frame < 9 ? bright : dim, frame), nullptr, s);
+      for (const vec4& p : renderer->read().denoised()) {
+        ASSERT_GE(p.x, 0.0f) << light_scale << ' ' << frame;
+        ASSERT_LT(p.x, 2.0f) << light_scale << ' ' << frame;
+      }
+    }
+    EXPECT_EQ(renderer->read().counters().history_not_finite, 0u);
+  }
+}
+
 }  // namespace
 }  // namespace fb::render
