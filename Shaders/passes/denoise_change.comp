@@ -58,8 +58,8 @@ void main() {
                 abs(depth - 1.0) < 0.2 && dot(turned, turned) < 0.3;
     vec2 moments = unpackHalf2x16(texel.z);
     float difference = s.y - moments.x, counted = min(frames, kRememberedFrames);
-    // The first frame since a cut counts as many, whose spread is not known: the variance is too small by what it counts
-    // as, and by as much as one frame where it counts as one. Of the first alone nothing is known.
+    // The first frame since a cut counts as many, whose spread is not known: the variance is too small by what it
+    // counts as, and by as much as one frame where it counts as one. Of the first alone nothing is known.
     float asked = min(counted, float(frame.history_age));
     same = same && (asked >= 2.0 || counted < 2.0);
     float variance = max(moments.y * moments.y - moments.x * moments.x, 0.0) * counted / max(asked - 1.0, 1.0);

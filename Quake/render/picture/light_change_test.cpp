@@ -113,8 +113,8 @@ TEST_F(LightChangeSequences, AFirstFrameOfManySamplesIsNoMeasureOfNoise) {
     for (int frame = 0; frame < 6; ++frame) {
       renderer->render(at_time(box, frame), nullptr, s);
       const std::vector<std::uint32_t> frames = history_lengths(*renderer);
-      lost += static_cast<std::size_t>(
-          std::count_if(frames.begin(), frames.end(), [](auto n) { return n > 0 && n < 16; }));
+      lost +=
+          static_cast<std::size_t>(std::count_if(frames.begin(), frames.end(), [](auto n) { return n > 0 && n < 16; }));
       all += frames.size();
     }
   }
