@@ -17,7 +17,7 @@ endif()
 # FULLBRIGHT_SHADERS_FROM=FOLDER: another build folder of the same sources, whose compiled shaders are taken as they are, and
 # never compiled anew (CI's second build).
 #
-# FULLBRIGHT_RAW_SHADERS leaves glslang's optimizer out: drivers then see the shaders as they are written (Misc/docs/testing.md).
+# FULLBRIGHT_RAW_SHADERS leaves glslang's optimizer out: drivers then see the shaders as they are written (Misc/docs/building.md).
 option(FULLBRIGHT_RAW_SHADERS "Compile shaders without glslang's optimizer" OFF)
 set(FULLBRIGHT_SHADERS_FROM "" CACHE PATH "build folder of the same sources whose compiled shaders are taken as they are")
 if(FULLBRIGHT_SHADERS_FROM)
