@@ -26,6 +26,7 @@ class SsmmTechnique : public PathTechnique {
   void prepare(const TechniqueFrame& frame) override {
     shared::SsmmConstants constants{};
     copy_settings(frame.settings, constants);
+    if (constants.ssmm_keep > 1) constants.ssmm_keep = seen_ ? 0 : 1;
     if (seen_) {
       constants.seen_ways = seen_->begin_frame();
       constants.seen_stride = seen_stride(frame.lit, frame.settings, frame.medium());

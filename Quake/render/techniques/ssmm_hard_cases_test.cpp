@@ -214,8 +214,9 @@ TEST_F(SsmmHardSequences, SettingsThatLeaveTheMean) {
   const std::vector<Change> under_a_lamp = {
       {"as it is", [](RenderSettings&) {}},
       {"light alone", [](RenderSettings& s) { s.ssmm_product = 0; }},
-      {"no least weight", [](RenderSettings& s) { s.ssmm_alpha = 0.001f; }},
+      {"no least weight", [](RenderSettings& s) { s.ssmm_count = 1024, s.ssmm_alpha = 0.001f; }},
       {"one sample counted", [](RenderSettings& s) { s.ssmm_count = 1; }},
+      {"many samples counted", [](RenderSettings& s) { s.ssmm_count = 1024; }},
       {"cells of the world", [](RenderSettings& s) { s.ssmm_world = 1; }},
       {"small cells", [](RenderSettings& s) { s.ssmm_world = 1, s.ssmm_cell = 4; }},
       {"states stay", [](RenderSettings& s) { s.ssmm_keep = 1; }},

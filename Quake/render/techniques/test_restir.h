@@ -11,7 +11,7 @@
 namespace fb::render {
 
 class RestirTest : public DeviceTest {
- protected:
+ public:
   static RenderSettings reuse_settings(int bounces, const std::string& estimator = "restir_di") {
     RenderSettings s;
     s.estimator = estimator;

@@ -40,8 +40,8 @@ FB_CONST uint kSsmmKeepGroup = 64u;  // cells of a workgroup of passes/keep.comp
   X(float, ssmm_prior_cosine, "r_ssmm_prior_cosine", 0, -1, 1, "ssmm: mean cosine of the prior; -1: that of a ball of r_ssmm_prior_size at the target's distance") \
   X(float, ssmm_prior_size, "r_ssmm_prior_size", 8, 0.01f, 1000, "ssmm: radius of that ball, units") \
   X(float, ssmm_alpha, "r_ssmm_alpha", 0.1f, 0.001f, 1, "ssmm: least weight of a new sample in what a lobe is fitted to") \
-  X(int, ssmm_keep, "r_ssmm_keep", 0, 0, 1, "ssmm: 1 a state whose lobe found nothing in a frame stays, and counts for less: lobes become narrow; 0 it is gone") \
-  X(int, ssmm_count, "r_ssmm_count", 1024, 1, 65536, "ssmm: most samples that a lobe counts") \
+  X(int, ssmm_keep, "r_ssmm_keep", 2, 0, 2, "ssmm: 1 a state whose lobe found nothing in a frame stays, and counts for less: lobes become narrow; 0 it is gone; 2 it stays in ssmm and is gone in ssmm_nee") \
+  X(int, ssmm_count, "r_ssmm_count", 8, 1, 65536, "ssmm: most samples that a lobe counts: the fewer, the wider the narrowest lobe; 1024 in the paper") \
   X(int, ssmm_apparent, "r_ssmm_apparent", 1, 0, 1, "ssmm: 1 light by way of an interface has its target where it appears to be (Ruppert 2020, Eq. 35); 0 on the interface") \
   X(int, ssmm_indirect, "r_ssmm_indirect", 0, 0, 1, "ssmm: 1 scores count light of more reflections, too; 0 what is emitted where the ray ends") \
   X(int, ssmm_product, "r_ssmm_product", 1, 0, 1, "ssmm: 1 scores count what the surface reflects of that; 0 its light over the density alone") \

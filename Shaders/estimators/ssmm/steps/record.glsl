@@ -23,7 +23,7 @@ void record_hit(inout Path path, Vertex v, Guidance g, Proposal p, Incident inci
 
 void record_last(inout Path path, Vertex v, Direct direct, vec3 throughput) {}
 
-// A pixel's first path begins its chain with the state that it sampled (r_ssmm_keep 0: with none, so that a state which
+// A pixel's first path begins its chain with the state that it sampled (ssmm_keep 0: with none, so that a state which
 // found no light is gone). What its own lobe finds, also nothing, always updates that; its score is another's once that
 // is accepted.
 void record_path(Path path, vec3 sum, inout uint rng) {
