@@ -193,7 +193,7 @@ INSTANTIATE_TEST_SUITE_P(Reused, UnbiasedStatistics, testing::ValuesIn(kReused),
 // Lobes that the pixels of a tile share: what is exchanged, and what is biased where it is not. Of many lamps a tile
 // has no lobe for each, and what none stands for is rare and bright: that takes more runs than others need.
 const Row kMixtures[] = {
-    {"kinds", "ssmm", {}, plan(48, 4, 12), 16, false, {}, "nee"},
+    {"kinds", "ssmm", {}, plan(24, 4, 12), 48, false, {}, "nee"},
     {"cbox", "ssmm", {}, plan(24, 4, 12), 8, false, {"r_bounces=1"}, "nee"},
     {"cbox", "ssmm", {"r_ssmm_temporal=1"}, plan(24, 4, 12), 8, false, {"r_bounces=1"}, "nee"},
     {"cbox", "ssmm", {"r_ssmm_shuffle=0"}, plan(24, 4, 12), 8, true, {"r_bounces=1"}, "nee"},

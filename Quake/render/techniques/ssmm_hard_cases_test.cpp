@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -25,8 +26,8 @@ namespace {
 
 constexpr std::uint32_t kWidth = 48, kHeight = 36;
 
-// A wall across the whole picture, 100 units away, and a lamp behind the camera.
-scene::FrameSnapshot wall_under_a_lamp() {
+// A wall across the whole picture, 100 units away, and a lamp, where none is told behind the camera.
+scene::FrameSnapshot wall_under_a_lamp(const vec3& position = vec3(-20, 0, 0), float radius = 16) {
   auto assets = scene::new_code_assets();
   const std::uint32_t wall = scene::add_material(*assets, "wall", vec3(0.6f));
   const std::uint32_t light = scene::add_material(*assets, "light", vec3(0.0f), vec3(1.0f));
@@ -37,7 +38,7 @@ scene::FrameSnapshot wall_under_a_lamp() {
   scene::FrameSnapshot snapshot = scene::still(assets, scene::camera_at(vec3(0.0f), vec3(0.0f), 90.0f));
   snapshot.instances.push_back(scene::make_instance(scene::kIdWorld, wall_mesh));
   snapshot.instances.push_back(
-      scene::glowing(scene::kIdEntityLight, sphere, light, vec3(-20, 0, 0), vec3(16.0f), vec3(300.0f)));
+      scene::glowing(scene::kIdEntityLight, sphere, light, position, vec3(radius), vec3(300.0f)));
   return snapshot;
 }
 
@@ -183,6 +184,37 @@ TEST_F(SsmmHardTest, OnePixelThatGlowsAndLobesOfAnyWidth) {
     EXPECT_LT(std::sqrt(square), 0.01) << cosine;
     EXPECT_EQ(renderer->read().counters().not_finite, 0u) << cosine;
   }
+}
+
+// The only light is a lamp of one pixel close to a wall: chains find it and pass it on, also over the pixel that has no
+// path, and the wall has the mean of `nee`.
+TEST_F(SsmmHardTest, OnePixelThatGlowsIsTheOnlyLight) {
+  constexpr float kPixel = 2.0f * 80.0f / kWidth;  // 80 units away
+  constexpr std::ptrdiff_t kLampPixel = (kHeight / 2) * kWidth + kWidth / 2;
+  const scene::FrameSnapshot scene = wall_under_a_lamp(vec3(80, -kPixel / 2, -kPixel / 2), 0.35f * kPixel);
+  const auto means = [&](const std::string& estimator) {
+    Means found;
+    std::ptrdiff_t valid = 0;
+    RenderSettings s = hard_settings();
+    s.estimator = estimator;
+    for (s.seed = 0; s.seed < 8; ++s.seed) {
+      auto renderer = make_renderer(s, kWidth, kHeight);
+      double mean = 0;
+      for (int frame = 0; frame < 32; ++frame) {
+        renderer->render(scene, nullptr, s);
+        std::vector<vec4> image = renderer->read().linear();
+        EXPECT_EQ(image[kLampPixel].x, 300.0f);
+        image.erase(image.begin() + kLampPixel);
+        if (frame >= 16) mean += image_estimate(image).mean / 16;
+      }
+      EXPECT_EQ(renderer->read().counters().not_finite, 0u);
+      if (estimator == "ssmm") valid = valid_states(*renderer, scene, s);
+      found.add(mean);
+    }
+    if (estimator == "ssmm") EXPECT_GT(valid, static_cast<std::ptrdiff_t>(kWidth * kHeight) / 2);
+    return found;
+  };
+  expect_equal(means("ssmm"), means("nee"), 0.04);
 }
 
 // Cells of the world are taught in every frame, by more pixels than one workgroup's: behind a cut, where the screen has

@@ -158,6 +158,25 @@ TEST_F(SsmmTest, StatesFollowALampThatJumps) {
   }
 }
 
+// As it is set at first a state that found nothing stays in ssmm, and is gone in ssmm_nee.
+TEST_F(SsmmTest, WhetherStatesStayIsTheEstimatorsChoice) {
+  const scene::FrameSnapshot scene = scene::one_light(8, 300, 0.5f);
+  const auto picture = [&](RenderSettings s, int keep) {
+    s.deterministic = 1;
+    s.ssmm_prior_cosine = 0.99f;
+    s.ssmm_keep = keep;
+    auto renderer = make_renderer(s, 33, 22);
+    render_still(*renderer, scene, s, 12);
+    return image_hash(*renderer);
+  };
+  for (const std::string estimator : {"ssmm", "ssmm_nee"}) {
+    const RenderSettings s = ssmm_settings(estimator);
+    const int chosen = estimator == "ssmm" ? 1 : 0;
+    EXPECT_EQ(picture(s, s.ssmm_keep), picture(s, chosen)) << estimator;
+    EXPECT_NE(picture(s, s.ssmm_keep), picture(s, 1 - chosen)) << estimator;
+  }
+}
+
 // A lamp so small that a few pixels of a frame find it. States that stay become narrow, until their lobes find it
 // again, and the few become many. Where what found nothing in a frame is gone a prior as narrow as the lamp is far does
 // that, and one without direction loses it (Dittebrandt 2023, Fig. 6).
