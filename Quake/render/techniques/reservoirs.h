@@ -2,14 +2,18 @@
 // Shaders/estimators/restir/.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "estimators/restir/restir.h"
 #include "render/techniques/technique.h"
 #include "render/techniques/technique_memory.h"
+#include "shared/frame.h"
 
 namespace fb::render {
+
+using ShiningSuns = std::array<vec3, shared::kMaxSuns>;
 
 class Reservoirs {
  public:
@@ -31,6 +35,8 @@ class Reservoirs {
 
   TechniqueMemory memory_;
   bool indirect_, spatial_ = true, boiling_ = false;
+  bool wrote_indirect_ = false, keeps_radiance_ = false;  // in the frame before
+  ShiningSuns suns_{};                                    // in the frame before
 };
 
 }  // namespace fb::render

@@ -168,6 +168,24 @@ TEST_F(RestirLimitsSequences, WeightsThatAskNoRaysLoseLittle) {
   EXPECT_GT(found.mean, 0.98 * exact.mean - 4.5 * error);
 }
 
+// First vertices closer to a wall than a 65,536th of its width: a second vertex whose place was rounded so would often
+// lie below the floor, and what it reflects be lost.
+TEST_F(RestirLimitsSequences, SecondVerticesCloseBy) {
+  FloorScene floor;
+  scene::Mesh wall, lamp;
+  scene::add_quad(wall, {0.25f, -4096, 0}, {0, 0, 8192}, {0, 8192, 0}, floor.grey());
+  add_lamp(lamp, {-60, 0, 100}, 64, floor.glow(vec3(10.0f)));
+  floor.add(std::move(wall));
+  floor.add(std::move(lamp));
+  scene::FrameSnapshot snapshot = floor.snapshot();
+  snapshot.camera = scene::camera_at({0, 0, 0.25f}, {90, 0, 0}, 90);
+  RenderSettings s = reuse_settings(2, "restir_gi");
+  const Means expected = means_of(reuse_settings(2, "nee"), snapshot, {.runs = 8}, *device_);
+  const Means one = means_of(reuse_settings(1, "nee"), snapshot, {.runs = 8}, *device_);
+  EXPECT_GT(expected.mean, 1.1 * one.mean) << "the wall reflects nothing";
+  expect_equal(means_of(s, snapshot, {.runs = 8}, *device_), expected, 0.01);
+}
+
 TEST_F(RestirLimitsSequences, TenThousandLamps) {
   FloorScene floor;
   floor.add(ten_thousand_lamps(0.25f, floor.glow(vec3(40.0f))));

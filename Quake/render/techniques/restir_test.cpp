@@ -97,6 +97,62 @@ TEST_F(RestirSequences, ALampThatComesIsNeitherLateNorLost) {
   EXPECT_LT(mean[2], 0.8 * mean[0]) << "by confidence alone it is lost";
 }
 
+// The same of a sun: one that was dark, one that was not in the list, one that shone on the floor's other side.
+TEST_F(RestirSequences, ASunThatComesIsNeitherLateNorLost) {
+  const Lamps lamps;
+  const scene::Sun sun{glm::normalize(vec3(0.2f, 0.1f, 1.0f)), vec3(10.0f), 2.0f};
+  const auto under = [&](std::vector<scene::Sun> suns) {
+    scene::FrameSnapshot scene = lamps.with(true, false);
+    scene.sky.beyond_everything = true;
+    scene.sky.suns = std::move(suns);
+    return scene;
+  };
+  scene::Sun dark = sun, below = sun;
+  dark.irradiance = vec3(0.0f);
+  below.direction = -sun.direction;
+  const auto means = [&](const std::string& estimator, const std::vector<scene::Sun>& before) {
+    Means found;
+    for (int run = 0; run < 12; ++run) {
+      RenderSettings s = reuse_settings(1, estimator);
+      s.seed = run;
+      auto renderer = make_renderer(s, 48, 36);
+      render_still(*renderer, under(before), s, 6);
+      renderer->render(under({sun}), nullptr, s);
+      found.add(mean_of(*renderer));
+    }
+    return found;
+  };
+  const Means expected = means("nee", {sun});
+  for (const std::vector<scene::Sun>& before : {std::vector{dark}, std::vector<scene::Sun>{}, std::vector{below}})
+    expect_equal(means("restir_di", before), expected, 0.02);
+}
+
+// Frames of one reflection write no reservoirs of two: behind them those of long ago are no history.
+TEST_F(RestirSequences, ReservoirsOfLongAgoAreNoHistory) {
+  const auto assets = scene::moving_assets();
+  for (const std::string estimator : {"restir_gi", "restir_guided"}) {
+    RenderSettings s = reuse_settings(2, estimator);
+    s.deterministic = 1;
+    std::vector<std::uint64_t> after[2];
+    for (const bool knows : {false, true}) {
+      auto renderer = make_renderer(s, 33, 22);
+      const auto frames = [&](int first, int last, int bounces) {
+        s.bounces = bounces;
+        for (int frame = first; frame <= last; ++frame)
+          renderer->render(scene::moving(assets, frame / 60.0, std::max(frame - 1, 0) / 60.0), nullptr, s);
+      };
+      frames(0, 5, 2);
+      frames(6, 9, 1);
+      s.restir_gi_history = knows ? 20.0f : 0.0f;  // of the first frame behind them there should be none
+      frames(10, 10, 2);
+      EXPECT_EQ(renderer->read().counters().not_finite, 0u);
+      after[knows ? 1 : 0].push_back(image_hash(*renderer));
+      s.restir_gi_history = 20;
+    }
+    EXPECT_EQ(after[0], after[1]) << estimator;
+  }
+}
+
 TEST_F(RestirTest, CutsSizesAndScalesLeaveNothingBehind) {
   RenderSettings s = reuse_settings(2, "restir_gi");
   const scene::FrameSnapshot scene = scene::furnace(0.6f, 0.7f, true);

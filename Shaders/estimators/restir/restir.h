@@ -64,9 +64,11 @@ FB_CONST uint kRestirConstantsAt = 1024u;
 struct RestirConstants {
   FB_RESTIR_SETTINGS(FB_UNIFORM_FIELD)
   FB_LIGHT_SETTINGS(FB_UNIFORM_FIELD)
-  uint seen_stride;  // of this many shadow rays one is remembered; a power of two
-  uint seen_ways;    // the table of ways that is read, 0 or 1
-  uint now, former;  // where the halves of the reservoirs begin, elements; former kNoIndex: there are none
+  uint seen_stride;      // of this many shadow rays one is remembered; a power of two
+  uint seen_ways;        // the table of ways that is read, 0 or 1
+  uint now, former;      // where the halves of the reservoirs begin, elements; former kNoIndex: there are none
+  uint former_indirect;  // the same of those of two reflections, which a frame of one reflection does not write
+  uint former_suns;      // bit i: sun i shone in the former frame, where it is now
 };
 
 FB_NAMESPACE_END

@@ -12,7 +12,9 @@ const bool kReusesIndirect = false;
 
 LightReservoir former_reservoir(FormerTexel f) {
   if (!f.known || restir.former == kNoIndex) return no_reuse();
-  return unpack_light(reservoirs.at[restir.former + f.element]);
+  LightReservoir r = unpack_light(reservoirs.at[restir.former + f.element]);
+  if ((r.chosen.name & kKindBits) == kKindUnnamed) r.weight = 0.0;  // its place in the list is another's now
+  return r;
 }
 
 // The most that a former sample counts as, from a history of so many frames.

@@ -12,8 +12,8 @@ const bool kReusesIndirect = true;
 const float kRounding = 0.01;  // of former_world, in units; 500 units away twice as much
 
 IndirectReservoir former_reservoir(FormerTexel f) {
-  if (!f.known || restir.former == kNoIndex) return no_indirect_reuse();
-  IndirectReservoir r = FB_LOAD_INDIRECT(indirect_reservoirs, restir.former + f.element);
+  if (!f.known || restir.former_indirect == kNoIndex) return no_indirect_reuse();
+  IndirectReservoir r = FB_LOAD_INDIRECT(indirect_reservoirs, restir.former_indirect + f.element);
   if (r.chosen.instance != kNoIndex) r.chosen.instance = instance_now(r.chosen.instance);
   return r;
 }
@@ -21,10 +21,10 @@ IndirectReservoir former_reservoir(FormerTexel f) {
 // The most that a former sample counts as, from a history of so many frames.
 float most_confidence(float history, FormerTexel f, IndirectSample s, inout uint rng) {
   if (restir.restir_duplicates == 0) return history;
-  uvec4 words = uvec4(s.instance, s.triangle, s.bary, s.light.name);
+  uvec4 words = uvec4(s.instance, s.triangle, s.bary.x, s.light.name);
   uint alike = 0u, i = 0u;
   do {
-    uint element = 2u * (restir.former + near_former(f, rng));
+    uint element = 2u * (restir.former_indirect + near_former(f, rng));
     uvec4 other = indirect_reservoirs.at[element];
     if (other.x != kNoIndex) other.x = instance_now(other.x);
     alike += other == words && indirect_reservoirs.at[element + 1u].x == s.light.place ? 1u : 0u;

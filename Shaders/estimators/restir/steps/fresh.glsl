@@ -83,10 +83,9 @@ bool hand_over(inout Path path, Segment way, float weight, vec3 radiance, inout 
   uint element = 2u * lit_index(path.pixel);
   float sum = uintBitsToFloat(fresh.at[element + 1u].z) + brought;
   if (rng_uniform(rng) * sum < brought) {
-    fresh.at[element] = uvec4(path.own.reused.second.instance, path.own.reused.second.triangle,
-                              packUnorm2x16(path.own.reused.second.bary), light.name);
-    fresh.at[element + 1u].xyw =
-        uvec3(light.place, floatBitsToUint(reservoir_number(w / brought)), pack_rgb9e5(radiance, 0.5));
+    uvec2 bary = pack_bary(path.own.reused.second.bary, radiance);
+    fresh.at[element] = uvec4(path.own.reused.second.instance, path.own.reused.second.triangle, bary.x, light.name);
+    fresh.at[element + 1u].xyw = uvec3(light.place, floatBitsToUint(reservoir_number(w / brought)), bary.y);
   }
   fresh.at[element + 1u].z = floatBitsToUint(sum);
   return true;
@@ -96,6 +95,6 @@ bool hand_over(inout Path path, Segment way, float weight, vec3 radiance, inout 
 IndirectReservoir fresh_reservoir(uint element) {
   uvec4 a = fresh.at[2u * element], b = fresh.at[2u * element + 1u];
   float weight = reservoir_number(uintBitsToFloat(b.y) * uintBitsToFloat(b.z) / float(frame.spp));
-  return IndirectReservoir(IndirectSample(a.x, a.y, a.z, LightSample(a.w, b.x), b.w), weight, 1.0, 0.0);
+  return IndirectReservoir(IndirectSample(a.x, a.y, uvec2(a.z, b.w), LightSample(a.w, b.x)), weight, 1.0, 0.0);
 }
 #endif

@@ -11,34 +11,40 @@
 struct IndirectSample {
   uint instance;  // of this frame; kNoIndex: none
   uint triangle;
-  uint bary;
+  uvec2 bary;  // pack_bary
   LightSample light;
-  uint radiance;  // that the second vertex sends (pack_rgb9e5), where samples keep it
 };
 bool keeps_radiance() { return restir.restir_gi_radiance != 0; }
+// Where on the second vertex' triangle: two floats, since a place that is rounded may lie below a surface close by, and
+// its light would be lost. Where samples keep the radiance that the vertex sends, that takes the second word.
+uvec2 pack_bary(vec2 bary, vec3 radiance) {
+  return keeps_radiance() ? uvec2(packUnorm2x16(bary), pack_rgb9e5(radiance, 0.5)) : floatBitsToUint(bary);
+}
+vec2 unpack_bary(uvec2 words) { return keeps_radiance() ? unpackUnorm2x16(words.x) : uintBitsToFloat(words); }
+vec3 unpack_radiance(uvec2 words) { return keeps_radiance() ? unpack_rgb9e5(words.y) : vec3(0.0); }
 struct IndirectReservoir {
   IndirectSample chosen;
   float weight;  // W
   float confidence;
   float age;
 };
-const IndirectSample kNoIndirect = IndirectSample(kNoIndex, 0u, 0u, kNoSample, 0u);
+const IndirectSample kNoIndirect = IndirectSample(kNoIndex, 0u, uvec2(0u), kNoSample);
 IndirectReservoir no_indirect() { return IndirectReservoir(kNoIndirect, 0.0, 0.0, 0.0); }
 // Of a pixel that does not reuse.
 IndirectReservoir no_indirect_reuse() {
-  return IndirectReservoir(IndirectSample(kNoIndex, 0u, 0u, LightSample(kKindNothing, 0u), 0u), 0.0, 0.0, 0.0);
+  return IndirectReservoir(IndirectSample(kNoIndex, 0u, uvec2(0u), LightSample(kKindNothing, 0u)), 0.0, 0.0, 0.0);
 }
 bool reuses(IndirectReservoir r) { return r.chosen.light.name != kKindNothing; }
 
 // In an array of two uvec4 an element.
-#define FB_STORE_INDIRECT(array, element, r)                                                                  \
-  array.at[2u * (element)] = uvec4(r.chosen.instance, r.chosen.triangle, r.chosen.bary, r.chosen.light.name); \
-  array.at[2u * (element) + 1u] = uvec4(r.chosen.light.place, floatBitsToUint(reservoir_number(r.weight)),    \
-                                        packHalf2x16(vec2(r.confidence, r.age)), r.chosen.radiance);
+#define FB_STORE_INDIRECT(array, element, r)                                                                    \
+  array.at[2u * (element)] = uvec4(r.chosen.instance, r.chosen.triangle, r.chosen.bary.x, r.chosen.light.name); \
+  array.at[2u * (element) + 1u] = uvec4(r.chosen.light.place, floatBitsToUint(reservoir_number(r.weight)),      \
+                                        packHalf2x16(vec2(r.confidence, r.age)), r.chosen.bary.y);
 #define FB_LOAD_INDIRECT(array, element) unpack_indirect(array.at[2u * (element)], array.at[2u * (element) + 1u])
 IndirectReservoir unpack_indirect(uvec4 a, uvec4 b) {
   vec2 rest = unpackHalf2x16(b.z);
-  return IndirectReservoir(IndirectSample(a.x, a.y, a.z, LightSample(a.w, b.x), b.w),
+  return IndirectReservoir(IndirectSample(a.x, a.y, uvec2(a.z, b.w), LightSample(a.w, b.x)),
                            reservoir_number(uintBitsToFloat(b.y)), rest.x, rest.y);
 }
 
@@ -55,9 +61,9 @@ struct IndirectPoint {
 IndirectPoint indirect_point(IndirectSample s) {
   IndirectPoint p;
   p.light = point_of(s.light);
-  p.radiance = unpack_rgb9e5(s.radiance);
+  p.radiance = unpack_radiance(s.bary);
   p.there = s.instance != kNoIndex && (p.light.there || keeps_radiance());
-  p.second = Hit(0.0, unpackUnorm2x16(s.bary), p.there ? s.instance : 0u, p.there ? s.triangle : 0u);
+  p.second = Hit(0.0, unpack_bary(s.bary), p.there ? s.instance : 0u, p.there ? s.triangle : 0u);
   uint flags = instance_at(p.second.instance).flags;
   p.was = p.there && (p.light.was || keeps_radiance()) && (flags & kInstanceIsNew) == 0u;
   p.triangle = world_triangle(p.second.instance, p.second.triangle);

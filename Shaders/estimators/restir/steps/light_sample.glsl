@@ -80,7 +80,8 @@ LightPoint point_on(GpuLight light, uint place, bool was) {
 
 LightPoint point_in_sun(uint number, uint place) {
   LightPoint p;
-  p.there = p.was = p.sun = true;
+  p.there = p.sun = true;
+  p.was = (restir.former_suns >> number & 1u) != 0u;
   p.number = number;
   p.packed_place = place;
   p.light = GpuLight(0u, 0u, 0u, 0u, 0u, kNoIndex, kNoIndex, 0u);

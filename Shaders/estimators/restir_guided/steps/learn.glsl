@@ -10,10 +10,10 @@
 // The reservoir is that of the same pixel of the picture, whatever it showed: its sample is weighed anew here, and W,
 // which may be another vertex's, only says how much a lobe learns.
 void learn_besides(Vertex v, Guidance g, Path path, inout uint rng) {
-  bool asks = restir.restir_teach != 0 && restir.former != kNoIndex && !IN_MEDIUM && path.depth == 0u &&
+  bool asks = restir.restir_teach != 0 && restir.former_indirect != kNoIndex && !IN_MEDIUM && path.depth == 0u &&
               path.own.reused.reuses && !g.last;
   if (!asks || guide.mc_paper != 0) return;
-  IndirectReservoir r = FB_LOAD_INDIRECT(indirect_reservoirs, restir.former + lit_index(path.pixel));
+  IndirectReservoir r = FB_LOAD_INDIRECT(indirect_reservoirs, restir.former_indirect + lit_index(path.pixel));
   if (r.chosen.instance == kNoIndex || !(r.weight > 0.0)) return;
   r.chosen.instance = instance_now(r.chosen.instance);
   IndirectPoint p = indirect_point(r.chosen);

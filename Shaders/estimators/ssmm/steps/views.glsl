@@ -9,7 +9,7 @@ void draw_view(PathPixel p, bool lit, Vertex v) {
   if (lit && is_valid_state(s)) {
     VmfLobe lobe = lobe_at(v, s);
     color = frame.debug_view == kViewSsmmCount
-                ? vec3(0.05 + 0.95 * log2(s.count + 1.0) / 10.0)
+                ? vec3(0.05 + 0.95 * log2(s.count + 1.0) / log2(float(ssmm.ssmm_count) + 1.0))
                 : (0.5 + 0.5 * lobe.mu) * clamp(0.2 + 0.06 * log2(lobe.kappa + 1.0), 0.0, 1.0);
   }
   ldr.at[p.at] = packUnorm4x8(vec4(color, 1.0));
