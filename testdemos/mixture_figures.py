@@ -111,7 +111,10 @@ def draw(program: str, figure: Figure, size: str, estimator: list[str], spp: int
         command += ["--format", "exr", "--quiet", "--out", folder, "--estimator", estimator[0]]
         for cvar in [*estimator[1:], f"r_seed={seed}", "r_bounces=1", "r_jitter=0"]:
             command += ["--set", cvar]
-        said = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=False)
+        try:
+            said = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=False)
+        except OSError as error:
+            sys.exit(f"mixture_figures.py: {program} cannot be run: {error.strerror}")
         if said.returncode != 0:
             sys.exit(f"mixture_figures.py: {' '.join(map(str, command))}: {said.stderr.strip()[-400:]}")
         frames = []
@@ -137,10 +140,11 @@ def main() -> None:
     if unknown:
         parser.error(f"no figure {', '.join(unknown)}: {', '.join(FIGURES)}")
     columns = list(PT | PAPER | TILES | RESTIR)
-    print(f"| figure | measured | {' | '.join(f'`{c}`' for c in columns)} |\n|{' --- |' * (len(columns) + 2)}", flush=True)
-    for name in options.names or FIGURES:
+    for number, name in enumerate(options.names or FIGURES):
         figure = FIGURES[name]
         reference = draw(options.program, figure, options.size, ["nee"], 256, 1000)
+        if number == 0:
+            print(f"| figure | measured | {' | '.join(f'`{c}`' for c in columns)} |\n|{' --- |' * (len(columns) + 2)}", flush=True)
         cells = dict.fromkeys(columns, "")
         for configuration, settings in figure[5].items():
             frames = (draw(options.program, figure, options.size, settings, figure[4], seed) for seed in range(options.runs))

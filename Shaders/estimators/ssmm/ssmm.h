@@ -30,16 +30,16 @@ FB_CONST uint kSsmmKeepGroup = 64u;  // cells of a workgroup of passes/keep.comp
 
 // clang-format off
 #define FB_SSMM_SETTINGS(X) \
-  X(int, ssmm_tile, "r_ssmm_tile", 8, 8, 32, "ssmm: pixels of a tile, whose lobes are a mixture together: 8, 16 or 32") \
+  X(int, ssmm_tile, "r_ssmm_tile", 8, 8, 32, "ssmm: pixels of a tile, whose lobes are a mixture together: 8, 16 or 32, the nearest") \
   X(int, ssmm_temporal, "r_ssmm_temporal", 0, 0, 1, "ssmm: which lobes a sample's density is of: 0 all of the tile (Eq. 9); 1 as many as a pixel has samples a frame, one for each (Eq. 8)") \
   X(int, ssmm_shuffle, "r_ssmm_shuffle", 1, 0, 1, "ssmm: 1 the tile's pixels exchange lobes at random; 0 each keeps its own, biased") \
   X(int, ssmm_neighbors, "r_ssmm_neighbors", 5, 0, 32, "ssmm: pixels of the former frame from which a pixel may take a state") \
   X(float, ssmm_window, "r_ssmm_window", 91, 1, 1000, "ssmm: width of the window they are of, pixels of a picture of 1080 rows") \
   X(float, ssmm_defence, "r_ssmm_defence", 0.2f, 0.01f, 1, "ssmm: share of samples by the vertex's own scattering") \
   X(float, ssmm_prior, "r_ssmm_prior", 0.2f, 0, 1000, "ssmm: samples that the prior of a lobe's width counts as") \
-  X(float, ssmm_prior_cosine, "r_ssmm_prior_cosine", 0, -1, 1, "ssmm: mean cosine of the prior; -1: that of a ball of r_ssmm_prior_size at the target's distance") \
+  X(float, ssmm_prior_cosine, "r_ssmm_prior_cosine", 0, -1, 1, "ssmm: mean cosine of the prior; below 0: that of a ball of r_ssmm_prior_size at the target's distance") \
   X(float, ssmm_prior_size, "r_ssmm_prior_size", 8, 0.01f, 1000, "ssmm: radius of that ball, units") \
-  X(float, ssmm_alpha, "r_ssmm_alpha", 0.1f, 0.001f, 1, "ssmm: least weight of a new sample in what a lobe is fitted to") \
+  X(float, ssmm_alpha, "r_ssmm_alpha", 0.1f, 0.001f, 1, "ssmm: least weight of a new sample in what a lobe is fitted to; one over r_ssmm_count where that is more") \
   X(int, ssmm_keep, "r_ssmm_keep", 2, 0, 2, "ssmm: 1 a state whose lobe found nothing in a frame stays, and counts for less: lobes become narrow; 0 it is gone; 2 it stays in ssmm and is gone in ssmm_nee") \
   X(int, ssmm_count, "r_ssmm_count", 8, 1, 65536, "ssmm: most samples that a lobe counts: the fewer, the wider the narrowest lobe; 1024 in the paper") \
   X(int, ssmm_apparent, "r_ssmm_apparent", 1, 0, 1, "ssmm: 1 light by way of an interface has its target where it appears to be (Ruppert 2020, Eq. 35); 0 on the interface") \
