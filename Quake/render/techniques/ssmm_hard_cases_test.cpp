@@ -211,7 +211,9 @@ TEST_F(SsmmHardTest, OnePixelThatGlowsIsTheOnlyLight) {
       if (estimator == "ssmm") valid = valid_states(*renderer, scene, s);
       found.add(mean);
     }
-    if (estimator == "ssmm") EXPECT_GT(valid, static_cast<std::ptrdiff_t>(kWidth * kHeight) / 2);
+    if (estimator == "ssmm") {
+      EXPECT_GT(valid, static_cast<std::ptrdiff_t>(kWidth * kHeight) / 2);
+    }
     return found;
   };
   expect_equal(means("ssmm"), means("nee"), 0.04);
