@@ -22,6 +22,7 @@
 #include "render/renderer_impl.h"
 #include "shared/kinds.h"
 #include "shared/rng.h"
+#include "shared/veils.h"
 #include "shared/work.h"
 
 namespace fb::render {
@@ -61,7 +62,7 @@ void Renderer::Impl::resize_buffers(uvec2 render, uvec2 wanted_output, const Ren
 
 VkDeviceSize Renderer::Impl::radiance_bytes(const RenderSettings& settings, uvec2 render) const {
   const VkDeviceSize pixels = static_cast<VkDeviceSize>(render.x) * render.y;
-  return 16 * (second_radiance(settings, render) + (has_interfaces() ? pixels : 0));
+  return 16 * (second_radiance(settings, render) + (has_second() ? pixels : 0));
 }
 
 // Texel of kBindRadiance where what second surfaces bring begins, behind all else.
@@ -74,7 +75,7 @@ VkDeviceSize Renderer::Impl::second_radiance(const RenderSettings& settings, uve
 
 // Buffers of the picture's size.
 void Renderer::Impl::fit(const RenderSettings& settings) {
-  const Denoiser::Layers layers{features.medium, has_interfaces()};
+  const Denoiser::Layers layers{features.medium, has_second()};
   check_picture_size(device, output_size, settings, {wanted_gbuffer_planes(), denoiser.blocks(settings, layers)});
   resize_buffers(scaled_size(shown().size, settings), output_size, settings);
   denoiser.resize(render_size, shown().size, settings, layers);
@@ -118,6 +119,7 @@ void Renderer::Impl::choose_features(const scene::FrameSnapshot& snapshot, const
     features = SceneFeatures{};
     features.water = former.water;
     features.glass = former.glass;
+    features.veils = former.veils;
   }
   features.alpha_test |= scene.features().alpha_test || all;
   features.translucent |= scene.features().translucent || all;
@@ -202,9 +204,10 @@ void Renderer::Impl::fill_constants(const scene::FrameSnapshot& snapshot, const 
 
 // The way of a frame.
 PassList Renderer::Impl::list_passes() {
+  const std::uint32_t veils = features.veils ? shared::kFeatureVeils : 0;
   const Variant variant{ray_query,         features.alpha_test || features.translucent,
-                        features.specular, features.surfaces,
-                        features.medium,   has_interfaces()};
+                        features.specular, features.surfaces | veils,
+                        features.medium,   features.water || features.glass};
   PassList list;
   const auto frame = [&](const char* name, const gpu::ComputePipeline& pipeline, uvec2 groups) {
     list.dispatch(name, PassKind::kFrame, pipeline, groups);
@@ -219,8 +222,8 @@ PassList Renderer::Impl::list_passes() {
   final_passes ? technique->add_final_passes(own) : technique->add_passes(own);
   frame("accumulate", shaders.get(medium ? "accumulate_medium" : "accumulate"), groups_over(render_size, 8));
   denoiser.add_passes(list, shaders, variant, in_medium,
-                      has_interfaces() ? work().groups(shared::kWorkSecond) : AskedGroups());
-  add_lens(list, shaders, constants, {.water = has_interfaces()}, variant);
+                      has_second() ? work().groups(shared::kWorkSecond) : AskedGroups());
+  add_lens(list, shaders, constants, {.water = has_second()}, variant);
   last_step.add_passes(list, shaders, constants, warps);
   return list;
 }
@@ -263,6 +266,7 @@ void Renderer::Impl::begin(const scene::FrameSnapshot& snapshot, const scene::Dr
   const bool all = settings.force_features != 0;
   features.water = settings.water > 0 && (scene.features().water || (features.water && !new_scene) || all);
   features.glass = settings.glass > 0 && (scene.features().glass || (features.glass && !new_scene) || all);
+  features.veils = !features.water && !features.glass && (scene.features().veils || (features.veils && !new_scene));
   fit(settings);
   swap_gbuffers(static_cast<std::uint32_t>(settings.debug_view));
   scene.stage();

@@ -45,9 +45,10 @@ struct Renderer::Impl {
   ~Impl() { device.settle(); }
 
   std::uint32_t wanted_gbuffer_planes() const {
-    return sizeof(shared::GBufferTexel) / 16 + (has_interfaces() ? shared::kWaterPlanes : 0);
+    return sizeof(shared::GBufferTexel) / 16 + (has_second() ? shared::kWaterPlanes : 0);
   }
-  bool has_interfaces() const { return features.water || features.glass; }
+  // Pixels may show two surfaces.
+  bool has_second() const { return features.water || features.glass || features.veils; }
   void resize_buffers(uvec2 render, uvec2 output, const RenderSettings& settings);
   scene::Area shown() const { return area_within(picture, output_size); }
   void fit(const RenderSettings& settings);

@@ -8,6 +8,11 @@
 // Where the last ray passed the nearest translucent surface, as a distance; beyond its end it may not know of any.
 float passed_at;
 
+// A pass may have the ray end at the first veil that it meets (shared/veils.h) in place of passing it by chance.
+#ifndef STOPS_AT_VEILS
+#define STOPS_AT_VEILS false
+#endif
+
 GpuMaterial material_of(uint instance, uint triangle) {
   uint record = instance_at(instance).first_attribute + triangle;
   return material_at(instance_at(instance).material_base + attribute_at(record).material);
@@ -23,7 +28,8 @@ bool accept_candidate(Hit candidate, inout uint rng) {
     if (nearest_texel(m.base, uv, (m.flags & kMaterialClampTexture) != 0u).alpha < 0.5) return false;
   }
   float alpha = alpha_of(m, candidate.instance);
-  bool accepted = alpha >= 1.0 || rng_uniform(rng) < alpha;
+  bool veil = STOPS_AT_VEILS && (m.flags & kMaterialLiquid) != 0u && alpha > 0.0;
+  bool accepted = alpha >= 1.0 || veil || rng_uniform(rng) < alpha;
   if (!accepted) passed_at = min(passed_at, candidate.t);
   return accepted;
 }

@@ -3,10 +3,14 @@
 #ifndef FB_LIB_INTERACTION
 #define FB_LIB_INTERACTION
 #include "lib/scatter.glsl"
+#include "shared/veils.h"
 
 const float kRayEnd = 1e6;  // beyond any map: coordinates end at 32768
 
 layout(constant_id = kSpecWater) const bool FEATURE_WATER = false;  // some surface is an interface of water or glass
+
+// A pixel may show two surfaces.
+bool shows_two() { return FEATURE_WATER || has_feature(kFeatureVeils); }
 
 struct Vertex {
   vec3 position;

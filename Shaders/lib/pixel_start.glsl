@@ -57,7 +57,8 @@ Path start_path(PathPixel p, GBufferTexel g, uint i, inout Vertex v, out uint rn
   rng = rng_seed(p.at, frame.frame, i, frame.seed);
   bool second = false;
   float factor =
-      FEATURE_WATER ? choose_surface(v, p.at, (g.material_metalness & kTexelLiquid) != 0u, rng, second) : 1.0;
+      shows_two() ? choose_surface(v, p.at, FEATURE_WATER && (g.material_metalness & kTexelLiquid) != 0u, rng, second)
+                  : 1.0;
   Path path = path_of(p, i);
   path.second = second;
   path.factor = vec3(factor);

@@ -22,23 +22,23 @@ bool take_finite(inout vec3 estimate) {
 
 // What a path brought.
 void add_sample(inout PixelLight light, Path path, vec3 estimate) {
-  if (FEATURE_WATER) estimate *= path.factor;
+  if (shows_two()) estimate *= path.factor;
   if (take_finite(estimate)) light.lost += 1.0;
   light.sum += estimate;
-  if (FEATURE_WATER) light.second += path.second ? vec4(estimate, 1.0) : vec4(0.0);
+  if (shows_two()) light.second += path.second ? vec4(estimate, 1.0) : vec4(0.0);
 }
 
 // Of a pixel that reflects nothing.
 void store_emission(PathPixel p, GBufferTexel g) {
   radiance.at[p.at] = vec4(g.emission_specular.rgb, 0.0);
-  if (FEATURE_WATER) radiance.at[second_radiance_at(p.at)] = vec4(0.0);
+  if (shows_two()) radiance.at[second_radiance_at(p.at)] = vec4(0.0);
 }
 
 // The mean of so many samples.
 void store_light(PathPixel p, GBufferTexel g, PixelLight light, float samples) {
   float left = FEATURE_MEDIUM ? haze_left(camera_haze(), g.position_t.w) : 1.0;
   if (FEATURE_MEDIUM) light.sum *= left;
-  if (FEATURE_WATER) radiance.at[second_radiance_at(p.at)] = vec4(light.second.rgb * left, light.second.w) / samples;
+  if (shows_two()) radiance.at[second_radiance_at(p.at)] = vec4(light.second.rgb * left, light.second.w) / samples;
   radiance.at[p.at] = vec4(g.emission_specular.rgb + light.sum / samples, light.lost);
 }
 

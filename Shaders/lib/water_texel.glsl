@@ -12,7 +12,7 @@ struct WaterTexel {
   vec3 position;  // of the second surface
   uint liquid;    // that it is in: a material, or kNoIndex
   SecondTexel seen;
-  uint own_liquid;              // that the texel's own surface is in
+  uint own_liquid;              // that the texel's own surface is in; with a veil its share, a float's bits
   uint normal, shading_normal;  // of the second
   bool bent;                    // an interface is before both; else nothing of the second is stored but its albedo
 };
@@ -77,15 +77,20 @@ LiquidPiece liquid_piece_at(uint at, vec3 camera_ray) {
 // Chooses one of a pixel's two surfaces for a path. `v`: the texel's own. The factor on what the path brings.
 float choose_surface(inout Vertex v, uint at, bool bent, inout uint rng, out bool second) {
   WaterTexel w = water_at(at);
-  v.liquid = w.own_liquid;
-  v.scatter.bsdf.albedo = max(v.scatter.bsdf.albedo - w.seen.albedo, vec3(0.0));
+  vec3 own = max(v.scatter.bsdf.albedo - w.seen.albedo, vec3(0.0));
+  // A veil's surface keeps its gloss, so that its share is the path's factor, not the albedo's.
+  bool veiled = has_feature(kFeatureVeils) && w.own_liquid != kNoIndex;
+  float share = veiled ? uintBitsToFloat(w.own_liquid) : 1.0;
+  v.liquid = veiled ? kNoIndex : w.own_liquid;
+  v.scatter.bsdf.albedo = own / share;
   if (bent) {
     v.previous = v.position;
     v.view = v.scatter.shading_normal;  // Lambertian, whatever its material: no viewer is asked
   }
-  float chance = chance_of_second(v.scatter.bsdf.albedo, w.seen.albedo);
+  if (veiled) own += share * v.scatter.bsdf.specular;
+  float chance = chance_of_second(own, w.seen.albedo);
   second = rng_uniform(rng) < chance;
-  if (!second) return 1.0 / (1.0 - chance);
+  if (!second) return share / (1.0 - chance);
   v.position = v.previous = w.position;
   v.liquid = w.liquid;
   v.glows = false;

@@ -6,6 +6,7 @@
 #if INTERSECTOR_QUERY
 #extension GL_EXT_ray_query : require
 #endif
+#include "lib/veil.glsl"
 #include "lib/seen_texel.glsl"
 #include "lib/water_tiles.glsl"
 #include "lib/water_texel.glsl"
@@ -16,11 +17,12 @@ void main() {
   uint at = pixel.y * frame.width + pixel.x, rng = seen_rng(at);
   vec2 point = point_of(pixel);
   vec3 ray = camera_direction(point), direction = normalize(ray);
+  stops_at_veils = has_feature(kFeatureVeils);
   Hit hit = trace(frame.camera_position.xyz, direction, 0.0, kRayEnd, kMaskCamera, rng);
 
   bool missed = hit.instance == kNoIndex;
-  if (FEATURE_WATER) {
-    if (is_interface(hit)) add_water_tile(gl_WorkGroupID.xy);
+  if (shows_two()) {
+    if (is_interface(hit) || veil_lets_through(hit) > 0.0) add_water_tile(gl_WorkGroupID.xy);
     store_water(at, kNoWater, kNoPiece);
   }
   GBufferTexel texel = kNothingSeen;

@@ -5,6 +5,7 @@
 #if INTERSECTOR_QUERY
 #extension GL_EXT_ray_query : require
 #endif
+#include "lib/veil.glsl"
 #include "lib/seen_texel.glsl"
 #include "lib/water_tiles.glsl"
 #include "lib/water_texel.glsl"
@@ -40,7 +41,8 @@ LiquidPiece scattering_piece(Segment way, vec3 direction, Parting parting) {
 }
 
 // What the camera sees where there is water: through the first interface that its ray meets, and mirrored in it. The
-// surface of which a level interface shows more is the texel's own.
+// surface of which a level interface shows more is the texel's own. Of a veil, which has no interface about it, what is
+// behind it stands in the place of what is mirrored, and the veil is the texel's own if it is glossy.
 GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
   vec3 direction = normalize(ray), emission = vec3(0.0);
   GBufferTexel texel = kNothingSeen, other;
@@ -48,25 +50,37 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
   Segment way = straight(frame.camera_position.xyz, direction, frame.camera_liquid);
   Parting parting = Parting(way, false, direction, kNoIndex, 1.0, 0.0, 0.0, way, 0.0);
   LiquidPiece piece = kNoPiece;
-  bool back = false;
+  bool back = false, veiled = false;
+  float through = 0.0, own_share = 1.0;
+  vec3 before = vec3(1.0);
   do {
+    stops_at_veils = has_feature(kFeatureVeils) && !back;
     way = follow(way, kRayEnd, kMaskCamera, kTurnThrough, true, parting, rng);
+    if (!back) {
+      through = veil_lets_through(way.hit);
+      veiled = through > 0.0;
+      before = way.left;
+      way.left *= 1.0 - through;
+      own_share = 1.0 - through;
+    }
     if (!back && frame.turbid != 0u) piece = scattering_piece(way, direction, parting);
     bool missed = way.hit.instance == kNoIndex;
     other = kNothingSeen;
     if (!missed || frame.sky_beyond != 0u) {
       way.hit.t = way.seen;  // for footprints and fog
       Surface s = load_seen_surface(way.hit, way.direction, missed);
-      other.emission_specular = vec4(s.emission * way.left * seen_through_medium(s, kRayEnd), 0.0);
+      other.emission_specular = vec4(sky_seen(s).rgb * way.left, 0.0);
       if (!missed) other = texel_of(s, way, direction, point, way.seen / length(ray));
     }
     if (!back) {
       texel = other;
       emission = other.emission_specular.rgb;
       water.own_liquid = way.liquid;
-      water.bent = way.bent;
+      water.bent = way.bent || veiled;
     } else if (!missed) {
-      bool swaps = parting.mirrors_most || texel.position_t.w == 0.0;
+      bool glossy = texel.emission_specular.w > 0.0;
+      bool most = veiled ? through > 0.5 && !glossy : parting.mirrors_most;
+      bool swaps = most || texel.position_t.w == 0.0;
       GBufferTexel second = swaps ? texel : other;
       texel = swaps ? other : texel;
       water.liquid = swaps ? water.own_liquid : way.liquid;
@@ -78,10 +92,11 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
       water.normal = second.normal;
       water.shading_normal = second.shading_normal;
       texel.albedo_roughness.rgb += water.seen.albedo;
+      if (swaps) own_share = through;
     }
-    if (!way.bent || back) break;
+    if (!(way.bent || veiled) || back) break;
     back = true;
-    way = parting.mirrored;
+    way = veiled ? beyond_veil(way, before, through) : parting.mirrored;
   } while (true);
   // Behind the loop: lavapipe adds again, for lanes that have left, what is added up before a `break`, unless an
   // optimizer went over the shader.
@@ -91,6 +106,7 @@ GBufferTexel see_by_water(uint at, vec3 ray, vec2 point, uint rng) {
     Surface s = load_seen_surface(parting.skin.hit, direction, false);
     emission += s.emission * parting.skin.left * parting.opaque * seen_through_medium(s, parting.skin.seen);
   }
+  if (veiled) water.own_liquid = floatBitsToUint(own_share);
   store_water(at, water, piece);
   texel.emission_specular.rgb = emission + scattered_by(piece) * frame.ambient.rgb;
   return texel;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "shared/scene_gpu.h"
+#include "shared/veils.h"
 #include "shared/work.h"
 
 namespace fb::render {
@@ -46,7 +47,8 @@ void add_gbuffer(PassList& list, ShaderSet& shaders, const Variant& variant, con
                  const gpu::Buffer& tiles) {
   const uvec2 groups = groups_over({work.constants.width, work.constants.height}, 8);
   const gpu::ComputePipeline& straight = shaders.get("gbuffer", variant);
-  if (!variant.water) return list.dispatch("gbuffer", PassKind::kFrame, straight, groups);
+  if (!variant.water && (variant.surfaces & shared::kFeatureVeils) == 0)
+    return list.dispatch("gbuffer", PassKind::kFrame, straight, groups);
   const gpu::ComputePipeline& by_water = shaders.get("gbuffer_water", variant);
   if (work.constants.camera_liquid != shared::kNoIndex)
     return list.dispatch("gbuffer_water", PassKind::kFrame, by_water, groups);

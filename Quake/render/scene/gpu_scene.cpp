@@ -161,6 +161,7 @@ void GpuScene::Impl::collect(const scene::FrameSnapshot& snapshot) {
     features.specular |= d.needs.specular;
     features.water |= d.needs.water;
     features.glass |= d.needs.glass;
+    features.veils |= d.needs.veils;
     features.surfaces |= d.needs.skins ? shared::kFeatureSkins : 0u;
     features.turbid |= d.needs.turbid && interfaces.scattering > 0.0f;
     const Bounds local = InstanceCopies::bounds(mesh, InstanceCopies::canonical(mesh, instance.pose));

@@ -35,6 +35,7 @@ struct SceneFeatures {
   bool medium = false;         // there is one between surfaces
   bool water = false;          // some surface can be an interface of a liquid
   bool glass = false;          // some surface can be one of glass
+  bool veils = false;          // some liquid is translucent and no interface
   bool turbid = false;         // behind some interface light is scattered
   std::uint32_t surfaces = 0;  // shared::kFeature*, of all assets, drawn or not, and of the sky
 };

@@ -157,6 +157,7 @@ MaterialNeeds needs_of(const scene::Assets& assets, const MeshRecord& mesh, std:
     needs.glass_alone &= dielectric && !liquid;
     needs.alpha_test |= (m.flags & scene::kMaterialAlphaTest) != 0;
     needs.translucent |= m.alpha < 1.0f;
+    needs.veils |= liquid && !interfaces.water && m.alpha > 0.0f && m.alpha < 1.0f;
     needs.specular |= m.specular > 0.0f || m.metalness > 0.0f;
   }
   return needs;

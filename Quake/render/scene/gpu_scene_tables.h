@@ -39,6 +39,7 @@ class MaterialTable {
 struct MaterialNeeds {
   bool known = true, alpha_test = false, translucent = false, specular = false;
   bool water = false, glass = false;  // some material of it can be an interface of a liquid; of glass
+  bool veils = false;                 // some liquid of it is translucent and no interface
   bool turbid = false;                // behind some interface light is scattered
   bool skins = false;                 // a share of some interface is opaque
   bool glass_alone = true;            // all are of glass

@@ -99,8 +99,8 @@ uvec2 lit_blocks() { return uvec2(frame.light_width, (frame.height + frame.light
 
 // Pixels that show one surface, in air and straight, have neighbours and a history.
 bool may_reuse(uint at, GBufferTexel g) {
-  if (!FEATURE_WATER) return true;
-  if ((g.material_metalness & kTexelLiquid) != 0u) return false;
+  if (!shows_two()) return true;
+  if (FEATURE_WATER && (g.material_metalness & kTexelLiquid) != 0u) return false;
   WaterTexel w = water_at(at);
   return w.seen.albedo == vec3(0.0) && w.own_liquid == kNoIndex;
 }

@@ -13,8 +13,8 @@ uint element_of(uvec2 block) { return block.y * frame.light_width + block.x; }
 // Pixels that show one surface, in air and straight. With suns that water mirrors, none.
 bool may_reuse(GBufferTexel g, uint at) {
   if (!reflects_light(g)) return false;
-  if (!FEATURE_WATER) return true;
-  if ((g.material_metalness & kTexelLiquid) != 0u) return false;
+  if (!shows_two()) return true;
+  if (FEATURE_WATER && (g.material_metalness & kTexelLiquid) != 0u) return false;
   WaterTexel w = water_at(at);
   bool mirrors = has_feature(kFeatureSuns) && frame.mirrors != 0u && frame.sun_count > 0u;
   return w.seen.albedo == vec3(0.0) && w.own_liquid == kNoIndex && !mirrors;
