@@ -202,8 +202,8 @@ const Row kMixtures[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Mixtures, UnbiasedStatistics, testing::ValuesIn(kMixtures), row_name);
 
-// Fields of light in the world: control variates that are wrong on purpose, trees, and the forms that are printed,
-// which are biased.
+// Fields of light in the world: control variates that are wrong on purpose, known integrals and estimated ones, trees
+// and mixtures, and the forms that are printed, which are biased.
 const Row kFields[] = {
     {"cbox_glossy",
      "pstf_cv_nee",
@@ -214,6 +214,15 @@ const Row kFields[] = {
      {},
      "nee"},
     {"moving", "pstf_is_cv_nee", {"r_pstf_learn_beta=0"}, plan(12, 4, 8), 2, false, {}, "nee"},
+    {"moving", "pstf_is_cv_nee", {"r_pstf_gaussians=8"}, plan(12, 4, 8), 2, false, {}, "nee"},
+    {"cbox_glossy",
+     "pstf_cv_nee",
+     {"r_pstf_two_level=2", "r_pstf_learn_beta=0", "r_pstf_noise=1"},
+     warm(),
+     2,
+     false,
+     {},
+     "nee"},
     {"cbox_glossy", "pstf_cv_nee", {"r_pstf_learn_beta=0", "r_pstf_form=1"}, warm(), 2, true, {}, "nee"},
     {"cbox_glossy", "pstf_cv_nee", {"r_pstf_learn_beta=0", "r_pstf_form=2"}, warm(), 2, true, {}, "nee"},
 };
@@ -286,6 +295,8 @@ const Row kFeatures[] = {
     {"lava", "ssmm", {"r_ssmm_tile=32"}, warm(), 4, false, {}, "nee"},
     {"lava", "pstf_cv", {"r_pstf_learn_beta=0", "r_pstf_noise=2"}, warm(), 2},
     {"lava", "pstf_is_cv", {"r_pstf_learn_beta=0", "r_pstf_beta=2"}, cold(), 2},
+    {"lava", "pstf_cv", {"r_pstf_two_level=4", "r_pstf_learn_beta=0", "r_pstf_noise=2"}, warm(), 2},
+    {"lava", "pstf_is_cv", {"r_pstf_gaussians=4", "r_pstf_learn_beta=0", "r_pstf_beta=2"}, cold(), 2},
     {"rocket", "pstf_is_nee", {}, plan(12, 6, 4), 4, false, {}, "nee"},
     {"lightsout", "pstf_cv_nee", {"r_pstf_learn_beta=0"}, plan(12, 8, 96), 4, false, {}, "nee"},
     {"ripple_above", "pstf_is_cv_nee", {}, warm(), 8, false, {"r_water=1"}, "nee"},

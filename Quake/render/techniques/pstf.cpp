@@ -39,6 +39,9 @@ class PstfTechnique : public Technique {
   void prepare(const TechniqueFrame& frame) override {
     const RenderSettings& s = frame.settings;
     ends_in_field_ = s.pstf_vertex == 2;
+    gaussians_ = kind_ != PstfKind::kGuided || s.pstf_gaussians == 0 ? 0 : s.pstf_gaussians <= 4 ? 4 : 8;
+    lane_of_sample_ = s.pstf_em != 0;
+    two_level_ = s.pstf_two_level > 0;
     choose_size(s.pstf_cells);
     if (memory_.begin_frame()) {
       frame_ = 0;
@@ -58,12 +61,17 @@ class PstfTechnique : public Technique {
     memory_.add_reset(passes.list);
     if (seen_) seen_->add_reset(passes.list);
     PathSpecs specs;
-    if (kind_ == PstfKind::kBiased) specs.surfaces = specs.medium = {ends_in_field_};
+    const std::uint32_t second = kind_ == PstfKind::kGuided ? gaussians_ : std::uint32_t{two_level_};
+    specs.surfaces = specs.medium = {kind_ == PstfKind::kBiased && ends_in_field_, second};
     add_paths_pass(passes, name_, specs);
     if (seen_) seen_->add_fold(passes.list, passes.shaders);
     Variant variant;
     variant.technique = {has_trees()};
     passes.list.dispatch("pstf fields", PassKind::kEstimator, passes.shaders.get("pstf_fold", variant),
+                         {kFoldersOfCells, 1});
+    if (gaussians_ == 0) return;
+    variant.technique = {lane_of_sample_, gaussians_};
+    passes.list.dispatch("pstf gaussians", PassKind::kEstimator, passes.shaders.get("pstf_gaussians", variant),
                          {kFoldersOfCells, 1});
   }
   void forget() override { memory_.forget(); }
@@ -75,18 +83,22 @@ class PstfTechnique : public Technique {
   void choose_size(int wanted) {
     const std::uint64_t asked = std::bit_ceil(static_cast<std::uint64_t>(wanted));
     std::uint64_t most = memory_.most_elements(shared::kPstfSums, kTail);
-    for (const std::uint32_t array : {shared::kPstfCells, shared::kPstfTrees})
+    for (const std::uint32_t array : {shared::kPstfCells, shared::kPstfTrees, shared::kPstfSamples})
       most = std::min(most, memory_.most_elements(array));
+    if (gaussians_ > 0) most = std::min(most, memory_.most_elements(shared::kPstfGaussians) / gaussians_);
     const auto cells = static_cast<std::uint32_t>(std::min(asked, std::bit_floor(most)));
-    if (std::exchange(cells_, cells) == cells) return;
-    if (cells < asked) log_warning("r_pstf_cells {}: the device has room for {}", wanted, cells);
     memory_.set_count(shared::kPstfCells, cells);
     memory_.set_count(shared::kPstfSums, cells, kTail);
     for (const std::uint32_t array : {shared::kPstfTrees, shared::kPstfTreeSums})
       memory_.set_count(array, has_trees() ? cells : 0);
+    for (const std::uint32_t array : {shared::kPstfGaussians, shared::kPstfGaussianSums})
+      memory_.set_count(array, std::uint64_t{cells} * gaussians_);
+    memory_.set_count(shared::kPstfSamples, gaussians_ > 0 ? cells : 0);
+    if (std::exchange(cells_, cells) != cells && cells < asked)
+      log_warning("r_pstf_cells {}: the device has room for {}", wanted, cells);
   }
 
-  bool has_trees() const { return kind_ == PstfKind::kGuided; }
+  bool has_trees() const { return kind_ == PstfKind::kGuided && gaussians_ == 0; }
 
   std::string name_;
   PstfKind kind_;
@@ -94,6 +106,9 @@ class PstfTechnique : public Technique {
   TechniqueMemory memory_;
   std::optional<SeenGrid> seen_;  // where it looks for light, too
   bool ends_in_field_ = false;
+  bool two_level_ = false;
+  std::uint32_t gaussians_ = 0;  // of a cell's mixture; 0: it has a tree, or none
+  bool lane_of_sample_ = true;   // of the pass that teaches them
   std::uint32_t cells_ = 0;
   std::uint32_t frame_ = 0;  // since it forgot
 };

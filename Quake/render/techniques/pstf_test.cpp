@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/test_device.h"
+#include "render/techniques/test_pstf.h"
 #include "render/test_image.h"
 #include "scene/in_code/scene_of_kinds.h"
 #include "scene/in_code/scenes_in_code.h"
@@ -20,37 +20,6 @@
 namespace fb::render {
 namespace {
 
-constexpr float kFieldAlbedo = 0.6f, kFieldEmission = 0.7f;
-scene::FrameSnapshot lit_furnace() { return scene::furnace(kFieldAlbedo, kFieldEmission, true); }
-
-class PstfTest : public DeviceTest {
- protected:
-  static RenderSettings pstf_settings(const std::string& estimator, int bounces = 2) {
-    RenderSettings s;
-    s.estimator = estimator;
-    s.bounces = bounces;
-    s.accumulate = 0;
-    return s;
-  }
-  static void expect_furnace(const Renderer& renderer, int bounces, const std::string& what) {
-    double expected = 0;
-    for (int k = 0; k <= bounces; ++k)
-      expected += static_cast<double>(kFieldEmission) * std::pow(static_cast<double>(kFieldAlbedo), k);
-    const ImageEstimate e = image_estimate(renderer.read().linear());
-    EXPECT_NEAR(e.mean, expected, 5 * e.error + 1e-5 * expected) << what;
-    EXPECT_EQ(renderer.read().counters().not_finite, 0u) << what;
-  }
-  // Mean over the picture's middle of a debug view's green, 0 to 255.
-  static double green_of(Renderer& renderer, const scene::FrameSnapshot& scene, RenderSettings s, std::uint32_t view) {
-    s.debug_view = static_cast<int>(view);
-    s.fxaa = 0;
-    renderer.render(scene, nullptr, s);
-    const auto output = renderer.read().output();
-    double sum = 0;
-    for (const std::uint32_t pixel : output) sum += static_cast<double>((pixel >> 8u) & 255u);
-    return sum / static_cast<double>(output.size());
-  }
-};
 using PstfSequences = PstfTest;
 
 // Light from everywhere is the same, so that incident light is e / (1 - a) in all fields once they have settled,
@@ -121,6 +90,11 @@ const std::pair<const char*, std::function<void(RenderSettings&)>> kFieldVariant
     {"ends count", [](RenderSettings& s) { s.pstf_ends = 1, s.pstf_vertices = 1; }},
     {"trees alone, nearly", [](RenderSettings& s) { s.pstf_defence = 0.05f, s.pstf_split = 1; }},
     {"many samples", [](RenderSettings& s) { s.spp = 8; }},
+    {"directions without rays",
+     [](RenderSettings& s) { s.pstf_two_level = 3, s.pstf_learn_beta = 0, s.pstf_beta = 1; }},
+    {"and a wrong field", [](RenderSettings& s) { s.pstf_two_level = 1, s.pstf_learn_beta = 0, s.pstf_noise = 2; }},
+    {"4 Gaussians", [](RenderSettings& s) { s.pstf_gaussians = 4, s.pstf_defence = 0.1f; }},
+    {"8 Gaussians", [](RenderSettings& s) { s.pstf_gaussians = 8, s.pstf_em = 0, s.pstf_defence = 0.1f; }},
 };
 
 TEST_F(PstfSequences, NothingIsLostOrAddedWhateverIsSet) {

@@ -34,12 +34,18 @@ FB_CONST uint kPstfTailWords = 4u;
   X(kPstfCells, 0u, kTable, 4u * kPstfCellWords, false, "cells of the field")           \
   X(kPstfSums, 1u, kTable, 4u * (kPstfSumWords + 3u), false, "a frame's sums of cells") \
   X(kPstfTrees, 2u, kTable, 128u, false, "trees of cells")                              \
-  X(kPstfTreeSums, 3u, kTable, 64u, false, "a frame's sums of their leaves")
+  X(kPstfTreeSums, 3u, kTable, 64u, false, "a frame's sums of their leaves")            \
+  X(kPstfGaussians, 4u, kTable, 32u, false, "Gaussians of cells")                       \
+  X(kPstfGaussianSums, 5u, kTable, 32u, false, "sums of what taught them")              \
+  X(kPstfSamples, 6u, kTable, 128u, false, "a frame's samples of cells")
 FB_PSTF_ARRAYS(FB_ARRAY_CONSTANT)
 
 // Specialisation constants.
-FB_CONST uint kSpecTrees = kSpecTechnique;        // of the pass that folds: cells have trees
-FB_CONST uint kSpecEndsInField = kSpecTechnique;  // of paths: they may end in the field
+FB_CONST uint kSpecTrees = kSpecTechnique;           // of the pass that folds: cells have trees
+FB_CONST uint kSpecEndsInField = kSpecTechnique;     // of paths: they may end in the field
+FB_CONST uint kSpecGaussians = kSpecTechnique + 1u;  // of a cell's mixture, 4 or 8; 0: cells have trees or nothing
+FB_CONST uint kSpecTwoLevel = kSpecTechnique + 1u;   // of paths without trees: the integral is estimated
+FB_CONST uint kSpecLaneOfSample = kSpecTechnique;    // of the pass that learns mixtures: a lane has a sample
 
 // clang-format off
 #define FB_PSTF_SETTINGS(X) \
@@ -58,8 +64,11 @@ FB_CONST uint kSpecEndsInField = kSpecTechnique;  // of paths: they may end in t
   X(int, pstf_vertices, "r_pstf_vertices", 64, 0, 64, "pstf: first vertices of a path that have a control variate") \
   X(int, pstf_learn_beta, "r_pstf_learn_beta", 1, 0, 1, "pstf: factor on the control variate: 1 learnt in each cell, 0 r_pstf_beta") \
   X(float, pstf_beta, "r_pstf_beta", 0.75f, 0, 2, "pstf: factor on the control variate (beta), where it is not learnt") \
+  X(int, pstf_two_level, "r_pstf_two_level", 0, 0, 64, "pstf_cv, pstf_b: directions without rays that estimate the integral of the control variate, which is then of the whole BSDF (Dereviannykh 2024); 0: it is of a Lambert surface, and its integral is known") \
   X(float, pstf_defence, "r_pstf_defence", 0.5f, 0.05f, 1, "pstf_is: share of directions by the vertex's own scattering") \
   X(float, pstf_split, "r_pstf_split", 2, 1, 100, "pstf_is: ratio of light of a tree's brightest leaf to that of the darkest two halves of one at which it splits and they collapse (T)") \
+  X(int, pstf_gaussians, "r_pstf_gaussians", 0, 0, 8, "pstf_is: what cells draw directions from: 0 trees of 16 leaves, else mixtures of 4 Gaussians, from 5 on of 8") \
+  X(int, pstf_em, "r_pstf_em", 1, 0, 1, "pstf_is with r_pstf_gaussians: their samples are learnt by one lane a Gaussian (0) or one lane a sample with prefix sums (1), alike but for rounding") \
   X(float, pstf_gamma, "r_pstf_gamma", 0.125f, 0, 1, "pstf_b: share of the unbiased estimate beside the field's light (gamma)") \
   X(int, pstf_vertex, "r_pstf_vertex", 2, 1, 2, "pstf_b: the vertex of a path whose light is the field's") \
   X(int, pstf_progressive, "r_pstf_progressive", 1, 0, 1, "pstf: 1 vertices teach what they reflect of the field's light, 0 first vertices teach the whole light of their paths, as in path space filtering (Keller 2014)") \

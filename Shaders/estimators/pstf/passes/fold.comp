@@ -27,7 +27,8 @@ void store_tree(uint slot, DirectionTree t) {
   }
 }
 
-const uint kTreeSteps = 2u;  // of splitting and collapsing, a frame
+const uint kTreeSteps = 2u;       // of splitting and collapsing, a frame
+const float kFirstPixels = 16.0;  // whose samples a new cell's crowd is thought to be
 
 void fold_tree(uint slot, float each, float blend) {
   DirectionTree t;
@@ -51,6 +52,15 @@ void fold_cell(uint slot, float samples) {
   float each = 1.0 / samples, each_directed = directed > 0.0 ? 1.0 / directed : 0.0;
 
   uvec4 head = pstf_cells.at[cell];
+  // A sample's share was taken in so many: the crowd is all of them.
+  float share = min(float(pstf.pstf_samples) / max(uintBitsToFloat(head.z), 1.0), 1.0);
+  // More than sums have room for only say how many there are.
+  if (samples > float(signed_room(kPstfLargest, kPstfSteps))) {
+    pstf_cells.at[cell] = uvec4(head.x, pstf.frame_number, floatBitsToUint(samples / share), head.w);
+    if (TREES)
+      for (uint i = 0u; i < kTreeLeaves; ++i) pstf_tree_sums.at[slot * kTreeLeaves + i] = 0u;
+    return;
+  }
   vec4 outgoing = uintBitsToFloat(pstf_cells.at[cell + 1u]), colors = uintBitsToFloat(pstf_cells.at[cell + 2u]);
   vec4 incident = uintBitsToFloat(pstf_cells.at[cell + 3u]), normal = uintBitsToFloat(pstf_cells.at[cell + 4u]);
   vec4 moments = uintBitsToFloat(pstf_cells.at[cell + 5u]);
@@ -63,8 +73,6 @@ void fold_cell(uint slot, float samples) {
   if (TREES) fold_tree(slot, each_directed, directed_blend);
   vec3 normal_now;
   for (uint i = 0u; i < 3u; ++i) normal_now[i] = signed_sum(pstf_sums.at[sums + kPstfSumNormal + i], kPstfSteps) * each;
-  // A sample's share was taken in so many: the crowd is all of them.
-  float share = min(float(pstf.pstf_samples) / max(uintBitsToFloat(head.z), 1.0), 1.0);
   ControlMoments control = joined_moments(
       ControlMoments(moments.x, moments.y, moments.z, normal.w),
       ControlMoments(moment_sum(sums + kPstfSumMoments, each_directed),
@@ -94,7 +102,9 @@ void main() {
       fold_cell(slot, float(samples));
       for (uint word = 0u; word < kPstfSumWords; ++word) pstf_sums.at[pstf_sums_at(slot) + word] = 0u;
     } else {  // its owner did not come
-      pstf_cells.at[cell] = uvec4(pstf_sums.at[pstf_claim_at(slot)], pstf.frame_number, 0u, 0u);
+      // Its crowd is not known yet: of 256 pixels' samples no more than 4096 are taken.
+      float crowd = kFirstPixels * float(frame.spp);
+      pstf_cells.at[cell] = uvec4(pstf_sums.at[pstf_claim_at(slot)], pstf.frame_number, floatBitsToUint(crowd), 0u);
       for (uint texel = 1u; texel < kPstfCellWords / 4u; ++texel) pstf_cells.at[cell + texel] = uvec4(0u);
       if (TREES) store_tree(slot, even_tree());
     }

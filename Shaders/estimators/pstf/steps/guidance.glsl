@@ -32,7 +32,9 @@ struct Guidance {
   float off;      // h / pdf less its integral, over the mean
   CellTree tree;  // of directions
   Prediction prediction;
-  vec3 weight;  // f cos / pdf of the direction that was drawn
+  vec3 integral;  // of h, by directions without rays, where it is not known; zero: it is
+  vec3 estimate;  // h / pdf of the direction that was drawn, there
+  vec3 weight;    // f cos / pdf of the direction that was drawn
 };
 
 vec3 lambert_albedo(Scatter s, vec3 view) {
@@ -72,7 +74,7 @@ void prepare_cell(Vertex v, Field here, inout Path path, out Guidance g) {
   g.reflectance = in_medium(v.scatter) ? vec3(0.0) : reflectance_of(v.scatter, v.view);
   g.albedo = lambert_albedo(v.scatter, v.view);
   g.crowd = g.taught = g.luminance = g.beta = 0.0;
-  g.mean = g.outgoing = vec3(0.0);
+  g.mean = g.outgoing = g.integral = g.estimate = vec3(0.0);
   g.prediction = Prediction(vec3(0.0), 1.0, 1.0, vec3(0.0));
   g.light = LinearLight(1.0, vec3(0.0));
   g.moments = ControlMoments(0.0, 0.0, 0.0, 0.0);

@@ -1,6 +1,6 @@
-// Steps `proposal` and `control` of guided paths: directions of the cell's tree (Section 4.1) or of the vertex's own
-// scattering, weighed by the density of both together, and a control variate of the difference of the two (Eq. 27),
-// where kMixtureControl.
+// Steps `proposal` and `control` of guided paths: directions of the cell's tree or mixture (Section 4.1) or of the
+// vertex's own scattering, weighed by the density of both together, and a control variate of the difference of the two
+// (Eq. 27), where kMixtureControl.
 //
 // Eq. 27 has no integral to add, since two densities differ by none: h is (p_tree - cos / pi) times a factor. The
 // cosine takes the BSDF's density's place: of a coat's reflections some go below the surface, so that its density is
@@ -14,13 +14,14 @@
 #include "estimators/pstf/steps/guidance.glsl"
 
 #define FrozenDirections CellTree
-float frozen_pdf(CellTree tree, vec3 direction) { return tree_pdf(direction_tree(tree), direction); }
-vec3 frozen_draw(CellTree tree, vec2 u) { return tree_sample(direction_tree(tree), u); }
+float frozen_pdf(CellTree tree, vec3 direction) { return directions_pdf(tree, direction); }
+vec3 frozen_draw(CellTree tree, vec2 u) { return directions_draw(tree, u); }
 #include "lib/frozen.glsl"
 
 void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance g) {
   prepare_cell(v, here, path, g);
   g.beta = beta_at(path, learnt_mixture_beta(g.moments));
+  g.tree.slot = 0u;  // lanes that have none look there all the same
   if (g.taught >= kTreeTaught) g.tree = load_tree(here.place.slot);
 }
 
@@ -42,7 +43,7 @@ float proposal_pdf(Vertex v, Guidance g, vec3 direction, float scatter_pdf) {
   return proposed_pdf(g.tree, is_guided(v, g), pstf.pstf_defence, direction, scatter_pdf);
 }
 
-const bool kHasControl = kMixtureControl;
+const bool kHasControl = kMixtureControl, TWO_LEVEL = false;
 
 vec3 control_mean(Vertex v, Guidance g, Field here) { return vec3(0.0); }
 vec3 control_at(Vertex v, Guidance g, Field here, vec3 direction) {

@@ -50,11 +50,13 @@ void set_outgoing(inout Lesson l, vec3 outgoing, vec3 normal) {
   float y = ycocg_from_rgb(light).x;
   l.words[kPstfSumSecond] = min(y * y, kPstfMomentLargest) * kPstfMomentSteps;
 }
-// `incident` as a white Lambert surface reflects it, over the density of its direction.
-void set_incident(inout Lesson l, Guidance g, vec3 incident, vec3 direction) {
+// `incident` as a white Lambert surface reflects it, over the density of its direction; `reflected` by this surface.
+void set_incident(inout Lesson l, Guidance g, vec3 incident, vec3 reflected, vec3 direction) {
   vec3 light = held(incident);
   set_light(l, kPstfSumIncident, light, direction);
-  float off = g.luminance > 0.0 ? ycocg_from_rgb(light).x / g.luminance - 1.0 : 0.0,
+  float scale = luminance(g.reflectance) * g.luminance,
+        relative = TWO_LEVEL ? luminance(held(reflected)) / max(scale, 1e-20) : ycocg_from_rgb(light).x / g.luminance,
+        off = g.luminance > 0.0 && (!TWO_LEVEL || scale > 0.0) ? relative - 1.0 : 0.0,
         control = g.luminance > 0.0 ? g.off : 0.0;
   vec3 moments = clamp(vec3(off * control, control * control, off * off), -kPstfMomentLargest, kPstfMomentLargest);
   for (uint i = 0u; i < 3u; ++i) l.words[kPstfSumMoments + i] = moments[i] * kPstfMomentSteps;
@@ -92,7 +94,7 @@ void learn_waste(Guidance g, Path path) {
   bool takes = takes_sample(g.place, g.crowd, g.taught, path, rng_next(bits));
   Lesson l;
   set_outgoing(l, over_reflectance(path.own.looked_for, g.reflectance, vec3(0.0)), g.normal);
-  set_incident(l, g, vec3(0.0), vec3(0.0));
+  set_incident(l, g, vec3(0.0), vec3(0.0), vec3(0.0));
   teach(g.place.slot, l, takes, bits);
 }
 
@@ -102,10 +104,10 @@ void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout 
   vec3 met = incident.emission + incident.reflection, white = met * g.over;
   Lesson l;
   set_outgoing(l, over_reflectance(g.weight * met + path.own.looked_for, g.reflectance, white), g.normal);
-  set_incident(l, g, white, p.direction);
+  set_incident(l, g, white, g.weight * met, p.direction);
   teach(g.place.slot, l, takes, bits);
   if (kHasTrees && takes)
-    teach_leaf(g.place.slot, taught_leaf(g.tree, p.direction), luminance(held(g.weight * met)), rng_next(bits));
+    teach_directions(g.place.slot, g.tree, p.direction, luminance(held(g.weight * met)), rng_next(bits));
 }
 
 void learn_last(Field here, Direct direct, Path path, inout uint rng) {

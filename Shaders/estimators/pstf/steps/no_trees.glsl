@@ -6,5 +6,4 @@ const bool kHasTrees = false;
 struct CellTree {
   uint none;
 };
-uint taught_leaf(CellTree tree, vec3 direction) { return 0u; }
-void teach_leaf(uint slot, uint leaf, float light, uint bits) {}
+void teach_directions(uint slot, CellTree tree, vec3 direction, float light, uint bits) {}
