@@ -14,6 +14,7 @@
 #include "scene/in_code/scenes_of_fog.h"
 #include "scene/in_code/scenes_of_glass.h"
 #include "scene/in_code/scenes_of_light.h"
+#include "scene/in_code/scenes_of_rooms.h"
 #include "scene/in_code/scenes_of_scale.h"
 #include "scene/in_code/scenes_of_water.h"
 
@@ -92,6 +93,10 @@ const std::vector<Entry>& entries() {
       {"rocket", [] { return counted_film(scene::rocket_assets(), scene::rocket); }},
       {"lightsout", [] { return counted_film(scene::lights_out_assets(), scene::lights_out); }},
       {"three_lamps", [] { return still_film(scene::three_lamps()); }},
+      {"thin_wall", [] { return still_film(scene::thin_wall()); }},
+      {"thin_wall_dark", [] { return still_film(scene::thin_wall(false)); }},
+      {"split_room", [] { return still_film(scene::split_room()); }},
+      {"red_ball", [] { return still_film(scene::red_ball()); }},
       {"occluder", [] { return timed_film(scene::occluder_assets(), scene::occluder); }},
       {"alpha_panel", [] { return still_film(scene::alpha_panel()); }},
       {"textured_quad", [] { return still_film(scene::textured_quad()); }},

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,10 @@
 #include "base/maths.h"
 #include "formats/image.h"
 #include "shared/kinds.h"
+
+namespace fb::formats {
+struct Bsp;
+}
 
 namespace fb::scene {
 
@@ -157,6 +162,7 @@ struct Assets {
   std::vector<Image> images;
   std::vector<Material> materials;
   std::vector<Mesh> meshes;
+  std::shared_ptr<const formats::Bsp> map;  // whose tree divides the space about the world's mesh; null: nothing does
 };
 
 // A number no other Assets of this process has had as its generation.

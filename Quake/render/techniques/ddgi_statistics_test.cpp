@@ -8,8 +8,8 @@
 
 #include "render/test_device.h"
 #include "scene/in_code/code_scene_parts.h"
+#include "scene/in_code/scenes_of_rooms.h"
 #include "scene/in_code/scenes_in_code.h"
-#include "scene/shapes.h"
 
 namespace fb::render {
 namespace {
@@ -96,40 +96,61 @@ TEST_F(DdgiStatistics, OneLampLightsAPlane) {
   EXPECT_NEAR(found[1] / expected, 1, 0.06);
 }
 
-// Two rooms with a wall of 1 unit between them, one of them with a lamp: what is bright in the other has leaked. Probes
-// that ask whether they see a point leak less than those that do not, and what leaks lies one reflection further away
-// in ddgi_plus.
-TEST_F(DdgiStatistics, AThinWallLeaksLittle) {
-  auto assets = scene::new_code_assets();
-  const std::uint32_t walls = scene::add_material(*assets, "walls", vec3(0.7f));
-  const std::uint32_t light = scene::add_material(*assets, "light", vec3(0.0f), vec3(1.0f));
-  scene::Mesh rooms;
-  scene::add_box(rooms, {-240, -120, 0}, {0, 120, 160}, walls, true);
-  scene::add_box(rooms, {1, -120, 0}, {240, 120, 160}, walls, true);
-  const std::uint32_t mesh = scene::add_finished(*assets, std::move(rooms), "two rooms");
-  const std::uint32_t sphere = scene::add_sphere_mesh(*assets);
-  const auto seen_from = [&](float x, float yaw) {
-    scene::FrameSnapshot s = scene::still(assets, scene::camera_at({x, 0, 80}, {10, yaw, 0}, 90));
-    s.instances.push_back(scene::make_instance(scene::kIdWorld, mesh));
-    s.instances.push_back(
-        scene::glowing(scene::kIdEntityLight, sphere, light, {120, 40, 100}, vec3(10.0f), vec3(100.0f)));
-    return s;
+// What is bright in the dark one of two rooms has leaked: the mean of what it is in the lit one.
+struct LeakCase {
+  const char* name;
+  const char* estimator;
+  int visibility, leaves;
+};
+double leak_of(Renderer& renderer, const LeakCase& c, const scene::FrameSnapshot& rooms) {
+  RenderSettings s = bias_settings(c.estimator, 3);
+  s.ddgi_visibility = c.visibility;
+  s.ddgi_leaves = c.leaves;
+  s.ddgi_rays = 65536;
+  const auto seen_from = [&](float x) {
+    scene::FrameSnapshot seen = rooms;
+    seen.camera = seen.prev_camera = scene::camera_at({x, -60, 80}, {10, 0, 0}, 90);
+    return seen;
   };
-  double leaks[3] = {};
-  for (const int i : {0, 1, 2}) {
-    RenderSettings s = bias_settings(i == 2 ? "ddgi_plus" : "ddgi", 3);
-    s.ddgi_visibility = i == 0 ? 0 : 1;
-    s.ddgi_rays = 65536;
-    auto renderer = make_renderer(s, 32, 24);
-    const double lit = means_of(*renderer, seen_from(20, 0), s, 24, 2).mean;
-    leaks[i] = means_of(*renderer, seen_from(-220, 0), s, 8, 2).mean / lit;
+  const double lit = means_of(renderer, seen_from(20), s, 24, 2).mean;
+  return means_of(renderer, seen_from(-220), s, 8, 2).mean / lit;
+}
+
+// Through a wall of one unit. Probes that ask whether they see a point leak less than those that do not, and what leaks
+// lies one reflection further away in ddgi_plus. Where the map's leafs say who asks whom nothing leaks at all, even
+// though nobody asks whether a probe sees a point.
+TEST_F(DdgiStatistics, AThinWallLeaksWithTheGridAndNotWithLeaves) {
+  const LeakCase cases[] = {{"no visibility", "ddgi", 0, 0},
+                            {"ddgi", "ddgi", 1, 0},
+                            {"ddgi_plus", "ddgi_plus", 1, 0},
+                            {"leaves, no visibility", "ddgi", 0, 1},
+                            {"leaves, ddgi_plus", "ddgi_plus", 1, 1}};
+  std::vector<double> leaks;
+  auto renderer = make_renderer(bias_settings("ddgi", 3), 32, 24);
+  for (const LeakCase& c : cases) {
+    leaks.push_back(leak_of(*renderer, c, scene::thin_wall(false)));
+    RecordProperty(c.name, std::to_string(leaks.back()));
   }
-  RecordProperty("no visibility", std::to_string(leaks[0]));
-  RecordProperty("ddgi", std::to_string(leaks[1]));
-  RecordProperty("ddgi_plus", std::to_string(leaks[2]));
   EXPECT_GT(leaks[0], 0.01);
   EXPECT_LT(leaks[1], 0.3 * leaks[0]);
   EXPECT_LT(leaks[2], 0.3 * leaks[0]);
+  EXPECT_GT(leaks[1], 0);
+  EXPECT_GT(leaks[2], 0);
+  EXPECT_EQ(leaks[3], 0);
+  EXPECT_EQ(leaks[4], 0);
+}
+
+// A closed door lies in leafs that are open: its box shuts off the probes behind it.
+TEST_F(DdgiStatistics, NothingLeaksThroughAClosedDoor) {
+  auto renderer = make_renderer(bias_settings("ddgi", 3), 32, 24);
+  const double grid = leak_of(*renderer, {"grid", "ddgi", 0, 0}, scene::split_room(true));
+  const double leaves = leak_of(*renderer, {"leaves", "ddgi", 0, 1}, scene::split_room(true));
+  const double open = leak_of(*renderer, {"open", "ddgi", 0, 1}, scene::split_room(false));
+  RecordProperty("grid", std::to_string(grid));
+  RecordProperty("leaves", std::to_string(leaves));
+  EXPECT_GT(grid, 0.001);
+  EXPECT_EQ(leaves, 0);
+  EXPECT_GT(open, 0.001) << "light comes through the doorway";
 }
 
 }  // namespace

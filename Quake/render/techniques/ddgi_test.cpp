@@ -182,6 +182,28 @@ TEST_F(DdgiSequences, AHugeMapLosesNothing) {
   }
 }
 
+// Of light that fog scatters r_fog_bounces 1 has what glows alone, as in nee; 2 also what probes know is reflected.
+TEST_F(DdgiSequences, FogHasReflectedLightWhereItIsAskedFor) {
+  const auto scattered = [&](const char* estimator, int fog_bounces) {
+    double mean[2] = {};
+    for (const int white : {0, 1}) {
+      scene::FrameSnapshot scene = scene::furnace(kProbeAlbedo, kProbeEmission, false);
+      scene.medium.extinction = 0.004f;
+      scene.medium.albedo = vec3(static_cast<float>(white));
+      RenderSettings s = probe_settings(estimator);
+      s.spp = 16;
+      s.medium_bounces = fog_bounces;
+      auto renderer = make_renderer(s, 32, 24);
+      mean[white] = mean_after(*renderer, scene, s, 12);
+    }
+    return mean[1] - mean[0];
+  };
+  const double straight = scattered("nee", 1);
+  EXPECT_GT(straight, 0.05);
+  for (const char* estimator : {"ddgi", "ddgi_plus"}) EXPECT_NEAR(scattered(estimator, 1), straight, 0.04 * straight);
+  EXPECT_GT(scattered("ddgi_plus", 2), 1.5 * straight);
+}
+
 TEST_F(DdgiSequences, CutsSizesAndSettingsLeaveAFurnaceAsItIs) {
   const std::pair<const char*, std::function<void(RenderSettings&)>> variants[] = {
       {"few rays", [](RenderSettings& s) { s.ddgi_rays = 64, s.ddgi_probe_rays = 16; }},

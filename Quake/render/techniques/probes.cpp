@@ -16,20 +16,23 @@ std::uint32_t groups_of(std::uint32_t invocations) { return (invocations + 63) /
 }  // namespace
 
 Probes::Probes(const TechniqueTools& tools, bool plus)
-    : memory_(tools.device, tools.table, kProbeRows, "ddgi reset"), plus_(plus) {}
+    : memory_(tools.device, tools.table, kProbeRows, "ddgi reset"), table_(tools.device), plus_(plus) {}
 
 shared::DdgiConstants Probes::prepare(const TechniqueFrame& frame, SeenGrid& seen) {
   const RenderSettings& s = frame.settings;
   const ProbeGrid grid = probe_grid(lit_bounds(frame.snapshot), frame.snapshot.camera.position, s.ddgi_spacing);
-  if (!grid_.goes_on_as(grid)) memory_.forget();
+  const bool anew = table_.prepare(frame.snapshot, grid, s.ddgi_leaves != 0);
+  if (anew || !grid_.goes_on_as(grid)) memory_.forget();
   grid_ = grid;
   rays_ = static_cast<std::uint32_t>(s.ddgi_probe_rays);
   const std::uint32_t affordable = std::max(static_cast<std::uint32_t>(s.ddgi_rays) / rays_, 1u);
-  turns_ = std::min({grid.probes(), affordable, kMostGroups});
+  turns_ = std::max(std::min({table_.standing(), affordable, kMostGroups}), 1u);
   for (const std::uint32_t array : {shared::kDdgiProbes, shared::kDdgiLight, shared::kDdgiDepth, shared::kDdgiTurns})
     memory_.set_count(array, grid.probes());
   memory_.set_count(shared::kDdgiRays, std::uint64_t{turns_} * rays_);
-  if (memory_.begin_frame()) frame_ = 0;
+  memory_.set_count(shared::kDdgiTable, table_.elements());
+  fresh_ = memory_.begin_frame();
+  if (fresh_) frame_ = 0;
   ++frame_;
 
   shared::DdgiConstants c{};
@@ -39,6 +42,7 @@ shared::DdgiConstants Probes::prepare(const TechniqueFrame& frame, SeenGrid& see
   c.first_x = grid.first[0], c.first_y = grid.first[1], c.first_z = grid.first[2];
   c.count_x = grid.count[0], c.count_y = grid.count[1], c.count_z = grid.count[2];
   c.probes = grid.probes();
+  table_.fill(c);
   c.turns = turns_;
   c.rays = rays_;
   c.looking = plus_ ? static_cast<std::uint32_t>(std::lround(s.ddgi_looking * static_cast<float>(rays_))) : 0;
@@ -52,6 +56,7 @@ shared::DdgiConstants Probes::prepare(const TechniqueFrame& frame, SeenGrid& see
 
 void Probes::add_passes(const TechniquePasses& passes) {
   memory_.add_reset(passes.list);
+  table_.add_upload(passes.list, memory_.buffer(shared::kDdgiTable), fresh_);
   const auto add = [&](const char* name, const gpu::ComputePipeline& pipeline, std::uint32_t groups) {
     passes.list.dispatch(name, PassKind::kEstimator, pipeline, uvec2(groups, 1));
   };

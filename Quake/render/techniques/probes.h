@@ -6,6 +6,7 @@
 
 #include "estimators/ddgi/ddgi.h"
 #include "render/techniques/probe_grid.h"
+#include "render/techniques/probe_table.h"
 #include "render/techniques/seen_grid.h"
 #include "render/techniques/technique.h"
 #include "render/techniques/technique_memory.h"
@@ -22,14 +23,16 @@ class Probes {
   void add_passes(const TechniquePasses& passes);
   void forget() { memory_.forget(); }
   std::uint32_t frame() const { return frame_; }  // since it forgot
-  std::uint64_t bytes() const { return memory_.bytes(); }
+  std::uint64_t bytes() const { return memory_.bytes() + table_.bytes(); }
 
  private:
   TechniqueMemory memory_;
+  ProbeTable table_;
   bool plus_;
   ProbeGrid grid_;
   std::uint32_t turns_ = 0, rays_ = 0;
   std::uint32_t frame_ = 0;
+  bool fresh_ = false;  // all is zeroed in this frame
 };
 
 }  // namespace fb::render

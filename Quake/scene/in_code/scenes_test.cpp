@@ -11,8 +11,10 @@
 #include "scene/in_code/scenes_in_motion.h"
 #include "scene/in_code/scenes_of_fog.h"
 #include "scene/in_code/scenes_of_light.h"
+#include "scene/in_code/scenes_of_rooms.h"
 #include "scene/shapes.h"
 #include "scene/test_scenes.h"
+#include "world/bsp_query.h"
 
 namespace fb::scene {
 namespace {
@@ -44,6 +46,23 @@ void expect_closed_space(const FrameSnapshot& snapshot) {
 double power(const Instance& sphere) {  // of a sphere, but for a common factor
   const vec3 luminance(0.2126f, 0.7152f, 0.0722f);
   return glm::dot(luminance, sphere.emission) * sphere.transform[0].x * sphere.transform[0].x;
+}
+
+// Their trees divide their space as their walls do.
+TEST(Rooms, AreClosedAndHaveTheirTrees) {
+  Rng rng(3);
+  for (const FrameSnapshot& scene : {thin_wall(), split_room(), split_room(true), red_ball()}) {
+    expect_closed_space(scene);
+    const Mesh& world = scene.assets->meshes[scene.instances.front().mesh];
+    for (int i = 0; i < 200; ++i) {
+      const vec3 point(rng.uniform(-260, 260), rng.uniform(-170, 170), rng.uniform(-20, 270));
+      const bool air = winding(world, point) < -0.5;
+      EXPECT_EQ(world::point_contents(*scene.assets->map, point),
+                air ? formats::kContentsEmpty : formats::kContentsSolid);
+    }
+    EXPECT_EQ(world::point_contents(*scene.assets->map, scene.camera.position), formats::kContentsEmpty);
+  }
+  EXPECT_EQ(world::point_contents(*thin_wall().assets->map, {0.5f, 0, 80}), formats::kContentsSolid);
 }
 
 TEST(CarvedRooms, AreClosedAndHaveTheAirsVolume) {

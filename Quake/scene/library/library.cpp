@@ -237,6 +237,7 @@ void ModelLibrary::Impl::take_map(const std::string& path, formats::Bsp bsp, con
                                   const std::optional<FileData>& lit_file, bool of_base_game) {
   map_path = path;
   map = std::make_shared<formats::Bsp>(std::move(bsp));
+  builder->assets().map = map;
   lightmaps = std::make_shared<const Lightmaps>(*map, lit_file);
   if (!lightmaps->lit_error().empty())
     log_warning("{}: {}; the map's own light is used", with_extension(path, ".lit"), lightmaps->lit_error());
@@ -285,6 +286,7 @@ LitMap ModelLibrary::Impl::lit_map() const {
 
 void ModelLibrary::Impl::forget_map() {
   map.reset();
+  builder->assets().map.reset();
   map_path.clear();
   map_meshes.clear();
   lights.clear();

@@ -24,12 +24,17 @@ FB_CONST uint kDdgiUpdates = 0xffffu, kDdgiMoves = 0x10000u, kDdgiMostMoves = 8u
 // over directions in proportion to the cosine about a texel's, irradiance over pi, pack_rgb9e5. Distances: mean and
 // mean square about a texel's direction, of the largest that is told apart, packUnorm2x16. Rays, vec4[2]: direction,
 // and distance, negative at a back face; the light that it stands for. Turns: the probe that has each, then how urgent
-// probes are.
+// probes are. The table is written by the host (render/techniques/probe_table.h), DdgiConstants says where each part of
+// it begins: of each probe uvec4, where it stands off its place in the grid (3 floats) and kDdgiNowhere, else the two
+// doors nearest to it, kDdgiDoor each, from 1; uvec4[2] a door, its box; uvec4[2] a node of the map's tree, its plane,
+// and where its two sides go on: a node, or ~leaf, open leafs being numbered from 1; of each cube between eight probes
+// the node that has all of it; of each probe a row of bits, of the leafs that may ask it.
 #define FB_DDGI_ARRAYS(X)                                                            \
   X(kDdgiProbes, 0u, kProbe, 32u, false, "probes")                                   \
   X(kDdgiLight, 1u, kProbe, 4u * kDdgiLightTexels, false, "light of probes")         \
   X(kDdgiDepth, 2u, kProbe, 4u * kDdgiDepthTexels, false, "distances around probes") \
   X(kDdgiTurns, 6u, kProbe, 8u, false, "turns of probes")                            \
+  X(kDdgiTable, 7u, kTable, 16u, false, "where probes stand and who may ask them")   \
   X(kDdgiRays, 8u, kTable, 32u, false, "a frame's rays of probes")
 FB_DDGI_ARRAYS(FB_ARRAY_CONSTANT)
 // Of ddgi_restir besides (steps/resampled.glsl): reservoirs of all light, the former frame's kept; those of this frame
@@ -39,6 +44,8 @@ FB_DDGI_ARRAYS(FB_ARRAY_CONSTANT)
   X(kDdgiMerged, 4u, kPixel, 32u, false, "reservoirs of all light before neighbours") \
   X(kDdgiRest, 5u, kPixel, 16u, false, "light that no reservoir has")
 FB_DDGI_RESERVOIR_ARRAYS(FB_ARRAY_CONSTANT)
+
+FB_CONST uint kDdgiNowhere = 0x80000000u, kDdgiDoor = 0xffu;  // kDdgiDoor doors at most
 
 // Specialisation constants of the passes over probes.
 FB_CONST uint kSpecDdgiPlus = kSpecTechnique;   // light of Eq. 5, else of Eq. 4
@@ -53,6 +60,7 @@ FB_CONST uint kSpecDdgiRanks = kSpecTechnique;  // of the pass `turns`: its seco
   X(float, ddgi_change, "r_ddgi_change", 6, 0, 1000, "ddgi: standard errors by which the light of a turn must differ from what is known for that to be dropped; 0: never") \
   X(int, ddgi_relocate, "r_ddgi_relocate", 1, 0, 1, "ddgi: probes move out of walls and off them") \
   X(int, ddgi_sleep, "r_ddgi_sleep", 1, 0, 1, "ddgi: probes sleep that are in walls or far from all surfaces: their turns come seldom, and nobody asks them") \
+  X(int, ddgi_leaves, "r_ddgi_leaves", 1, 0, 1, "ddgi: a point asks probes only to which a way leads through the openings of the map's leafs and past closed doors; none stands in what is solid") \
   X(int, ddgi_visibility, "r_ddgi_visibility", 1, 0, 1, "ddgi: 1 probes count by whether they see a point (Chebyshev's bound), 0 whether they do or not: light leaks through walls") \
   X(float, ddgi_bias, "r_ddgi_bias", 0.2f, 0, 1, "ddgi: how far off a surface probes are asked, of their least spacing") \
   X(int, ddgi_view_bias, "r_ddgi_view_bias", 1, 0, 1, "ddgi_plus, ddgi_restir: 1 that is back along the path's ray, 0 along normal and ray, as in ddgi") \
@@ -80,12 +88,17 @@ struct DdgiConstants {
   FB_LIGHT_SETTINGS(FB_UNIFORM_FIELD)
   int first_x, first_y, first_z;  // the first cell that has a probe, and how many there are along each axis
   int count_x, count_y, count_z;
-  uint probes;        // their product
-  uint turns, rays;   // probes that have a turn in this frame, and rays of each;
-  uint looking;       // of which so many look for lights
-  uint frame_number;  // frames since it forgot, from 1
-  uint seen_stride;   // of this many shadow rays one is remembered; a power of two
-  uint seen_ways;     // the table of ways that is read, 0 or 1
+  uint probes;                                              // their product
+  uint table_doors, table_nodes, table_starts, table_rows;  // parts of the table: elements, and words of the last two
+  uint doors;                                               // 0: there are none; without a table, too
+  uint row_words;                                           // of a probe's row of leafs; 0: nothing is known of leafs
+  uint leaf_steps;                                          // from a cube's node down to a leaf at most
+  uint stands;                                              // 0: there is no table, probes stand in the grid
+  uint turns, rays;                                         // probes that have a turn in this frame, and rays of each;
+  uint looking;                                             // of which so many look for lights
+  uint frame_number;                                        // frames since it forgot, from 1
+  uint seen_stride;  // of this many shadow rays one is remembered; a power of two
+  uint seen_ways;    // the table of ways that is read, 0 or 1
   // Of ddgi_restir, as ReSTIR's settings have it:
   float restir_history, restir_radius;
   int restir_neighbors;
@@ -138,6 +151,21 @@ FB_FN int ddgi_modulo(int cell, int count) {
 FB_FN int ddgi_cell_of(int place, int first, int count) { return first + ddgi_modulo(place - first, count); }
 FB_FN uint ddgi_cell_key(int x, int y, int z) {
   return 0x40000000u | (uint(x) & 0x3ffu) | (uint(y) & 0x3ffu) << 10u | (uint(z) & 0x3ffu) << 20u;
+}
+
+// The part of a way from 0 to 1, along one axis, that lies between two planes by more than kDdgiDoorSkin.
+FB_CONST float kDdgiDoorSkin = 0.25f;  // units
+FB_FN vec2 ddgi_between(float from, float to, float low, float high) {
+  float way = to - from;
+  way = way >= 0.0f ? max(way, 1e-6f) : min(way, -1e-6f);
+  float a = (low + kDdgiDoorSkin - from) / way, b = (high - kDdgiDoorSkin - from) / way;
+  return vec2(min(a, b), max(a, b));
+}
+// Whether the straight way from a point to another leads through a box.
+FB_FN bool ddgi_is_shut(vec3 from, vec3 to, vec3 low, vec3 high) {
+  vec2 x = ddgi_between(from.x, to.x, low.x, high.x), y = ddgi_between(from.y, to.y, low.y, high.y);
+  vec2 z = ddgi_between(from.z, to.z, low.z, high.z);
+  return max(max(x.x, y.x), max(z.x, 0.0f)) < min(min(x.y, y.y), min(z.y, 1.0f));
 }
 
 // --- Weights of probes (Majercik 2019 and 2021) ---

@@ -162,6 +162,20 @@ TEST(DdgiEnds, MattePathsEndAndMirroredPathsGoOn) {
   EXPECT_EQ(ddgi_spread(distance, 0, 1), 0);
 }
 
+// Ways across a door, along it, past it, that end before it, and that touch it from outside as its own surface's do.
+TEST(DdgiDoors, AWayThroughABoxIsShut) {
+  const vec3 low(-4, -24, 0), high(4, 24, 96);
+  EXPECT_TRUE(ddgi_is_shut({-40, 0, 40}, {40, 0, 40}, low, high));
+  EXPECT_TRUE(ddgi_is_shut({-40, 10, 90}, {40, -20, 20}, low, high));
+  EXPECT_TRUE(ddgi_is_shut({-40, 0, 40}, {0, 0, 40}, low, high)) << "to a probe within";
+  EXPECT_FALSE(ddgi_is_shut({-40, 0, 40}, {-6, 0, 40}, low, high));
+  EXPECT_FALSE(ddgi_is_shut({-40, 30, 40}, {40, 30, 40}, low, high));
+  EXPECT_FALSE(ddgi_is_shut({-40, 0, 100}, {40, 0, 97}, low, high));
+  EXPECT_FALSE(ddgi_is_shut({-4, 0, 40}, {-60, 0, 40}, low, high));
+  EXPECT_FALSE(ddgi_is_shut({-4, -20, 40}, {-4, 20, 40}, low, high)) << "along its side";
+  EXPECT_TRUE(ddgi_is_shut({0, 0, -10}, {0, 0, 200}, low, high));
+}
+
 TEST(DdgiLamps, LightFallsOffByTheSquareOfTheWholeWay) {
   EXPECT_FLOAT_EQ(ddgi_attenuation(30, 0), 1);
   EXPECT_FLOAT_EQ(ddgi_attenuation(30, 30), 0.25f);

@@ -75,6 +75,9 @@ void main() {
     else if (a.front < 0.9 * room)
       to -= a.front_way * (room - a.front);
     moved = to != offset && all(lessThanEqual(abs(to), kMostOffset * ddgi.spacing.xyz));
+    // Through no wall of the map.
+    uint leaf = leaf_at(place_of_cell(cell_of_probe(probe)) + to);
+    moved = moved && (ddgi.row_words == 0u || (leaf != 0u && may_ask(leaf, probe)));
     if (moved) ddgi_probes.at[2u * probe].xyz = floatBitsToUint(to);
   }
 

@@ -15,9 +15,11 @@ uint urgency_of(uint probe) {
   ivec3 cell = cell_of_probe(probe);
   uint key = ddgi_cell_key(cell.x, cell.y, cell.z);
   if (ddgi_probes.at[2u * probe].w != key) {
-    ddgi_probes.at[2u * probe] = uvec4(0u, 0u, 0u, key);
+    ddgi_probes.at[2u * probe] =
+        uvec4(ddgi.stands != 0u ? texelFetch(ddgi_table_texels, int(probe)).xyz : uvec3(0u), key);
     ddgi_probes.at[2u * probe + 1u] = uvec4(0u);
   }
+  if (stands_nowhere(probe)) return 0u;
   uvec4 record = ddgi_probes.at[2u * probe + 1u];
   bool in_sight = record.z != 0u && ddgi.frame_number - record.z <= kInSight;
   if ((record.x & kDdgiUpdates) == 0u) return (in_sight ? kNewInSight : kNew) + ddgi.frame_number - record.y;

@@ -29,6 +29,8 @@ Field field_at(Vertex v, inout Path path) {
   else
     path.own.width += ddgi_spread(length_of_ray, path.own.pdf, cosine);
   bool asks = kPlus ? !first || ddgi.ddgi_vertex == 1 : path.own.kind != kDirect;
+  // r_fog_bounces 1: light straight from what glows alone.
+  asks = asks && !(IN_MEDIUM && ONE_BOUNCE);
   bool wide = !first && path.own.width * path.own.width > ddgi.ddgi_footprint * path.own.seen_area;
   SurfaceLight light =
       light_of_surface(v, length_of_ray, kPlus && ddgi.ddgi_view_bias != 0, kPlus, asks, true, path.own.rng);

@@ -12,6 +12,9 @@ FB_TECHNIQUE_ARRAY(kDdgiLight, 4, , DdgiLightArray, uint, ddgi_light)
 FB_TECHNIQUE_ARRAY(kDdgiDepth, 4, , DdgiDepthArray, uint, ddgi_depth)
 FB_TECHNIQUE_ARRAY(kDdgiTurns, 4, , DdgiTurnArray, uint, ddgi_turns)
 FB_TECHNIQUE_ARRAY(kDdgiRays, 16, , DdgiRayArray, vec4, ddgi_rays)
+FB_TECHNIQUE_ARRAY(kDdgiTable, 4, , DdgiTableArray, uint, ddgi_table)
+layout(set = kSetScene,
+       binding = kBindTexelBuffers + kTexelsTechnique + kDdgiTable) uniform usamplerBuffer ddgi_table_texels;
 layout(set = kSetScene,
        binding = kBindTexelBuffers + kTexelsTechnique + kDdgiRays) uniform usamplerBuffer ddgi_ray_texels;
 
@@ -39,6 +42,44 @@ ivec3 cell_of_probe(uint probe) {
 vec3 place_of_cell(ivec3 cell) { return ddgi.origin.xyz + (vec3(cell) + 0.5) * ddgi.spacing.xyz; }
 vec3 place_of_probe(uint probe) {
   return place_of_cell(cell_of_probe(probe)) + uintBitsToFloat(ddgi_probes.at[2u * probe].xyz);
+}
+
+// --- Leafs of the map, and doors ---
+bool stands_nowhere(uint probe) { return ddgi.stands != 0u && (ddgi_table.at[4u * probe + 3u] & kDdgiNowhere) != 0u; }
+// The open leaf at a place within the volume; 0: it is not known, or in what is solid.
+uint leaf_at(vec3 place) {
+  if (ddgi.row_words == 0u) return 0u;
+  ivec3 count = ddgi_count();
+  ivec3 cube =
+      clamp(ivec3(floor((place - ddgi.origin.xyz) / ddgi.spacing.xyz - vec3(ddgi_first()) + 0.5)), ivec3(0), count);
+  uint at = uint((cube.z * (count.y + 1) + cube.y) * (count.x + 1) + cube.x);
+  int node = int(ddgi_table.at[ddgi.table_starts + at]);
+  uint steps = 0u;
+  // All lanes take as many rounds, and who has arrived stays.
+  do {
+    bool there = node < 0;
+    int element = int(ddgi.table_nodes) + 2 * max(node, 0);
+    vec4 plane = uintBitsToFloat(texelFetch(ddgi_table_texels, element));
+    uvec2 sides = texelFetch(ddgi_table_texels, element + 1).xy;
+    node = there ? node : int(dot(plane.xyz, place) >= plane.w ? sides.x : sides.y);
+  } while (++steps < ddgi.leaf_steps);
+  return node < 0 ? uint(~node) : 0u;
+}
+bool may_ask(uint leaf, uint probe) {
+  if (leaf == 0u) return true;
+  uint word = ddgi_table.at[ddgi.table_rows + probe * ddgi.row_words + (leaf >> 5u)];
+  return (word >> (leaf & 31u) & 1u) != 0u;
+}
+bool is_behind_door(uint door, vec3 from, vec3 to) {
+  if (door == 0u) return false;
+  int element = int(ddgi.table_doors + 2u * (door - 1u));
+  return ddgi_is_shut(from, to, uintBitsToFloat(texelFetch(ddgi_table_texels, element).xyz),
+                      uintBitsToFloat(texelFetch(ddgi_table_texels, element + 1).xyz));
+}
+bool is_shut_off(uint probe, vec3 from, vec3 to) {
+  if (ddgi.doors == 0u) return false;
+  uint doors = ddgi_table.at[4u * probe + 3u];
+  return is_behind_door(doors & kDdgiDoor, from, to) || is_behind_door(doors >> 8u & kDdgiDoor, from, to);
 }
 
 bool is_known(uvec4 record) { return (record.x & kDdgiUpdates) != 0u && (record.x & kDdgiAsleep) == 0u; }
@@ -70,9 +111,10 @@ struct ProbeLight {
   vec3 about_other;   // the same about another direction: coarsely, the radiance from there
 };
 
-// `point`: on a surface of this normal; `asked`: off it, where probes are asked whether they see it. `other`: a
-// direction, or zero: nothing is asked about it. `notes`: these probes are in sight. Not `asks`: nothing is known.
-ProbeLight light_of_probes(vec3 point, vec3 asked, vec3 normal, vec3 other, bool asks, bool notes) {
+// `point`: on a surface of this normal; `asked`: off it, where probes are asked whether they see it; `in_air`: off it,
+// with no surface in between, which says its leaf. `other`: a direction, or zero: nothing is asked about it. `notes`:
+// these probes are in sight. Not `asks`: nothing is known.
+ProbeLight light_of_probes(vec3 point, vec3 asked, vec3 in_air, vec3 normal, vec3 other, bool asks, bool notes) {
   ivec3 first = ddgi_first(), count = ddgi_count();
   vec3 at = (asked - ddgi.origin.xyz) / ddgi.spacing.xyz - vec3(first) - 0.5;
   bool within = asks && all(greaterThan(at, vec3(-1.0))) && all(lessThan(at, vec3(count)));
@@ -81,15 +123,17 @@ ProbeLight light_of_probes(vec3 point, vec3 asked, vec3 normal, vec3 other, bool
   bool turned = dot(other, other) > 0.0;
   ProbeLight sum = ProbeLight(false, vec3(0.0), vec3(0.0));
   float weights = 0.0;
+  uint leaf = leaf_at(in_air);
   uint i = 0u, corners = within ? 8u : 0u;
   do {
     ivec3 corner = ivec3(i & 1u, (i >> 1u) & 1u, i >> 2u);
     ivec3 in_volume = min(base + corner, count - 1);
     uint probe = probe_of_cell(first + in_volume);
     uvec4 record = ddgi_probes.at[2u * probe + 1u];
-    if (notes && within && record.z != ddgi.frame_number) ddgi_probes.at[2u * probe + 1u].z = ddgi.frame_number;
-    if (within && is_known(record)) {
-      vec3 place = place_of_cell(first + in_volume) + uintBitsToFloat(ddgi_probes.at[2u * probe].xyz);
+    bool may = within && may_ask(leaf, probe);
+    if (notes && may && record.z != ddgi.frame_number) ddgi_probes.at[2u * probe + 1u].z = ddgi.frame_number;
+    vec3 place = place_of_cell(first + in_volume) + uintBitsToFloat(ddgi_probes.at[2u * probe].xyz);
+    if (may && is_known(record) && !is_shut_off(probe, in_air, place)) {
       vec3 shares = mix(1.0 - along, along, vec3(corner));
       float weight = ddgi_facing(dot(normalize(place - point), normal));
       if (ddgi.ddgi_visibility != 0) {

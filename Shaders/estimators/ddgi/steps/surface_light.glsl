@@ -24,7 +24,8 @@ SurfaceLight light_of_surface(Vertex v, float length_of_ray, bool along_view, bo
     weight = s.weight;
   }
   vec3 asked = asked_place(v.position, v.view, v.scatter.normal, length_of_ray, along_view);
-  ProbeLight p = light_of_probes(v.position, asked, n, other, asks && !in_medium(v.scatter), notes);
+  vec3 in_air = along_view ? asked : asked_place(v.position, v.view, v.scatter.normal, length_of_ray, true);
+  ProbeLight p = light_of_probes(v.position, asked, in_air, n, other, asks && !in_medium(v.scatter), notes);
   vec3 reflected = diffuse_reflectance(v.scatter.bsdf, max(dot(v.view, n), 0.0));
   return SurfaceLight(p.known, reflected * p.about_normal, weight * p.about_other);
 }

@@ -20,7 +20,7 @@ void draw_ball(vec3 ray, float reach, inout vec3 color) {
     vec3 off = frame.camera_position.xyz - place_of_probe(probe);
     float b = dot(off, ray), c = dot(off, off) - radius * radius, inside = b * b - c;
     float at = -b - sqrt(max(inside, 0.0));
-    if (inside > 0.0 && at > 0.0 && at < reach) {
+    if (inside > 0.0 && at > 0.0 && at < reach && !stands_nowhere(probe)) {
       reach = at;
       uvec4 record = ddgi_probes.at[2u * probe + 1u];
       vec3 n = normalize(off + ray * at);
