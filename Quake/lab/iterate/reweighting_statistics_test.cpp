@@ -13,6 +13,7 @@
 #include "lab/iterate/iterate_job.h"
 #include "lab/ztest/ztest.h"
 #include "render/test_device.h"
+#include "shared/color.h"
 
 namespace fb::lab {
 namespace {
@@ -35,13 +36,14 @@ class ReweightingStatistics : public render::DeviceTest {
     BlockRuns expected;
     double mean;
   };
-  static Scene scene_of(const std::string& name, std::uint32_t runs, std::uint32_t samples) {
+  static Scene scene_of(const std::string& name, std::uint32_t runs, std::uint32_t samples,
+                        const std::string& estimator = "pt") {
     auto source = code_scene(name, 60);
     EXPECT_TRUE(source.ok());
     auto view = collect_view(**source, {0, 0, 0, true});
     EXPECT_TRUE(view.ok());
     Scene scene{std::move(*view), BlockRuns(kWidth, kHeight, kBlock), 0};
-    scene.expected = runs_of(scene.view, settings_of("pt"), {samples}, runs, 1000);
+    scene.expected = runs_of(scene.view, settings_of(estimator), {samples}, runs, 1000);
     return scene;
   }
   static BlockRuns runs_of(const View& view, render::RenderSettings settings, const Schedule& schedule,
@@ -80,6 +82,19 @@ TEST_F(ReweightingStatistics, TheDecorrelatedFormHasTheMeanOfPt) {
   }
 }
 
+// With light that is looked for, too: water, glass, suns and flames in `kinds`.
+TEST_F(ReweightingStatistics, TheDecorrelatedFormThatLooksForLightHasTheMeanOfNee) {
+  for (const char* name : {"cbox", "one_light", "kinds"}) {
+    const Scene scene = scene_of(name, 24, 64, "nee");
+    render::RenderSettings settings = settings_of("mir_nee");
+    settings.mir_decorrelated = 1;
+    const ZTest test = compared(scene, settings, {4, 4, 4, 4}, 48);
+    fmt::print("{}: p {:.2g}, bias {:+.2f}% to {:+.2f}%\n", name, test.p, 100 * test.energy.low,
+               100 * test.energy.high);
+    EXPECT_GT(test.p, kMirAlpha) << name << '\n' << ztest_text(test) << ztest_map(test);
+  }
+}
+
 // The same samples that are seen teach: energy is lost.
 TEST_F(ReweightingStatistics, FewSamplesLoseEnergyWhereTheyTeach) {
   const Scene scene = scene_of("cbox", 24, 128);
@@ -96,15 +111,45 @@ TEST_F(ReweightingStatistics, FewSamplesLoseEnergyWhereTheyTeach) {
 }
 
 TEST_F(ReweightingStatistics, StoredDensitiesAreThoseThatAreAskedAndRunsRepeat) {
-  const IteratedPicture run = one_run(settings_of("mir"), {2, 2, 4, 8});
-  const IteratedPicture again = one_run(settings_of("mir"), {2, 2, 4, 8});
-  EXPECT_EQ(run.picture.pixels, again.picture.pixels);
-  std::uint64_t others = 0, vertices = 0;
-  const std::size_t at = run.report.find("densities of ");
-  ASSERT_NE(at, std::string::npos) << run.report;
-  ASSERT_EQ(std::sscanf(run.report.c_str() + at, "densities of %lu of %lu", &others, &vertices), 2) << run.report;
-  EXPECT_GT(vertices, 500u);
-  EXPECT_LE(others, 1u) << "on edges of a distribution's parts alone";
+  for (const char* estimator : {"mir", "mir_nee"}) {
+    const IteratedPicture run = one_run(settings_of(estimator), {2, 2, 4, 8});
+    const IteratedPicture again = one_run(settings_of(estimator), {2, 2, 4, 8});
+    EXPECT_EQ(run.picture.pixels, again.picture.pixels);
+    std::uint64_t others = 0, vertices = 0;
+    const std::size_t at = run.report.find("densities of ");
+    ASSERT_NE(at, std::string::npos) << run.report;
+    ASSERT_EQ(std::sscanf(run.report.c_str() + at, "densities of %lu of %lu", &others, &vertices), 2) << run.report;
+    EXPECT_GT(vertices, 500u);
+    EXPECT_LE(others, 1u) << "on edges of a distribution's parts alone";
+  }
+}
+
+// What is not stored would count as it does without weights, which no test of bias finds: all that frames show is
+// what first surfaces emit, and stored paths.
+TEST_F(ReweightingStatistics, StoredPathsBringAllLightButWhatIsSeenAtOnce) {
+  const auto light_of = [](const IteratedPicture& run) {
+    double sum = 0;
+    for (const vec3& pixel : run.picture.pixels) sum += static_cast<double>(shared::luminance(pixel));
+    return sum;
+  };
+  for (const char* estimator : {"mir", "mir_nee"}) {
+    render::RenderSettings settings = settings_of(estimator);
+    const double seen_at_once = [&] {
+      render::RenderSettings emission = settings_of("pt");
+      emission.bounces = 0;
+      return light_of(one_run(emission, {1}));
+    }();
+    const Schedule schedule{4, 4};
+    const IteratedPicture run = one_run(settings, schedule);
+    settings.mir_weights = 2;  // the same frames
+    const double all = light_of(one_run(settings, schedule));
+    double stored = 0;
+    const std::size_t at = run.report.find("stored paths brought ");
+    ASSERT_NE(at, std::string::npos) << run.report;
+    ASSERT_EQ(std::sscanf(run.report.c_str() + at, "stored paths brought %lf%%", &stored), 1) << run.report;
+    EXPECT_GT(stored, 30);
+    EXPECT_NEAR(stored, 100 * (1 - seen_at_once / all), 0.01) << estimator;
+  }
 }
 
 TEST_F(ReweightingStatistics, WithoutRoomAllSamplesCountAlike) {

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimators/mir/mir.h"
 #include "render/techniques/guiding_trees.h"
 #include "render/techniques/path_store.h"
+#include "render/techniques/technique.h"
+#include "shared/seen_grid.h"
 
 namespace fb::render {
 namespace {
@@ -28,8 +31,11 @@ IterationMemory memory_of_iterations(const RenderSettings& settings, uvec2 size,
   const std::uint64_t pixels = std::uint64_t{size.x} * size.y;
   const auto bounces = static_cast<std::uint64_t>(std::max(settings.bounces, 1));
   const bool halves = settings.mir_decorrelated != 0;
-  const std::uint64_t frame = kTexel * pixels * (4 * bounces + 2);
-  memory.device = frame + kTexel * pixels * 3 / 2;  // the final picture
+  const TechniqueInfo* technique = find_technique(settings.estimator);
+  const bool looks = technique != nullptr && technique->wants_lights;
+  const std::uint64_t lights = looks ? shared::kMirLightsLooked : shared::kMirLightsOfOne;
+  const std::uint64_t frame = kTexel * pixels * ((3 + lights) * bounces + 2);
+  memory.device = frame + kTexel * pixels * 3 / 2 + (looks ? shared::kSeenBytes : 0);  // with the final picture
   memory.pictures = pixels * (kTexel * schedule.size() + sizeof(glm::dvec3));
 
   const std::uint64_t node_bytes = most_nodes(settings.mir_share) * sizeof(shared::uvec4);
@@ -45,11 +51,12 @@ IterationMemory memory_of_iterations(const RenderSettings& settings, uvec2 size,
     leaves = std::max(leaves, 1 + static_cast<std::uint64_t>(2 * static_cast<double>(taught) / split));
     memory.snapshots += leaves * node_bytes;
   }
+  if (settings.mir_outliers > 0) memory.pictures += pixels * seen * sizeof(vec3);
   memory.snapshots += leaves * node_bytes / sizeof(shared::uvec4) * sizeof(DirectionalTree::Node);
   memory.taught = frame + most_taught * (kGrowth * (sizeof(GuidingSample) + kSorted) + sizeof(std::uint32_t));
 
   if (!weighs_paths(static_cast<IterationWeights>(settings.mir_weights))) return memory;
-  const std::uint64_t path = sizeof(PathStore::Path) + bounces * sizeof(PathVertex);
+  const std::uint64_t path = sizeof(PathStore::Path) + bounces * (sizeof(PathVertex) + (looks ? sizeof(LookedFor) : 0));
   const std::uint64_t room = static_cast<std::uint64_t>(settings.mir_storage) * kBytesPerMegabyte;
   memory.stored = kGrowth * std::min(pixels * seen * path, room + pixels * path);
   return memory;

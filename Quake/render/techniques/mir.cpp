@@ -1,7 +1,8 @@
 // Multiple importance reweighting for path guiding (Fan 2025). Offline, in iterations (Technique::begin_iteration): the
 // device traces and stores a frame's paths, the host reads them after each frame, learns distributions from them
 // between iterations (guiding_trees.h), keeps those that brought light and weighs them when all distributions are known
-// (path_store.h, reweighting.h). In play nothing is learnt, and it is pt. Layouts: Shaders/estimators/mir/.
+// (path_store.h, reweighting.h). In play nothing is learnt: `mir` is pt, and `mir_nee` is nee without a memory.
+// Layouts: Shaders/estimators/mir/.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <cstring>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <ratio>
 #include <string>
 #include <utility>
@@ -21,9 +23,11 @@
 #include "render/techniques/guiding_trees.h"
 #include "render/techniques/iteration_memory.h"
 #include "render/techniques/iteration_state.h"
+#include "render/techniques/outlier_removal.h"
 #include "render/techniques/path_store.h"
 #include "render/techniques/path_technique.h"
 #include "render/techniques/reweighting.h"
+#include "render/techniques/seen_grid.h"
 #include "render/techniques/technique_memory.h"
 #include "shared/color.h"
 
@@ -32,6 +36,7 @@ namespace {
 
 constexpr ArrayRow kMirRows[]{FB_MIR_ARRAYS(FB_ARRAY_ROW)};
 constexpr double kMegabyte = 1e6;
+constexpr std::string_view kLooking = "mir_nee";
 
 vec3 color_of(const vec4& v) { return {v.x, v.y, v.z}; }
 
@@ -60,6 +65,7 @@ class MirTechnique : public PathTechnique {
         uniform_(tools.device, gpu::BufferUse::kUniform, sizeof(shared::MirConstants), "constants of mir"),
         memory_(tools.device, tools.table, kMirRows, "mir reset") {
     tools.table.set_uniform(shared::kSetTechnique, uniform_);
+    if (name == kLooking) looks_.emplace(tools);
   }
   ~MirTechnique() override {
     for (const HostArray* array : {&tree_, &nodes_, &picture_})
@@ -85,6 +91,7 @@ class MirTechnique : public PathTechnique {
     if (std::exchange(begins_, false)) begin_pictures(frame.render);
     fit();
     memory_.begin_frame();
+    if (looks_) looks_->begin_frame();
     shared::MirConstants constants{};
     copy_settings(settings_, constants);
     if (iterating_ && trees_.iterations() > 0) {
@@ -102,6 +109,7 @@ class MirTechnique : public PathTechnique {
   }
   void add_passes(const TechniquePasses& passes) override {
     memory_.add_reset(passes.list);
+    if (looks_) looks_->add_reset(passes.list);  // and nothing is folded in: it stays without a memory
     PathTechnique::add_passes(passes);
     if (!iterating_) return;
     passes.list.dispatch("mir totals", PassKind::kEstimator, passes.shaders.get("mir_totals", passes.variant),
@@ -126,8 +134,11 @@ class MirTechnique : public PathTechnique {
     pictures_.save(state);
     put_array(state, seen_);
     put_array(state, shifted_);
+    put_value(state, frames_seen_);
+    samples_.save(state);
     put_value(state, salt_);
     put_value(state, let_go_);
+    put_value(state, light_);
     put_value(state, host_ms_);
     trees_.save(state);
     store_.save(state);
@@ -137,9 +148,10 @@ class MirTechnique : public PathTechnique {
     const bool whole = pictures_.load(state) && take_array(state, seen_) && seen_.size() == pictures_.counts().size() &&
                        take_array(state, shifted_) &&
                        shifted_.size() == std::size_t{pictures_.size().x} * pictures_.size().y &&
-                       take_value(state, salt_) && take_value(state, let_go_) && take_value(state, host_ms_) &&
-                       trees_.load(state) && trees_.iterations() == seen_.size() &&
-                       store_.load(state, shifted_.size(), seen_.size()) && state.remaining() == 0;
+                       take_value(state, frames_seen_) && samples_.load(state, shifted_.size()) &&
+                       take_value(state, salt_) && take_value(state, let_go_) && take_value(state, light_) &&
+                       take_value(state, host_ms_) && trees_.load(state) && trees_.iterations() == seen_.size() &&
+                       store_.load(state, shifted_.size(), seen_.size(), frames_seen_) && state.remaining() == 0;
     if (!whole) {
       start_over();
       return state.error("the state of the iterations is damaged");
@@ -151,16 +163,18 @@ class MirTechnique : public PathTechnique {
   }
   std::uint32_t salt() const override { return salt_; }
   std::uint64_t bytes() const override {
-    return memory_.bytes() + tree_.buffer.size() + nodes_.buffer.size() + picture_.buffer.size();
+    return memory_.bytes() + (looks_ ? looks_->bytes() : 0) + tree_.buffer.size() + nodes_.buffer.size() +
+           picture_.buffer.size();
   }
   std::string report() const override {
     if (trees_.iterations() == 0) return "";
     return fmt::format(
         "{} paths stored, {:.1f} MB ({} let go of); {} leaves, distributions of {} iterations {:.1f} MB; densities of "
-        "{} "
-        "of {} vertices are others than they were drawn with; {:.0f} ms on the host",
+        "{} of {} vertices are others than they were drawn with; stored paths brought {:.3f}% of the light; {:.0f} ms "
+        "on the host",
         store_.paths().size(), static_cast<double>(store_.bytes()) / kMegabyte, let_go_, trees_.firsts().size(),
-        trees_.iterations(), static_cast<double>(trees_.bytes()) / kMegabyte, others_, vertices_weighed_, host_ms_);
+        trees_.iterations(), static_cast<double>(trees_.bytes()) / kMegabyte, others_, vertices_weighed_,
+        100 * light_ / std::max(pictures_.light(), 1e-30), host_ms_);
   }
 
  private:
@@ -178,6 +192,10 @@ class MirTechnique : public PathTechnique {
   };
 
   IterationWeights weights() const { return static_cast<IterationWeights>(settings_.mir_weights); }
+  // Of samples that count alike but for weights of their paths.
+  bool removes_outliers() const {
+    return settings_.mir_outliers > 0 && (weighs_paths(weights()) || weights() == IterationWeights::kAccumulate);
+  }
   bool decorrelated() const { return settings_.mir_decorrelated != 0; }
   // Of a frame of this iteration, from 0.
   bool teaches(std::uint32_t frame) const { return !decorrelated() || frame < planned_ - planned_ / 2; }
@@ -186,14 +204,15 @@ class MirTechnique : public PathTechnique {
   void start_over() {
     trees_.clear();
     store_.clear();
+    samples_.clear();
     taught_.clear();
     seen_.clear();
     shifted_.clear();
     size_ = uvec2(0);
     pending_ = begins_ = learnt_ = false;
-    salt_ = 0;
+    salt_ = frames_seen_ = 0;
     let_go_ = vertices_weighed_ = others_ = 0;
-    host_ms_ = 0;
+    light_ = host_ms_ = 0;
   }
   void begin_pictures(uvec2 size) {
     if (size_ == uvec2(0)) {
@@ -204,17 +223,19 @@ class MirTechnique : public PathTechnique {
     pictures_.begin_iteration();
     seen_.push_back(decorrelated() ? planned_ / 2 : planned_);
   }
+  std::size_t lights_per_vertex() const { return looks_ ? shared::kMirLightsLooked : shared::kMirLightsOfOne; }
   // Arrays of vertices hold as many paths as the device binds.
   void fit() {
     const std::size_t pixels = iterating_ ? std::size_t{size_.x} * size_.y : 0;
     vertices_ = static_cast<std::size_t>(std::max(settings_.bounces, 1));
-    paths_ = std::min<std::size_t>(pixels, memory_.most_elements(shared::kMirPlaces) / vertices_);
+    paths_ =
+        std::min<std::size_t>(pixels, memory_.most_elements(shared::kMirLights) / (vertices_ * lights_per_vertex()));
     if (paths_ < pixels)
       log_warning("mir: the device has room for the paths of {} of {} pixels; the others are not weighed", paths_,
                   pixels);
-    for (const std::uint32_t array :
-         {shared::kMirPlaces, shared::kMirDirections, shared::kMirLinks, shared::kMirLights})
+    for (const std::uint32_t array : {shared::kMirPlaces, shared::kMirDirections, shared::kMirLinks})
       memory_.set_count(array, paths_ * vertices_);
+    memory_.set_count(shared::kMirLights, paths_ * vertices_ * lights_per_vertex());
     memory_.set_count(shared::kMirEnds, paths_);
     memory_.set_count(shared::kMirTotals, pixels);
   }
@@ -227,21 +248,34 @@ class MirTechnique : public PathTechnique {
     const auto read = [&](std::uint32_t array, std::size_t count) {
       return gpu::read_now<vec4>(tools_.device, memory_.buffer(array), count);
     };
-    if (is_seen(frame)) pictures_.add(read(shared::kMirTotals, std::size_t{size_.x} * size_.y));
+    if (is_seen(frame)) {
+      const std::vector<vec4> totals = read(shared::kMirTotals, std::size_t{size_.x} * size_.y);
+      pictures_.add(totals);
+      if (removes_outliers()) samples_.add(totals);
+      ++frames_seen_;
+    }
     const bool keeps = is_seen(frame) && weighs_paths(weights()), learns = teaches(frame);
     if (!keeps && !learns) return;
     const auto ends = gpu::read_now<glm::uvec4>(tools_.device, memory_.buffer(shared::kMirEnds), paths_);
     const std::size_t count = paths_ * vertices_;
     const auto places = read(shared::kMirPlaces, count), directions = read(shared::kMirDirections, count),
-               links = read(shared::kMirLinks, count), lights = read(shared::kMirLights, count);
+               links = read(shared::kMirLinks, count), lights = read(shared::kMirLights, count * lights_per_vertex());
+    const auto met = [&](std::size_t at) { return lights[at * lights_per_vertex()]; };
+    const auto found = [&](std::size_t at) {
+      return looks_ ? color_of(lights[at * lights_per_vertex() + 1]) : vec3(0);
+    };
     const auto iteration = static_cast<std::uint32_t>(seen_.size()) - 1;
     std::vector<PathVertex> path;
+    std::vector<LookedFor> looked;
     for (std::size_t i = 0; i < paths_; ++i) {
       const std::size_t first = i * vertices_, n = std::min<std::size_t>(ends[i].x, vertices_);
       if (learns) {
-        vec3 incident(0.0f);  // from the last vertex on: radiance that comes to each
+        // From the last vertex on: radiance that comes to each and was not looked for from it.
+        vec3 incident(0.0f);
         for (std::size_t k = n; k-- > 0;) {
-          incident = color_of(lights[first + k]) + (k + 1 < n ? color_of(links[first + k + 1]) * incident : vec3(0.0f));
+          const std::size_t next = first + k + 1;
+          incident =
+              color_of(met(first + k)) + (k + 1 < n ? color_of(links[next]) * incident + found(next) : vec3(0.0f));
           const float pdf = directions[first + k].w;
           if (!(pdf > 0) || taught_.size() >= kMostTaught) continue;
           const bool guided = links[first + k].w > 0;
@@ -251,25 +285,38 @@ class MirTechnique : public PathTechnique {
       }
       if (!keeps) continue;
       path.clear();
+      looked.clear();
       vec3 throughput(shared::uintBitsToFloat(ends[i].y));
       for (std::size_t k = 0; k < n; ++k) {
-        throughput *= color_of(links[first + k]);
-        path.push_back({color_of(places[first + k]), places[first + k].w, color_of(directions[first + k]),
-                        links[first + k].w, throughput * color_of(lights[first + k]), directions[first + k].w});
+        const std::size_t at = first + k;
+        if (looks_) {
+          const vec4 &light = lights[at * lights_per_vertex() + 1], &way = lights[at * lights_per_vertex() + 2];
+          looked.push_back(
+              {static_cast<std::uint32_t>(k), throughput * color_of(light), color_of(way), way.w, light.w});
+        }
+        throughput *= color_of(links[at]);
+        path.push_back({color_of(places[at]), places[at].w, color_of(directions[at]), links[at].w,
+                        throughput * color_of(met(at)), directions[at].w, met(at).w});
       }
-      store_.add(static_cast<std::uint32_t>(i), iteration, path);
+      light_ +=
+          static_cast<double>(store_.add(static_cast<std::uint32_t>(i), iteration, frames_seen_ - 1, {path, looked}));
     }
     store_.shrink(static_cast<std::uint64_t>(settings_.mir_storage * kMegabyte),
                   [&](const PathStore::Path& gone) { let_go(gone); });
   }
 
+  // What weights add to a path's light, times all samples.
+  void shift(const PathStore::Path& path, const glm::dvec3& by) {
+    shifted_[path.pixel] += by;
+    if (removes_outliers()) samples_.shift(path.frame, path.pixel, by);
+  }
   // Its share of the picture is that of the mixture of the iterations so far (Eq. 8).
   void let_go(const PathStore::Path& path) {
     ++let_go_;
     if (settings_.mir_partial == 0) return;
-    for_each_ratio(trees_, store_.vertices(path), path.iteration, static_cast<std::uint32_t>(seen_.size()),
-                   settings_.mir_defence, [&](const PathVertex& vertex, std::span<const double> ratios) {
-                     shifted_[path.pixel] += glm::dvec3(vertex.light) * (partial_factor(ratios, seen_) - 1);
+    for_each_ratio(trees_, store_.stored(path), path.iteration, static_cast<std::uint32_t>(seen_.size()),
+                   settings_.mir_defence, [&](const vec3& light, std::span<const double> ratios) {
+                     shift(path, glm::dvec3(light) * (partial_factor(ratios, seen_) - 1));
                    });
   }
 
@@ -295,7 +342,15 @@ class MirTechnique : public PathTechnique {
     const Clock clock(host_ms_);
     std::vector<vec4> picture = pictures_.combined(weights());
     const double samples = pictures_.samples();
-    if (!weighs_paths(weights()) || !(samples > 0)) return picture;
+    if (weighs_paths(weights()) && samples > 0) {
+      weigh_paths(samples);
+      for (std::size_t i = 0; i < picture.size(); ++i) picture[i] += vec4(vec3(shifted_[i] / samples), 0.0f);
+    }
+    if (removes_outliers() && samples_.count() > 0)
+      return samples_.without_outliers(size_, static_cast<double>(settings_.mir_outliers));
+    return picture;
+  }
+  void weigh_paths(double samples) {
     const auto iterations = static_cast<std::uint32_t>(seen_.size());
     const bool aware = weights() == IterationWeights::kVarianceAware;
     const std::vector<double> factors = aware ? pictures_.variance_factors() : std::vector<double>();
@@ -306,30 +361,38 @@ class MirTechnique : public PathTechnique {
       const std::span<const double> v =
           aware ? std::span(factors).subspan(pictures_.tile_of(paths[i].pixel) * iterations, iterations)
                 : std::span<const double>();
-      others[i] = other_densities(trees_, store_.vertices(paths[i]), paths[i].iteration, settings_.mir_defence);
-      for_each_ratio(trees_, store_.vertices(paths[i]), paths[i].iteration, iterations, settings_.mir_defence,
-                     [&](const PathVertex& vertex, std::span<const double> ratios) {
+      const StoredPath path = store_.stored(paths[i]);
+      others[i] = other_densities(trees_, path.vertices, paths[i].iteration, settings_.mir_defence);
+      if (weights() == IterationWeights::kVertices) {
+        for_each_vertex_factor(
+            trees_, path, paths[i].iteration, seen_, settings_.mir_defence,
+            [&](const vec3& light, double factor) { shifts[i] += glm::dvec3(light) * (samples * factor - 1); });
+        return;
+      }
+      for_each_ratio(trees_, path, paths[i].iteration, iterations, settings_.mir_defence,
+                     [&](const vec3& light, std::span<const double> ratios) {
                        const double factor = aware ? variance_aware_factor(ratios, seen_, v, paths[i].iteration)
                                                    : balance_factor(ratios, seen_);
-                       shifts[i] += glm::dvec3(vertex.light) * (samples * factor - 1);
+                       shifts[i] += glm::dvec3(light) * (samples * factor - 1);
                      });
     });
-    for (std::size_t i = 0; i < paths.size(); ++i) shifted_[paths[i].pixel] += shifts[i];
+    for (std::size_t i = 0; i < paths.size(); ++i) shift(paths[i], shifts[i]);
     others_ = std::accumulate(others.begin(), others.end(), std::uint64_t{0});
     vertices_weighed_ = 0;
     for (const PathStore::Path& path : paths) vertices_weighed_ += path.count;
-    for (std::size_t i = 0; i < picture.size(); ++i) picture[i] += vec4(vec3(shifted_[i] / samples), 0.0f);
-    return picture;
   }
 
   TechniqueTools tools_;
   gpu::Buffer uniform_;
   TechniqueMemory memory_;
+  std::optional<SeenGrid> looks_;  // of mir_nee: never taught, so that it knows nothing
   HostArray tree_{shared::kMirTree}, nodes_{shared::kMirNodes}, picture_{shared::kMirPicture};
   RenderSettings settings_;
   GuidingTrees trees_;
   PathStore store_;
   IterationPictures pictures_;
+  SingleSamples samples_;  // that are seen, where outliers are removed
+  std::uint32_t frames_seen_ = 0;
   std::vector<GuidingSample> taught_;  // of this iteration
   std::vector<double> seen_;           // samples a pixel that are seen, of each iteration
   std::vector<glm::dvec3> shifted_;    // of pixels: light that weights added
@@ -341,6 +404,7 @@ class MirTechnique : public PathTechnique {
   std::uint32_t planned_ = 0, frames_ = 0;   // samples of this iteration; those collected
   std::uint32_t salt_ = 0;
   std::uint64_t let_go_ = 0, vertices_weighed_ = 0, others_ = 0;  // paths; vertices; those of them of other densities
+  double light_ = 0;  // luminance of all paths that were stored, summed over pixels and samples
   double host_ms_ = 0;
 };
 
@@ -360,6 +424,16 @@ extern constinit const TechniqueInfo kMir{
     .bias = Bias::kBiased,
     .make = make_mir,
     .frames = Frames::kCorrelated,
+    .ends_iterations = true};
+extern constinit const TechniqueInfo kMirNee{
+    .name = kLooking,
+    .description =
+        "as mir, and every vertex looks for one light, of the list or a sun, without a memory; biased but "
+        "for r_mir_decorrelated 1; in play it is nee without a memory",
+    .bias = Bias::kBiased,
+    .make = make_mir,
+    .frames = Frames::kCorrelated,
+    .wants_lights = true,
     .ends_iterations = true};
 
 }  // namespace fb::render

@@ -15,18 +15,25 @@ constexpr std::uint32_t kTile = 16;
 
 }  // namespace
 
-void PathStore::add(std::uint32_t pixel, std::uint32_t iteration, std::span<const PathVertex> vertices) {
+float PathStore::add(std::uint32_t pixel, std::uint32_t iteration, std::uint32_t frame, const StoredPath& path) {
   std::uint32_t count = 0;
   float importance = 0;
-  for (std::uint32_t k = 0; k < vertices.size(); ++k) {
-    const float light = shared::luminance(vertices[k].light);
-    if (!(light > 0)) continue;
+  const auto brings = [&](const vec3& radiance, std::uint32_t vertex) {
+    const float light = shared::luminance(radiance);
+    if (!(light > 0)) return false;
     importance += light;
-    count = k + 1;
-  }
-  if (count == 0) return;
-  paths_.push_back({pixel, iteration, static_cast<std::uint32_t>(vertices_.size()), count, importance});
-  vertices_.insert(vertices_.end(), vertices.begin(), vertices.begin() + count);
+    count = std::max(count, vertex + 1);
+    return true;
+  };
+  for (std::uint32_t k = 0; k < path.vertices.size(); ++k) brings(path.vertices[k].light, k);
+  const auto first_looked = static_cast<std::uint32_t>(looked_.size());
+  for (const LookedFor& found : path.looked)
+    if (brings(found.light, found.vertex)) looked_.push_back(found);
+  if (count == 0) return 0;
+  paths_.push_back({pixel, iteration, frame, static_cast<std::uint32_t>(vertices_.size()), count, first_looked,
+                    static_cast<std::uint32_t>(looked_.size()) - first_looked, importance});
+  vertices_.insert(vertices_.end(), path.vertices.begin(), path.vertices.begin() + count);
+  return importance;
 }
 
 void PathStore::shrink(std::uint64_t bytes, const std::function<void(const Path&)>& gone) {
@@ -39,47 +46,56 @@ void PathStore::shrink(std::uint64_t bytes, const std::function<void(const Path&
   std::vector<bool> kept(paths_.size());
   std::uint64_t used = 0;
   for (const std::uint32_t i : order) {
-    used += sizeof(Path) + paths_[i].count * sizeof(PathVertex);
+    used += sizeof(Path) + paths_[i].count * sizeof(PathVertex) + paths_[i].looked * sizeof(LookedFor);
     if (used > bytes) break;
     kept[i] = true;
   }
-  std::vector<Path> paths;
-  std::vector<PathVertex> vertices;
+  PathStore rest;
   for (std::size_t i = 0; i < paths_.size(); ++i) {
     if (!kept[i]) {
       gone(paths_[i]);
       continue;
     }
-    const auto of = this->vertices(paths_[i]);
-    paths.push_back(paths_[i]);
-    paths.back().first = static_cast<std::uint32_t>(vertices.size());
-    vertices.insert(vertices.end(), of.begin(), of.end());
+    const StoredPath of = stored(paths_[i]);
+    rest.paths_.push_back(paths_[i]);
+    rest.paths_.back().first = static_cast<std::uint32_t>(rest.vertices_.size());
+    rest.paths_.back().first_looked = static_cast<std::uint32_t>(rest.looked_.size());
+    rest.vertices_.insert(rest.vertices_.end(), of.vertices.begin(), of.vertices.end());
+    rest.looked_.insert(rest.looked_.end(), of.looked.begin(), of.looked.end());
   }
-  paths_ = std::move(paths);
-  vertices_ = std::move(vertices);
+  *this = std::move(rest);
 }
 
 void PathStore::save(Bytes& state) const {
   put_array(state, paths_);
   put_array(state, vertices_);
+  put_array(state, looked_);
 }
-bool PathStore::load(ByteReader& state, std::size_t pixels, std::size_t iterations) {
+bool PathStore::load(ByteReader& state, std::size_t pixels, std::size_t iterations, std::size_t frames) {
   clear();
   PathStore read;
-  if (!take_array(state, read.paths_) || !take_array(state, read.vertices_)) return false;
-  for (const Path& path : read.paths_)
-    if (path.pixel >= pixels || path.iteration >= iterations || path.count > read.vertices_.size() ||
-        path.first > read.vertices_.size() - path.count)
+  if (!take_array(state, read.paths_) || !take_array(state, read.vertices_) || !take_array(state, read.looked_))
+    return false;
+  const auto lies_in = [](std::uint32_t first, std::uint32_t count, std::size_t all) {
+    return count <= all && first <= all - count;
+  };
+  for (const Path& path : read.paths_) {
+    if (path.pixel >= pixels || path.iteration >= iterations || path.frame >= frames ||
+        !lies_in(path.first, path.count, read.vertices_.size()) ||
+        !lies_in(path.first_looked, path.looked, read.looked_.size()))
       return false;
+    for (const LookedFor& found : read.stored(path).looked)
+      if (found.vertex >= path.count) return false;
+  }
   *this = std::move(read);
   return true;
 }
 
-double vertex_density(const GuidingTrees& trees, std::uint32_t leaf, std::uint32_t k, const PathVertex& vertex,
-                      float defence) {
-  const double scattered = static_cast<double>(vertex.scatter_pdf);
+double direction_density(const GuidingTrees& trees, std::uint32_t leaf, std::uint32_t k, const vec3& direction,
+                         float scatter_pdf, float defence) {
+  const double scattered = static_cast<double>(scatter_pdf);
   if (k == 0) return scattered;
-  const float guided = trees.density(leaf, k - 1, vertex.direction);
+  const float guided = trees.density(leaf, k - 1, direction);
   if (guided < 0) return scattered;
   const double share = static_cast<double>(defence);
   return share * scattered + (1 - share) * static_cast<double>(guided);
@@ -89,27 +105,76 @@ std::uint32_t other_densities(const GuidingTrees& trees, std::span<const PathVer
                               float defence) {
   std::uint32_t others = 0;
   for (const PathVertex& v : vertices) {
-    if (!(v.guided > 0)) continue;
+    if (!(v.guided > 0) || !(v.pdf > 0)) continue;  // no direction was of use
     const auto drawn = static_cast<double>(v.pdf);
-    const double asked = vertex_density(trees, trees.leaf(v.position), own, v, defence);
+    const double asked = direction_density(trees, trees.leaf(v.position), own, v.direction, v.scatter_pdf, defence);
     if (!(std::abs(asked - drawn) <= kDensityError * drawn)) ++others;
   }
   return others;
 }
 
-void for_each_ratio(const GuidingTrees& trees, std::span<const PathVertex> vertices, std::uint32_t own,
-                    std::uint32_t iterations, float defence,
-                    const std::function<void(const PathVertex&, std::span<const double>)>& each) {
-  std::vector<double> ratios(iterations);
-  for (const PathVertex& vertex : vertices) {
-    if (vertex.guided > 0) {
-      const std::uint32_t leaf = trees.leaf(vertex.position);
-      const double own_log = std::log(vertex_density(trees, leaf, own, vertex, defence));
-      for (std::uint32_t k = 0; k < iterations; ++k)
-        if (k != own) ratios[k] += std::log(vertex_density(trees, leaf, k, vertex, defence)) - own_log;
+namespace {
+
+// Along a path: `end` with all light that it met or found, and `on` with each direction that it went on in, with the
+// ratios of the densities of that vertex's direction alone: of one that light was looked for in, that of both ends.
+template <typename End, typename On>
+void walk_path(const GuidingTrees& trees, const StoredPath& path, std::uint32_t own, std::uint32_t iterations,
+               float defence, const End& end, const On& on) {
+  std::vector<double> densities(iterations), ratios(iterations);
+  auto looked = path.looked.begin();
+  for (std::uint32_t i = 0; i < path.vertices.size(); ++i) {
+    const PathVertex& vertex = path.vertices[i];
+    const bool guided = vertex.guided > 0;
+    const std::uint32_t leaf = guided ? trees.leaf(vertex.position) : 0;
+    const auto ask = [&](const vec3& direction, float scatter_pdf) {
+      for (std::uint32_t k = 0; guided && k < iterations; ++k)
+        densities[k] = direction_density(trees, leaf, k, direction, scatter_pdf, defence);
+    };
+    // Where no distribution has a share, all iterations go on alike.
+    const auto ratios_with = [&](float looked_for) -> const std::vector<double>& {
+      for (std::uint32_t k = 0; guided && k < iterations; ++k)
+        ratios[k] = k == own ? 0 : end_log_ratio(densities[k], densities[own], static_cast<double>(looked_for));
+      return ratios;
+    };
+    std::ranges::fill(ratios, 0.0);
+    for (; looked != path.looked.end() && looked->vertex == i; ++looked) {
+      ask(looked->direction, looked->scatter_pdf);
+      end(looked->light, ratios_with(looked->density));
     }
-    if (shared::luminance(vertex.light) > 0) each(vertex, ratios);
+    if (!(vertex.pdf > 0)) return;  // no direction was of use
+    ask(vertex.direction, vertex.scatter_pdf);
+    if (shared::luminance(vertex.light) > 0) end(vertex.light, ratios_with(vertex.met_density));
+    on(ratios_with(0));
   }
+}
+
+}  // namespace
+
+void for_each_ratio(const GuidingTrees& trees, const StoredPath& path, std::uint32_t own, std::uint32_t iterations,
+                    float defence, const std::function<void(const vec3& light, std::span<const double>)>& each) {
+  std::vector<double> to_vertex(iterations), to_light(iterations);
+  walk_path(
+      trees, path, own, iterations, defence,
+      [&](const vec3& light, const std::vector<double>& ratios) {
+        for (std::uint32_t k = 0; k < iterations; ++k) to_light[k] = to_vertex[k] + ratios[k];
+        each(light, to_light);
+      },
+      [&](const std::vector<double>& ratios) {
+        for (std::uint32_t k = 0; k < iterations; ++k) to_vertex[k] += ratios[k];
+      });
+}
+
+void for_each_vertex_factor(const GuidingTrees& trees, const StoredPath& path, std::uint32_t own,
+                            std::span<const double> counts, float defence,
+                            const std::function<void(const vec3& light, double factor)>& each) {
+  const double samples = std::accumulate(counts.begin(), counts.end(), 0.0);
+  double to_vertex = 1 / samples;
+  walk_path(
+      trees, path, own, static_cast<std::uint32_t>(counts.size()), defence,
+      [&](const vec3& light, const std::vector<double>& ratios) {
+        each(light, to_vertex * samples * balance_factor(ratios, counts));
+      },
+      [&](const std::vector<double>& ratios) { to_vertex *= samples * balance_factor(ratios, counts); });
 }
 
 void IterationPictures::begin(uvec2 size) {
@@ -147,6 +212,12 @@ bool IterationPictures::load(ByteReader& state) {
   return true;
 }
 double IterationPictures::samples() const { return std::accumulate(counts_.begin(), counts_.end(), 0.0); }
+double IterationPictures::light() const {
+  double sum = 0;
+  for (const auto& sums : sums_)
+    for (const vec4& s : sums) sum += static_cast<double>(shared::luminance(vec3(s.x, s.y, s.z)));
+  return sum;
+}
 
 std::vector<vec4> IterationPictures::mean(
     const std::function<double(std::size_t iteration, std::size_t pixel)>& share) const {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <queue>
@@ -11,12 +12,18 @@
 #include <vector>
 
 #include "base/rng.h"
+#include "render/techniques/reweighting.h"
 
 namespace fb::render {
 namespace {
 
 PathVertex stored_vertex(float light, vec3 position = vec3(0.0f)) {
   return {position, 0.5f, {0, 0, 1}, 1, vec3(light), 0.5f};
+}
+
+// Without light that was looked for.
+void add(PathStore& store, std::uint32_t pixel, std::uint32_t iteration, const std::vector<PathVertex>& vertices) {
+  store.add(pixel, iteration, 0, {vertices, {}});
 }
 
 TEST(PathStore, KeepsWhatAHeapWouldKeep) {
@@ -29,7 +36,7 @@ TEST(PathStore, KeepsWhatAHeapWouldKeep) {
   for (int frame = 0; frame < 10; ++frame) {
     for (std::uint32_t i = 0; i < 30; ++i) {
       const float light = rng.uniform(0.01f, 1);
-      store.add(i, static_cast<std::uint32_t>(frame), std::vector{stored_vertex(light)});
+      add(store, i, static_cast<std::uint32_t>(frame), {stored_vertex(light)});
       heap.push(light);
     }
     store.shrink(bytes, [&](const PathStore::Path& path) { gone.push_back(path.importance); });
@@ -42,7 +49,7 @@ TEST(PathStore, KeepsWhatAHeapWouldKeep) {
   std::ranges::sort(popped);
   for (std::size_t i = 0; i < gone.size(); ++i) EXPECT_NEAR(gone[i], popped[i], 1e-6f);
   for (const PathStore::Path& path : store.paths())
-    EXPECT_NEAR(path.importance, store.vertices(path)[0].light.y, 1e-6f) << "grey";
+    EXPECT_NEAR(path.importance, store.stored(path).vertices[0].light.y, 1e-6f) << "grey";
   // No room at all: nothing is kept, and nothing is lost sight of.
   store.shrink(0, [&](const PathStore::Path& path) { gone.push_back(path.importance); });
   EXPECT_TRUE(store.paths().empty());
@@ -52,12 +59,42 @@ TEST(PathStore, KeepsWhatAHeapWouldKeep) {
 
 TEST(PathStore, APathEndsWhereItLastMetLight) {
   PathStore store;
-  store.add(4, 1, std::vector{stored_vertex(0), stored_vertex(2), stored_vertex(0)});
-  store.add(5, 1, std::vector{stored_vertex(0), stored_vertex(0)});
-  store.add(6, 1, {});
+  add(store, 4, 1, {stored_vertex(0), stored_vertex(2), stored_vertex(0)});
+  add(store, 5, 1, {stored_vertex(0), stored_vertex(0)});
+  add(store, 6, 1, {});
   ASSERT_EQ(store.paths().size(), 1u);
   EXPECT_EQ(store.paths()[0].pixel, 4u);
   EXPECT_EQ(store.paths()[0].count, 2u);
+}
+
+TEST(PathStore, LightThatWasLookedForEndsAPathToo) {
+  PathStore store;
+  const std::vector<PathVertex> dark{stored_vertex(0), stored_vertex(0), stored_vertex(0)};
+  const auto found = [](std::uint32_t vertex, float light) {
+    return LookedFor{vertex, vec3(light), {0, 0, 1}, 0.5f, 0.25f};
+  };
+  store.add(3, 0, 0, {dark, std::vector{found(0, 1), found(1, 2), found(2, 0)}});
+  store.add(4, 0, 0, {dark, std::vector{found(0, 0)}});
+  store.add(5, 0, 0, {dark, std::vector{found(0, 9)}});
+  ASSERT_EQ(store.paths().size(), 2u);
+  const PathStore::Path first = store.paths()[0];
+  EXPECT_EQ(first.count, 2u) << "what found nothing is not stored";
+  ASSERT_EQ(store.stored(first).looked.size(), 2u);
+  EXPECT_NEAR(first.importance, 3, 1e-6f);
+  // The dimmer path goes, and the other one's light is still its own.
+  store.shrink(store.bytes() - 1, [&](const PathStore::Path& gone) { EXPECT_EQ(gone.pixel, 3u); });
+  ASSERT_EQ(store.paths().size(), 1u);
+  EXPECT_EQ(store.stored(store.paths()[0]).looked[0].light, vec3(9.0f));
+  EXPECT_EQ(store.bytes(), sizeof(PathStore::Path) + sizeof(PathVertex) + sizeof(LookedFor));
+  Bytes state;
+  store.save(state);
+  ByteReader reader(state, "state");
+  PathStore read;
+  ASSERT_TRUE(read.load(reader, 6, 1, 1));
+  EXPECT_EQ(read.stored(read.paths()[0]).looked[0].density, 0.25f);
+  state[state.size() - sizeof(LookedFor)] = 1;  // of a vertex that is not there
+  ByteReader bad(state, "state");
+  EXPECT_FALSE(read.load(bad, 6, 1, 1));
 }
 
 // Two vertices at two places, of which only one has been taught, each with light.
@@ -83,7 +120,7 @@ TEST(PathStore, RatiosAreProductsOfDensities) {
   EXPECT_LT(trees.density(trees.leaf({10, 5, 5}), 1, {0, 0, 1}), 0) << "untaught";
   for (std::uint32_t own = 0; own < 3; ++own) {
     int seen = 0;
-    for_each_ratio(trees, path, own, 3, kDefence, [&](const PathVertex&, std::span<const double> ratios) {
+    for_each_ratio(trees, {path, {}}, own, 3, kDefence, [&](const vec3&, std::span<const double> ratios) {
       ++seen;
       ASSERT_EQ(ratios.size(), 3u);
       for (std::uint32_t k = 0; k < 3; ++k) EXPECT_NEAR(std::exp(ratios[k]), first[k] / first[own], 1e-9);
@@ -97,9 +134,51 @@ TEST(PathStore, RatiosAreProductsOfDensities) {
   // A vertex that no distribution has a share in: no iteration is more likely to make it.
   std::vector<PathVertex> glowing{stored_vertex(1, {90, 5, 5})};
   glowing[0].guided = 0;
-  for_each_ratio(trees, glowing, 1, 3, kDefence, [](const PathVertex&, std::span<const double> ratios) {
+  const std::vector around_it{LookedFor{0, vec3(1.0f), {0, 0, 1}, 0.5f, 0.2f}};
+  for_each_ratio(trees, {glowing, around_it}, 1, 3, kDefence, [](const vec3&, std::span<const double> ratios) {
     for (const double ratio : ratios) EXPECT_EQ(ratio, 0);
   });
+  // Light that was looked for, in another direction than the path took, and light that could have been: the density of
+  // looking, the same in all, stands beside theirs. The path's third light has that of its first direction alone.
+  std::vector<PathVertex> both = path;
+  both[0].met_density = 0.3f;
+  constexpr std::array kLights{4.0f, 1.0f, 2.0f};
+  const std::vector found{LookedFor{0, vec3(4.0f), {0, 0.6f, 0.8f}, 0.4f, 0.7f}};
+  const auto looked_first = [&](std::uint32_t k) {
+    return k == 0 ? 0.4
+                  : 0.25 * static_cast<double>(0.4f) +
+                        0.75 * static_cast<double>(trees.density(leaf, k - 1, {0, 0.6f, 0.8f}));
+  };
+  for (std::uint32_t own = 0; own < 3; ++own) {
+    std::vector<std::vector<double>> seen;
+    for_each_ratio(trees, {both, found}, own, 3, kDefence, [&](const vec3& light, std::span<const double> ratios) {
+      EXPECT_EQ(light.x, kLights[seen.size()]);
+      seen.emplace_back(ratios.begin(), ratios.end());
+    });
+    ASSERT_EQ(seen.size(), 3u);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(std::exp(seen[0][k]), (looked_first(k) + 0.7) / (looked_first(own) + 0.7), 1e-6);
+      EXPECT_NEAR(std::exp(seen[1][k]), (first[k] + 0.3) / (first[own] + 0.3), 1e-6);
+      EXPECT_NEAR(std::exp(seen[2][k]), first[k] / first[own], 1e-9);
+    }
+    // With weights of vertices the second one, which no iteration has another density of, changes nothing either.
+    const std::vector<double> counts{1, 2, 3};
+    std::size_t light = 0;
+    for_each_vertex_factor(trees, {both, found}, own, counts, kDefence, [&](const vec3&, double factor) {
+      EXPECT_NEAR(factor, balance_factor(seen[light], counts), 1e-12);
+      ++light;
+    });
+    EXPECT_EQ(light, 3u);
+    // Twice the same vertex: the product of two weights, not the weight of both.
+    std::size_t met = 0;
+    for_each_vertex_factor(
+        trees, {std::vector{both[0], both[0]}, {}}, own, counts, kDefence, [&](const vec3&, double factor) {
+          const double once = balance_factor(seen[1], counts), direction = balance_factor(seen[2], counts);
+          EXPECT_NEAR(factor, met == 0 ? once : 6 * direction * once, 1e-9);
+          ++met;
+        });
+    EXPECT_EQ(met, 2u);
+  }
 }
 
 TEST(IterationPictures, CombineWholeIterations) {
@@ -141,23 +220,25 @@ TEST(IterationPictures, CombineWholeIterations) {
 
 TEST(PathStore, SavedAndLoadedItIsTheSame) {
   PathStore store, read;
-  store.add(4, 1, std::vector{stored_vertex(0), stored_vertex(2)});
-  store.add(7, 0, std::vector{stored_vertex(3)});
+  add(store, 4, 1, {stored_vertex(0), stored_vertex(2)});
+  add(store, 7, 0, {stored_vertex(3)});
   Bytes state;
   store.save(state);
   const auto load = [&](std::size_t pixels, std::size_t iterations, std::size_t lacks = 0) {
     ByteReader reader(ByteView(state.data(), state.size() - lacks), "state");
-    return read.load(reader, pixels, iterations);
+    return read.load(reader, pixels, iterations, 1);
   };
   ASSERT_TRUE(load(8, 2));
   ASSERT_EQ(read.paths().size(), 2u);
   EXPECT_EQ(read.bytes(), store.bytes());
-  EXPECT_EQ(read.vertices(read.paths()[1])[0].light, vec3(3.0f));
+  EXPECT_EQ(read.stored(read.paths()[1]).vertices[0].light, vec3(3.0f));
   EXPECT_FALSE(load(8, 2, 1));
   EXPECT_TRUE(read.paths().empty());
   EXPECT_FALSE(load(7, 2)) << "a pixel that is not there";
   EXPECT_FALSE(load(8, 1)) << "an iteration that is not there";
-  state[8 + 8] = 2;  // the first path's first vertex: it has two of the three
+  ByteReader no_frames(state, "state");
+  EXPECT_FALSE(read.load(no_frames, 8, 2, 0)) << "a frame that is not there";
+  state[8 + 12] = 2;  // the first path's first vertex: it has two of the three
   EXPECT_FALSE(load(8, 2)) << "vertices that are not there";
 }
 

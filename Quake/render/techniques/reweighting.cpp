@@ -28,6 +28,10 @@ double balance_factor(std::span<const double> log_ratios, std::span<const double
   return inverse_of_sum(log_ratios, [&](std::size_t k) { return counts[k]; });
 }
 
+double end_log_ratio(double proposed, double own_proposed, double looked_for) {
+  return std::log(proposed + looked_for) - std::log(own_proposed + looked_for);
+}
+
 double variance_aware_factor(std::span<const double> log_ratios, std::span<const double> counts,
                              std::span<const double> variances, std::size_t own) {
   return variances[own] * inverse_of_sum(log_ratios, [&](std::size_t k) { return counts[k] * variances[k]; });

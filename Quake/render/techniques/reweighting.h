@@ -5,6 +5,12 @@
 // factors here are w_i(x) / n_i of Eq. 3. Densities come as logarithms of their ratio to the path's own, ln(p_k / p_i):
 // products of a dozen of them leave the range of numbers, and whatever does not depend on the iteration cancels.
 //
+// Where light is looked for, too, each length of path has two ends: its last direction was drawn as all others are,
+// with density q_k, or looked for, with a density d that is the same in all iterations. A path of either kind of
+// iteration i brings, with the balance heuristic within its frame, c = f / (P_i (q_i + d)), where P is the density of
+// the directions before the last. The balance heuristic over both ends of all iterations gives it
+// f / sum_k n_k P_k (q_k + d): what counts in the place of p_k is P_k (q_k + d) (Section 5 of the paper).
+//
 // Where the same samples have taught the distributions, none of these is unbiased: a bright path makes later densities
 // large where it is, and so its own weight small. Energy is lost, less with more samples. If other samples taught
 // (the decorrelated form), all but Eq. 7 are unbiased whatever the distributions are, Eq. 8 as long as whether a path
@@ -21,6 +27,9 @@ namespace fb::render {
 // element an iteration, of which the path's own has ratio 0 and a count above 0. -infinity, or no number: the iteration
 // never makes the path. Finite and not negative, whatever the ratios are.
 double balance_factor(std::span<const double> log_ratios, std::span<const double> counts);
+
+// ln((q_k + d) / (q_i + d)) of a path's last direction; ln(q_k / q_i) where light is not looked for in it.
+double end_log_ratio(double proposed, double own_proposed, double looked_for);
 
 // With Eq. 7: v_i / sum_k n_k v_k p_k / p_i. `variances`: v_k, above 0 and finite (variance_factor).
 double variance_aware_factor(std::span<const double> log_ratios, std::span<const double> counts,

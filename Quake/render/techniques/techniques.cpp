@@ -25,6 +25,7 @@
   X(kPstfB)              \
   X(kPstfBNee)           \
   X(kMir)                \
+  X(kMirNee)             \
   X(kDdgi)               \
   X(kDdgiPlus)           \
   X(kDdgiRestir)

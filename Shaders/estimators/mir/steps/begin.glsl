@@ -16,13 +16,19 @@ FB_TECHNIQUE_ARRAY(kMirNodes, 16, readonly, MirNodeArray, uvec4, mir_nodes)
 FB_TECHNIQUE_ARRAY(kMirPicture, 16, readonly, MirPictureArray, vec4, mir_picture)
 
 struct PathOwn {
-  uint vertices;  // that were stored
-  vec3 left;      // of light on the way to this vertex
+  uint vertices;       // that were stored
+  vec3 left;           // of light on the way to this vertex
+  float met_density;   // with which what the ray met is looked for
+  vec3 looked;         // direction in which light is looked for,
+  float looked_pdf;    // density of it by the vertex's own scattering,
+  float look_density;  // and of looking
 };
 #include "lib/path_state.glsl"
 
 void begin_path(inout Path path, uvec2 block, uint i) {
   path.own.vertices = 0u;
   path.own.left = vec3(1.0);
+  path.own.met_density = path.own.looked_pdf = path.own.look_density = 0.0;
+  path.own.looked = vec3(0.0);
 }
 #endif
