@@ -2,6 +2,7 @@
 // which leafs of the map may ask it. A probe's part changes only when its cell does, doors when one moves.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
