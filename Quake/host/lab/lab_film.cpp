@@ -16,6 +16,7 @@
 #include "lab/bench/bench_view.h"
 #include "lab/compare/metrics.h"
 #include "lab/film/film_writer.h"
+#include "lab/film/guided_frames.h"
 #include "lab/reference/replicates.h"
 
 namespace fb::host {
@@ -28,12 +29,14 @@ constexpr int kMostFilmSamples = 4096;
 struct FilmOptions {
   StageOptions stage;
   std::string spec, out;
+  bool guided = false;
 };
 
 // A lane at work.
 struct FilmLaneAtWork {
   render::RenderSettings settings;
   std::unique_ptr<render::Renderer> renderer;  // none: its pictures come from files
+  std::optional<lab::GuidedFrames> guided;     // of an estimator of iterations
   std::vector<std::filesystem::path> files;
   std::deque<double> times;             // of the latest frames, milliseconds on the device
   double estimator_ms = 0, all_ms = 0;  // sums over the film
@@ -147,11 +150,14 @@ Status render_lane(FilmLaneAtWork& lane, const scene::FrameSnapshot& snapshot, s
     settings.auto_exposure = 0;
     settings.exposure = *exposure;
   }
-  lane.renderer->render(snapshot, nullptr, settings);
-  lane.times.push_back(lane.renderer->gpu_milliseconds());
+  if (lane.guided)
+    lane.guided->render(*lane.renderer, settings, snapshot);
+  else
+    lane.renderer->render(snapshot, nullptr, settings);
+  lane.times.push_back(lane.guided ? lane.guided->gpu_ms() : lane.renderer->gpu_milliseconds());
   if (lane.times.size() > kShownTimes) lane.times.pop_front();
-  lane.estimator_ms += estimator_ms(*lane.renderer);
-  lane.all_ms += lane.renderer->gpu_milliseconds();
+  lane.estimator_ms += lane.guided ? lane.guided->estimator_ms() : estimator_ms(*lane.renderer);
+  lane.all_ms += lane.times.back();
   lane.picture = lane.renderer->read().output();
   if (reference == nullptr) return ok_status();
   const lab::Picture linear = lab::picture_of(lane.renderer->read().denoised(), lane.renderer->render_size());
@@ -163,7 +169,8 @@ Status render_lane(FilmLaneAtWork& lane, const scene::FrameSnapshot& snapshot, s
 std::vector<std::string> caption_of(const lab::FilmLane& lane, const FilmLaneAtWork& work) {
   std::vector<std::string> lines{lane.name};
   if (!work.renderer) return lines;
-  lines.push_back(fmt::format("{:.1f} ms, {} spp", median_of(work.times), work.settings.spp));
+  lines.push_back(fmt::format("{:.1f} ms, {} spp", median_of(work.times),
+                              work.guided ? work.guided->samples() : static_cast<unsigned>(work.settings.spp)));
   if (work.error) lines.push_back(fmt::format("relMSE {:.3g}", *work.error));
   return lines;
 }
@@ -177,6 +184,7 @@ Status open_lanes(Film& film, const FilmOptions& o) {
   options.fps = film.spec.fps;
   options.size = fmt::format("{}x{}", film.spec.size.x, film.spec.size.y);
   options.sets.insert(options.sets.begin(), film.spec.sets.begin(), film.spec.sets.end());
+  if (o.guided) options.estimator = "mir_nee";
   if (film.spec.renders()) {
     if (auto status = unbiased_estimator(film.spec.reference_estimator, "\"reference_estimator\":"); !status)
       return status;
@@ -193,6 +201,13 @@ Status open_lanes(Film& film, const FilmOptions& o) {
     if (!configuration) return configuration.error();
     work.settings = render::as_in_game(configuration->settings, film.stage.device->is_software());
     work.settings.accumulate = 0;
+    const render::TechniqueInfo* technique = render::find_technique(work.settings.estimator);
+    if (technique != nullptr && technique->ends_iterations) {
+      if (film.spec.equal_time)
+        return Error{fmt::format("{}: \"equal\": \"time\": frames of {} are of one picture, whose time grows",
+                                 lane.name, work.settings.estimator)};
+      work.guided.emplace();
+    }
     if (auto status = open_renderer(film, work); !status) return status;
   }
   return ok_status();
@@ -337,6 +352,9 @@ LabCommand add_film_command(CLI::App& app) {
   film->add_option("--device", stage.device,
                    "Vulkan device: part of its name, or its index in `fullbright -listdevices`");
   film->add_flag("--validation", stage.validation, "enable Vulkan's validation layers");
+  film->add_flag("--guided", options->guided,
+                 "lanes that name no estimator are of mir_nee: while nothing moves, frames are iterations of one "
+                 "picture (multiple importance reweighting); biased, and without the denoiser");
   film->add_flag("--quiet", stage.quiet, "print no progress");
   return {film, [options] { return run_film(*options); }};
 }

@@ -214,6 +214,13 @@ void GuidingTrees::learn(std::span<const GuidingSample> samples, float samples_p
   ++iterations_;
 }
 
+void GuidingTrees::keep_last() {
+  if (iterations_ == 0) return;
+  for (std::size_t i = 0; i < history_.size(); ++i) history_[i] = {firsts_[i]};
+  kept_ = nodes_;
+  iterations_ = kept_count_ = 1;
+}
+
 std::uint64_t GuidingTrees::bytes() const {
   std::uint64_t words = places_.size() + 4 * std::uint64_t{kept_.size()};
   for (const auto& leaf : history_) words += leaf.size();
@@ -221,7 +228,7 @@ std::uint64_t GuidingTrees::bytes() const {
 }
 
 void GuidingTrees::save(Bytes& state) const {
-  for (const std::uint32_t number : {iterations_, levels_, node_levels_}) put_value(state, number);
+  for (const std::uint32_t number : {iterations_, kept_count_, levels_, node_levels_}) put_value(state, number);
   put_value(state, cube_);
   put_array(state, places_);
   put_array(state, lows_);
@@ -236,10 +243,10 @@ bool GuidingTrees::load(ByteReader& state) {
   clear();
   GuidingTrees read;
   std::uint64_t last = 0;
-  bool whole = take_value(state, read.iterations_) && take_value(state, read.levels_) &&
-               take_value(state, read.node_levels_) && take_value(state, read.cube_) &&
-               take_array(state, read.places_) && take_array(state, read.lows_) && take_array(state, read.widths_) &&
-               read.widths_.size() == read.lows_.size();
+  bool whole = take_value(state, read.iterations_) && take_value(state, read.kept_count_) && read.kept_count_ <= 1 &&
+               take_value(state, read.levels_) && take_value(state, read.node_levels_) &&
+               take_value(state, read.cube_) && take_array(state, read.places_) && take_array(state, read.lows_) &&
+               take_array(state, read.widths_) && read.widths_.size() == read.lows_.size();
   read.recorded_.resize(whole ? read.lows_.size() : 0);
   read.history_.resize(read.recorded_.size());
   for (DirectionalTree& tree : read.recorded_) {

@@ -85,6 +85,14 @@ class GuidingTrees {
     const std::uint32_t first = history_[leaf][iteration];
     return first == shared::kUntaught ? -1.0f : shared::guiding_pdf(kept_.data(), first, kMostNodeLevels, direction);
   }
+  // The same in iteration k of a picture, from 0, which has the distributions of the learn() before it: its first has
+  // those that were kept, if any.
+  float density_in(std::uint32_t leaf, std::uint32_t k, const vec3& direction) const {
+    return k + kept_count_ == 0 ? -1.0f : density(leaf, k + kept_count_ - 1, direction);
+  }
+  // A new picture begins, whose first iteration has the last distributions: those before them are forgotten.
+  void keep_last();
+  std::uint32_t kept() const { return kept_count_; }  // 0 or 1
   // Host memory of all iterations' distributions.
   std::uint64_t bytes() const;
 
@@ -96,7 +104,7 @@ class GuidingTrees {
   void split(std::span<const GuidingSample> samples, float most);
   bool leads_somewhere() const;
 
-  std::uint32_t iterations_ = 0, levels_ = 0, node_levels_ = 1;
+  std::uint32_t iterations_ = 0, kept_count_ = 0, levels_ = 0, node_levels_ = 1;
   shared::GuidingCube cube_{};
   std::vector<std::uint32_t> places_;
   std::vector<vec3> lows_, widths_;                  // of leaves, in the unit cube

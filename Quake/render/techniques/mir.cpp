@@ -75,11 +75,13 @@ class MirTechnique : public PathTechnique {
   MirTechnique& operator=(const MirTechnique&) = delete;
 
   void begin_iteration(std::uint32_t iteration, std::uint32_t samples) override {
+    iterating_ = true;
+    if (iteration > 0 && iteration + 1 == seen_.size()) return;  // it goes on
     if (iteration == 0)
-      start_over();
+      begin_anew();
     else if (!std::exchange(learnt_, false))
       learn();
-    iterating_ = begins_ = true;
+    begins_ = true;
     frames_ = 0;
     planned_ = samples;
   }
@@ -121,6 +123,7 @@ class MirTechnique : public PathTechnique {
     picture_.write(tools_, finished_picture(), "the picture of all iterations");
     passes.list.dispatch("mir final", PassKind::kEstimator, passes.shaders.get("mir_final", passes.variant),
                          groups_over(passes.size, 8));
+    if (iterating_) --salt_;  // it is no sample: those that follow are what they would have been
     iterating_ = false;
   }
   void forget() override {
@@ -145,13 +148,13 @@ class MirTechnique : public PathTechnique {
   }
   Status resume_iterations(ByteReader& state) override {
     start_over();
-    const bool whole = pictures_.load(state) && take_array(state, seen_) && seen_.size() == pictures_.counts().size() &&
-                       take_array(state, shifted_) &&
-                       shifted_.size() == std::size_t{pictures_.size().x} * pictures_.size().y &&
-                       take_value(state, frames_seen_) && samples_.load(state, shifted_.size()) &&
-                       take_value(state, salt_) && take_value(state, let_go_) && take_value(state, light_) &&
-                       take_value(state, host_ms_) && trees_.load(state) && trees_.iterations() == seen_.size() &&
-                       store_.load(state, shifted_.size(), seen_.size(), frames_seen_) && state.remaining() == 0;
+    const bool whole =
+        pictures_.load(state) && take_array(state, seen_) && seen_.size() == pictures_.counts().size() &&
+        take_array(state, shifted_) && shifted_.size() == std::size_t{pictures_.size().x} * pictures_.size().y &&
+        take_value(state, frames_seen_) && samples_.load(state, shifted_.size()) && take_value(state, salt_) &&
+        take_value(state, let_go_) && take_value(state, light_) && take_value(state, host_ms_) && trees_.load(state) &&
+        trees_.iterations() == seen_.size() + trees_.kept() &&
+        store_.load(state, shifted_.size(), seen_.size(), frames_seen_) && state.remaining() == 0;
     if (!whole) {
       start_over();
       return state.error("the state of the iterations is damaged");
@@ -203,14 +206,24 @@ class MirTechnique : public PathTechnique {
 
   void start_over() {
     trees_.clear();
+    taught_.clear();
+    salt_ = 0;
+    forget_picture();
+  }
+  // Of the former picture all but what directions it has learnt.
+  void begin_anew() {
+    if (!seen_.empty() && !learnt_) learn();
+    trees_.keep_last();
+    forget_picture();
+  }
+  void forget_picture() {
     store_.clear();
     samples_.clear();
-    taught_.clear();
     seen_.clear();
     shifted_.clear();
     size_ = uvec2(0);
     pending_ = begins_ = learnt_ = false;
-    salt_ = frames_seen_ = 0;
+    frames_seen_ = 0;
     let_go_ = vertices_weighed_ = others_ = 0;
     light_ = host_ms_ = 0;
   }
@@ -323,7 +336,8 @@ class MirTechnique : public PathTechnique {
   void learn() {
     collect();
     const Clock clock(host_ms_);
-    const std::uint32_t teachers = decorrelated() ? planned_ - planned_ / 2 : planned_;
+    // Fewer than were planned, where something moved.
+    const std::uint32_t teachers = std::min(decorrelated() ? planned_ - planned_ / 2 : planned_, frames_);
     trees_.learn(taught_, static_cast<float>(teachers),
                  {settings_.mir_split, settings_.mir_share, settings_.mir_filter != 0},
                  static_cast<std::uint64_t>(settings_.seed) * 1024 + trees_.iterations());
@@ -337,21 +351,30 @@ class MirTechnique : public PathTechnique {
     nodes_.write(tools_, trees_.nodes(), "guiding: directional trees");
   }
 
-  // Of each path's light what its weight adds to the mean of all frames, times their number.
+  // Of all that was seen so far; more may follow.
   std::vector<vec4> finished_picture() {
     const Clock clock(host_ms_);
     std::vector<vec4> picture = pictures_.combined(weights());
     const double samples = pictures_.samples();
+    std::vector<glm::dvec3> shifted = shifted_;
+    SingleSamples single = samples_;
     if (weighs_paths(weights()) && samples > 0) {
-      weigh_paths(samples);
-      for (std::size_t i = 0; i < picture.size(); ++i) picture[i] += vec4(vec3(shifted_[i] / samples), 0.0f);
+      const std::vector<glm::dvec3> shifts = shifts_of_paths(samples);
+      for (std::size_t i = 0; i < shifts.size(); ++i) {
+        const PathStore::Path& path = store_.paths()[i];
+        shifted[path.pixel] += shifts[i];
+        if (removes_outliers()) single.shift(path.frame, path.pixel, shifts[i]);
+      }
+      for (std::size_t i = 0; i < picture.size(); ++i) picture[i] += vec4(vec3(shifted[i] / samples), 0.0f);
     }
-    if (removes_outliers() && samples_.count() > 0)
-      return samples_.without_outliers(size_, static_cast<double>(settings_.mir_outliers));
+    if (removes_outliers() && single.count() > 0)
+      return single.without_outliers(size_, static_cast<double>(settings_.mir_outliers));
     return picture;
   }
-  void weigh_paths(double samples) {
-    const auto iterations = static_cast<std::uint32_t>(seen_.size());
+  // Of each stored path's light what its weight adds to the mean of all frames, times their number.
+  std::vector<glm::dvec3> shifts_of_paths(double samples) {
+    const std::vector<double>& counts = pictures_.counts();
+    const auto iterations = static_cast<std::uint32_t>(counts.size());
     const bool aware = weights() == IterationWeights::kVarianceAware;
     const std::vector<double> factors = aware ? pictures_.variance_factors() : std::vector<double>();
     const auto& paths = store_.paths();
@@ -365,21 +388,21 @@ class MirTechnique : public PathTechnique {
       others[i] = other_densities(trees_, path.vertices, paths[i].iteration, settings_.mir_defence);
       if (weights() == IterationWeights::kVertices) {
         for_each_vertex_factor(
-            trees_, path, paths[i].iteration, seen_, settings_.mir_defence,
+            trees_, path, paths[i].iteration, counts, settings_.mir_defence,
             [&](const vec3& light, double factor) { shifts[i] += glm::dvec3(light) * (samples * factor - 1); });
         return;
       }
       for_each_ratio(trees_, path, paths[i].iteration, iterations, settings_.mir_defence,
                      [&](const vec3& light, std::span<const double> ratios) {
-                       const double factor = aware ? variance_aware_factor(ratios, seen_, v, paths[i].iteration)
-                                                   : balance_factor(ratios, seen_);
+                       const double factor = aware ? variance_aware_factor(ratios, counts, v, paths[i].iteration)
+                                                   : balance_factor(ratios, counts);
                        shifts[i] += glm::dvec3(light) * (samples * factor - 1);
                      });
     });
-    for (std::size_t i = 0; i < paths.size(); ++i) shift(paths[i], shifts[i]);
     others_ = std::accumulate(others.begin(), others.end(), std::uint64_t{0});
     vertices_weighed_ = 0;
     for (const PathStore::Path& path : paths) vertices_weighed_ += path.count;
+    return shifts;
   }
 
   TechniqueTools tools_;

@@ -94,8 +94,7 @@ bool PathStore::load(ByteReader& state, std::size_t pixels, std::size_t iteratio
 double direction_density(const GuidingTrees& trees, std::uint32_t leaf, std::uint32_t k, const vec3& direction,
                          float scatter_pdf, float defence) {
   const double scattered = static_cast<double>(scatter_pdf);
-  if (k == 0) return scattered;
-  const float guided = trees.density(leaf, k - 1, direction);
+  const float guided = trees.density_in(leaf, k, direction);
   if (guided < 0) return scattered;
   const double share = static_cast<double>(defence);
   return share * scattered + (1 - share) * static_cast<double>(guided);

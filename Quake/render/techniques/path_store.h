@@ -74,8 +74,9 @@ class PathStore {
   std::vector<LookedFor> looked_;
 };
 
-// Density of a direction from a vertex in a leaf in iteration `k`, from 0, of which the first has no distribution but
-// the vertex's own scattering, whose density is `scatter_pdf`. `defence`: the share of that in all others.
+// Density of a direction from a vertex in a leaf in iteration `k`, from 0, where it has a distribution
+// (GuidingTrees::density_in); else the vertex's own scattering alone, whose density is `scatter_pdf`. `defence`: the
+// share of that beside others.
 double direction_density(const GuidingTrees& trees, std::uint32_t leaf, std::uint32_t k, const vec3& direction,
                          float scatter_pdf, float defence);
 
