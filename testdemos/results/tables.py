@@ -238,6 +238,7 @@ TABLES = {
     "dittebrandt2023_moving": lambda: gains_of("dittebrandt2023_moving", "figure", True),
     "dittebrandt2023": lambda: gains_of("dittebrandt2023", "figure", True, ("fig16_cbox",)),
     "dittebrandt2023_means": lambda: errors_of_means("dittebrandt2023", "fig16_cbox"),
+    "pantaleoni2020": lambda: gains_of("pantaleoni2020", "figure", True),
     "judge": lambda: judge("judge"),
     "judge_quick": lambda: judge("judge_quick"),
     "gpu": gpu,
