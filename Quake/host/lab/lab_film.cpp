@@ -184,7 +184,6 @@ Status open_lanes(Film& film, const FilmOptions& o) {
   options.fps = film.spec.fps;
   options.size = fmt::format("{}x{}", film.spec.size.x, film.spec.size.y);
   options.sets.insert(options.sets.begin(), film.spec.sets.begin(), film.spec.sets.end());
-  if (o.guided) options.estimator = "mir_nee";
   if (film.spec.renders()) {
     if (auto status = unbiased_estimator(film.spec.reference_estimator, "\"reference_estimator\":"); !status)
       return status;
@@ -197,7 +196,9 @@ Status open_lanes(Film& film, const FilmOptions& o) {
       if (auto status = open_pictures(film.spec, lane, work); !status) return status;
       continue;
     }
-    const auto configuration = configuration_of(film.stage.console(), {lane.name, lane.sets}, lane.name);
+    std::vector<std::string> sets = lane.sets;
+    if (o.guided) sets.insert(sets.begin(), "r_estimator=mir_nee");
+    const auto configuration = configuration_of(film.stage.console(), {lane.name, sets}, lane.name);
     if (!configuration) return configuration.error();
     work.settings = render::as_in_game(configuration->settings, film.stage.device->is_software());
     work.settings.accumulate = 0;
@@ -352,9 +353,10 @@ LabCommand add_film_command(CLI::App& app) {
   film->add_option("--device", stage.device,
                    "Vulkan device: part of its name, or its index in `fullbright -listdevices`");
   film->add_flag("--validation", stage.validation, "enable Vulkan's validation layers");
-  film->add_flag("--guided", options->guided,
-                 "lanes that name no estimator are of mir_nee: while nothing moves, frames are iterations of one "
-                 "picture (multiple importance reweighting); biased, and without the denoiser");
+  film->add_flag(
+      "--guided", options->guided,
+      "lanes whose own set names no estimator are of mir_nee: while nothing moves, frames are iterations of one "
+      "picture (multiple importance reweighting); biased, and without the denoiser");
   film->add_flag("--quiet", stage.quiet, "print no progress");
   return {film, [options] { return run_film(*options); }};
 }

@@ -155,6 +155,20 @@ class Film(unittest.TestCase):
             else:
                 self.assertGreater(int(samples["short"]), 8, "a path without reflections is shorter")
 
+    def test_guided_lanes_are_those_that_name_no_estimator(self):
+        timed = {**SPEC, "equal": "time"}
+        said = self.film(timed, "timed", "--guided")
+        self.assertEqual(said.returncode, 1)
+        self.assertIn('pt: "equal": "time": frames of mir_nee are of one picture, whose time grows', said.stderr)
+        still = {**SPEC, "scene": "cbox", "set": {"r_bounces": 2}, "exposure": "own"}
+        pictures = {}
+        for out, lane, options in (("plain", 0, ()), ("guided", 0, ("--guided",)), ("named", 1, ()), ("kept", 1, ("--guided",))):
+            said = self.film({**still, "lanes": [SPEC["lanes"][lane]]}, out, *options)
+            self.assertEqual(said.returncode, 0, said.stderr)
+            pictures[out] = read_png(self.folder / out / "frame_000002.png")[2][34:]
+        self.assertNotEqual(pictures["guided"], pictures["plain"])
+        self.assertEqual(pictures["kept"], pictures["named"])
+
     def test_what_is_wrong_is_named_with_its_line(self):
         self.captured("few", (1, 2, 3), count=2)
         self.captured("small", (1, 2, 3), width=32)
