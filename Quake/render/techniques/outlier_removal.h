@@ -4,8 +4,8 @@
 // Samples are sorted into layers of brightness, each kLayerRatio times as bright as the one before. A sample between
 // two of them is split so that neither its light nor its number changes. A layer counts in full where a pixel and its
 // eight neighbours have `enough` samples of its brightness, of the layers next to it as well, and in proportion where
-// there are fewer. The paper's test of a pixel's own samples beside that of its neighbourhood is left out, and there is
-// one threshold. What is dimmer than the first layer, far below the picture's mean, always counts.
+// there are fewer. These layers and their one threshold are our own choice. What is dimmer than the first layer, far
+// below the picture's mean, always counts.
 #pragma once
 
 #include <cstdint>
