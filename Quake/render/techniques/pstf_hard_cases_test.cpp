@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "render/techniques/test_pstf.h"
+#include "render/techniques/test_wall.h"
 #include "scene/in_code/code_scene_parts.h"
 #include "scene/shapes.h"
 #include "shared/tone.h"
@@ -60,22 +61,6 @@ TEST_F(PstfHardTest, LightAtItsEnds) {
   }
 }
 
-// A wall and a lamp behind the camera.
-scene::FrameSnapshot wall_and_lamp(float radiance) {
-  auto assets = scene::new_code_assets();
-  const std::uint32_t wall = scene::add_material(*assets, "wall", vec3(0.6f));
-  const std::uint32_t light = scene::add_material(*assets, "light", vec3(0.0f), vec3(1.0f));
-  scene::Mesh mesh;
-  scene::add_box(mesh, vec3(100, -400, -400), vec3(110, 400, 400), wall);
-  const std::uint32_t wall_mesh = scene::add_finished(*assets, std::move(mesh), "wall");
-  const std::uint32_t sphere = scene::add_sphere_mesh(*assets);
-  scene::FrameSnapshot snapshot = scene::still(assets, scene::camera_at(vec3(0.0f), vec3(0.0f), 90.0f));
-  snapshot.instances.push_back(scene::make_instance(scene::kIdWorld, wall_mesh));
-  snapshot.instances.push_back(
-      scene::glowing(scene::kIdEntityLight, sphere, light, vec3(-60, 0, 0), vec3(40), vec3(radiance)));
-  return snapshot;
-}
-
 // Light that is no number is counted, and the field is that of a lamp that is dark, to the last bit.
 TEST_F(PstfHardTest, LightThatIsNotFiniteIsAsNone) {
   for (const char* estimator : {"pstf_cv_nee", "pstf_is_cv"}) {
@@ -86,15 +71,15 @@ TEST_F(PstfHardTest, LightThatIsNotFiniteIsAsNone) {
       s.pstf_gaussians = gaussians;
       const auto fields_of = [&](float radiance) {
         auto renderer = make_renderer(s, 48, 36);
-        render_still(*renderer, wall_and_lamp(radiance), s, 6);
+        render_still(*renderer, wall_under_a_lamp(vec3(-60, 0, 0), 40, radiance), s, 6);
         EXPECT_EQ(renderer->read().counters().not_finite > 0, !std::isfinite(radiance)) << radiance;
         for (const vec4& pixel : renderer->read().linear()) EXPECT_TRUE(std::isfinite(pixel.x)) << radiance;
         const auto counted = renderer->read().counters().not_finite;
-        render_still(*renderer, wall_and_lamp(0), s, 1);
+        render_still(*renderer, wall_under_a_lamp(vec3(-60, 0, 0), 40, 0), s, 1);
         EXPECT_EQ(renderer->read().counters().not_finite, counted) << "the field holds it";
         RenderSettings view = s;
         view.debug_view = static_cast<int>(shared::kViewPstfField);
-        renderer->render(wall_and_lamp(0), nullptr, view);
+        renderer->render(wall_under_a_lamp(vec3(-60, 0, 0), 40, 0), nullptr, view);
         return renderer->read().output();
       };
       const auto dark = fields_of(0);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "render/techniques/test_ssmm.h"
+#include "render/techniques/test_wall.h"
 #include "render/test_image.h"
 #include "render/test_means.h"
 #include "scene/in_code/code_scene_parts.h"
@@ -25,22 +26,6 @@ namespace fb::render {
 namespace {
 
 constexpr std::uint32_t kWidth = 48, kHeight = 36;
-
-// A wall across the whole picture, 100 units away, and a lamp, where none is told behind the camera.
-scene::FrameSnapshot wall_under_a_lamp(const vec3& position = vec3(-20, 0, 0), float radius = 16) {
-  auto assets = scene::new_code_assets();
-  const std::uint32_t wall = scene::add_material(*assets, "wall", vec3(0.6f));
-  const std::uint32_t light = scene::add_material(*assets, "light", vec3(0.0f), vec3(1.0f));
-  scene::Mesh mesh;
-  scene::add_box(mesh, vec3(100, -400, -400), vec3(110, 400, 400), wall);
-  const std::uint32_t wall_mesh = scene::add_finished(*assets, std::move(mesh), "wall");
-  const std::uint32_t sphere = scene::add_sphere_mesh(*assets);
-  scene::FrameSnapshot snapshot = scene::still(assets, scene::camera_at(vec3(0.0f), vec3(0.0f), 90.0f));
-  snapshot.instances.push_back(scene::make_instance(scene::kIdWorld, wall_mesh));
-  snapshot.instances.push_back(
-      scene::glowing(scene::kIdEntityLight, sphere, light, position, vec3(radius), vec3(300.0f)));
-  return snapshot;
-}
 
 class SsmmHardTest : public SsmmTest {
  protected:
