@@ -7,7 +7,7 @@ QUAKE_DIR ?=
 export FUZZ_SECONDS QUAKE_DIR JOBS
 
 .DEFAULT_GOAL := all
-.PHONY: all deps test demo play bench fuzz asan coverage settings-page check platforms package tidy format clean help
+.PHONY: all deps test passed demo play bench fuzz asan coverage settings-page check platforms package tidy format clean help
 
 # Tests run one more at a time than there are processors: some of them wait. `make test` leaves that to run_tests.py.
 #
@@ -26,6 +26,13 @@ test: ## build everything and run every test
 	@$(DEPS) test
 	$(call configure_and_build,release,build)
 	@Misc/with_display.sh Misc/run_tests.py build
+
+passed: ## run the tests that are known by what they passed with, where their files changed, and write Misc/passed.csv
+	@$(DEPS) test
+	$(call configure_and_build,release,build)
+	@Misc/with_display.sh Misc/run_tests.py build --keep-passed --label-regex 'statistical|repeats|scripts'
+	@ray_query=$$(Linux/rayquery-lavapipe.sh build/rayquery-lavapipe) && \
+	{ [ -z "$$ray_query" ] || env $$ray_query Misc/run_tests.py build --keep-passed --label-regex intersector; }
 
 demo: all ## play a recorded demo headless through the path tracer; QUAKE_DIR=... uses other data than the base game's
 	@Misc/demo.sh

@@ -2,13 +2,16 @@
 """Runs the tests of a build, several at a time: says how many there are and about how long they take, and at the end what
 failed, and what was skipped, for want of what.
 
-usage: run_tests.py BUILD [--jobs N] [--skipped-in FILE] [--results FILE] [--keep-times] [CTEST OPTIONS ...]
+usage: run_tests.py BUILD [--jobs N] [--skipped-in FILE] [--results FILE] [--keep-times] [--keep-passed] [--spot-check] [CTEST OPTIONS ...]
 
   --jobs N           tests that run at a time; default: one more than there are processors, since some of them wait
   --results FILE     keeps ctest's JUnit file there
   --skipped-in FILE  runs again what was skipped for want of LibreQuake in that file of results: the test, or, of GoogleTest's,
                      the cases
   --keep-times       writes what the tests took into Misc/test_seconds.csv, from which the estimate is made
+  --keep-passed      writes with which files tests passed into Misc/passed.csv: elsewhere they run only where these changed
+                     (unless_passed.py)
+  --spot-check       one of the tests in that file runs all the same; another one after each change to the file
 
 Test programs say that they skip something by a line "skipped: WHY" (and exit status 77, if it is all they have), as GoogleTest
 does, or as unittest does with --verbose. Each is told with its reason. The exit status is ctest's.
@@ -16,6 +19,7 @@ does, or as unittest does with --verbose. Each is told with its reason. The exit
 import argparse
 import collections
 import csv
+import hashlib
 import json
 import os
 import pathlib
@@ -24,6 +28,8 @@ import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ET
+
+from unless_passed import KNOWN, PASSED, read_passed, write_passed
 
 SECONDS = pathlib.Path(__file__).with_name("test_seconds.csv")
 DATA = "LibreQuake"
@@ -64,7 +70,7 @@ def skips_of(case: ET.Element) -> list[tuple[str, str]]:
 
 
 def summary(cases: list[ET.Element]) -> str:
-    """What was skipped, by reason, and what failed; empty where there is neither."""
+    """What was skipped, by reason, what is known to pass, and what failed; empty where there is none of them."""
     reasons = collections.defaultdict(list)
     for case in cases:
         for what, why in skips_of(case):
@@ -78,6 +84,9 @@ def summary(cases: list[ET.Element]) -> str:
         for name, count in sorted(tests.items()):
             whole = name in what
             lines.append(f"    {name}" + ("" if whole else f": {count} case{'s' if count > 1 else ''}"))
+    known = [case.get("name") for case in cases if (case.findtext("system-out") or "").startswith(KNOWN)]
+    if known:
+        lines.append("Known to pass with the same files, and not run (FULLBRIGHT_RUN_AGAIN=1 runs them): " + ", ".join(sorted(known)))
     failed = [case.get("name") for case in cases if case.get("status") == "fail"]
     if failed:
         lines.append("Failed: " + ", ".join(failed))
@@ -110,6 +119,26 @@ def keep_seconds(cases: list[ET.Element], processors: int) -> None:
         writer.writerows((name, f"{seconds:.0f}") for name, seconds in sorted(rows.items()))
 
 
+def keep_passed(build: pathlib.Path, cases: list[ET.Element], path: pathlib.Path = PASSED) -> None:
+    """What these cases' stamps say goes into the file; of a test that failed nothing stays."""
+    passed = read_passed(path)
+    ran = {case.get("name"): case.get("status") == "run" for case in cases}
+    for which in [which for which in passed if not ran.get(which[0], True)]:
+        del passed[which]
+    for name in filter(ran.get, ran):
+        stamp = build / "passed" / name
+        if stamp.exists():
+            device, key = stamp.read_text().splitlines()
+            passed[name, device] = key
+    write_passed(path, passed)
+
+
+def spot_check(names: list[str], path: pathlib.Path = PASSED) -> str:
+    """One of these tests that the file knows, as its contents have it; empty if it knows none."""
+    known = sorted({name for name, _ in read_passed(path)} & set(names))
+    return known[int.from_bytes(hashlib.sha256(path.read_bytes()).digest()[:8], "little") % len(known)] if known else ""
+
+
 def main() -> int:
     processors = len(os.sched_getaffinity(0))
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -118,6 +147,8 @@ def main() -> int:
     parser.add_argument("--results", type=pathlib.Path)
     parser.add_argument("--skipped-in", type=pathlib.Path)
     parser.add_argument("--keep-times", action="store_true")
+    parser.add_argument("--keep-passed", action="store_true")
+    parser.add_argument("--spot-check", action="store_true")
     options, chosen = parser.parse_known_args()
 
     ctest = ["ctest", "--test-dir", str(options.build), *chosen]
@@ -136,8 +167,16 @@ def main() -> int:
         sys.stderr.write(listed.stderr)
         return listed.returncode
     names = [test["name"] for test in json.loads(listed.stdout)["tests"]]
-    minutes = estimated_minutes(read_seconds(), names, options.jobs, processors)
-    print(f"{len(names)} tests, {options.jobs} at a time: about {max(1, round(minutes))} min on {processors} processor{'s' if processors > 1 else ''}", flush=True)
+    if options.spot_check and "FULLBRIGHT_RUN_AGAIN" not in environment and (again := spot_check(names)):
+        environment["FULLBRIGHT_RUN_AGAIN"] = again
+        print(f"run_tests: {again} runs again, whatever {PASSED.name} says of it")
+    known = set() if environment.get("FULLBRIGHT_RUN_AGAIN") == "1" else {name for name, _ in read_passed(PASSED)}
+
+    def minutes(tests: list[str]) -> int:
+        return max(1, round(estimated_minutes(read_seconds(), tests, options.jobs, processors)))
+
+    unless = f", {minutes([name for name in names if name not in known])} if what {PASSED.name} knows did not change" if known & set(names) else ""
+    print(f"{len(names)} tests, {options.jobs} at a time: about {minutes(names)} min on {processors} processor{'s' if processors > 1 else ''}{unless}", flush=True)
 
     with tempfile.TemporaryDirectory() as folder:
         results = (options.results or pathlib.Path(folder) / "results.xml").resolve()
@@ -151,6 +190,8 @@ def main() -> int:
         print("\n" + text)
     if options.keep_times:
         keep_seconds(cases, processors)
+    if options.keep_passed:
+        keep_passed(options.build, cases)
     return status
 
 

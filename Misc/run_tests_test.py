@@ -34,6 +34,7 @@ TESTS = {
     "whole": "echo 'skipped: no LibreQuake in nowhere: FULLBRIGHT_TEST_DATA names the folder'; exit 77",
     "python": "echo \"test_seen (x.Case.test_seen) ... ok\"; echo \"test_drawn (x.Case.test_drawn) ... skipped 'matplotlib is not installed'\"",
     "display": "echo 'skipped: no display'; exit 77",
+    "known": "echo 'known to pass: it did here'",
     "fails": "echo 'skipped: one of its parts'; exit 1",
 }
 
@@ -56,13 +57,14 @@ class RunTestsTest(unittest.TestCase):
     def test_says_what_was_skipped_and_why(self):
         done = self.run_it(TESTS, "--results", str(self.folder / "results.xml"))
         self.assertNotEqual(done.returncode, 0)
-        self.assertIn("6 tests, ", done.stdout.splitlines()[0])
+        self.assertIn("7 tests, ", done.stdout.splitlines()[0])
         end = done.stdout[done.stdout.index("\nSkipped:"):].strip().splitlines()
         self.assertEqual(end, ["Skipped:",
                                "  no LibreQuake in nowhere: FULLBRIGHT_TEST_DATA names the folder", "    maps: 2 cases", "    whole",
                                "  matplotlib is not installed", "    python: 1 case",
                                "  no display", "    display",
                                "  one of its parts", "    fails",
+                               "Known to pass with the same files, and not run (FULLBRIGHT_RUN_AGAIN=1 runs them): known",
                                "Failed: fails"])
         again = self.run_it(TESTS, "--skipped-in", str(self.folder / "results.xml"))
         self.assertEqual(again.returncode, 0)
@@ -75,6 +77,7 @@ class RunTestsTest(unittest.TestCase):
         self.assertEqual(done.returncode, 0)
         self.assertNotIn("Skipped:", done.stdout)
         self.assertNotIn("Failed:", done.stdout)
+        self.assertNotIn("Known", done.stdout)
 
     def test_runs_again_only_what_was_skipped(self):
         self.assertEqual(self.run_it(["passes"], "--results", str(self.folder / "results.xml")).returncode, 0)

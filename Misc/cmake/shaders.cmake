@@ -1,6 +1,7 @@
-# fb_shader(NAME SOURCE [TRACES]) compiles SOURCE with glslang to SPIR-V for Vulkan 1.2 and embeds every variant of it:
+# fb_shader(NAME SOURCE [TRACES] [QUICK]) compiles SOURCE with glslang to SPIR-V for Vulkan 1.2 and embeds every variant of it:
 # arrays bound or by address (Shaders/lib/arrays.glsl), and, where it TRACES, through ray query as well (by address:
 # devices with ray query have addresses). fb_shader_table(FILE) then writes a header whose kCompiledShaders lists all.
+# Of QUICK ones a build with FULLBRIGHT_QUICK_SHADERS optimises the first variant alone.
 #
 # compile_shader.py takes what is compiled already from a cache (FULLBRIGHT_SHADER_CACHE); without Python all is compiled.
 #
@@ -17,6 +18,9 @@ endif()
 # FULLBRIGHT_SHADERS_FROM=FOLDER: another build folder of the same sources, whose compiled shaders are taken as they are, and
 # never compiled anew (CI's second build).
 #
+# FULLBRIGHT_QUICK_SHADERS (CI's builds): variants that no test of it draws with are compiled, but left as they are written. That is a sixth of
+# a build from nothing, and what each new technique adds most of.
+option(FULLBRIGHT_QUICK_SHADERS "Optimise those variants of shaders alone that Debian 12's lavapipe takes" OFF)
 # FULLBRIGHT_RAW_SHADERS leaves glslang's optimizer out: drivers then see the shaders as they are written (Misc/docs/building.md).
 option(FULLBRIGHT_RAW_SHADERS "Compile shaders without glslang's optimizer" OFF)
 set(FULLBRIGHT_SHADERS_FROM "" CACHE PATH "build folder of the same sources whose compiled shaders are taken as they are")
@@ -40,7 +44,7 @@ else()
   endif()
 endif()
 
-function(fb_compile_shader name source)
+function(fb_compile_shader name source optimize)
   set(out ${FB_SHADER_DIR}/${name}.spv.h)
   if(FULLBRIGHT_SHADERS_FROM)
     if(NOT EXISTS ${out})
@@ -51,7 +55,7 @@ function(fb_compile_shader name source)
   list(TRANSFORM ARGN PREPEND -D)
   add_custom_command(
     OUTPUT ${out}
-    COMMAND ${FB_SHADER_LAUNCHER} ${GLSLANG} -V --quiet ${FB_SHADER_OPTIMIZE} --target-env vulkan1.2 -I${CMAKE_SOURCE_DIR}/Shaders ${ARGN}
+    COMMAND ${FB_SHADER_LAUNCHER} ${GLSLANG} -V --quiet ${optimize} --target-env vulkan1.2 -I${CMAKE_SOURCE_DIR}/Shaders ${ARGN}
             --vn ${name}_spv --depfile ${out}.d -o ${out} ${source}
     DEPFILE ${out}.d
     DEPENDS ${source} ${FB_SHADER_CACHE}
@@ -60,17 +64,21 @@ function(fb_compile_shader name source)
 endfunction()
 
 function(fb_test_shader name source)
-  fb_compile_shader(${name} ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+  fb_compile_shader(${name} ${CMAKE_CURRENT_SOURCE_DIR}/${source} "${FB_SHADER_OPTIMIZE}")
 endfunction()
 
 function(fb_shader name source)
-  cmake_parse_arguments(S "TRACES" "" "" ${ARGN})
+  cmake_parse_arguments(S "TRACES;QUICK" "" "" ${ARGN})
   set(source ${CMAKE_CURRENT_SOURCE_DIR}/${source})
-  fb_compile_shader(${name}_bound ${source} INTERSECTOR_QUERY=0 ARRAYS_BY_ADDRESS=0 ${S_UNPARSED_ARGUMENTS})
-  fb_compile_shader(${name}_address ${source} INTERSECTOR_QUERY=0 ARRAYS_BY_ADDRESS=1 ${S_UNPARSED_ARGUMENTS})
+  set(others "${FB_SHADER_OPTIMIZE}")
+  if(S_QUICK AND FULLBRIGHT_QUICK_SHADERS)
+    set(others "")
+  endif()
+  fb_compile_shader(${name}_bound ${source} "${FB_SHADER_OPTIMIZE}" INTERSECTOR_QUERY=0 ARRAYS_BY_ADDRESS=0 ${S_UNPARSED_ARGUMENTS})
+  fb_compile_shader(${name}_address ${source} "${others}" INTERSECTOR_QUERY=0 ARRAYS_BY_ADDRESS=1 ${S_UNPARSED_ARGUMENTS})
   set(query "{}")
   if(S_TRACES)
-    fb_compile_shader(${name}_query ${source} INTERSECTOR_QUERY=1 ARRAYS_BY_ADDRESS=1 ${S_UNPARSED_ARGUMENTS})
+    fb_compile_shader(${name}_query ${source} "${others}" INTERSECTOR_QUERY=1 ARRAYS_BY_ADDRESS=1 ${S_UNPARSED_ARGUMENTS})
     set(query ${name}_query_spv)
     set_property(GLOBAL APPEND_STRING PROPERTY FB_SHADER_INCLUDES "#include \"${name}_query.spv.h\"\n")
   endif()

@@ -22,7 +22,7 @@ namespace {
 struct PictureOptions {
   std::string suite, basedir, librequake, size = "320x180", device, json, pictures, references = "out/references";
   std::string reference_estimator = "nee";
-  std::vector<std::string> estimators, configurations, programs, sets, views;
+  std::vector<std::string> estimators, configurations, programs, sets, reference_sets, views;
   std::uint32_t seeds = 4, reference_spp = 2048;
   bool quick = false, references_only = false, quiet = false;
 };
@@ -92,8 +92,9 @@ Status judge_views(std::vector<PlacedView>& views, const PictureOptions& o, cons
 Status run_picture(const PictureOptions& o, const std::string& command) {
   const auto size = parse_size(o.size);
   if (!size) return Error{"--size: " + size.error().message};
-  lab::JudgeTitle title{
-      command, o.suite, "", fmt::format("{}, {} samples a pixel", o.reference_estimator, o.reference_spp), {}, {}};
+  std::string reference = fmt::format("{}, {} samples a pixel", o.reference_estimator, o.reference_spp);
+  for (const std::string& set : o.reference_sets) reference += ", " + set;
+  lab::JudgeTitle title{command, o.suite, "", std::move(reference), {}, {}};
   if (auto status = known_estimator(o.reference_estimator, "--reference-estimator"); !status) return status;
   auto views = place_views(o, title.skipped);
   if (!views) return views.error();
@@ -117,10 +118,12 @@ Status run_picture(const PictureOptions& o, const std::string& command) {
     if (!curves) return curves.error();
     title.other_curves = std::move(*curves);
   }
+  std::vector<std::string> reference_sets = o.sets;
+  reference_sets.insert(reference_sets.end(), o.reference_sets.begin(), o.reference_sets.end());
   for (std::size_t i = 0; i < views->size(); ++i) {
     PlacedView& placed = (*views)[i];
     const std::string label = fmt::format("view {} of {}, {}", i + 1, views->size(), placed.view.name);
-    auto truth = find_truth(placed.view, placed.basedir, o.sets, o.device,
+    auto truth = find_truth(placed.view, placed.basedir, reference_sets, o.device,
                             {o.reference_estimator, o.reference_spp, size->x, size->y, o.references, label, o.quiet});
     if (!truth) return truth.error();
     title.device = truth->device;
@@ -146,6 +149,8 @@ void add_options(CLI::App& app, PictureOptions& o) {
                           "NAME=PROGRAM: another fullbright-lab, an older one for example, judged beside this one; may "
                           "be repeated"));
   repeated(app.add_option("--set", o.sets, "cvar=value, for references and all configurations; may be repeated"));
+  repeated(app.add_option("--reference-set", o.reference_sets,
+                          "cvar=value, for references alone (r_bounces=16: all reflections); may be repeated"));
   repeated(app.add_option("--views", o.views, "the views to judge, by their names: hub_300,start; default: all"));
   app.add_flag("--quick", o.quick,
                "only the views that the suite calls quick; 160x90, 4 seeds and references of 512 samples unless other "
