@@ -50,7 +50,7 @@ SUBFOLDERS = {
     "host": ["", "game", "lab"],
     "ui": ["", "menu"],
     "client": ["effects", "session", "input", "sources", ""],
-    "lab": ["", "gltf", "reference", "compare", "timedemo", "ztest", "bench", "iterate", "judge", "film", "suite", "authored"],
+    "lab": ["", "gltf", "import", "reference", "compare", "timedemo", "ztest", "bench", "iterate", "judge", "film", "suite", "authored"],
 }
 # Modules whose C++ code shares structs and pure functions with the shaders.
 USES_SHARED = {"scene", "gpu", "render", "lab", "host"}

@@ -17,6 +17,7 @@
 #include "host/options.h"
 #include "lab/camera_source.h"
 #include "lab/client_source.h"
+#include "lab/import/imported_scene.h"
 #include "lab/lambert_source.h"
 #include "platform/program_directory.h"
 #include "render/passes/debug_views.h"
@@ -58,8 +59,11 @@ Status open_source(Stage& stage, const StageOptions& o) {
   if (!o.scene.empty()) {
     render::register_render_cvars(stage.own_console);
     if (auto status = set_cvars(stage.own_console, o); !status) return status;
-    auto source = lab::code_scene(o.scene, o.fps);
+    const bool imported = lab::is_imported_scene(o.scene);
+    std::vector<std::string> left_out;
+    auto source = imported ? lab::imported_source(o.scene, &left_out) : lab::code_scene(o.scene, o.fps);
     if (!source) return source.error();
+    for (const std::string& sentence : left_out) fmt::print(stderr, "fullbright-lab: {}: {}\n", o.scene, sentence);
     stage.source = std::move(*source);
     if (*camera) stage.source = lab::camera_source(std::move(stage.source), **camera);
     stage.settings = render::read_render_settings(stage.own_console);
@@ -110,7 +114,8 @@ void add_stage_options(CLI::App& app, StageOptions& o) {
   what->add_option("--map", o.map, "a map, from its first player start");
   what->add_option("--scene", o.scene,
                    "a built-in scene: " + fmt::format("{}", fmt::join(lab::code_scene_names(), ", ")) +
-                       "; with N lights, triangles or moving boxes many:N, triangles:N, movers:N");
+                       "; with N lights, triangles or moving boxes many:N, triangles:N, movers:N; or a file of "
+                       "glTF 2.0 or pbrt-v4: FILE.gltf, FILE.glb, FILE.pbrt");
   what->require_option(1);
   app.add_option("--camera", o.camera, "x,y,z,pitch,yaw,roll of a fixed camera, in the place of the player's");
   add_number(app, "--fps", o.fps, 0.1, 10000.0, "frames per second of game time");

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "fs/file.h"
+#include "lab/gltf/gltf_numbers.h"
 
 namespace fb::lab {
 namespace {
@@ -17,7 +18,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
 
 constexpr int kFloat = 5126;  // GL's number of the type
-constexpr std::uint32_t kGlbMagic = 0x46546c67, kGlbVersion = 2, kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
 
 template <typename T>
 std::span<const std::uint8_t> bytes_of(std::span<const T> values) {

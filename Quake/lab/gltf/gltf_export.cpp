@@ -13,6 +13,7 @@
 
 #include "formats/image_write.h"
 #include "lab/gltf/gltf_document.h"
+#include "lab/gltf/gltf_numbers.h"
 #include "render/picture/frame_constants.h"
 #include "render/scene/gpu_scene_tables.h"
 #include "scene/library/asset_builder.h"
@@ -22,10 +23,7 @@
 namespace fb::lab {
 namespace {
 
-constexpr float kMetresPerUnit = 0.0254f;
 constexpr float kUsualSpecular = 0.04f;  // glTF's own
-constexpr float kLumenPerWatt = 683.0f;
-constexpr int kNearest = 9728, kClamp = 33071, kRepeat = 10497, kTriangleList = 4;
 constexpr std::uint8_t kTransparentIndex = 255, kFirstFullbright = 224;
 
 Json list(const vec3& v) { return {v.x, v.y, v.z}; }
