@@ -7,7 +7,7 @@ QUAKE_DIR ?=
 export FUZZ_SECONDS QUAKE_DIR JOBS
 
 .DEFAULT_GOAL := all
-.PHONY: all deps test passed demo play bench fuzz asan coverage settings-page check platforms package tidy format clean help
+.PHONY: all deps test passed passed-sanitized demo play bench fuzz asan coverage settings-page check platforms package tidy format clean help
 
 # Tests run one more at a time than there are processors: some of them wait. `make test` leaves that to run_tests.py.
 #
@@ -30,9 +30,14 @@ test: ## build everything and run every test
 passed: ## run the tests that are known by what they passed with, where their files changed, and write Misc/passed.csv
 	@$(DEPS) test
 	$(call configure_and_build,release,build)
-	@Misc/with_display.sh Misc/run_tests.py build --keep-passed --label-regex 'statistical|repeats|scripts'
+	@Misc/with_display.sh Misc/run_tests.py build --keep-passed --label-regex 'statistical|repeats|scripts|slow|drawn'
 	@ray_query=$$(Linux/rayquery-lavapipe.sh build/rayquery-lavapipe) && \
 	{ [ -z "$$ray_query" ] || env $$ray_query Misc/run_tests.py build --keep-passed --label-regex intersector; }
+
+passed-sanitized: ## the same of CI's sanitized part: half an hour of two processors
+	@$(DEPS) test fuzz
+	$(call configure_and_build,release,build)
+	@Misc/sanitized_part.sh --keep
 
 demo: all ## play a recorded demo headless through the path tracer; QUAKE_DIR=... uses other data than the base game's
 	@Misc/demo.sh
@@ -97,4 +102,4 @@ clean: ## remove build results
 	rm -rf build build-asan build-coverage
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 18
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 24

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """Runs a test that is a function of files, unless it is known to have passed with the same ones.
 
-usage: unless_passed.py NAME [--stamps FOLDER] [--tests PATTERN] [--tools TEXT] [--device PROGRAM] --of PATH ... -- COMMAND ...
+usage: unless_passed.py NAME --stamps FOLDER [--tests PATTERN] [--tools TEXT] [--device PROGRAM] [--may-skip] [--keep] --of PATH ... -- COMMAND ...
 
   --of PATH ...     files and folders that the test is a function of
   --tests PATTERN   of files named x_test.cpp, x_test.py, x_bench.cpp and fuzz_x.cpp in there only those count that match it; else all files count
   --tools TEXT      what compiled it, by version
   --device PROGRAM  the test draws: PROGRAM -listdevices says on what
   --stamps FOLDER   where the build folder keeps what passed in it
+  --may-skip        it has passed where parts of it were skipped, too
+  --keep            its key goes into passed.csv at once
 
 A test that passed and skipped nothing has a key: a hash of the files, of the words of COMMAND, of what GTEST_FILTER and the like choose of it, of
 the versions of Python and numpy, of the tools and the device. The key is kept in FOLDER/NAME, and by `run_tests.py --keep-passed` in passed.csv
@@ -103,6 +105,8 @@ def arguments_of(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--tests")
     parser.add_argument("--tools", default="")
     parser.add_argument("--device")
+    parser.add_argument("--may-skip", action="store_true")
+    parser.add_argument("--keep", action="store_true")
     parser.add_argument("--of", type=pathlib.Path, nargs="+", required=True)
     at = words.index("--") if "--" in words else len(words)
     arguments = parser.parse_args(words[:at])
@@ -137,10 +141,12 @@ def main() -> int:
         for line in running.stdout:
             sys.stdout.buffer.write(line)
             sys.stdout.buffer.flush()
-            skipped = skipped or b"skipped" in line.lower()
+            skipped = skipped or (b"skipped" in line.lower() and not arguments.may_skip)
     if running.returncode == 0 and not skipped:
         stamp.parent.mkdir(parents=True, exist_ok=True)
         stamp.write_text(f"{device}\n{key}\n")
+        if arguments.keep:
+            write_passed(PASSED, read_passed(PASSED) | {(arguments.name, device): key})
     return running.returncode
 
 

@@ -64,6 +64,9 @@ class UnlessPassed(unittest.TestCase):
         self.assertFalse(self.ran(root, "another word"))
         for _ in range(2):
             self.assertTrue(self.ran(root, "Skipped"), "the rest of it may have its turn")
+        self.assertTrue(self.ran(root, "Skipped", options=("--may-skip", "--keep")))
+        self.assertFalse(self.ran(root, "Skipped"))
+        self.assertEqual(list(unless_passed.read_passed(root / "Misc/passed.csv")), [("a", "none")])
 
     def test_counts_what_chooses_what_compiled_and_what_draws(self):
         root = self.checkout("here")

@@ -21,7 +21,8 @@ add_custom_command(
 set(tested "")
 if(FULLBRIGHT_TESTS AND NOT FULLBRIGHT_SANITIZE)
   set(tested ALL)
-  add_test(NAME package COMMAND ${Python3_EXECUTABLE} ${package}/package_test.py ${CMAKE_BINARY_DIR} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  fb_whole_unless_passed(unless_passed package ${CMAKE_SOURCE_DIR}/CHANGELOG.md ${CMAKE_SOURCE_DIR}/LICENSE)
+  add_test(NAME package COMMAND ${unless_passed} ${Python3_EXECUTABLE} ${package}/package_test.py ${CMAKE_BINARY_DIR} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
   set_tests_properties(package PROPERTIES SKIP_RETURN_CODE 77 COST 30 LABELS slow)
 endif()
 add_custom_target(package_files ${tested} DEPENDS ${FB_PACKAGE_DIR}/fullbright.6 ${FB_PACKAGE_DIR}/fullbright-lab.1

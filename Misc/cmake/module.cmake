@@ -10,8 +10,8 @@
 #     otherwise; "*" labels the whole program, else label repeats, too: the host code is run by NAME already.
 #   sequences: NAME_sequences. Tests that compile many shaders, draw many frames or calculate for long, whose host code others
 #     run: suites whose names end in Sequences; label repeats, too.
-# What is labelled statistical or repeats, and is no sanitized build's, runs where the sources of the module and of those
-# that it links changed (Misc/unless_passed.py).
+# Each of these, and NAME itself (label drawn) where there are SHARDS, runs in a build without sanitizers where the sources of the module
+# and of those that it links changed (Misc/unless_passed.py).
 #
 # SHARDS n: each of these in n parts, which may run side by side.
 # COST n: about how many seconds the longest of them take on two cores under the sanitizers; ctest begins with those, so
@@ -64,7 +64,7 @@ endfunction()
 # The words before a test's command that leave it out where it is known to pass: of what folders it is a function, and which
 # tests in them count.
 function(fb_unless_passed result name tests)
-  set(${result} PARENT_SCOPE)
+  set(${result} "" PARENT_SCOPE)
   if(FULLBRIGHT_SANITIZE OR NOT Python3_FOUND)
     return()
   endif()
@@ -74,6 +74,13 @@ function(fb_unless_passed result name tests)
   set(${result} ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/Misc/unless_passed.py ${name} --stamps ${CMAKE_BINARY_DIR}/passed --tests ${tests}
       --tools ${tools} --device $<TARGET_FILE:fullbright> --of ${ARGN} -- PARENT_SCOPE)
 endfunction()
+
+# The same for a test of whole programs, which is a function of all sources.
+macro(fb_whole_unless_passed result name)
+  fb_unless_passed(${result} ${name} none ${CMAKE_SOURCE_DIR}/CMakeLists.txt ${CMAKE_SOURCE_DIR}/Quake ${CMAKE_SOURCE_DIR}/Shaders
+                   ${CMAKE_SOURCE_DIR}/Linux ${CMAKE_SOURCE_DIR}/Misc/basegame ${CMAKE_SOURCE_DIR}/Misc/cmake ${CMAKE_SOURCE_DIR}/Misc/python
+                   ${CMAKE_SOURCE_DIR}/testdemos ${ARGN})
+endmacro()
 
 function(fb_add_gtest name program filter label shards cost)
   foreach(shard RANGE 1 ${shards})
@@ -85,7 +92,7 @@ function(fb_add_gtest name program filter label shards cost)
     set(unless_passed)
     if(label MATCHES "statistical")
       fb_unless_passed(unless_passed ${test} *_statistics_test.cpp ${ARGN})
-    elseif(label MATCHES "repeats")
+    elseif(ARGN)
       fb_unless_passed(unless_passed ${test} *_test.cpp ${ARGN})
     endif()
     add_test(NAME ${test} COMMAND ${unless_passed} $<TARGET_FILE:${program}> WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
@@ -146,7 +153,13 @@ function(fb_module name)
       string(JOIN ":" moved ${moved})
       set(filter "-${moved}")
     endif()
-    fb_add_gtest(${name} ${name}_test "${filter}" "${label}" 1 ${M_COST})
+    if(M_SHARDS EQUAL 1)
+      set(folders)
+    else()
+      set(label drawn)
+      list(APPEND folders ${CMAKE_SOURCE_DIR}/testdemos/suites ${CMAKE_SOURCE_DIR}/testdemos/fight.dem ${CMAKE_SOURCE_DIR}/testdemos/hub.dem)
+    endif()
+    fb_add_gtest(${name} ${name}_test "${filter}" "${label}" 1 ${M_COST} ${folders})
   endif()
   if(M_BENCHMARKS AND FULLBRIGHT_BENCHMARKS AND benchmark_FOUND)
     add_executable(${name}_bench ${M_BENCHMARKS})
