@@ -104,7 +104,7 @@ TEST_F(GltfImportTest, NodesHaveTheirParents) {
   Json json = one_triangle();
   // 90 degrees about x: what looked along z looks along -y, down; then doubled, then moved.
   json["nodes"][0]["rotation"] = {0.70710678, 0, 0, 0.70710678};
-  json["nodes"].push_back({{"children", {0}}, {"scale", {2, 2, 2}}, {"translation", {0, 3, 0}}});
+  json["nodes"].push_back({{"children", Json::array({0})}, {"scale", {2, 2, 2}}, {"translation", {0, 3, 0}}});
   json["scenes"][0]["nodes"] = {1, 2};
   const ImportedScene scene = imported(json);
   const scene::Mesh& mesh = scene.snapshot.assets->meshes[0];
@@ -176,13 +176,13 @@ TEST_F(GltfImportTest, StripsFansAndSmallIndices) {
 
 TEST_F(GltfImportTest, WhatIsLeftOutIsNamed) {
   Json json = one_triangle();
-  json["animations"] = {Json::object()};
+  json["animations"] = Json::array({Json::object()});
   json["nodes"].push_back(json["nodes"][1]);
   json["scenes"][0]["nodes"] = {0, 1, 2};
   json["materials"][0]["extensions"]["KHR_materials_clearcoat"] = Json::object();
   json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
-  json["textures"] = {{{"source", 0}}};
-  json["images"] = {{{"uri", "data:image/jpeg;base64,/9j/4AAQ"}}};
+  json["textures"] = Json::parse(R"([{"source": 0}])");
+  json["images"] = Json::array({Json{{"uri", "data:image/jpeg;base64,/9j/4AAQ"}}});
   const ImportedScene scene = imported(json);
   EXPECT_THAT(scene.left_out,
               testing::UnorderedElementsAre(testing::HasSubstr("animations"), testing::HasSubstr("cameras"),
@@ -209,10 +209,11 @@ TEST_F(GltfImportTest, DamagedFilesAreRefused) {
   expect_refused(with("/buffers/0/uri", "no.bin"), "cannot be read");
   expect_refused(with("/buffers/0/uri", "/etc/hostname"), "only files beside it");
   expect_refused(with("/buffers", 3), "buffer 0 of 0");
-  expect_refused(with("/nodes/0/children", {0}), "deep");
+  expect_refused(with("/nodes/0/children", Json::array({0})), "deep");
   expect_refused(with("/nodes/0/mesh", 7), "there are no meshes with number 7");
   expect_refused(with("/scene", 3), "scenes");
-  expect_refused(with("/extensionsRequired", {"KHR_draco_mesh_compression"}), "KHR_draco_mesh_compression");
+  expect_refused(with("/extensionsRequired", Json::array({"KHR_draco_mesh_compression"})),
+                 "KHR_draco_mesh_compression");
   expect_refused(with("/asset", nullptr), "no glTF");
 }
 
