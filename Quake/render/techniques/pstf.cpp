@@ -65,10 +65,18 @@ class PstfTechnique : public Technique {
     specs.surfaces = specs.medium = {kind_ == PstfKind::kBiased && ends_in_field_, second};
     add_paths_pass(passes, name_, specs);
     if (seen_) seen_->add_fold(passes.list, passes.shaders);
+    const auto change_pass = [&](const char* label, bool sweeps) {
+      Variant of_changes;
+      of_changes.technique = {sweeps};
+      passes.list.dispatch(label, PassKind::kEstimator, passes.shaders.get("pstf_change", of_changes),
+                           {kFoldersOfCells, 1});
+    };
+    change_pass("pstf change", false);
     Variant variant;
     variant.technique = {has_trees()};
     passes.list.dispatch("pstf fields", PassKind::kEstimator, passes.shaders.get("pstf_fold", variant),
                          {kFoldersOfCells, 1});
+    change_pass("pstf sweep", true);
     if (gaussians_ == 0) return;
     variant.technique = {lane_of_sample_, gaussians_};
     passes.list.dispatch("pstf gaussians", PassKind::kEstimator, passes.shaders.get("pstf_gaussians", variant),

@@ -3,33 +3,37 @@
 // numbered as in the paper.
 #ifndef FB_PSTF_H
 #define FB_PSTF_H
+#include "estimators/pstf/pstf_change.h"
 #include "shared/bindings.h"
 #include "shared/debug_views.h"
 #include "shared/settings.h"
 FB_NAMESPACE_BEGIN
 
-// A cell: six texels of four words.
+// A cell: seven texels of four words.
 //   0: GridKey::check (0: empty), the frame that last taught it, samples of that frame, samples of all before (Eq. 11)
 //   1: outgoing light: mean luminance, and mean of luminance times the normal
 //   2: Co and Cg of outgoing light, Co and Cg of incident light
 //   3: incident light: mean luminance, and mean of luminance times its direction
 //   4: mean normal; how many samples the moments are worth
 //   5: moments of the control variate (ControlMoments); second moment of outgoing light
+//   6: straight part of outgoing light: mean luminance; its part of the world (region_word)
 // The two fields are 24 bytes each (Section 2.6). Outgoing light is without what the surface emits, and over its
 // reflectance: of a Lambert surface that is irradiance over pi, and textures do not blur. Incident light is that
 // of paths' own directions, weighed as a white Lambert surface reflects it: what light that is looked for leaves.
-FB_CONST uint kPstfCellWords = 24u;
+FB_CONST uint kPstfCellWords = 28u;
 // What a frame's samples add up to in a cell, in fixed point: outgoing light (6 words as above), normal (3), incident
-// light (6), moments (3), second moment of outgoing light (1), samples with a direction (1).
-FB_CONST uint kPstfSumWords = 20u;
+// light (6), moments (3), second moment of outgoing light (1), samples with a direction (1), straight part of outgoing
+// light (1); and the part of the world, which is no sum.
+FB_CONST uint kPstfSumWords = 22u;
 FB_CONST uint kPstfSumNormal = 6u, kPstfSumIncident = 9u, kPstfSumMoments = 15u, kPstfSumSecond = 18u,
-              kPstfSumDirected = 19u;
+              kPstfSumDirected = 19u, kPstfSumStraight = 20u, kPstfSumRegion = 21u;
 FB_CONST uint kPstfClaimed = 0x80000000u;  // beside a cell's samples: another cell wants its place
-FB_CONST uint kPstfTailWords = 4u;
+FB_CONST uint kPstfTailWords = 4u + 2u * kAllRegions * kRegionWords;
 
 // Arrays: X(constant, binding, what there is one element of, bytes of one, two halves, name). Sums: of all cells the
 // samples of this frame, then the largest check that wants the cell, then what samples add up to, then the list of
-// cells that have any of these; behind all kPstfTailWords, of which two, in turns, count the list.
+// cells that have any of these; behind all kPstfTailWords: two that in turns count the
+// list, two that say whether light changed, and in turns the sums of parts of the world.
 #define FB_PSTF_ARRAYS(X)                                                               \
   X(kPstfCells, 0u, kTable, 4u * kPstfCellWords, false, "cells of the field")           \
   X(kPstfSums, 1u, kTable, 4u * (kPstfSumWords + 3u), false, "a frame's sums of cells") \
@@ -41,6 +45,7 @@ FB_CONST uint kPstfTailWords = 4u;
 FB_PSTF_ARRAYS(FB_ARRAY_CONSTANT)
 
 // Specialisation constants.
+FB_CONST uint kSpecSweeps = kSpecTechnique;          // of the pass of changes: it has what no sample came to follow
 FB_CONST uint kSpecTrees = kSpecTechnique;           // of the pass that folds: cells have trees
 FB_CONST uint kSpecEndsInField = kSpecTechnique;     // of paths: they may end in the field
 FB_CONST uint kSpecGaussians = kSpecTechnique + 1u;  // of a cell's mixture, 4 or 8; 0: cells have trees or nothing
@@ -49,7 +54,7 @@ FB_CONST uint kSpecLaneOfSample = kSpecTechnique;    // of the pass that learns 
 
 // clang-format off
 #define FB_PSTF_SETTINGS(X) \
-  X(int, pstf_cells, "r_pstf_cells", 131072, 1024, 1048576, "pstf: cells of the field, 188 bytes each; rounded up to a power of two") \
+  X(int, pstf_cells, "r_pstf_cells", 131072, 1024, 1048576, "pstf: cells of the field, 212 bytes each; rounded up to a power of two") \
   X(float, pstf_pixels, "r_pstf_pixels", 16, 0, 256, "pstf: least width of a cell, pixels") \
   X(float, pstf_angle, "r_pstf_angle", 1.2f, 0.01f, 45, "pstf: angle that a cell subtends at the camera at least, degrees") \
   X(float, pstf_spread, "r_pstf_spread", 0.1f, 0, 1, "pstf: width of a cell over the length of the ray that reached it, at least: the footprint of scattered light") \
@@ -57,7 +62,7 @@ FB_CONST uint kSpecLaneOfSample = kSpecTechnique;    // of the pass that learns 
   X(int, pstf_directions, "r_pstf_directions", 1, 1, 8, "pstf: with r_pstf_key 1, parts of a cube's edge that tell directions apart: six times its square of them") \
   X(int, pstf_normals, "r_pstf_normals", 1, 0, 1, "pstf: 1 outgoing light varies with the normal within a cell (two bands of spherical harmonics), 0 it does not") \
   X(float, pstf_window, "r_pstf_window", 64, 1, 10000, "pstf: frames to which a cell's memory is limited (T_max)") \
-  X(float, pstf_change, "r_pstf_change", 6, 0, 1000, "pstf: standard errors by which a frame's light in a cell must differ from the memory's for that to be dropped; 0: never") \
+  X(float, pstf_change, "r_pstf_change", 6, 0, 1000, "pstf: standard errors by which a frame's light in a cell must differ from the memory's for that to be dropped, and straight light of a part of the world for all light there to follow; 0: never") \
   X(int, pstf_samples, "r_pstf_samples", 256, 1, 4096, "pstf: samples that a cell takes a frame, about; of more a share is taken at random") \
   X(int, pstf_train, "r_pstf_train", 2, 1, 64, "pstf: one in this many paths teaches cells that have been taught much") \
   X(int, pstf_ends, "r_pstf_ends", 0, 0, 1, "pstf: 1 last vertices of paths teach the field as well, which are without reflected light: it is darker, as paths are that end") \

@@ -67,9 +67,25 @@ void fold_cell(uint slot, float samples) {
   vec4 outgoing_now = light_sum(sums, each);
   float second_now = moment_sum(sums + kPstfSumSecond, each);
 
+  float straight_now = signed_sum(pstf_sums.at[sums + kPstfSumStraight], kPstfSteps) * each;
+  uvec4 part = pstf_cells.at[cell + 6u];  // straight light, and the part of the world
+  float straight = uintBitsToFloat(part.x), change = region_change(part.y);
+  bool follows = change != 1.0;
+
   float before = uintBitsToFloat(head.w);
-  if (has_changed(outgoing_now.x, outgoing.x, moments.w, samples, pstf.pstf_change)) before = 0.0;
+  if (!follows && has_changed(outgoing_now.x, outgoing.x, moments.w, samples, pstf.pstf_change)) before = 0.0;
   float blend = pstf_blend(samples, before, pstf.pstf_window), directed_blend = directed > 0.0 ? blend : 0.0;
+  float straight_mean = mix(straight, straight_now, blend), scale = 1.0, scale_now = 1.0, scale_before = 1.0;
+  if (follows) {
+    atomicOr(pstf_sums.at[pstf_changed_at(pstf.frame_number)], 1u);
+    float passed_on = mix(outgoing.x - straight, outgoing_now.x - straight_now, blend);  // from cell to cell
+    straight_mean = mix(change * straight, straight_now, samples / (samples + kFollowedSamples));
+    float all = mix(outgoing.x, outgoing_now.x, blend);
+    scale = all > 0.0 ? (straight_mean + change * max(passed_on, 0.0)) / all : 0.0;
+    scale_now = outgoing_now.x > 0.0 ? change + (1.0 - change) * straight_now / outgoing_now.x : 1.0;
+    scale_before = change;
+    before = min(before, kKeptFrames * samples);
+  }
   if (TREES) fold_tree(slot, each_directed, directed_blend);
   vec3 normal_now;
   for (uint i = 0u; i < 3u; ++i) normal_now[i] = signed_sum(pstf_sums.at[sums + kPstfSumNormal + i], kPstfSteps) * each;
@@ -81,15 +97,17 @@ void fold_cell(uint slot, float samples) {
 
   pstf_cells.at[cell] =
       uvec4(head.x, pstf.frame_number, floatBitsToUint(samples / share), floatBitsToUint(before + samples));
-  pstf_cells.at[cell + 1u] = floatBitsToUint(mix(outgoing, outgoing_now, blend));
-  pstf_cells.at[cell + 2u] =
-      floatBitsToUint(vec4(mix(colors.xy, color_sum(sums, each), blend),
-                           mix(colors.zw, color_sum(sums + kPstfSumIncident, each_directed), directed_blend)));
-  pstf_cells.at[cell + 3u] =
-      floatBitsToUint(mix(incident, light_sum(sums + kPstfSumIncident, each_directed), directed_blend));
+  pstf_cells.at[cell + 1u] = floatBitsToUint(mix(outgoing, outgoing_now, blend) * scale);
+  pstf_cells.at[cell + 2u] = floatBitsToUint(vec4(
+      mix(colors.xy, color_sum(sums, each), blend) * scale,
+      mix(colors.zw * scale_before, color_sum(sums + kPstfSumIncident, each_directed) * scale_now, directed_blend)));
+  pstf_cells.at[cell + 3u] = floatBitsToUint(
+      mix(incident * scale_before, light_sum(sums + kPstfSumIncident, each_directed) * scale_now, directed_blend));
   pstf_cells.at[cell + 4u] = floatBitsToUint(vec4(mix(normal.xyz, normal_now, blend), control.samples));
   pstf_cells.at[cell + 5u] =
-      floatBitsToUint(vec4(control.gh, control.hh, control.gg, mix(moments.w, second_now, blend)));
+      floatBitsToUint(vec4(control.gh, control.hh, control.gg, mix(moments.w, second_now, blend) * scale * scale));
+  pstf_cells.at[cell + 6u] =
+      uvec4(floatBitsToUint(straight_mean), part.y != 0u ? part.y : pstf_sums.at[sums + kPstfSumRegion], 0u, 0u);
 }
 
 void main() {

@@ -14,6 +14,7 @@ struct FirstVertex {
   vec3 normal, reflectance;
   float scale;  // on what its direction brings
   vec3 tail;    // light of the path without prediction
+  uint region;  // of the world
 };
 
 struct PathOwn {
@@ -33,7 +34,7 @@ void begin_path(inout Path path, uvec2 block, uint i) {
   path.own.teaches = rng_next(path.own.group_rng) % uint(pstf.pstf_train) == 0u;
   path.own.goes_on = kEndsInField && rng_uniform(path.own.group_rng) < max(pstf.pstf_gamma, kLeastGamma);
   path.own.scattered = false;
-  path.own.first = FirstVertex(CellPlace(kNoIndex, kNoIndex, 0u), 0.0, vec3(0.0), vec3(0.0), 1.0, vec3(0.0));
+  path.own.first = FirstVertex(CellPlace(kNoIndex, kNoIndex, 0u), 0.0, vec3(0.0), vec3(0.0), 1.0, vec3(0.0), 0u);
   path.own.from = path.own.looked_for = vec3(0.0);
 }
 #endif

@@ -7,6 +7,7 @@
 #include "estimators/pstf/pstf.h"
 #include "lib/frame_bindings.glsl"
 #include "shared/fixed_point.h"
+#include "shared/rng.h"
 #include "shared/scene_gpu.h"
 
 layout(set = kSetScene, binding = kBindTechniqueConstants, std140) uniform PstfBlock { PstfConstants pstf; };
@@ -22,6 +23,36 @@ uint pstf_sums_at(uint slot) { return 2u * uint(pstf.pstf_cells) + slot * kPstfS
 uint pstf_list_at() { return (2u + kPstfSumWords) * uint(pstf.pstf_cells); }
 // While one counts, the other is set to zero for the next frame.
 uint pstf_count_at(uint frame_number) { return (3u + kPstfSumWords) * uint(pstf.pstf_cells) + (frame_number & 1u); }
+
+uint pstf_changed_at(uint frame_number) { return pstf_count_at(0u) + 2u + (frame_number & 1u); }
+uint pstf_region_at(uint frame_number, uint region) {
+  return pstf_count_at(0u) + 4u + ((frame_number & 1u) * kAllRegions + region) * kRegionWords;
+}
+
+// The part of the world about a point.
+uint region_about(vec3 p) {
+  ivec3 fine = ivec3(floor(p / kRegionWidth)), wide = ivec3(floor(p / (kWideRegion * kRegionWidth)));
+  return region_word(hash_combine(hash_combine(uint(fine.x), uint(fine.y)), uint(fine.z)),
+                     hash_combine(hash_combine(uint(wide.x), uint(wide.y)), uint(wide.z)));
+}
+RegionLight region_light(uint region) {
+  uint at = pstf_region_at(pstf.frame_number, region);
+  return RegionLight(unsigned_sum(pstf_sums.at[at], kRegionSteps), unsigned_sum(pstf_sums.at[at + 1u], kRegionSteps),
+                     unsigned_sum(pstf_sums.at[at + 2u], kRegionVarianceSteps),
+                     unsigned_sum(pstf_sums.at[at + 3u], 1.0), unsigned_sum(pstf_sums.at[at + 4u], kRegionSteps));
+}
+// Of straight light about a cell in this frame, behind the pass that sums parts of the world; 1: none is known.
+float region_change(uint word) {
+  float change = 1.0;
+  if (word == 0u || pstf.pstf_change <= 0.0) return change;
+  bool known = false;
+  for (uint level = 0u; level < kRegionLevels && !known; ++level) {
+    RegionLight r = region_light(region_of(word, level));
+    change = change_of_light(r, pstf.pstf_change);
+    known = change != 1.0 || knows_change(r, pstf.pstf_change);
+  }
+  return change;
+}
 
 uvec4 pstf_texel(uint slot, uint i) { return texelFetch(pstf_texels, int(slot * (kPstfCellWords / 4u) + i)); }
 

@@ -79,7 +79,7 @@ void prepare_cell(Vertex v, Field here, inout Path path, out Guidance g) {
   g.light = LinearLight(1.0, vec3(0.0));
   g.moments = ControlMoments(0.0, 0.0, 0.0, 0.0);
   if (kPredicts && path.depth == 0u)
-    path.own.first = FirstVertex(g.place, 0.0, g.normal, g.reflectance, 1.0, vec3(0.0));
+    path.own.first = FirstVertex(g.place, 0.0, g.normal, g.reflectance, 1.0, vec3(0.0), region_about(v.position));
   // Of a surface seen from below its shading normal nothing is drawn.
   if (here.place.slot == kNoIndex || (FEATURE_SPECULAR && dot(v.view, g.normal) <= 0.0)) return;
   uint slot = here.place.slot;

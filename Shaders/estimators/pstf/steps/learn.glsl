@@ -42,12 +42,13 @@ void set_light(inout Lesson l, uint word, vec3 light, vec3 axis) {
   l.words[word + 4u] = c.y;
   l.words[word + 5u] = c.z;
 }
-// `outgoing`: over reflectance.
-void set_outgoing(inout Lesson l, vec3 outgoing, vec3 normal) {
+// `outgoing`: over reflectance; `straight`: its part that came without a reflection between.
+void set_outgoing(inout Lesson l, vec3 outgoing, vec3 straight, vec3 normal) {
   vec3 light = held(outgoing);
   set_light(l, 0u, light, normal);
   for (uint i = 0u; i < 3u; ++i) l.words[kPstfSumNormal + i] = normal[i] * kPstfSteps;
   float y = ycocg_from_rgb(light).x;
+  l.words[kPstfSumStraight] = min(ycocg_from_rgb(held(straight)).x, y) * kPstfSteps;
   l.words[kPstfSumSecond] = min(y * y, kPstfMomentLargest) * kPstfMomentSteps;
 }
 // `incident` as a white Lambert surface reflects it, over the density of its direction; `reflected` by this surface.
@@ -63,9 +64,14 @@ void set_incident(inout Lesson l, Guidance g, vec3 incident, vec3 reflected, vec
   l.words[kPstfSumDirected] = 1.0;
 }
 
+// Of what a cell knows nothing of: its part of the world.
+void place_cell(uint slot, uint region, float taught, bool takes) {
+  if (takes && taught == 0.0 && region != 0u) atomicMax(pstf_sums.at[pstf_sums_at(slot) + kPstfSumRegion], region);
+}
+
 // Lanes are in the loop only as long as one has words to add: lavapipe would run all of them through it otherwise.
 void teach(uint slot, Lesson l, bool takes, uint bits) {
-  uint sums = takes ? pstf_sums_at(slot) : 0u, count = takes ? kPstfSumWords : 0u, i = 0u;
+  uint sums = takes ? pstf_sums_at(slot) : 0u, count = takes ? kPstfSumRegion : 0u, i = 0u;
   if (takes) list_cell(slot, atomicAdd(pstf_sums.at[pstf_samples_at(slot)], 1u));
   do {
     uint x = i < count ? fixed_point(l.words[i], 1.0, -kPstfLargest * kPstfSteps, kPstfLargest * kPstfSteps,
@@ -93,8 +99,10 @@ void learn_waste(Guidance g, Path path) {
   if (g.pdf == 0.0 || g.prediction.scale == 0.0 || !teaches_here(path)) return;
   bool takes = takes_sample(g.place, g.crowd, g.taught, path, rng_next(bits));
   Lesson l;
-  set_outgoing(l, over_reflectance(path.own.looked_for, g.reflectance, vec3(0.0)), g.normal);
+  vec3 straight = over_reflectance(path.own.looked_for, g.reflectance, vec3(0.0));
+  set_outgoing(l, straight, straight, g.normal);
   set_incident(l, g, vec3(0.0), vec3(0.0), vec3(0.0));
+  place_cell(g.place.slot, region_about(path.own.from), g.taught, takes);
   teach(g.place.slot, l, takes, bits);
 }
 
@@ -103,8 +111,11 @@ void learn_hit(Vertex v, inout Guidance g, Proposal p, Incident incident, inout 
   bool takes = g.pdf > 0.0 && teaches_here(path) && takes_sample(g.place, g.crowd, g.taught, path, rng_next(bits));
   vec3 met = incident.emission + incident.reflection, white = met * g.over;
   Lesson l;
-  set_outgoing(l, over_reflectance(g.weight * met + path.own.looked_for, g.reflectance, white), g.normal);
+  vec3 straight =
+      over_reflectance(g.weight * incident.emission + path.own.looked_for, g.reflectance, incident.emission * g.over);
+  set_outgoing(l, over_reflectance(g.weight * met + path.own.looked_for, g.reflectance, white), straight, g.normal);
   set_incident(l, g, white, g.weight * met, p.direction);
+  place_cell(g.place.slot, region_about(v.position), g.taught, takes);
   teach(g.place.slot, l, takes, bits);
   if (kHasTrees && takes)
     teach_directions(g.place.slot, g.tree, p.direction, luminance(held(g.weight * met)), rng_next(bits));
@@ -117,7 +128,7 @@ void learn_last(Field here, Direct direct, Path path, inout uint rng) {
   bool takes = takes_sample(here.place, counts.x, counts.y, path, rng_next(bits));
   Lesson l;
   for (uint i = 0u; i < kPstfSumWords; ++i) l.words[i] = 0.0;
-  set_outgoing(l, direct.irradiance, here.normal);
+  set_outgoing(l, direct.irradiance, direct.irradiance, here.normal);
   teach(here.place.slot, l, takes, bits);
 }
 
@@ -145,7 +156,10 @@ void record_path(Path path, vec3 sum, inout uint rng) {
   bool takes = first.scale > 0.0 && takes_sample(first.place, first.crowd, 0.0, path, rng_next(bits));
   Lesson l;
   for (uint i = 0u; i < kPstfSumWords; ++i) l.words[i] = 0.0;
-  set_outgoing(l, over_reflectance(first.tail, first.reflectance, vec3(0.0)), first.normal);
+  vec3 all = over_reflectance(first.tail, first.reflectance, vec3(0.0));
+  set_outgoing(l, all, all, first.normal);
+  if (first.place.slot != kNoIndex)
+    place_cell(first.place.slot, first.region, uintBitsToFloat(pstf_texel(first.place.slot, 0u).w), takes);
   teach(first.place.slot, l, takes, bits);
 }
 void record_none(uvec2 block, uvec2 pixel) {}
