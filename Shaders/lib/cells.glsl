@@ -5,6 +5,9 @@
 //
 //   uint cell_check(uint slot)   GridKey::check of its cell; 0: it is empty
 //   uint cell_age(uint slot)     frames since it was used
+//
+// Who keeps a second table beside another's includes it once more, with names of its own: FIND_CELL, CELL_CHECK and
+// CELL_AGE.
 #ifndef FB_LIB_CELLS
 #define FB_LIB_CELLS
 #include "lib/frame_bindings.glsl"
@@ -18,11 +21,18 @@ struct CellPlace {
   uint claim;  // that it could have, or kNoIndex
   uint check;  // for the claim
 };
+#endif
+
+#ifndef FIND_CELL
+#define FIND_CELL find_cell
+#define CELL_CHECK cell_check
+#define CELL_AGE cell_age
+#endif
 
 // Of the cell about a point, one of the eight corners' at random, so that no border shows. `kind`: tells users of one
 // table apart (kCacheTag); `angle`: tangent of the angle that a cell subtends; `slots`: a power of two; `stale`:
 // frames. Lanes that share `rng` choose alike, so that they share memory.
-CellPlace find_cell(vec3 p, vec3 axis, uint kind, float angle, uint slots, uint stale, inout uint rng) {
+CellPlace FIND_CELL(vec3 p, vec3 axis, uint kind, float angle, uint slots, uint stale, inout uint rng) {
   CellPlace cell = CellPlace(kNoIndex, kNoIndex, 0u);
   vec3 u = vec3(rng_uniform(rng), rng_uniform(rng), rng_uniform(rng));
   uint level = grid_level(distance(p, frame.camera_position.xyz), angle, rng_uniform(rng));
@@ -31,16 +41,19 @@ CellPlace find_cell(vec3 p, vec3 axis, uint kind, float angle, uint slots, uint 
     uint at = min(level + (i >> 1u), kGridLevels - 1u);
     GridKey key = grid_vertex(p, exp2(float(at)), kind + adaptive_tag(at, axis), u);
     uint slot = (key.hash & (slots - 1u)) ^ (i & 1u);
-    uint check = cell_check(slot);
+    uint check = CELL_CHECK(slot);
     if (check == key.check) {
       cell.slot = slot;
       break;
     }
-    if (cell.claim == kNoIndex && (check == 0u || cell_age(slot) > stale)) {
+    if (cell.claim == kNoIndex && (check == 0u || CELL_AGE(slot) > stale)) {
       cell.claim = slot;
       cell.check = key.check;
     }
   } while (++i < kCellTries);
   return cell;
 }
-#endif
+
+#undef FIND_CELL
+#undef CELL_CHECK
+#undef CELL_AGE

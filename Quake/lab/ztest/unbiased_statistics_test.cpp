@@ -223,6 +223,7 @@ const Row kFields[] = {
      false,
      {},
      "nee"},
+    {"cbox_glossy", "mcpg_cv", {"r_pstf_learn_beta=0", "r_pstf_noise=1"}, warm(), 2, false, {}, "nee"},
     {"cbox_glossy", "pstf_cv_nee", {"r_pstf_learn_beta=0", "r_pstf_form=1"}, warm(), 2, true, {}, "nee"},
     {"cbox_glossy", "pstf_cv_nee", {"r_pstf_learn_beta=0", "r_pstf_form=2"}, warm(), 2, true, {}, "nee"},
 };

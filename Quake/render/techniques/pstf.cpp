@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -31,7 +32,8 @@ class PstfTechnique : public Technique {
   PstfTechnique(const TechniqueTools& tools, std::string_view name, PstfKind kind)
       : name_(name),
         kind_(kind),
-        uniform_(tools.device, gpu::BufferUse::kUniform, sizeof(shared::PstfConstants), "constants of pstf"),
+        uniform_(tools.device, gpu::BufferUse::kUniform, shared::kPstfConstantsAt + sizeof(shared::PstfConstants),
+                 "constants of pstf"),
         memory_(tools.device, tools.table, kPstfRows, "pstf reset") {
     if (find_technique(name)->wants_lights) seen_.emplace(tools);
     tools.table.set_uniform(shared::kSetTechnique, uniform_);
@@ -55,7 +57,7 @@ class PstfTechnique : public Technique {
     constants.frame_number = frame_;
     constants.seen_stride = seen_stride(frame.lit, s, frame.medium());
     if (seen_) constants.seen_ways = seen_->begin_frame();
-    std::memcpy(uniform_.mapped(), &constants, sizeof(constants));
+    std::memcpy(static_cast<std::byte*>(uniform_.mapped()) + shared::kPstfConstantsAt, &constants, sizeof(constants));
   }
   void add_passes(const TechniquePasses& passes) override {
     memory_.add_reset(passes.list);

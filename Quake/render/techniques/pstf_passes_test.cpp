@@ -36,7 +36,8 @@ class PstfPassesTest : public DeviceTest {
     memory_.reset();
     table_ = std::make_unique<gpu::BindingTable>(*device_);
     memory_ = std::make_unique<TechniqueMemory>(*device_, *table_, kPstfPassRows, "pstf reset");
-    uniform_ = gpu::Buffer(*device_, gpu::BufferUse::kUniform, sizeof(shared::PstfConstants), "constants of pstf");
+    uniform_ = gpu::Buffer(*device_, gpu::BufferUse::kUniform, shared::kPstfConstantsAt + sizeof(shared::PstfConstants),
+                           "constants of pstf");
     table_->set_uniform(shared::kSetTechnique, uniform_);
     memory_->set_count(shared::kPstfCells, kPassCells);
     memory_->set_count(shared::kPstfSums, kPassCells, shared::kPstfTailWords * 4);
@@ -58,7 +59,7 @@ class PstfPassesTest : public DeviceTest {
     copy_settings(RenderSettings{}, constants);
     constants.pstf_cells = kPassCells;
     constants.frame_number = 2;
-    std::memcpy(uniform_.mapped(), &constants, sizeof(constants));
+    std::memcpy(static_cast<std::byte*>(uniform_.mapped()) + shared::kPstfConstantsAt, &constants, sizeof(constants));
     std::vector<std::uint32_t> cells(std::size_t{kPassCells} * shared::kPstfCellWords),
         sums(std::size_t{kPassCells} * (shared::kPstfSumWords + 3) + shared::kPstfTailWords);
     const std::size_t list = std::size_t{kPassCells} * (shared::kPstfSumWords + 2);

@@ -11,6 +11,7 @@
   X(kMcpgNee)            \
   X(kMcpgTail)           \
   X(kMcpgNeeTail)        \
+  X(kMcpgCv)             \
   X(kRestirDi)           \
   X(kRestirGi)           \
   X(kRestirGuided)       \

@@ -35,14 +35,18 @@ FB_CONST uint kPstfTailWords = 4u + 2u * kAllRegions * kRegionWords;
 // cells that have any of these; behind all kPstfTailWords: two that in turns count the
 // list, two that say whether light changed, and in turns the sums of parts of the world.
 #define FB_PSTF_ARRAYS(X)                                                               \
-  X(kPstfCells, 0u, kTable, 4u * kPstfCellWords, false, "cells of the field")           \
-  X(kPstfSums, 1u, kTable, 4u * (kPstfSumWords + 3u), false, "a frame's sums of cells") \
-  X(kPstfTrees, 2u, kTable, 128u, false, "trees of cells")                              \
-  X(kPstfTreeSums, 3u, kTable, 64u, false, "a frame's sums of their leaves")            \
-  X(kPstfGaussians, 4u, kTable, 32u, false, "Gaussians of cells")                       \
-  X(kPstfGaussianSums, 5u, kTable, 32u, false, "sums of what taught them")              \
-  X(kPstfSamples, 6u, kTable, 128u, false, "a frame's samples of cells")
+  X(kPstfCells, 5u, kTable, 4u * kPstfCellWords, false, "cells of the field")           \
+  X(kPstfSums, 6u, kTable, 4u * (kPstfSumWords + 3u), false, "a frame's sums of cells") \
+  X(kPstfTrees, 0u, kTable, 128u, false, "trees of cells")                              \
+  X(kPstfTreeSums, 1u, kTable, 64u, false, "a frame's sums of their leaves")            \
+  X(kPstfGaussians, 2u, kTable, 32u, false, "Gaussians of cells")                       \
+  X(kPstfGaussianSums, 3u, kTable, 32u, false, "sums of what taught them")              \
+  X(kPstfSamples, 4u, kTable, 128u, false, "a frame's samples of cells")
 FB_PSTF_ARRAYS(FB_ARRAY_CONSTANT)
+
+// `mcpg_cv` has the cells, too: their bindings are behind those of mcpg's arrays, and the block is so far behind its
+// block's start, whatever else stands there.
+FB_CONST uint kPstfConstantsAt = 1024u;
 
 // Specialisation constants.
 FB_CONST uint kSpecSweeps = kSpecTechnique;          // of the pass of changes: it has what no sample came to follow

@@ -10,7 +10,9 @@
 #include "shared/rng.h"
 #include "shared/scene_gpu.h"
 
-layout(set = kSetScene, binding = kBindTechniqueConstants, std140) uniform PstfBlock { PstfConstants pstf; };
+layout(set = kSetScene, binding = kBindTechniqueConstants, std140) uniform PstfBlock {
+  layout(offset = kPstfConstantsAt) PstfConstants pstf;
+};
 FB_TECHNIQUE_ARRAY(kPstfCells, 16, , PstfCellArray, uvec4, pstf_cells)
 FB_TECHNIQUE_ARRAY(kPstfSums, 4, , PstfSumArray, uint, pstf_sums)
 layout(set = kSetScene, binding = kBindTexelBuffers + kTexelsTechnique + kPstfCells) uniform usamplerBuffer pstf_texels;
@@ -56,8 +58,11 @@ float region_change(uint word) {
 
 uvec4 pstf_texel(uint slot, uint i) { return texelFetch(pstf_texels, int(slot * (kPstfCellWords / 4u) + i)); }
 
-uint cell_check(uint slot) { return pstf_texel(slot, 0u).x; }
-uint cell_age(uint slot) { return pstf.frame_number - pstf_texel(slot, 0u).y; }
+uint pstf_cell_check(uint slot) { return pstf_texel(slot, 0u).x; }
+uint pstf_cell_age(uint slot) { return pstf.frame_number - pstf_texel(slot, 0u).y; }
+#define FIND_CELL find_pstf_cell
+#define CELL_CHECK pstf_cell_check
+#define CELL_AGE pstf_cell_age
 #include "lib/cells.glsl"
 
 // Outgoing light over reflectance, for a surface of this normal.

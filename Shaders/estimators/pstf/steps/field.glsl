@@ -26,8 +26,8 @@ Field field_at(Vertex v, inout Path path) {
   bool by_direction = pstf.pstf_key != 0;
   vec3 axis = by_direction ? v.view : scatter_axis(v.scatter);
   uint kind = by_direction ? kDirectionKind * (1u + direction_part(v.view, pstf.pstf_directions)) : 0u;
-  f.place =
-      find_cell(v.position, axis, kind, cell_angle(v, path), uint(pstf.pstf_cells), kPstfStale, path.own.group_rng);
+  f.place = find_pstf_cell(v.position, axis, kind, cell_angle(v, path), uint(pstf.pstf_cells), kPstfStale,
+                           path.own.group_rng);
   return f;
 }
 
