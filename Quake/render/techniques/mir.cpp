@@ -76,7 +76,8 @@ class MirTechnique : public PathTechnique {
 
   void begin_iteration(std::uint32_t iteration, std::uint32_t samples) override {
     iterating_ = true;
-    if (iteration > 0 && iteration + 1 == seen_.size()) return;  // it goes on
+    if (iteration > 0 && iteration == iteration_) return;  // it goes on
+    iteration_ = iteration;
     if (iteration == 0)
       begin_anew();
     else if (!std::exchange(learnt_, false))
@@ -88,7 +89,7 @@ class MirTechnique : public PathTechnique {
   void prepare(const TechniqueFrame& frame) override {
     collect();
     settings_ = frame.settings;
-    if (iterating_ && size_ != uvec2(0) && size_ != frame.render) start_over();
+    if (iterating_ && size_ != uvec2(0) && size_ != frame.render) change_size();
     if (iterating_) FB_CHECK(frame.lit == frame.render && settings_.spp == 1);
     if (std::exchange(begins_, false)) begin_pictures(frame.render);
     fit();
@@ -160,6 +161,7 @@ class MirTechnique : public PathTechnique {
       return state.error("the state of the iterations is damaged");
     }
     size_ = pictures_.size();
+    iteration_ = static_cast<std::uint32_t>(seen_.size()) - 1;
     learnt_ = true;
     upload_trees();
     return ok_status();
@@ -226,6 +228,14 @@ class MirTechnique : public PathTechnique {
     frames_seen_ = 0;
     let_go_ = vertices_weighed_ = others_ = 0;
     light_ = host_ms_ = 0;
+  }
+  // What is left of the iteration is the first of another picture.
+  void change_size() {
+    const std::uint32_t left = planned_ - std::min(frames_, planned_);
+    start_over();
+    begins_ = true;
+    frames_ = 0;
+    planned_ = left;
   }
   void begin_pictures(uvec2 size) {
     if (size_ == uvec2(0)) {
@@ -424,6 +434,7 @@ class MirTechnique : public PathTechnique {
   bool iterating_ = false, begins_ = false;  // with the next frame
   bool pending_ = false;                     // a frame's paths are on the device
   bool learnt_ = false;                      // from the last iteration, before the next one begins
+  std::uint32_t iteration_ = 0;              // the number that this one was begun with
   std::uint32_t planned_ = 0, frames_ = 0;   // samples of this iteration; those collected
   std::uint32_t salt_ = 0;
   std::uint64_t let_go_ = 0, vertices_weighed_ = 0, others_ = 0;  // paths; vertices; those of them of other densities
