@@ -66,26 +66,50 @@ class MeasuredView : public OpenView {
     job.width = size.x;
     job.height = size.y;
     job.quiet = true;
+    if (e.vary.of_schedules()) return iterate(piece, name, folder, job);
     if (e.vary.of_time())
       if (auto status = fit_to_time(job, e.vary.values[piece.value]); !status) return status.error();
     const auto result = lab::run_bench(*stage_.device, view_, references_, job);
     if (!result) return Error{e.name + ": " + result.error().message};
     if (e.picture && e.errors && piece.repeat == 0)
-      if (auto status = keep_pictures(folder, name, *result); !status) return status.error();
-    const double error =
-        result->reference.mean > 0 ? std::sqrt(result->reference.variance) / result->reference.mean : 0;
-    return lab::measured_piece(e, piece, *result, scene_, error);
+      if (auto status = keep_pictures(folder, name, *result, &lab::ConfigurationResult::picture); !status)
+        return status.error();
+    return lab::measured_piece(e, piece, *result, scene_, relative_error(result->reference));
   }
 
  private:
-  Status keep_pictures(const lab::SuiteFolder& folder, const std::string& piece, const lab::BenchResult& result) const {
+  static double relative_error(const lab::ReferenceFigures& reference) {
+    return reference.mean > 0 ? std::sqrt(reference.variance) / reference.mean : 0;
+  }
+
+  // One run of a picture in iterations, by settings and size of `as`.
+  Result<lab::Json> iterate(const lab::Piece& piece, const std::string& name, const lab::SuiteFolder& folder,
+                            const lab::BenchJob& as) {
+    lab::IterateJob job;
+    job.configurations = as.configurations;
+    job.schedule = experiment_.vary.schedules[piece.value];
+    job.width = as.width;
+    job.height = as.height;
+    job.runs = 1;
+    job.quiet = true;
+    const auto result = lab::run_iterate(*stage_.device, view_, references_.front(), job);
+    if (!result) return Error{experiment_.name + ": " + result.error().message};
+    if (experiment_.picture && piece.repeat == 0)
+      if (auto status = keep_pictures(folder, name, *result, &lab::IteratedConfiguration::first); !status)
+        return status.error();
+    return lab::iterated_piece(experiment_, piece, *result, scene_, relative_error(result->reference));
+  }
+
+  template <typename Job, typename Configuration>
+  Status keep_pictures(const lab::SuiteFolder& folder, const std::string& piece, const Job& result,
+                       lab::Picture Configuration::*picture_of) const {
     const auto write = [&](const std::string& name, const lab::Picture& picture) {
       lab::ExrImage exr(picture.width, picture.height);
       exr.add_colors("", picture.pixels);
       return lab::write_exr(folder.picture_path(piece, name), exr);
     };
-    for (const lab::ConfigurationResult& c : result.configurations)
-      if (auto status = write(c.name, c.picture); !status) return status;
+    for (const Configuration& c : result.configurations)
+      if (auto status = write(c.name, c.*picture_of); !status) return status;
     return write("reference", references_.back().mean);
   }
 

@@ -176,6 +176,25 @@ def fits_time(lab):
         assert many["errors"]["mse"] < few["errors"]["mse"], configuration
 
 
+def iterates(lab):
+    """Pictures in iterations are pieces like others, each as its schedule says: split, merged, and made at once."""
+    path = lab.folder / "iterated.json"
+    path.write_text(json.dumps({**SUITE, "configurations": {"pt": {"r_estimator": "pt"}, "mir": {"r_estimator": "mir"}}, "experiments": [
+        {"name": "iterated", "view": {"name": "cbox", "scene": "cbox", "frames": [0, 0]}, "vary": {"what": "iterations", "schedules": ["1,1,2", "4"]}}]}))
+    for out, words in (("iterated", ()), ("iterated1", ("--shard", "1/2")), ("iterated2", ("--shard", "2/2"))):
+        done = lab.run("suite", path, "--out", lab.folder / out, "--references", lab.folder / "iterated references", "--quiet", *words)
+        assert done.returncode == 0, done.stderr
+    done = lab.run("suite-merge", path, lab.folder / "iterated1", lab.folder / "iterated2", "--out", lab.folder / "iterated merged")
+    assert done.returncode == 0, done.stderr
+    first, results = lab.errors("iterated")
+    assert lab.errors("iterated merged")[0] == first and len(first) == 2 * 2 * 2 and results["complete"]
+    assert results["experiments"][0]["vary"]["schedules"] == ["1,1,2", "4"]
+    for point in results["experiments"][0]["points"]:
+        assert point["samples"] == 4 and point["milliseconds"]["clock"] > 0, point
+        assert ("distributions of 2 iterations" in point["kept"]) == (point["configuration"] == "mir" and point["value"] == 3), point
+    assert first["iterated", "mir", 1.0, 0] != first["iterated", "mir", 3.0, 0], "what was learnt shows"
+
+
 def refuses(lab):
     lab.refuses("of another set of options", "suite", lab.suite, "--out", lab.folder / "whole", "--repeats", "3")
     lab.refuses("--shard 5/4", "suite", lab.suite, "--out", lab.folder / "x", "--shard", "5/4")
@@ -198,6 +217,7 @@ def main():
         first = repeats(lab)
         resumes(lab, first)
         merges(lab, first)
+        iterates(lab)
         judges(lab)
         fits_time(lab)
         refuses(lab)

@@ -38,15 +38,23 @@ Result<std::vector<ExperimentConfiguration>> read_configurations(const JsonFile&
 void read_values(JsonReader& vary, Experiment::Vary& out) {
   const Json* values = vary.take("values");
   const Json* sizes = vary.take("sizes");
-  const Json* list = values != nullptr ? values : sizes;
-  if (list == nullptr || (values != nullptr && sizes != nullptr) || !list->is_array() || list->empty() ||
-      list->size() > kMostValues)
+  const Json* schedules = vary.take("schedules");
+  const Json* list = values != nullptr ? values : sizes != nullptr ? sizes : schedules;
+  const int lists = int{values != nullptr} + int{sizes != nullptr} + int{schedules != nullptr};
+  if (lists != 1 || !list->is_array() || list->empty() || list->size() > kMostValues)
     return vary.fail(
-        fmt::format("\"values\": [...] or \"sizes\": [[WIDTH, HEIGHT], ...] is wanted, up to {}", kMostValues));
+        fmt::format("\"values\": [...], \"sizes\": [[WIDTH, HEIGHT], ...] or \"schedules\": [\"1,1,2\", ...] is "
+                    "wanted, up to {}",
+                    kMostValues));
   out.values.clear();
   for (const Json& value : *list) {
     if (values != nullptr) {
       out.values.push_back(vary.number_of(value, "values", -1e9, 1e9));
+    } else if (schedules != nullptr) {
+      const auto schedule = parse_schedule(value.is_string() ? value.get<std::string>() : "");
+      if (!schedule) return vary.fail("schedules", schedule.error().message);
+      out.values.push_back(out.what == "iterations" ? static_cast<double>(schedule->size()) : samples_of(*schedule));
+      out.schedules.push_back(*schedule);
     } else {
       out.sizes.push_back(read_size(vary, value, "sizes"));
       out.values.push_back(static_cast<double>(out.sizes.back().x) * out.sizes.back().y);
@@ -64,9 +72,10 @@ Status read_vary(const JsonFile& file, JsonReader& reader, Experiment& experimen
   out.scene = vary.text("scene");
   read_values(vary, out);
   if (out.what.empty()) vary.fail("\"what\" is wanted: the name of what is varied");
-  const int how = int{!out.setting.empty()} + int{!out.scene.empty()} + int{!out.sizes.empty()};
+  const int how =
+      int{!out.setting.empty()} + int{!out.scene.empty()} + int{!out.sizes.empty()} + int{!out.schedules.empty()};
   if (out.of_time() ? how != 0 : how != 1)
-    vary.fail("one of \"setting\", \"scene\" and \"sizes\" is wanted; none where \"what\" is \"time\"");
+    vary.fail("one of \"setting\", \"scene\", \"sizes\" and \"schedules\" is wanted; none where \"what\" is \"time\"");
   if (out.of_time() && std::ranges::any_of(out.values, [](double value) { return value <= 0; }))
     vary.fail("\"values\" of time are milliseconds above 0");
   return vary.end();
@@ -116,6 +125,10 @@ Result<Experiment> read_experiment(const JsonFile& file, const Json& object, con
     reader.fail("\"view\" is wanted");
   }
   e.view.sets.insert(e.view.sets.begin(), defaults.sets.begin(), defaults.sets.end());
+  if (e.vary.of_schedules()) {
+    e.hold = true;  // a picture in iterations stands still
+    if (!e.errors) reader.fail("vary", "\"schedules\" and \"errors\": false: pictures in iterations are measured");
+  }
   if (auto status = reader.end(); !status) return status.error();
   return e;
 }

@@ -9,6 +9,7 @@
 
 #include "base/maths.h"
 #include "base/result.h"
+#include "lab/iterate/schedule.h"
 #include "lab/judge/suite.h"
 
 namespace fb::lab {
@@ -24,14 +25,16 @@ struct Experiment {
   SuiteView view;                      // frames: those that are measured; warm-up before them
   bool hold = false;                   // its first frame stands still for all of them
   std::vector<ExperimentConfiguration> configurations;  // gains are relative to the first
-  // What is varied: a setting, the count of a scene's things, the picture's size, or the time that each configuration
-  // may take for a frame, for which it takes as many samples as fit.
+  // What is varied: a setting, the count of a scene's things, the picture's size, the time that each configuration may
+  // take for a frame, for which it takes as many samples as fit, or the iterations of an offline picture.
   struct Vary {
     std::string what;  // "samples", "lights", "pixels" ...; empty: nothing, and there is one value, 0
     std::string setting, scene;
     std::vector<double> values{0.0};
     std::vector<uvec2> sizes;                        // as many as values, which are their pixels; or none
+    std::vector<Schedule> schedules;                 // as many as values: how many iterations, or samples; or none
     bool of_time() const { return what == "time"; }  // values: milliseconds of the estimator's own passes
+    bool of_schedules() const { return !schedules.empty(); }
   } vary;
   uvec2 size{96, 54};
   std::uint32_t repeats = 1;  // each starts with nothing learnt and has its own seed

@@ -79,10 +79,31 @@ TEST_F(ExperimentTest, RefusesInOneSentenceWithFileAndLine) {
       HasSubstr("none where"));
   EXPECT_THAT(message("\"name\": \"a\", \"vary\": {\"what\": \"x\", \"setting\": \"r_spp\", \"values\": []}, " + view),
               HasSubstr("\"values\": [...]"));
+  const std::string schedules = "\"name\": \"a\", \"vary\": {\"what\": \"iterations\", \"schedules\": ";
+  EXPECT_EQ(message(schedules + "[\"1,1,2\"]}, " + view), "");
+  EXPECT_THAT(message(schedules + "[\"1,0\"]}, " + view), HasSubstr("--schedule 1,0"));
+  EXPECT_THAT(message(schedules + "[1]}, " + view), HasSubstr("samples a pixel of each iteration"));
+  EXPECT_THAT(message(schedules + "[\"1\"], \"values\": [1]}, " + view), HasSubstr("\"schedules\": ["));
+  EXPECT_THAT(message("\"errors\": false, " + schedules + "[\"1\"]}, " + view), HasSubstr("are measured"));
   EXPECT_THAT(read("{\"experiments\": []}").error().message, HasSubstr("\"experiments\": [...] is wanted"));
   const std::string one = "{\"name\": \"a\", " + view + "}";
   EXPECT_THAT(read("{\"configurations\": {\"pt\": {}}, \"experiments\": [" + one + ",\n" + one + "]}").error().message,
               HasSubstr("line 2: a is there twice"));
+}
+
+TEST_F(ExperimentTest, SchedulesAreOfPicturesThatStandStill) {
+  const auto suite = read(R"({"configurations": {"mir": {}}, "experiments": [
+      {"name": "a", "view": {"name": "v", "scene": "cbox", "frames": [0, 0]},
+       "vary": {"what": "iterations", "schedules": ["2,4,8,18", "2,2,28"]}},
+      {"name": "b", "view": {"name": "v", "scene": "cbox", "frames": [0, 0]},
+       "vary": {"what": "samples", "schedules": ["2,2,4", "doubling:5"]}}]})");
+  ASSERT_TRUE(suite.ok()) << suite.error().message;
+  const Experiment &a = suite->experiments[0], &b = suite->experiments[1];
+  EXPECT_TRUE(a.hold);
+  EXPECT_THAT(a.vary.values, ElementsAre(4.0, 3.0));
+  EXPECT_THAT(a.vary.schedules[0], ElementsAre(2u, 4u, 8u, 18u));
+  EXPECT_THAT(b.vary.values, ElementsAre(8.0, 16.0));
+  EXPECT_EQ(pieces_of(*suite).size(), 4u);
 }
 
 TEST_F(ExperimentTest, TheProjectsSuitesAreWhole) {

@@ -64,7 +64,33 @@ Json point_of(const Experiment& experiment, const Piece& piece, const Configurat
   return point;
 }
 
+Json iterated_point(const Experiment& experiment, const Piece& piece, const IteratedConfiguration& c,
+                    bool variance_known) {
+  const FrameRecord& run = c.runs.at(0, 0);
+  return {{"configuration", c.name},
+          {"value", experiment.vary.values[piece.value]},
+          {"repeat", piece.repeat},
+          {"samples", c.runs.spp},
+          {"warmup", 0},
+          {"frames", 1},
+          {"schedule", schedule_text(experiment.vary.schedules[piece.value])},
+          {"milliseconds", {{"estimator", run.estimator_ms}, {"frame", run.gpu_ms}, {"clock", c.wall_ms.value}}},
+          {"passes", Json::array()},
+          {"not_finite", c.not_finite},
+          {"kept", c.report},
+          {"errors", errors_of(c.runs, variance_known)}};
+}
+
 }  // namespace
+
+Json iterated_piece(const Experiment& experiment, const Piece& piece, const IterateResult& result, std::uint64_t scene,
+                    double reference_error) {
+  Json json{{"scene", fmt::format("{:016x}", scene)}, {"still", true}, {"reference_error", reference_error}};
+  json["points"] = Json::array();
+  for (const IteratedConfiguration& c : result.configurations)
+    json["points"].push_back(iterated_point(experiment, piece, c, result.reference.variance_known));
+  return json;
+}
 
 Json measured_piece(const Experiment& experiment, const Piece& piece, const BenchResult& result, std::uint64_t scene,
                     double reference_error) {

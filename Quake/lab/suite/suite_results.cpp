@@ -59,7 +59,9 @@ Status same(const Manifest& a, const Manifest& b, const std::string& where) {
 
 Json vary_of(const Experiment& experiment) {
   if (experiment.vary.what.empty()) return nullptr;
-  return {{"what", experiment.vary.what}, {"values", experiment.vary.values}};
+  Json json{{"what", experiment.vary.what}, {"values", experiment.vary.values}};
+  for (const Schedule& schedule : experiment.vary.schedules) json["schedules"].push_back(schedule_text(schedule));
+  return json;
 }
 
 Json description_of(const Experiment& e) {
