@@ -76,7 +76,7 @@ class MirTechnique : public PathTechnique {
 
   void begin_iteration(std::uint32_t iteration, std::uint32_t samples) override {
     iterating_ = true;
-    if (iteration > 0 && iteration == iteration_) return;  // it goes on
+    if (iteration > 0 && iteration == iteration_ && !seen_.empty()) return;  // it goes on
     iteration_ = iteration;
     if (iteration == 0)
       begin_anew();
@@ -89,6 +89,7 @@ class MirTechnique : public PathTechnique {
   void prepare(const TechniqueFrame& frame) override {
     collect();
     settings_ = frame.settings;
+    shown_ = frame.render;
     if (iterating_ && size_ != uvec2(0) && size_ != frame.render) change_size();
     if (iterating_) FB_CHECK(frame.lit == frame.render && settings_.spp == 1);
     if (std::exchange(begins_, false)) begin_pictures(frame.render);
@@ -121,7 +122,9 @@ class MirTechnique : public PathTechnique {
   }
   void add_final_passes(const TechniquePasses& passes) override {
     memory_.add_reset(passes.list);
-    picture_.write(tools_, finished_picture(), "the picture of all iterations");
+    const std::size_t pixels = std::size_t{shown_.x} * shown_.y;  // black, where no sample was seen in this size
+    picture_.write(tools_, size_ == shown_ ? finished_picture() : std::vector<vec4>(pixels, vec4(0.0f)),
+                   "the picture of all iterations");
     passes.list.dispatch("mir final", PassKind::kEstimator, passes.shaders.get("mir_final", passes.variant),
                          groups_over(passes.size, 8));
     if (iterating_) --salt_;  // it is no sample: those that follow are what they would have been
@@ -197,9 +200,10 @@ class MirTechnique : public PathTechnique {
   };
 
   IterationWeights weights() const { return static_cast<IterationWeights>(settings_.mir_weights); }
-  // Of samples that count alike but for weights of their paths.
+  // Of samples that count alike but for weights of their paths, all of which were kept for it.
   bool removes_outliers() const {
-    return settings_.mir_outliers > 0 && (weighs_paths(weights()) || weights() == IterationWeights::kAccumulate);
+    return settings_.mir_outliers > 0 && samples_.count() == frames_seen_ &&
+           (weighs_paths(weights()) || weights() == IterationWeights::kAccumulate);
   }
   bool decorrelated() const { return settings_.mir_decorrelated != 0; }
   // Of a frame of this iteration, from 0.
@@ -426,10 +430,10 @@ class MirTechnique : public PathTechnique {
   IterationPictures pictures_;
   SingleSamples samples_;  // that are seen, where outliers are removed
   std::uint32_t frames_seen_ = 0;
-  std::vector<GuidingSample> taught_;  // of this iteration
-  std::vector<double> seen_;           // samples a pixel that are seen, of each iteration
-  std::vector<glm::dvec3> shifted_;    // of pixels: light that weights added
-  uvec2 size_{0};
+  std::vector<GuidingSample> taught_;        // of this iteration
+  std::vector<double> seen_;                 // samples a pixel that are seen, of each iteration
+  std::vector<glm::dvec3> shifted_;          // of pixels: light that weights added
+  uvec2 size_{0}, shown_{0};                 // of the picture; of the frame
   std::size_t vertices_ = 1, paths_ = 0;     // that are stored, of a path; of a frame
   bool iterating_ = false, begins_ = false;  // with the next frame
   bool pending_ = false;                     // a frame's paths are on the device

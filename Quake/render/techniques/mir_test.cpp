@@ -120,6 +120,55 @@ TEST_F(Mir, APictureOfAnotherSizeBeginsAnew) {
   }
 }
 
+// The renderer forgets where memory runs out or another map is loaded.
+TEST_F(Mir, WhatIsForgottenUnderWayBeginsAnew) {
+  const RenderSettings settings = settings_of("mir");
+  const auto renderer = make_renderer(settings, 24, 16);
+  scene::FrameSnapshot snapshot = room_of_two_lamps();
+  for (const vec4& pixel : picture(*renderer, snapshot, settings))
+    EXPECT_EQ(vec3(pixel), vec3(0.0f)) << "of no iterations";
+  const auto run = [&](bool forgets) {
+    snapshot.frame = 100;
+    if (forgets) {
+      for (std::uint32_t iteration = 0; iteration < 2; ++iteration) {
+        renderer->begin_iteration(iteration, 2);
+        sample(*renderer, snapshot, settings);
+      }
+      renderer->reset_learning();
+      snapshot.frame = 100;
+    }
+    for (int k = 0; k < 3; ++k) {
+      renderer->begin_iteration(1, 3);  // the same goes on
+      sample(*renderer, snapshot, settings);
+    }
+    return picture(*renderer, snapshot, settings);
+  };
+  renderer->reset_learning();
+  const std::vector<vec4> expected = run(false);
+  renderer->reset_learning();
+  EXPECT_EQ(run(true), expected);
+}
+
+// Outliers are removed of pictures all of whose samples were kept for it.
+TEST_F(Mir, OutliersAreRemovedFromTheFirstSampleOnOrNotAtAll) {
+  RenderSettings settings = settings_of("mir");
+  const auto renderer = make_renderer(settings, 24, 16);
+  const auto run = [&](float first, float then) {
+    renderer->reset_learning();
+    scene::FrameSnapshot snapshot = room_of_two_lamps();
+    for (std::uint32_t iteration = 0; iteration < 2; ++iteration) {
+      settings.mir_outliers = iteration == 0 ? first : then;
+      renderer->begin_iteration(iteration, 2);
+      for (int k = 0; k < 2; ++k) sample(*renderer, snapshot, settings);
+    }
+    return picture(*renderer, snapshot, settings);
+  };
+  const std::vector<vec4> all = run(0, 0);
+  EXPECT_EQ(run(0, 4), all);
+  EXPECT_EQ(run(4, 0), all);
+  EXPECT_NE(run(4, 4), all);
+}
+
 // The nearest lamp along a ray, which begins outside of all.
 struct Met {
   const Lamp* lamp = nullptr;
