@@ -22,7 +22,7 @@ namespace fb::render {
 namespace {
 
 constexpr ArrayRow kPstfRows[]{FB_PSTF_ARRAYS(FB_ARRAY_ROW)};
-constexpr std::uint64_t kTail = shared::kPstfTailWords * sizeof(std::uint32_t);
+constexpr std::uint64_t kPstfTail = shared::kPstfTailWords * sizeof(std::uint32_t);
 constexpr std::uint32_t kFoldersOfCells = 32;  // workgroups of 64 invocations, which walk the list of touched cells
 
 enum class PstfKind { kControl, kGuided, kBiased };
@@ -92,13 +92,13 @@ class PstfTechnique : public Technique {
   // The power of two that is asked for, or the largest that the device binds.
   void choose_size(int wanted) {
     const std::uint64_t asked = std::bit_ceil(static_cast<std::uint64_t>(wanted));
-    std::uint64_t most = memory_.most_elements(shared::kPstfSums, kTail);
+    std::uint64_t most = memory_.most_elements(shared::kPstfSums, kPstfTail);
     for (const std::uint32_t array : {shared::kPstfCells, shared::kPstfTrees, shared::kPstfSamples})
       most = std::min(most, memory_.most_elements(array));
     if (gaussians_ > 0) most = std::min(most, memory_.most_elements(shared::kPstfGaussians) / gaussians_);
     const auto cells = static_cast<std::uint32_t>(std::min(asked, std::bit_floor(most)));
     memory_.set_count(shared::kPstfCells, cells);
-    memory_.set_count(shared::kPstfSums, cells, kTail);
+    memory_.set_count(shared::kPstfSums, cells, kPstfTail);
     for (const std::uint32_t array : {shared::kPstfTrees, shared::kPstfTreeSums})
       memory_.set_count(array, has_trees() ? cells : 0);
     for (const std::uint32_t array : {shared::kPstfGaussians, shared::kPstfGaussianSums})
