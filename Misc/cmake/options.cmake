@@ -26,3 +26,14 @@ if(FULLBRIGHT_FUZZERS)
   # What no fuzzer links counts no coverage: that is a fifth of the time in tests, a tenth in libraries.
   target_compile_options(fb_options INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:FB_UNFUZZED>>>:-fsanitize=fuzzer-no-link>)
 endif()
+# Sources that say alike what each system says in its own words: x_posix.cpp, x_windows.cpp.
+if(WIN32)
+  set(FB_SYSTEM windows)
+  # What Linux gives: 8 MiB of stack, and libraries that the programs bring along.
+  target_link_options(fb_options INTERFACE -static -Wl,--stack,8388608)
+  # Quake/base/narrow_text_windows.cpp comes before the C library.
+  target_link_options(fb_options INTERFACE -Wl,-u,mbrtowc -Wl,-u,mbsrtowcs -Wl,-u,mbrlen)
+  target_compile_definitions(fb_options INTERFACE UNICODE WIN32_LEAN_AND_MEAN)
+else()
+  set(FB_SYSTEM posix)
+endif()

@@ -1,5 +1,5 @@
-// How signals end a program. All that are meant to end one (kEndingSignals in stop.cpp: SIGHUP of a closed terminal,
-// SIGINT, SIGTERM, SIGXCPU ...) go one way, which has three modes.
+// How signals end a program. All that are meant to end one (kEndingSignals in stop_posix.cpp: SIGHUP of a closed
+// terminal, SIGINT, SIGTERM, SIGXCPU ...) go one way, which has three modes.
 //
 // kInSteps, for a game: the handler sets a flag, long work checks it between its steps, and the program ends in its
 // usual way, so that a recording is complete and other players are told. If work does not finish a step within
@@ -12,6 +12,9 @@
 // Except for `quit`, one message is printed and the program dies by the signal: a shell reports 128 plus its number,
 // and the parent process sees the signal itself. A second signal is one that comes kOneTelling or more after the first:
 // a terminal that closes sends SIGHUP itself and by its shell, `timeout` to the program and to its group.
+//
+// On Windows the console's control events take the place of signals (stop_windows.cpp): Ctrl+C and Ctrl+Break, the
+// window's cross, log-off and shutdown. The program's status is that of programs which Ctrl+C has ended.
 //
 // SIGPIPE and SIGXFSZ end nothing: the write that they tell of fails, too, with EPIPE or EFBIG. Signals that tell of a
 // fault in the program (SIGSEGV ...), and those that stop a job and let it go on, keep their default.

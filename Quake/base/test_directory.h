@@ -1,25 +1,25 @@
 // A temporary directory with a unique name, removed when the object is destroyed. For tests and benchmarks.
 #pragma once
 
-#include <stdlib.h>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 #include <string_view>
 #include <system_error>
 
 #include "base/bytes.h"
-#include "base/check.h"
 
 namespace fb {
 
 class TestDirectory {
  public:
   TestDirectory() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "fullbright-XXXXXX").string();
-    FB_CHECK(::mkdtemp(pattern.data()) != nullptr);
-    path_ = pattern;
+    std::random_device dice;
+    do path_ = std::filesystem::temp_directory_path() / fmt::format("fullbright-{:08x}{:08x}", dice(), dice());
+    while (!std::filesystem::create_directory(path_));
   }
   ~TestDirectory() {
     std::error_code code;

@@ -2,7 +2,9 @@
 // time it does not depend on what else the machine does.
 #pragma once
 
+#ifdef __unix__
 #include <unistd.h>
+#endif
 
 #include <cstdint>
 #include <fstream>
@@ -14,7 +16,10 @@ namespace fb {
 inline std::uint64_t resident_bytes() {
   std::uint64_t all = 0, resident = 0;
   std::ifstream("/proc/self/statm") >> all >> resident;
-  return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+#ifdef __unix__
+  resident *= static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+#endif
+  return resident;
 }
 
 // Bytes that calls of read() and its kin have brought since the process began; 0 if the system does not report them.

@@ -12,18 +12,9 @@
 #include <system_error>
 #include <utility>
 
-#include "fs/file_mapping.h"
 #include "fs/links.h"
+#include "fs/raw_file.h"
 #include "fs/temporary_file.h"
-
-#ifdef _WIN32
-#define NOMINMAX
-#include <windows.h>
-#else
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#endif
 
 namespace fb::fs {
 namespace {
@@ -32,64 +23,29 @@ ByteView bytes_of_text(std::string_view text) {
   return ByteView(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
 }
 
-#ifdef _WIN32
-
-std::string last_failure() { return std::system_category().message(static_cast<int>(GetLastError())); }
-
-HANDLE as_handle(std::intptr_t handle) { return reinterpret_cast<HANDLE>(handle); }
-
-void close_handle(std::intptr_t handle) { CloseHandle(as_handle(handle)); }
-
-std::uint64_t size_of(std::intptr_t handle) {
-  LARGE_INTEGER size;
-  return GetFileSizeEx(as_handle(handle), &size) ? static_cast<std::uint64_t>(size.QuadPart) : 0;
-}
-
-#else
-
-std::string last_failure() { return std::generic_category().message(errno); }
-
-void close_handle(std::intptr_t handle) { ::close(static_cast<int>(handle)); }
-
-std::uint64_t size_of(std::intptr_t handle) {
-  struct stat facts {};
-  return ::fstat(static_cast<int>(handle), &facts) == 0 ? static_cast<std::uint64_t>(facts.st_size) : 0;
-}
-
-#endif
-
 }  // namespace
 
 Result<RandomAccessFile> RandomAccessFile::open(const std::filesystem::path& path) {
   RandomAccessFile file;
   file.name_ = path.generic_string();
-#ifdef _WIN32
-  HANDLE handle =
-      CreateFileW(path.c_str(), GENERIC_READ, FILE_SHARE_READ, nullptr, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr);
-  LARGE_INTEGER size;
-  file.handle_ = reinterpret_cast<std::intptr_t>(handle);
-  if (handle == INVALID_HANDLE_VALUE || !GetFileSizeEx(handle, &size))
-    return Error{fmt::format("{}: cannot be opened: {}", file.name_, last_failure())};
-  file.size_ = static_cast<std::uint64_t>(size.QuadPart);
-#else
-  file.handle_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  struct stat facts {};
-  if (file.handle_ < 0 || ::fstat(static_cast<int>(file.handle_), &facts) != 0)
-    return Error{fmt::format("{}: cannot be opened: {}", file.name_, last_failure())};
-  if (!S_ISREG(facts.st_mode)) return Error{fmt::format("{}: not a regular file", file.name_)};
-  file.size_ = static_cast<std::uint64_t>(facts.st_size);
-#endif
+  const OpenedFile opened = open_to_read(path);
+  file.handle_ = opened.handle;
+  file.size_ = opened.size;
+  if (opened.handle == kNoHandle) return Error{fmt::format("{}: cannot be opened: {}", file.name_, last_failure())};
+  if (!opened.regular) return Error{fmt::format("{}: not a regular file", file.name_)};
   return file;
 }
 
 RandomAccessFile::RandomAccessFile(RandomAccessFile&& other) noexcept
-    : name_(std::move(other.name_)), handle_(std::exchange(other.handle_, -1)), size_(std::exchange(other.size_, 0)) {}
+    : name_(std::move(other.name_)),
+      handle_(std::exchange(other.handle_, kNoHandle)),
+      size_(std::exchange(other.size_, 0)) {}
 
 RandomAccessFile& RandomAccessFile::operator=(RandomAccessFile&& other) noexcept {
   if (this != &other) {
     close();
     name_ = std::move(other.name_);
-    handle_ = std::exchange(other.handle_, -1);
+    handle_ = std::exchange(other.handle_, kNoHandle);
     size_ = std::exchange(other.size_, 0);
   }
   return *this;
@@ -98,27 +54,16 @@ RandomAccessFile& RandomAccessFile::operator=(RandomAccessFile&& other) noexcept
 RandomAccessFile::~RandomAccessFile() { close(); }
 
 void RandomAccessFile::close() {
-  if (handle_ != -1) close_handle(std::exchange(handle_, -1));
+  if (handle_ != kNoHandle) close_handle(std::exchange(handle_, kNoHandle));
 }
 
 Status RandomAccessFile::read_at(std::uint64_t offset, std::span<std::uint8_t> into) const {
   while (!into.empty()) {
-#ifdef _WIN32
-    OVERLAPPED where{};
-    where.Offset = static_cast<DWORD>(offset);
-    where.OffsetHigh = static_cast<DWORD>(offset >> 32u);
-    DWORD got = 0;
-    const DWORD wanted = static_cast<DWORD>(std::min<std::size_t>(into.size(), 1u << 30u));
-    if (!ReadFile(as_handle(handle_), into.data(), wanted, &got, &where) && GetLastError() != ERROR_HANDLE_EOF)
-      return Error{fmt::format("{}: offset {}: cannot be read: {}", name_, offset, last_failure())};
-#else
-    const ssize_t got = ::pread(static_cast<int>(handle_), into.data(), into.size(), static_cast<off_t>(offset));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return Error{fmt::format("{}: offset {}: cannot be read: {}", name_, offset, last_failure())};
-#endif
-    if (got == 0) return ends_short(offset, into.size());
-    offset += static_cast<std::uint64_t>(got);
-    into = into.subspan(static_cast<std::size_t>(got));
+    const auto got = read_some(handle_, offset, into);
+    if (!got) return Error{fmt::format("{}: offset {}: cannot be read: {}", name_, offset, last_failure())};
+    if (*got == 0) return ends_short(offset, into.size());
+    offset += *got;
+    into = into.subspan(*got);
   }
   return ok_status();
 }

@@ -59,5 +59,30 @@ TEST(File, AFailedWriteKeepsTheOldAndSaysWhy) {
   EXPECT_EQ(as_text(*read_whole_file(directory.path() / "file")), "x");
 }
 
+// On Windows the system's own names are UTF-16, and a program's text is in a code page.
+TEST(File, NamesAreUtf8) {
+  const TestDirectory directory;
+  for (const std::string name : {"\xc5\xbc\xc3\xb3\xc5\x82w", "\xe4\xba\x80",
+                                 "\xf0\x9f\x90\xa2 of\xc2\xa0"
+                                 "4 bytes"}) {
+    ASSERT_TRUE(write_file_atomically(directory.path() / name, bytes_of(name)));
+    EXPECT_EQ(as_text(*read_whole_file(directory.file(name))), name);
+    std::filesystem::directory_iterator entry(directory.path());
+    EXPECT_EQ(entry->path().filename().string(), name);
+    EXPECT_EQ(entry->path().filename().u8string(), std::u8string(name.begin(), name.end()));
+    std::filesystem::remove(entry->path());
+  }
+}
+
+TEST(File, WhatIsReadMayBeReplaced) {
+  const TestDirectory directory;
+  directory.put("x", "former");
+  const auto former = RandomAccessFile::open(directory.path() / "x");
+  ASSERT_TRUE(former);
+  ASSERT_TRUE(write_file_atomically(directory.path() / "x", bytes_of("new")));
+  EXPECT_EQ(as_text(*former->read(0, former->size())), "former");
+  EXPECT_EQ(as_text(*read_whole_file(directory.path() / "x")), "new");
+}
+
 }  // namespace
 }  // namespace fb::fs

@@ -237,9 +237,7 @@ Result<FileSystem> FileSystem::open(const FsOptions& options) {
       !options.base_dir_named && !options.base_game.empty() && !is_a_directory(options.base_dir / "id1");
   if (in_the_box) impl->options.base_dir = options.base_game;
   impl->user_dir = options.user_dir ? *options.user_dir : default_user_dir();
-#ifndef _WIN32
-  impl->homeless = !options.user_dir && impl->user_dir.empty();
-#endif
+  impl->homeless = !options.user_dir && impl->user_dir.empty() && !plays_beside_data();
   if (impl->homeless) log_warning("There is no home folder: nothing can be saved; -userdir DIR names a folder for it.");
   // If the user directory is the base directory, the same files would be found twice.
   std::error_code code;

@@ -36,6 +36,7 @@ FsOptions options_for(const TestDirectory& base, std::vector<std::string> games 
   return options;
 }
 
+#ifdef __unix__
 // The environment without a home while it lives.
 class NoHome {
  public:
@@ -61,6 +62,7 @@ class NoHome {
  private:
   std::vector<std::pair<std::string, std::optional<std::string>>> before_;
 };
+#endif
 
 std::string text(const FileSystem& files, std::string_view name) {
   const auto data = files.read(name);
@@ -292,6 +294,7 @@ TEST(FileSystem, WritesBelowTheBaseWhereThereIsNoUserDirectory) {
   EXPECT_EQ(*open(options_for(base)).write_path("s0.sav"), base.path() / "id1" / "s0.sav");
 }
 
+#ifdef __unix__
 TEST(FileSystem, WithoutAHomeNothingIsWrittenIntoTheGamesData) {
   const TestDirectory base;
   base.put("id1/x", "");
@@ -312,6 +315,7 @@ TEST(FileSystem, WithoutAHomeNothingIsWrittenIntoTheGamesData) {
   options.user_dir = "";  // -nohome
   EXPECT_TRUE(open(options).write("s0.sav", Bytes{1}));
 }
+#endif
 
 TEST(FileSystem, AFolderThatCannotBeMadeIsNamedWithTheWayOut) {
   const TestDirectory base;

@@ -1,4 +1,4 @@
-// A file that is being written, held by a lock (flock) for as long as it is: programs that share a folder tell by it
+// A file that is being written, held by a lock for as long as it is: programs that share a folder tell by it
 // what a living one writes from what a dead one has left, since the system ends a lock with its process. Where a file
 // system has no locks, nothing is ever taken for a dead one's.
 #pragma once
@@ -43,15 +43,15 @@ class HeldFile {
   void resemble(const std::filesystem::path& former) const;
 
  private:
-  HeldFile(std::filesystem::path path, std::string called, int handle)
+  HeldFile(std::filesystem::path path, std::string called, std::intptr_t handle)
       : path_(std::move(path)), called_(std::move(called)), handle_(handle) {}
-  static Result<HeldFile> take(const std::filesystem::path& path, int flags);
+  static Result<HeldFile> take(const std::filesystem::path& path, int flags);  // of POSIX's open()
   bool stands_there() const;
   Error failure() const;
 
   std::filesystem::path path_;
   std::string called_;
-  int handle_ = -1;
+  std::intptr_t handle_ = -1;  // a file, or what stands for a folder that is held
 };
 
 // Removes a file or a folder unless somebody holds it. What is made later under its name may go with it.

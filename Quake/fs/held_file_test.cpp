@@ -1,9 +1,11 @@
 #include "fs/held_file.h"
 
 #include <gmock/gmock.h>
+#ifdef __unix__
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#endif
 
 #include <atomic>
 #include <csignal>
@@ -32,6 +34,7 @@ std::vector<std::string> names_in(const stdfs::path& folder) {
   return names;
 }
 
+#ifdef __unix__
 // What a program leaves that is killed while it writes.
 void write_and_die(const stdfs::path& target) {
   const pid_t child = ::fork();
@@ -44,6 +47,7 @@ void write_and_die(const stdfs::path& target) {
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   ASSERT_TRUE(WIFSIGNALED(status));
 }
+#endif
 
 TEST(HeldFile, IsItsProgramsUntilItIsClosed) {
   const TestDirectory directory;
@@ -76,6 +80,7 @@ TEST(HeldFile, FoldersAreHeldLikeFiles) {
   EXPECT_TRUE(HeldFile::take_folder(path));
 }
 
+#ifdef __unix__
 TEST(HeldFile, LinksAndPipesAreNotTaken) {
   const TestDirectory directory;
   directory.put("secret", "s");
@@ -88,6 +93,7 @@ TEST(HeldFile, LinksAndPipesAreNotTaken) {
   }
   EXPECT_EQ(as_text(*read_whole_file(directory.path() / "secret")), "s");
 }
+#endif
 
 TEST(HeldFile, AFileWithASecondNameIsReplaced) {
   const TestDirectory directory;
@@ -134,6 +140,7 @@ TEST(TemporaryFile, WhatWasNotCommittedIsGone) {
   EXPECT_EQ(as_text(*read_whole_file(directory.path() / "x")), "old");
 }
 
+#ifdef __unix__
 TEST(TemporaryFile, WhatAKilledProgramLeftIsRemovedAndALivingOnesStays) {
   const TestDirectory directory;
   write_and_die(directory.path() / "a" / "x");
@@ -145,7 +152,9 @@ TEST(TemporaryFile, WhatAKilledProgramLeftIsRemovedAndALivingOnesStays) {
   ASSERT_TRUE(write_file_atomically(directory.path() / "a" / "y", view("whole")));
   EXPECT_THAT(names_in(directory.path() / "a"), ElementsAre(living, foreign, "y"));
 }
+#endif
 
+#ifdef __unix__
 TEST(TemporaryFile, KeepsThePermissionsOfWhatItReplaces) {
   const TestDirectory directory;
   directory.put("config.cfg", "old");
@@ -154,6 +163,7 @@ TEST(TemporaryFile, KeepsThePermissionsOfWhatItReplaces) {
   ASSERT_TRUE(write_file_atomically(path, view("new")));
   EXPECT_EQ(stdfs::status(path).permissions(), stdfs::perms::owner_read | stdfs::perms::owner_write);
 }
+#endif
 
 TEST(TemporaryFile, ALongNameIsNoObstacle) {
   const TestDirectory directory;
@@ -200,6 +210,7 @@ TEST(TemporaryFile, ManyWritersAndSweepersNeverMeet) {
   EXPECT_THAT(names_in(directory.path()), ElementsAre("x"));
 }
 
+#ifdef __unix__
 TEST(Output, FollowsTheUsersLinksAndWritesToDevices) {
   const TestDirectory directory;
   directory.put("elsewhere/report.json", "old");
@@ -229,6 +240,7 @@ TEST(Output, FollowsTheUsersLinksAndWritesToDevices) {
   close(ends[0]);
   close(ends[1]);
 }
+#endif
 
 }  // namespace
 }  // namespace fb::fs

@@ -1,10 +1,6 @@
 #include "fs/mod_install.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#ifdef __linux__
-#include <stdio.h>
-#endif
 
 #include <algorithm>
 #include <set>
@@ -15,6 +11,7 @@
 #include "base/out_of_memory.h"
 #include "fs/held_file.h"
 #include "fs/path.h"
+#include "fs/raw_file.h"
 #include "fs/temporary_file.h"
 
 namespace fb::fs {
@@ -44,10 +41,8 @@ class NewFolder {
   Status become(const stdfs::path& target, bool replaces) {
     std::error_code code;
     if (replaces) {
-#ifdef __linux__
-      // At no moment is there no folder. The former one has the temporary name then, and is removed.
-      if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0) return ok_status();
-#endif
+      // The former one has the temporary name then, and is removed.
+      if (exchange_names(path_, target)) return ok_status();
       // Under a plain name, which nothing sweeps: a kill between the two leaves the player's files.
       stdfs::path former = target;
       former += ".old";

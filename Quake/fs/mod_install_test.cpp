@@ -1,7 +1,9 @@
 #include "fs/mod_install.h"
 
 #include <gmock/gmock.h>
+#ifdef __unix__
 #include <sys/resource.h>
+#endif
 
 #include <algorithm>
 
@@ -103,6 +105,7 @@ TEST_F(ModInstall, WhatFailsLeavesNothing) {
   EXPECT_THAT(all(), ElementsAre("user/"));
 }
 
+#ifdef __unix__
 TEST_F(ModInstall, AFullDiskLeavesNothing) {
   directory.put("user/ad/s0.sav", "saved");
   survive_failed_writes();
@@ -115,6 +118,7 @@ TEST_F(ModInstall, AFullDiskLeavesNothing) {
   EXPECT_THAT(failure, StartsWith("ad/pak0.pak: cannot be written: "));
   EXPECT_THAT(all(), ElementsAre("user/ad/s0.sav: saved"));
 }
+#endif
 
 TEST_F(ModInstall, WhatAKilledProgramHasLeftIsRemovedAndALivingOnesStays) {
   directory.put("user/.fullbright-1-0123456789abcdef.new/pak0.pak", "half");

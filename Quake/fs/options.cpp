@@ -3,13 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <system_error>
-
-#ifndef _WIN32
-#include <pwd.h>
-#include <unistd.h>
-#endif
 
 #include "fs/path.h"
 
@@ -55,28 +48,6 @@ Result<FsOptions> options_from_arguments(std::span<const std::string> arguments)
     }
   }
   return options;
-}
-
-std::filesystem::path home_directory() {
-#ifndef _WIN32
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') return home;
-  // A user of a service has a home there that does not exist.
-  std::error_code code;
-  const passwd* user = ::getpwuid(::geteuid());
-  if (user != nullptr && user->pw_dir != nullptr && *user->pw_dir == '/' &&
-      std::filesystem::is_directory(user->pw_dir, code))
-    return user->pw_dir;
-#endif
-  return {};
-}
-
-std::filesystem::path default_user_dir() {
-#ifndef _WIN32
-  if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data == '/')
-    return std::filesystem::path(data) / "fullbright";
-  if (const std::filesystem::path home = home_directory(); !home.empty()) return home / ".fullbright";
-#endif
-  return {};
 }
 
 }  // namespace fb::fs

@@ -34,5 +34,7 @@ std::filesystem::path home_directory();
 // $XDG_DATA_HOME/fullbright if that is set, else ~/.fullbright. Empty if there is neither, and on Windows, where games
 // write beside their data. It need not exist.
 std::filesystem::path default_user_dir();
+// Whether it is this system's way that games write beside their data.
+bool plays_beside_data();
 
 }  // namespace fb::fs

@@ -1,7 +1,6 @@
 #include "fs/temporary_file.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,6 +11,9 @@
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include "base/system.h"
+#include "fs/raw_file.h"
 
 namespace fb::fs {
 namespace {
@@ -57,11 +59,11 @@ std::string temporary_name() {
   static std::mutex mutex;
   static std::mt19937_64 dice = [] {
     std::random_device device;
-    std::seed_seq seed{device(), device(), static_cast<unsigned>(::getpid())};
+    std::seed_seq seed{device(), device(), static_cast<unsigned>(process_number())};
     return std::mt19937_64(seed);
   }();
   const std::lock_guard lock(mutex);
-  return fmt::format("{}{}-{:016x}{}", kPrefix, ::getpid(), dice(), kExtension);
+  return fmt::format("{}{}-{:016x}{}", kPrefix, process_number(), dice(), kExtension);
 }
 
 void remove_left_over(const stdfs::path& folder) {
@@ -104,9 +106,8 @@ Status TemporaryFile::commit(Flush flush) {
     if (auto status = file_.flush(); !status) return status;
   }
   file_.resemble(target_);
-  std::error_code failed;
-  stdfs::rename(path_, target_, failed);
-  if (failed) return Error{fmt::format("{}: cannot be written: {}", target_.generic_string(), failed.message())};
+  if (const std::error_code failed = rename_over(path_, target_))
+    return Error{fmt::format("{}: cannot be written: {}", target_.generic_string(), failed.message())};
   path_.clear();
   if (flush == Flush::kNow) flush_path(target_.parent_path());
   return ok_status();

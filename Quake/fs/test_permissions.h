@@ -1,7 +1,9 @@
 // For tests of unreadable files. Root can read everything, so the process becomes user nobody for a while.
 #pragma once
 
+#ifdef __unix__
 #include <unistd.h>
+#endif
 
 #include <filesystem>
 #include <system_error>
@@ -12,17 +14,21 @@ namespace fb::fs {
 // While it lives, permissions of files apply to the process. False if that was not possible.
 class PermissionsCount {
  public:
+#ifdef __unix__
   PermissionsCount() : was_root_(::geteuid() == 0) { count_ = !was_root_ || ::seteuid(kNobody) == 0; }
   ~PermissionsCount() {
     if (was_root_ && count_) count_ = ::seteuid(0) == 0;
   }
+#else
+  PermissionsCount() = default;
+#endif
   PermissionsCount(const PermissionsCount&) = delete;
   PermissionsCount& operator=(const PermissionsCount&) = delete;
   explicit operator bool() const { return count_; }
 
  private:
-  static constexpr uid_t kNobody = 65534;
-  bool was_root_, count_ = false;
+  static constexpr unsigned kNobody = 65534;
+  bool was_root_ = false, count_ = false;
 };
 
 // Removes permissions from a file or folder until it is destroyed, so that the test's directory can be removed.

@@ -7,15 +7,12 @@
 
 #include "base/check.h"
 #include "base/out_of_memory.h"
+#include "base/system.h"
 #include "gpu/commands.h"
 #include "gpu/device_choice.h"
 #include "gpu/device_impl.h"
 #include "gpu/vulkan_error.h"
 #include "gpu/vulkan_struct.h"
-
-#ifdef __unix__
-#include <sys/mman.h>
-#endif
 
 namespace fb::gpu {
 namespace {
@@ -41,16 +38,6 @@ void load_debug_calls(VkInstance instance, DebugCalls& calls) {
       vkGetInstanceProcAddr(instance, "vkCmdBeginDebugUtilsLabelEXT"));
   calls.end_label =
       reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(vkGetInstanceProcAddr(instance, "vkCmdEndDebugUtilsLabelEXT"));
-}
-
-// Whether the system would give so much more. Asked of it directly: an allocator may keep what it gets.
-bool has_room([[maybe_unused]] std::size_t bytes) {
-#ifdef __unix__
-  void* const room = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (room == MAP_FAILED) return false;
-  munmap(room, bytes);
-#endif
-  return true;
 }
 
 DeviceLimits read_limits(const PhysicalDevice& physical) {

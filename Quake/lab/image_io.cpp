@@ -105,7 +105,7 @@ Status write_exr(const std::string& path, const ExrImage& image, ExrPixels kind)
                                        sizeof(half) * image.width()));
       }
     }
-    Imf::OutputFile file(temporary->path().c_str(), header, 0);
+    Imf::OutputFile file(temporary->path().string().c_str(), header, 0);
     file.setFrameBuffer(buffer);
     file.writePixels(static_cast<int>(image.height()));
   } catch (const std::exception& failure) {

@@ -1,15 +1,10 @@
-#if defined(_WIN32)
-#include <ws2tcpip.h>
-#else
-#include <arpa/inet.h>
-#endif
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "base/number.h"
 #include "net/network.h"
+#include "net/sockets.h"
 
 namespace fb::net {
 

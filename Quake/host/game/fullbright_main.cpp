@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/stop.h"
+#include "base/system.h"
 #include "fs/options.h"
 #include "host/base_game.h"
 #include "host/game/change_game.h"
@@ -90,7 +91,9 @@ int main(int argc, char** argv) {
   fb::stop_on_signals(fb::host::kProgram, fb::StopMode::kInSteps);
   bool at_once = false;
   const int status = fb::exit_status_or_signal(fb::host::guarded_main(fb::host::kProgram, [&] {
-    return fb::host::run_program({argv + 1, argv + argc}, at_once);
+    std::vector<std::string> arguments = fb::program_arguments(argc, argv);
+    if (!arguments.empty()) arguments.erase(arguments.begin());
+    return fb::host::run_program(std::move(arguments), at_once);
   }));
   if (!at_once) return status;
   std::fflush(nullptr);

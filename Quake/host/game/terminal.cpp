@@ -1,11 +1,6 @@
 #include "host/game/terminal.h"
 
-#ifndef _WIN32
-#include <poll.h>
-#include <unistd.h>
-#endif
-
-#include <array>
+#include <cstddef>
 
 namespace fb::host {
 
@@ -20,28 +15,6 @@ std::optional<std::string> TerminalLines::next() {
   std::string line = text_.substr(0, end);
   text_.erase(0, end + 1);
   return line;
-}
-
-bool TerminalLines::read_more() {
-#ifdef _WIN32
-  ended_ = true;
-  return false;
-#else
-  if (ended_) return false;
-  // A background job that reads what is typed for the shell would be stopped (SIGTTIN).
-  const pid_t in_front = ::tcgetpgrp(file_);
-  if (in_front > 0 && in_front != ::getpgrp()) return false;
-  pollfd wanted{file_, POLLIN, 0};
-  if (poll(&wanted, 1, 0) <= 0) return false;
-  std::array<char, 4096> bytes{};
-  const ssize_t count = read(file_, bytes.data(), bytes.size());
-  if (count <= 0) {
-    ended_ = true;
-    return false;
-  }
-  text_.append(bytes.data(), static_cast<std::size_t>(count));
-  return true;
-#endif
 }
 
 }  // namespace fb::host

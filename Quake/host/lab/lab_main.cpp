@@ -6,8 +6,10 @@
 #include <fmt/ranges.h>
 
 #include <string>
+#include <vector>
 
 #include "base/stop.h"
+#include "base/system.h"
 #include "host/guarded_main.h"
 #include "host/lab/lab_stage.h"
 #include "host/options.h"
@@ -24,13 +26,13 @@ std::string given_too_often(const CLI::App& app) {
   return {};
 }
 
-int run(int argc, char** argv) {
+int run(const std::vector<std::string>& arguments) {
   using namespace fb::host;
   fb::stop_on_signals("fullbright-lab", fb::StopMode::kAtOnce);
   CLI::App app("Renders and measures without a window: frames, references, errors, speed and bias.", "fullbright-lab");
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
-  const std::string command_line = fmt::format("{}", fmt::join(argv, argv + argc, " "));
+  const std::string command_line = fmt::format("{}", fmt::join(arguments, " "));
   const LabCommand commands[] = {add_render_command(app),
                                  add_render_merge_command(app),
                                  add_reference_command(app),
@@ -52,8 +54,10 @@ int run(int argc, char** argv) {
                                  add_estimators_command(app),
                                  add_settings_command(app),
                                  add_commands_command(app)};
+  std::vector<const char*> words;
+  for (const std::string& argument : arguments) words.push_back(argument.c_str());
   try {
-    app.parse(argc, argv);
+    app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::ArgumentMismatch& error) {
     const std::string often = given_too_often(app);
     if (often.empty()) return app.exit(error);
@@ -70,5 +74,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return fb::host::guarded_main("fullbright-lab", [&] { return run(argc, argv); });
+  return fb::host::guarded_main("fullbright-lab", [&] { return run(fb::program_arguments(argc, argv)); });
 }

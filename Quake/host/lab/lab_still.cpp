@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-#include "base/physical_memory.h"
+#include "base/system.h"
 #include "base/progress.h"
 #include "host/lab/lab_numbers.h"
 #include "host/lab/lab_stage.h"

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <ctime>
 
+#include "base/system.h"
 #include "progs/builtins/kinds.h"
 #include "progs/markup.h"
 #include "progs/vm.h"
@@ -76,14 +77,9 @@ void crc16(Vm& vm) {
 void strftime_now(Vm& vm) {
   const std::string format = vm.parm_text_from(1);
   const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-#ifdef _WIN32
-  const bool known = (vm.parm_float(0) != 0.0f ? localtime_s(&parts, &now) : gmtime_s(&parts, &now)) == 0;
-#else
-  const bool known = (vm.parm_float(0) != 0.0f ? localtime_r(&now, &parts) : gmtime_r(&now, &parts)) != nullptr;
-#endif
+  const auto parts = calendar_time(now, vm.parm_float(0) != 0.0f ? Zone::kLocal : Zone::kGreenwich);
   char text[1024];
-  const std::size_t length = known ? std::strftime(text, sizeof(text), format.c_str(), &parts) : 0;
+  const std::size_t length = parts ? std::strftime(text, sizeof(text), format.c_str(), &*parts) : 0;
   vm.return_string({text, length});
 }
 

@@ -11,7 +11,7 @@
 #include "base/check.h"
 #include "base/log.h"
 #include "base/out_of_memory.h"
-#include "base/physical_memory.h"
+#include "base/system.h"
 #include "render/scene/former_instances.h"
 #include "render/scene/gpu_scene_assets.h"
 #include "render/scene/gpu_scene_copies.h"

@@ -1,4 +1,4 @@
-#include "base/stop.h"
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -11,11 +11,7 @@
 #include <ctime>
 #include <iterator>
 
-#ifdef _WIN32
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
+#include "base/stop.h"
 
 namespace fb {
 namespace {
@@ -35,13 +31,9 @@ struct EndingSignal {
 // Every signal whose default ends a program, but for failed writes, faults and real-time signals. SIGALRM and its like
 // come from timers that outlive exec, SIGUSR1 from batch systems whose time is nearly over.
 constexpr EndingSignal kEndingSignals[] = {
-    {SIGINT, "SIGINT"},
-    {SIGTERM, "SIGTERM"},
-#ifdef _WIN32
-    {SIGBREAK, "SIGBREAK"},
-#else
-    {SIGHUP, "SIGHUP"},       {SIGQUIT, "SIGQUIT"}, {SIGXCPU, "SIGXCPU"}, {SIGALRM, "SIGALRM"},
-    {SIGVTALRM, "SIGVTALRM"}, {SIGPROF, "SIGPROF"}, {SIGUSR1, "SIGUSR1"}, {SIGUSR2, "SIGUSR2"},
+    {SIGINT, "SIGINT"},       {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"},       {SIGQUIT, "SIGQUIT"},
+    {SIGXCPU, "SIGXCPU"},     {SIGALRM, "SIGALRM"}, {SIGVTALRM, "SIGVTALRM"}, {SIGPROF, "SIGPROF"},
+    {SIGUSR1, "SIGUSR1"},     {SIGUSR2, "SIGUSR2"},
 #ifdef SIGPWR
     {SIGPWR, "SIGPWR"},
 #endif
@@ -51,36 +43,21 @@ constexpr EndingSignal kEndingSignals[] = {
 #ifdef SIGSTKFLT
     {SIGSTKFLT, "SIGSTKFLT"},
 #endif
-#endif
 };
 
 // The functions below may run in a signal handler: no memory allocation, no locks, no streams.
 
 void write_text(const char* text) {
   const std::size_t size = std::strlen(text);
-#ifdef _WIN32
-  (void)_write(2, text, static_cast<unsigned>(size));
-#else
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text, size);
-#endif
 }
 
-bool at_terminal() {
-#ifdef _WIN32
-  return false;
-#else
-  return ::isatty(STDERR_FILENO) != 0;
-#endif
-}
+bool at_terminal() { return ::isatty(STDERR_FILENO) != 0; }
 
 double steady_seconds() {
-#ifdef _WIN32
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;  // since the start, there
-#else
   timespec now{};
   ::clock_gettime(CLOCK_MONOTONIC, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-#endif
 }
 
 const char* name_of(int signal) {
@@ -95,30 +72,23 @@ const char* name_of(int signal) {
   write_text(name_of(signal));
   write_text("\n");
   std::signal(signal, SIG_DFL);
-#ifndef _WIN32
   // The handler blocks its own signal.
   sigset_t held;
   sigemptyset(&held);
   sigaddset(&held, signal);
   ::pthread_sigmask(SIG_UNBLOCK, &held, nullptr);
-#endif
   std::raise(signal);
   std::_Exit(128 + signal);
 }
 
-#ifndef _WIN32
 void on_grace_over(int) { die_by(wanted_signal != 0 ? wanted_signal.load() : SIGTERM); }
 // The kernel repeats it each second.
 void on_more_processor_time(int) {}
 // No SIG_IGN: programs that this one starts would inherit that.
 void on_failed_write(int) {}
-#endif
 
 void on_signal(int signal) {
   const int kept_errno = errno;
-#ifdef _WIN32
-  std::signal(signal, on_signal);  // a handler serves once there
-#endif
   const double now = steady_seconds();
   if (stop_mode == StopMode::kAtOnce) die_by(signal);
   if (told_once.exchange(true)) {
@@ -128,13 +98,11 @@ void on_signal(int signal) {
   }
   told_at = now;
   wanted_signal = signal;
-#ifndef _WIN32
   if (signal == SIGXCPU) std::signal(SIGXCPU, on_more_processor_time);
   if (stop_mode != StopMode::kAsQuit) {
     std::signal(SIGALRM, on_grace_over);
     ::alarm(kGraceSeconds);
   }
-#endif
   errno = kept_errno;
 }
 
@@ -154,9 +122,7 @@ void stop_on_signals(const char* program, StopMode mode) {
 }
 
 void survive_failed_writes() {
-#ifndef _WIN32
   for (const int signal : {SIGPIPE, SIGXFSZ}) handle(signal, on_failed_write);
-#endif
 }
 
 bool stop_wanted() { return wanted_signal.load(std::memory_order_relaxed) != 0; }

@@ -1,5 +1,3 @@
-#include "fs/held_file.h"
-
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -10,12 +8,16 @@
 #include <system_error>
 #include <utility>
 
+#include "fs/held_file.h"
+
 namespace fb::fs {
 namespace {
 
 constexpr int kTries = 100;  // each is lost only to a program that removes or renames the file at this moment
 
 enum class Lock { kOurs, kTheirs, kNone };
+
+int descriptor_of(std::intptr_t handle) { return static_cast<int>(handle); }
 
 Lock try_lock(int handle) {
   int failed = 0;
@@ -37,8 +39,8 @@ Error HeldFile::failure() const { return cannot_be_written(called_, errno); }
 bool HeldFile::stands_there() const {
   struct stat ours {
   }, theirs{};
-  return ::fstat(handle_, &ours) == 0 && ::lstat(path_.c_str(), &theirs) == 0 && ours.st_ino == theirs.st_ino &&
-         ours.st_dev == theirs.st_dev;
+  return ::fstat(descriptor_of(handle_), &ours) == 0 && ::lstat(path_.c_str(), &theirs) == 0 &&
+         ours.st_ino == theirs.st_ino && ours.st_dev == theirs.st_dev;
 }
 
 Result<HeldFile> HeldFile::create(const std::function<std::filesystem::path()>& name, const std::string& called) {
@@ -46,7 +48,7 @@ Result<HeldFile> HeldFile::create(const std::function<std::filesystem::path()>& 
     const std::filesystem::path path = name();
     HeldFile file(path, called, ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
     if (file.handle_ < 0) return file.failure();
-    if (try_lock(file.handle_) != Lock::kTheirs && file.stands_there()) return file;
+    if (try_lock(descriptor_of(file.handle_)) != Lock::kTheirs && file.stands_there()) return file;
     // Somebody took it for left over before it was locked, and removes it by its name: the next file has another.
   }
   return cannot_be_written(called, EBUSY);
@@ -69,7 +71,7 @@ Result<HeldFile> HeldFile::take(const std::filesystem::path& path, int flags) {
   for (int i = 0; i < kTries; ++i) {
     HeldFile file(path, called, ::open(path.c_str(), flags, 0666));
     struct stat facts {};
-    if (file.handle_ < 0 || ::fstat(file.handle_, &facts) != 0) return file.failure();
+    if (file.handle_ < 0 || ::fstat(descriptor_of(file.handle_), &facts) != 0) return file.failure();
     if (S_ISCHR(facts.st_mode)) return file;
     if (!S_ISREG(facts.st_mode) && !S_ISDIR(facts.st_mode))
       return Error{fmt::format("{}: cannot be written: it is neither a file nor a directory", called)};
@@ -78,7 +80,8 @@ Result<HeldFile> HeldFile::take(const std::filesystem::path& path, int flags) {
       ::unlink(path.c_str());
       continue;
     }
-    if (try_lock(file.handle_) == Lock::kTheirs) return Error{fmt::format("{}: another program is writing it", called)};
+    if (try_lock(descriptor_of(file.handle_)) == Lock::kTheirs)
+      return Error{fmt::format("{}: another program is writing it", called)};
     if (file.stands_there()) return file;
   }
   return cannot_be_written(called, EBUSY);
@@ -95,19 +98,19 @@ HeldFile& HeldFile::operator=(HeldFile&& other) noexcept {
 }
 
 HeldFile::~HeldFile() {
-  if (handle_ >= 0) ::close(handle_);
+  if (handle_ >= 0) ::close(descriptor_of(handle_));
 }
 
 std::uint64_t HeldFile::size() const {
   struct stat facts {};
-  return ::fstat(handle_, &facts) == 0 ? static_cast<std::uint64_t>(facts.st_size) : 0;
+  return ::fstat(descriptor_of(handle_), &facts) == 0 ? static_cast<std::uint64_t>(facts.st_size) : 0;
 }
 
 // By the handle's own position, for a device or a pipe has no other.
 Status HeldFile::append(ByteView data) const {
-  (void)::lseek(handle_, 0, SEEK_END);
+  (void)::lseek(descriptor_of(handle_), 0, SEEK_END);
   while (!data.empty()) {
-    const ssize_t written = ::write(handle_, data.data(), data.size());
+    const ssize_t written = ::write(descriptor_of(handle_), data.data(), data.size());
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return failure();
     data = data.subspan(static_cast<std::size_t>(written));
@@ -117,7 +120,7 @@ Status HeldFile::append(ByteView data) const {
 
 Status HeldFile::write_at(std::uint64_t offset, ByteView data) const {
   while (!data.empty()) {
-    const ssize_t written = ::pwrite(handle_, data.data(), data.size(), static_cast<off_t>(offset));
+    const ssize_t written = ::pwrite(descriptor_of(handle_), data.data(), data.size(), static_cast<off_t>(offset));
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return failure();
     offset += static_cast<std::uint64_t>(written);
@@ -128,16 +131,16 @@ Status HeldFile::write_at(std::uint64_t offset, ByteView data) const {
 
 Status HeldFile::cut(std::uint64_t size) const {
   struct stat facts {};
-  if (::fstat(handle_, &facts) == 0 && !S_ISREG(facts.st_mode)) return ok_status();
-  return ::ftruncate(handle_, static_cast<off_t>(size)) == 0 ? ok_status() : Status(failure());
+  if (::fstat(descriptor_of(handle_), &facts) == 0 && !S_ISREG(facts.st_mode)) return ok_status();
+  return ::ftruncate(descriptor_of(handle_), static_cast<off_t>(size)) == 0 ? ok_status() : Status(failure());
 }
 
-Status HeldFile::flush() const { return ::fsync(handle_) == 0 ? ok_status() : Status(failure()); }
+Status HeldFile::flush() const { return ::fsync(descriptor_of(handle_)) == 0 ? ok_status() : Status(failure()); }
 
 void HeldFile::resemble(const std::filesystem::path& former) const {
   struct stat facts {};
   if (::lstat(former.c_str(), &facts) != 0 || !S_ISREG(facts.st_mode)) return;
-  (void)!::fchmod(handle_, facts.st_mode & 0777u);
+  (void)!::fchmod(descriptor_of(handle_), facts.st_mode & 0777u);
 }
 
 void remove_unless_held(const std::filesystem::path& path) {

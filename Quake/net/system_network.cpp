@@ -1,34 +1,10 @@
 // The system's UDP sockets; no other file uses them.
 #include "net/network.h"
 
-#if defined(_WIN32)
-
-namespace fb::net {
-namespace {
-class NoNetwork final : public Network {
-  Result<std::unique_ptr<Socket>> open(Family, std::uint16_t) override {
-    return Error{"network: this build has no sockets for this system yet"};
-  }
-  Result<Address> resolve(std::string_view name, std::uint16_t default_port) override {
-    if (const auto address = parse_address(name, default_port)) return *address;
-    return Error{std::string(name) + ": this build cannot look up names on this system yet"};
-  }
-};
-}  // namespace
-std::unique_ptr<Network> system_network(const NetworkOptions&) { return std::make_unique<NoNetwork>(); }
-}  // namespace fb::net
-
-#else
-
-#include <fcntl.h>
-#include <netdb.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstring>
 #include <string>
+
+#include "net/sockets.h"
 
 namespace fb::net {
 namespace {
@@ -78,29 +54,28 @@ std::optional<Address> from_system(const sockaddr* system) {
   return address;
 }
 
-class PosixSocket final : public Socket {
+class SystemSocket final : public Socket {
  public:
-  PosixSocket(int handle, Family family) : handle_(handle), family_(family) {}
-  ~PosixSocket() override { ::close(handle_); }
-  PosixSocket(const PosixSocket&) = delete;
-  PosixSocket& operator=(const PosixSocket&) = delete;
+  SystemSocket(SocketHandle handle, Family family) : handle_(handle), family_(family) {}
+  ~SystemSocket() override { close_socket(handle_); }
+  SystemSocket(const SystemSocket&) = delete;
+  SystemSocket& operator=(const SystemSocket&) = delete;
 
   void send_to(const Address& to, ByteView data) override {
     if (to.family != family_) return;
     const SystemAddress system = to_system(to);
-    (void)::sendto(handle_, data.data(), data.size(), 0, system.get(), system.size);
+    send_datagram(handle_, data, system.get(), system.size);
   }
   std::optional<Datagram> receive_from() override {
     for (int interruptions = 0; interruptions < 16; ++interruptions) {
       SystemAddress system;
-      const ssize_t size = ::recvfrom(handle_, buffer_.data(), buffer_.size(), 0, system.get(), &system.size);
-      if (size >= 0) {
+      const auto size = receive_datagram(handle_, buffer_, system.get(), &system.size);
+      if (size) {
         const auto from = from_system(system.get());
         if (!from) continue;
-        return Datagram{*from, ByteView(buffer_).first(static_cast<std::size_t>(size))};
+        return Datagram{*from, ByteView(buffer_).first(*size)};
       }
-      // An error that another host returned for an earlier packet does not concern this one.
-      if (errno != EINTR && errno != ECONNREFUSED) break;
+      if (!may_receive_again()) break;
     }
     return std::nullopt;
   }
@@ -109,28 +84,26 @@ class PosixSocket final : public Socket {
   void set_port(std::uint16_t port) { port_ = port; }
 
  private:
-  int handle_;
+  SocketHandle handle_;
   Family family_;
   std::uint16_t port_ = 0;
   Bytes buffer_ = Bytes(65536);
 };
 
-class PosixNetwork final : public Network {
+class SystemNetwork final : public Network {
  public:
-  explicit PosixNetwork(const NetworkOptions& options) : options_(options) {}
+  explicit SystemNetwork(const NetworkOptions& options) : options_(options) { start_sockets(); }
 
   Result<std::unique_ptr<Socket>> open(Family family, std::uint16_t port) override {
     if (!options_.uses(family)) return Error{"network: " + switched_off(family)};
-    const int handle = ::socket(family == Family::kIpv4 ? AF_INET : AF_INET6, SOCK_DGRAM, 0);
-    if (handle < 0) return failure("a UDP socket cannot be made");
-    auto socket = std::make_unique<PosixSocket>(handle, family);  // closes the handle if anything below fails
+    const SocketHandle handle = ::socket(family == Family::kIpv4 ? AF_INET : AF_INET6, SOCK_DGRAM, 0);
+    if (handle == kNoSocket) return failure("a UDP socket cannot be made");
+    auto socket = std::make_unique<SystemSocket>(handle, family);  // closes the handle if anything below fails
     const int yes = 1;
-    ::setsockopt(handle, SOL_SOCKET, SO_BROADCAST, &yes, sizeof yes);
+    set_option(handle, SOL_SOCKET, SO_BROADCAST, yes);
     // Each address family has its own socket, so that no IPv4 address arrives as an IPv4-mapped IPv6 one.
-    if (family == Family::kIpv6) ::setsockopt(handle, IPPROTO_IPV6, IPV6_V6ONLY, &yes, sizeof yes);
-    const int flags = ::fcntl(handle, F_GETFL);
-    if (flags < 0 || ::fcntl(handle, F_SETFL, flags | O_NONBLOCK) < 0 || ::fcntl(handle, F_SETFD, FD_CLOEXEC) < 0)
-      return failure("a UDP socket cannot be made not to block");
+    if (family == Family::kIpv6) set_option(handle, IPPROTO_IPV6, IPV6_V6ONLY, yes);
+    if (!make_prompt(handle)) return failure("a UDP socket cannot be made not to block");
     Address any;
     any.family = family;
     const Address own = options_.own_address.value_or(any).with_port(port);
@@ -160,7 +133,7 @@ class PosixNetwork final : public Network {
     wanted.ai_flags = AI_ADDRCONFIG;
     addrinfo* found = nullptr;
     if (const int code = ::getaddrinfo(host.c_str(), nullptr, &wanted, &found); code != 0)
-      return Error{host + ": " + ::gai_strerror(code)};
+      return Error{host + ": " + lookup_failure(code)};
     std::optional<Address> address;
     for (const addrinfo* at = found; at != nullptr && !address; at = at->ai_next) {
       address = from_system(at->ai_addr);
@@ -178,7 +151,7 @@ class PosixNetwork final : public Network {
     return (family == Family::kIpv4 ? "IPv4" : "IPv6") + off;
   }
   static Error failure(std::string_view what) {
-    return Error{"network: " + std::string(what) + " (" + std::strerror(errno) + ")"};
+    return Error{"network: " + std::string(what) + " (" + socket_failure() + ")"};
   }
 
   NetworkOptions options_;
@@ -187,9 +160,7 @@ class PosixNetwork final : public Network {
 }  // namespace
 
 std::unique_ptr<Network> system_network(const NetworkOptions& options) {
-  return std::make_unique<PosixNetwork>(options);
+  return std::make_unique<SystemNetwork>(options);
 }
 
 }  // namespace fb::net
-
-#endif
