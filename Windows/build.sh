@@ -3,9 +3,11 @@
 # the base game, in a folder that can be copied anywhere. Libraries are linked into the programs; Vulkan's comes with
 # Windows' drivers.
 #
-#   usage: Windows/build.sh [--jobs N] [--tests] [--only TARGET]...
+#   usage: Windows/build.sh [--jobs N] [--tests] [--up-to MODULE] [--only TARGET]...
 #     --jobs N        compile N files at once; default: as many as there are processors
 #     --tests         the test programs, too, for Windows/test.sh
+#     --up-to MODULE  only the modules up to this one, in the order of Quake/CMakeLists.txt, and no programs; up to `server` few
+#                     libraries are needed
 #     --only TARGET   only these of CMake's targets, and no folder is put together
 #
 # Needs: apt-get install g++-mingw-w64-x86-64-posix cmake ninja-build make pkg-config dpkg-dev, and what `make` needs
@@ -17,14 +19,15 @@ set -euo pipefail
 
 say() { echo "build.sh: $*" >&2; }
 fail() { say "$*"; exit 1; }
-usage() { sed -n '2,17s/^# \{0,1\}//p' "$0"; }
+usage() { sed -n '2,19s/^# \{0,1\}//p' "$0"; }
 
-jobs=$(nproc) tests=OFF targets=()
+jobs=$(nproc) tests=OFF up_to="" targets=()
 while [[ $# -gt 0 ]]; do
   case $1 in
   --help | -h) usage; exit 0 ;;
   --jobs) jobs=${2:?--jobs needs a number}; shift ;;
   --tests) tests=ON ;;
+  --up-to) up_to=${2:?--up-to needs a module}; shift ;;
   --only) targets+=("${2:?--only needs a target}"); shift ;;
   *) say "unknown option '$1'"; usage >&2; exit 2 ;;
   esac
@@ -40,20 +43,28 @@ mkdir -p "$out"
 say "1 of 3: shaders and the base game, in build/ (log: build-windows/host.log)"
 [[ -f build/build.ninja ]] || cmake --preset release >"$out/host.log" 2>&1 || { cat "$out/host.log" >&2; fail "build/ cannot be configured"; }
 host_targets=(fb_shader_headers gpu_test_shaders)
-[[ ${#targets[@]} -gt 0 ]] || host_targets+=(basegame)
+[[ ${#targets[@]} -gt 0 || -n $up_to ]] || host_targets+=(basegame)
 ninja -C build -j "$jobs" "${host_targets[@]}" >"$out/host.log" 2>&1 ||
   { tail -n 20 "$out/host.log" >&2; fail "shaders and the base game cannot be made, see build-windows/host.log"; }
 
 say "2 of 3: libraries"
-Windows/dependencies.sh "$out/deps" "$jobs"
+libraries=()
+case $up_to in
+base | fs | console | formats | world | net | progs | server) libraries=(zlib libpng1.6 libzip fmtlib xxhash glm googletest) ;;
+esac
+Windows/dependencies.sh "$out/deps" "$jobs" "${libraries[@]}"
 
 say "3 of 3: Fullbright"
 cmake -S . -B "$out/build" -G Ninja -DCMAKE_TOOLCHAIN_FILE="$PWD/Windows/toolchain.cmake" \
   -DFULLBRIGHT_WINDOWS_DEPS="$out/deps" -DCMAKE_BUILD_TYPE=Release -DFULLBRIGHT_SHADERS_FROM="$PWD/build" \
-  -DFULLBRIGHT_BASEGAME=OFF -DFULLBRIGHT_BENCHMARKS=OFF -DFULLBRIGHT_TESTS=$tests -DFULLBRIGHT_QUICK_BUILD=ON \
+  -DFULLBRIGHT_BASEGAME=OFF -DFULLBRIGHT_BENCHMARKS=OFF -DFULLBRIGHT_TESTS=$tests -DFULLBRIGHT_QUICK_BUILD=ON -DFULLBRIGHT_UP_TO="$up_to" \
   >"$out/configure.log" 2>&1 || { tail -n 30 "$out/configure.log" >&2; fail "CMake failed, see build-windows/configure.log"; }
 if [[ ${#targets[@]} -gt 0 ]]; then
   ninja -C "$out/build" -j "$jobs" "${targets[@]}"
+  exit
+fi
+if [[ -n $up_to ]]; then
+  ninja -C "$out/build" -j "$jobs"
   exit
 fi
 ninja -C "$out/build" -j "$jobs" $([[ $tests == ON ]] && echo all || echo fullbright fullbright-lab)

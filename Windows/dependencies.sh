@@ -3,7 +3,7 @@
 # Windows/dependencies.txt, fetched with apt from the mirror that this machine uses and checked against the sums there.
 # The system's own lists are neither read nor changed. What is in DIR already, of the same version, is not built again.
 #
-#   usage: Windows/dependencies.sh DIR [JOBS]
+#   usage: Windows/dependencies.sh DIR [JOBS [PACKAGE]...]    PACKAGE: only these; default: all
 #
 # DIR gets lib/, include/ and, in log/, what each build printed. Vulkan's headers are those that SDL's sources bring; the
 # loader (vulkan-1.dll) comes with Windows' drivers, so that only an import library is made for it.
@@ -11,11 +11,12 @@ set -euo pipefail
 
 say() { echo "dependencies.sh: $*" >&2; }
 fail() { say "$*"; exit 1; }
-[[ ($# -eq 1 || $# -eq 2) && $1 != -* ]] || { sed -n '2,9s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+[[ $# -ge 1 && $1 != -* ]] || { sed -n '2,9s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1"
 prefix=$(cd "$1" && pwd)
 jobs=${2:-$(nproc)}
+only=" ${*:3} "
 host=x86_64-w64-mingw32
 
 for tool in cmake ninja make pkg-config dpkg-source apt-get $host-gcc-posix $host-g++-posix $host-dlltool; do
@@ -43,7 +44,7 @@ make_apt_ready() {
   [[ ! -f $keyring ]] || options="[signed-by=$keyring] "
   mkdir -p "$prefix/sources/lists/partial" "$prefix/sources/cache/archives/partial"
   echo "deb-src $options$mirror bookworm main" >"$prefix/sources/sources.list"
-  sources_apt update >&2 || fail "could not fetch the list of bookworm's sources from $mirror"
+  sources_apt update >"$prefix/log/apt.log" 2>&1 || fail "could not fetch the list of bookworm's sources from $mirror"
   apt_ready=1
 }
 
@@ -54,12 +55,12 @@ fetch() {
   folder=$prefix/sources/$name-${version#*:}
   if [[ ! -f $folder.ready ]]; then
     make_apt_ready
-    (cd "$prefix/sources" && sources_apt --download-only source "$name=$version") >&2 ||
+    (cd "$prefix/sources" && sources_apt --download-only source "$name=$version") >"$prefix/log/$name.log" 2>&1 ||
       fail "$name $version cannot be fetched: the mirror may have another version by now (apt-cache showsrc $name)"
     echo "$sum  $dsc" | sha256sum --quiet -c - >&2 ||
       fail "$dsc is not the file of dependencies.txt"
     rm -rf "$folder"
-    (cd "$prefix/sources" && dpkg-source --no-check -x "$dsc" "$folder") >"$prefix/log/$name.log" 2>&1 ||
+    (cd "$prefix/sources" && dpkg-source --no-check -x "$dsc" "$folder") >>"$prefix/log/$name.log" 2>&1 ||
       fail "$name cannot be unpacked, see $prefix/log/$name.log"
     touch "$folder.ready"
   fi
@@ -160,15 +161,16 @@ build_libopenmpt() {
 
 while read -r name version sum; do
   [[ -n $name && $name != \#* ]] || continue
+  [[ $only == "  " || $only == *" $name "* ]] || continue
   built=$prefix/built/$name
   if [[ -f $built && $(<"$built") == "$version $sum" ]]; then continue; fi
   say "$name $version"
   fetch "$name" "$version" "$sum"
-  (cd "$folder" && rm -rf build-windows && set -x && "build_$name") >"$prefix/log/$name.log" 2>&1 &  # so that set -e holds in it
+  (cd "$folder" && rm -rf build-windows && set -x && "build_$name") >>"$prefix/log/$name.log" 2>&1 &  # so that set -e holds in it
   wait $! || {
     tail -n 20 "$prefix/log/$name.log" >&2
     fail "$name cannot be built, see $prefix/log/$name.log"
   }
   echo "$version $sum" >"$built"
 done <"$here/dependencies.txt"
-say "all libraries stand in $prefix"
+say "the libraries stand in $prefix"

@@ -33,8 +33,6 @@ out=$PWD/build-windows
 mkdir -p "$out/log"
 # Neither .NET nor a browser is installed into Wine's folder, and no desktop entries.
 export WINEPREFIX=$out/wine WINEDEBUG=${WINEDEBUG:--all} WINEDLLOVERRIDES="mscoree,mshtml,winemenubuilder.exe="
-# Paths of Linux are Wine's drive Z.
-export FULLBRIGHT_TEST_DATA=${FULLBRIGHT_TEST_DATA:-}
 status=0
 
 # Tests that cannot pass here: "module:filter", each with its reason in Windows/README.md.
@@ -71,14 +69,54 @@ same() {
   fi
 }
 
+# linux PROGRAM ARGUMENTS...; windows PROGRAM ARGUMENTS...: what the program prints.
+linux() { timeout 600 "build/$1" "${@:2}" 2>>"$out/log/linux.log" </dev/null | tr -d '\r' || true; }
+windows() { timeout 600 wine "$out/fullbright/$1.exe" "${@:2}" 2>>"$out/log/windows.log" </dev/null | tr -d '\r' || true; }
+
 run_programs() {
-  local folder=$out/fullbright
-  [[ -e $folder/fullbright.exe ]] || fail "there is no build-windows/fullbright: Windows/build.sh"
-  local lab=(render --quiet --hash --scene cbox --size 64x36 --spp 1)
-  for estimator in pt nee; do
-    same "hash of cbox by $estimator" \
-      "$(build/fullbright-lab "${lab[@]}" --estimator $estimator 2>/dev/null | tr -d '\r' || true)" \
-      "$(wine "$folder/fullbright-lab.exe" "${lab[@]}" --estimator $estimator 2>/dev/null | tr -d '\r' || true)"
+  [[ -e $out/fullbright/fullbright.exe ]] || fail "there is no build-windows/fullbright: Windows/build.sh"
+  local scratch
+  scratch=$(mktemp -d)
+  trap 'rm -rf "'"$scratch"'"' EXIT
+  mkdir -p "$scratch"/{linux,windows}/id1
+  : >"$out/log/linux.log"
+  : >"$out/log/windows.log"
+  local lab=(fullbright-lab render --quiet --hash --size 64x36 --basedir build/game)
+  for view in "--scene cbox" "--map lab_cbox"; do
+    for estimator in pt nee; do
+      same "picture, $view, $estimator" "$(linux "${lab[@]}" $view --estimator $estimator)" \
+        "$(windows "${lab[@]}" $view --estimator $estimator)"
+    done
+  done
+
+  # A game played by script, and its demo: what the server said is in it to the byte.
+  local game=(fullbright -headless -size 16x9 -seed 1 -basedir build/game +r_estimator pt +r_bounces 0 +host_framerate 0.1)
+  for system in linux windows; do
+    cat >"$scratch/$system/id1/script.cfg" <<'CFG'
+alias w4 "wait;wait;wait;wait"
+alias w20 "w4;w4;w4;w4;w4"
++forward
+w20
++attack
+w20
+changelevel lab_plain
+w20
+stop
+save script
+quit
+CFG
+    $system "${game[@]}" -userdir "$scratch/$system" "+record" "script" "lab_cbox" +exec script.cfg >"$scratch/$system/record.txt"
+  done
+  same "a recorded game's bytes" "$(sha256sum <"$scratch/linux/id1/script.dem" | cut -c1-16)" \
+    "$(sha256sum <"$scratch/windows/id1/script.dem" | cut -c1-16)"
+  same "its save, but for the time" "$(tr -d '\r' <"$scratch/linux/id1/script.sav" | sha256sum | cut -c1-16)" \
+    "$(tr -d '\r' <"$scratch/windows/id1/script.sav" | sha256sum | cut -c1-16)"
+  for demo in script cbox; do
+    local frames=()
+    for system in linux windows; do
+      frames+=("$($system "${game[@]}" -userdir "$scratch/$system" +timedemo $demo +quit | sed -n 's/^\([0-9]* frames\) .*/\1/p')")
+    done
+    same "timedemo $demo" "${frames[@]}"
   done
 }
 

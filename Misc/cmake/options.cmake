@@ -33,7 +33,7 @@ if(WIN32)
   target_link_options(fb_options INTERFACE -static -Wl,--stack,8388608)
   # Quake/base/narrow_text_windows.cpp comes before the C library.
   target_link_options(fb_options INTERFACE -Wl,-u,mbrtowc -Wl,-u,mbsrtowcs -Wl,-u,mbrlen)
-  target_compile_definitions(fb_options INTERFACE UNICODE WIN32_LEAN_AND_MEAN)
+  target_compile_definitions(fb_options INTERFACE NOMINMAX UNICODE WIN32_LEAN_AND_MEAN)
 else()
   set(FB_SYSTEM posix)
 endif()

@@ -2,7 +2,6 @@
 // calls the handler in a thread of its own, so that it may wait. By the last three the system ends the program as soon
 // as the handler returns, and after some seconds anyway. There are no signals from other programs, and a failed write
 // sends none.
-#define NOMINMAX
 #include <windows.h>
 
 #include <atomic>

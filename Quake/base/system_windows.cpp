@@ -1,4 +1,3 @@
-#define NOMINMAX
 #include <windows.h>
 // Below it, since they need its types.
 #include <io.h>

@@ -1,7 +1,6 @@
 // What flock is elsewhere is here a lock of one byte that no file has (LockFileEx keeps others from reading and writing
 // what is locked), for a folder a mutex that is called by the folder's number. The system ends both with their process.
 // A mutex is seen by programs of the same machine alone, so that two machines may hold a shared folder at once.
-#define NOMINMAX
 #include <windows.h>
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-#define NOMINMAX
 #include <windows.h>
 
 #include <algorithm>
@@ -7,11 +6,16 @@
 #include <vector>
 
 #include "fs/raw_file.h"
+#include "fs/temporary_file.h"
 
 namespace fb::fs {
 namespace {
 
 constexpr DWORD kShare = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
+// Which MinGW's headers know for later releases of Windows 10 alone.
+constexpr auto kRenameInfoEx = static_cast<FILE_INFO_BY_HANDLE_CLASS>(22);
+constexpr DWORD kReplaceLikePosix = 0x1 | 0x2;  // FILE_RENAME_FLAG_REPLACE_IF_EXISTS, FILE_RENAME_FLAG_POSIX_SEMANTICS
+constexpr int kTries = 100;  // each is lost only to a program that replaces the same file at this moment
 
 HANDLE as_handle(std::intptr_t handle) { return reinterpret_cast<HANDLE>(handle); }
 
@@ -25,6 +29,25 @@ class Mapping {
  private:
   const void* address_;
 };
+
+// Windows 10 has it since version 1709, Wine 8 has not.
+bool rename_like_posix(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::error_code failed;
+  const std::filesystem::path whole = std::filesystem::absolute(to, failed);
+  HANDLE file =
+      CreateFileW(from.c_str(), DELETE, kShare, nullptr, OPEN_EXISTING, FILE_FLAG_OPEN_REPARSE_POINT, nullptr);
+  if (file == INVALID_HANDLE_VALUE) return false;
+  const std::size_t bytes = whole.native().size() * sizeof(wchar_t);
+  std::vector<char> room(sizeof(FILE_RENAME_INFO) + bytes);
+  auto& info = *reinterpret_cast<FILE_RENAME_INFO*>(room.data());
+  std::memcpy(&info, &kReplaceLikePosix, sizeof kReplaceLikePosix);  // its first field, which has several names
+  info.FileNameLength = static_cast<DWORD>(bytes);
+  std::memcpy(info.FileName, whole.c_str(), bytes);
+  const bool done =
+      !failed && SetFileInformationByHandle(file, kRenameInfoEx, &info, static_cast<DWORD>(room.size())) != 0;
+  CloseHandle(file);
+  return done;
+}
 
 }  // namespace
 
@@ -76,26 +99,25 @@ std::optional<FileData> map_part(std::intptr_t handle, std::uint64_t offset, std
   return FileData({static_cast<const std::uint8_t*>(address) + before, size}, std::move(mapping));
 }
 
-// As POSIX has it since Windows 10; earlier ones, and file systems without it, keep the name of what is open.
 std::error_code rename_over(const std::filesystem::path& from, const std::filesystem::path& to) {
+  if (rename_like_posix(from, to)) return {};
   std::error_code failed;
-  const std::filesystem::path whole = std::filesystem::absolute(to, failed);
-  HANDLE file =
-      CreateFileW(from.c_str(), DELETE, kShare, nullptr, OPEN_EXISTING, FILE_FLAG_OPEN_REPARSE_POINT, nullptr);
-  if (file != INVALID_HANDLE_VALUE && !failed) {
-    const std::size_t bytes = whole.native().size() * sizeof(wchar_t);
-    std::vector<char> room(sizeof(FILE_RENAME_INFO) + bytes);
-    auto& info = *reinterpret_cast<FILE_RENAME_INFO*>(room.data());
-    // Its first field, which has another name in older headers.
-    const DWORD flags = 0x1u | 0x2u;  // FILE_RENAME_FLAG_REPLACE_IF_EXISTS, FILE_RENAME_FLAG_POSIX_SEMANTICS
-    std::memcpy(&info, &flags, sizeof flags);
-    info.FileNameLength = static_cast<DWORD>(bytes);
-    std::memcpy(info.FileName, whole.c_str(), bytes);
-    const bool done = SetFileInformationByHandle(file, FileRenameInfoEx, &info, static_cast<DWORD>(room.size()));
-    CloseHandle(file);
-    if (done) return {};
+  for (int i = 0; i < kTries; ++i) {
+    std::filesystem::rename(from, to, failed);
+    if (!failed) return failed;
+    // What is open keeps its name, and may be given another.
+    std::error_code none;
+    if (std::filesystem::is_directory(to, none)) return failed;
+    const std::filesystem::path former = to.parent_path() / temporary_name();
+    std::filesystem::rename(to, former, none);
+    if (none) continue;
+    std::filesystem::rename(from, to, failed);
+    if (failed && !std::filesystem::exists(to, none))
+      std::filesystem::rename(former, to, none);
+    else
+      std::filesystem::remove(former, none);  // gone once it is closed
+    if (!failed) return failed;
   }
-  std::filesystem::rename(from, to, failed);
   return failed;
 }
 

@@ -1,7 +1,6 @@
 // Winsock: what sockets_posix.h says.
 #pragma once
 
-#define NOMINMAX
 #include <winsock2.h>
 #include <ws2tcpip.h>
 

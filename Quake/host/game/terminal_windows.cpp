@@ -1,6 +1,5 @@
 // Nothing here says of a console whether a line can be read without waiting, so a thread of its own waits. It ends with
 // the program: nobody can wake it.
-#define NOMINMAX
 #include <windows.h>
 // Below it, since it needs its types.
 #include <io.h>
