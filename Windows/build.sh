@@ -12,7 +12,7 @@
 #
 # Needs: apt-get install g++-mingw-w64-x86-64-posix cmake ninja-build make pkg-config dpkg-dev, and what `make` needs
 # (Linux/install-deps.sh build). In order:
-#   1. shaders and the base game are made by this machine's own build, in build/;
+#   1. shaders and the base game are made by this machine's own build, in build/ (not with --up-to);
 #   2. libraries from Debian's sources (Windows/dependencies.sh), once, in build-windows/deps;
 #   3. the programs, in build-windows/build.
 set -euo pipefail
@@ -40,12 +40,15 @@ done
 out=$PWD/build-windows
 mkdir -p "$out"
 
-say "1 of 3: shaders and the base game, in build/ (log: build-windows/host.log)"
-[[ -f build/build.ninja ]] || cmake --preset release >"$out/host.log" 2>&1 || { cat "$out/host.log" >&2; fail "build/ cannot be configured"; }
-host_targets=(fb_shader_headers gpu_test_shaders)
-[[ ${#targets[@]} -gt 0 || -n $up_to ]] || host_targets+=(basegame)
-ninja -C build -j "$jobs" "${host_targets[@]}" >"$out/host.log" 2>&1 ||
-  { tail -n 20 "$out/host.log" >&2; fail "shaders and the base game cannot be made, see build-windows/host.log"; }
+shaders=""
+if [[ -z $up_to ]]; then
+  say "1 of 3: shaders and the base game, in build/ (log: build-windows/host.log)"
+  [[ -f build/build.ninja ]] || cmake --preset release >"$out/host.log" 2>&1 ||
+    { cat "$out/host.log" >&2; fail "build/ cannot be configured"; }
+  ninja -C build -j "$jobs" fb_shader_headers gpu_test_shaders basegame >"$out/host.log" 2>&1 ||
+    { tail -n 20 "$out/host.log" >&2; fail "shaders and the base game cannot be made, see build-windows/host.log"; }
+  shaders=$PWD/build
+fi
 
 say "2 of 3: libraries"
 libraries=()
@@ -56,7 +59,7 @@ Windows/dependencies.sh "$out/deps" "$jobs" "${libraries[@]}"
 
 say "3 of 3: Fullbright"
 cmake -S . -B "$out/build" -G Ninja -DCMAKE_TOOLCHAIN_FILE="$PWD/Windows/toolchain.cmake" \
-  -DFULLBRIGHT_WINDOWS_DEPS="$out/deps" -DCMAKE_BUILD_TYPE=Release -DFULLBRIGHT_SHADERS_FROM="$PWD/build" \
+  -DFULLBRIGHT_WINDOWS_DEPS="$out/deps" -DCMAKE_BUILD_TYPE=Release -DFULLBRIGHT_SHADERS_FROM="$shaders" \
   -DFULLBRIGHT_BASEGAME=OFF -DFULLBRIGHT_BENCHMARKS=OFF -DFULLBRIGHT_TESTS=$tests -DFULLBRIGHT_QUICK_BUILD=ON -DFULLBRIGHT_UP_TO="$up_to" \
   >"$out/configure.log" 2>&1 || { tail -n 30 "$out/configure.log" >&2; fail "CMake failed, see build-windows/configure.log"; }
 if [[ ${#targets[@]} -gt 0 ]]; then
