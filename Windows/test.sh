@@ -41,6 +41,16 @@ while read -r module filter _; do
   [[ -z $module || $module == \#* ]] || without[$module]+="${without[$module]:+:}$filter"
 done <Windows/untested.txt
 
+# same WHAT LINUX WINDOWS: two texts.
+same() {
+  if [[ -n $2 && $2 == "$3" ]]; then
+    echo "$1: equal: $2"
+  else
+    echo "$1: DIFFERS: Linux has '$2', Windows '$3'"
+    status=1
+  fi
+}
+
 run_tests() {
   [[ ${#modules[@]} -gt 0 ]] || for program in "$out"/build/*_test.exe; do
     [[ -e $program ]] || fail "no test is built: Windows/build.sh --tests"
@@ -57,16 +67,11 @@ run_tests() {
       status=1
     fi
   done
-}
-
-# same WHAT LINUX WINDOWS: two texts.
-same() {
-  if [[ -n $2 && $2 == "$3" ]]; then
-    echo "$1: equal: $2"
-  else
-    echo "$1: DIFFERS: Linux has '$2', Windows '$3'"
-    status=1
-  fi
+  # A server with players, under packets of all kinds: what it did, but for seconds and bytes of memory.
+  local flood=(300000) counts='/^strangers\|^players/p'
+  [[ -x build/packet_flood && -e $out/build/packet_flood.exe ]] || return 0
+  same "a server under ${flood[0]} packets" "$(build/packet_flood "${flood[@]}" 2>&1 | sed -n "$counts")" \
+    "$(wine "$out/build/packet_flood.exe" "${flood[@]}" 2>&1 | tr -d '\r' | sed -n "$counts")"
 }
 
 # linux PROGRAM ARGUMENTS...; windows PROGRAM ARGUMENTS...: what the program prints.
