@@ -212,6 +212,7 @@ class GltfImporter {
     }
     const Json* attributes = object_member(primitive, "attributes");
     if (attributes == nullptr) return file_.error("a part of a mesh has no attributes");
+    if (attributes->contains("COLOR_0")) maker_.leave_out("colours of vertices are left out");
     const auto read = [&](const char* key, int components) -> Result<std::vector<float>> {
       const auto accessor = whole_member(*attributes, key, kAbsent);
       if (!accessor) return file_.error("an attribute's " + accessor.error().message);
@@ -289,12 +290,14 @@ class GltfImporter {
       alpha = std::clamp((*factor)[3].get<float>(), 0.0f, 1.0f);
     const std::string mode = text_of(m, "alphaMode");
     if (mode == "BLEND") out.alpha = alpha;
+    if (mode == "MASK" && !pbr.contains("baseColorTexture") && alpha < number_member(m, "alphaCutoff", 0.5f))
+      out.alpha = 0.0f;
     scene::TextureSet set;
     if (auto status = set_textures(out, set, m, pbr, mode == "MASK", alpha); !status) return status;
     set_emission(out, set, m);
     set_glass(out, m, index);
     for (const char* name : {"KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_anisotropy",
-                             "KHR_materials_iridescence", "KHR_materials_unlit", "KHR_texture_transform"})
+                             "KHR_materials_iridescence", "KHR_materials_unlit"})
       if (extension(m, name) != nullptr) maker_.leave_out(fmt::format("{} is left out", name));
     if (set.base != scene::kNone || set.luma != scene::kNone || set.normal != scene::kNone ||
         set.gloss != scene::kNone) {
@@ -381,6 +384,8 @@ class GltfImporter {
     if (reference == nullptr) return static_cast<const formats::RgbaImage*>(nullptr);
     if (const auto set = whole_member(*reference, "texCoord", 0); !set || *set != 0)
       maker_.leave_out("textures with coordinates of their own have the first ones");
+    if (extension(*reference, "KHR_texture_transform") != nullptr)
+      maker_.leave_out("KHR_texture_transform is left out: textures lie as without it");
     const auto number = whole_member(*reference, "index", kAbsent);
     if (!number) return file_.error("a texture's " + number.error().message);
     const auto texture = file_.item("textures", *number);

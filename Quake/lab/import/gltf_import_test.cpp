@@ -189,6 +189,14 @@ TEST_F(GltfImportTest, WhatIsLeftOutIsNamed) {
                                             testing::HasSubstr("clearcoat"), testing::HasSubstr("JPEG")));
 }
 
+TEST_F(GltfImportTest, AMaskOfNothingIsAHole) {
+  Json json = one_triangle();
+  json["materials"][0]["alphaMode"] = "MASK";
+  EXPECT_EQ(imported(json).snapshot.assets->materials[0].alpha, 1.0f);
+  json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0.25};
+  EXPECT_EQ(imported(json).snapshot.assets->materials[0].alpha, 0.0f);
+}
+
 TEST_F(GltfImportTest, DamagedFilesAreRefused) {
   const Json good = one_triangle();
   ASSERT_TRUE(import(good).ok());

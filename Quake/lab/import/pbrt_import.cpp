@@ -20,7 +20,7 @@ namespace fb::lab {
 namespace {
 
 constexpr std::size_t kDeepest = 4096;  // of attributes in attributes
-constexpr float kSunRadius = 0.01f;     // degrees: distant lights have no size
+constexpr float kSunRadius = 0.25f;     // degrees: distant lights have no size, and ours the Sun's
 
 // What holds for what follows, until an AttributeEnd.
 struct State {
@@ -99,7 +99,10 @@ class PbrtImporter {
       return ok_status();
     }
     if (!maker_) return ok_status();  // how it is rendered is not the scene's
-    return in_world(d);
+    if (auto status = in_world(d); !status) return status;
+    if (d.name != "MakeNamedMedium" && d.name != "Attribute")
+      for (const std::string& sentence : d.unread()) maker_->leave_out(sentence);
+    return ok_status();
   }
 
   Status in_world(const PbrtDirective& d) {
@@ -202,6 +205,7 @@ class PbrtImporter {
     camera_kind_ = d.text(0);
     fov_ = d.number("fov", 90);
     if (!(fov_ > 0.0f && fov_ < 180.0f)) return d.error(fmt::format("it sees {} degrees", fov_));
+    of_camera_ = d.unread();
     return ok_status();
   }
 
@@ -213,6 +217,7 @@ class PbrtImporter {
     const float s = kUnitsPerMetre;
     maker_.emplace(mat4x3(vec3(mirrored ? -s : s, 0, 0), vec3(0, 0, s), vec3(0, s, 0), vec3(0)));
     materials_of_.emplace(*maker_, text_.folder());
+    for (const std::string& sentence : of_camera_) maker_->leave_out(sentence);
     if (camera_to_world_ && camera_kind_ != "perspective")
       maker_->leave_out(fmt::format("the camera of kind {} is one of perspective", camera_kind_));
     if (camera_to_world_) {
@@ -263,7 +268,7 @@ class PbrtImporter {
         maker_->leave_out("shapes that are holes all over are left out");
         return ok_status();
       }
-      if (!alpha->texts.empty()) maker_->leave_out("holes of shapes are filled");
+      if (!alpha->texts.empty() || alpha->numbers[0] < 1.0f) maker_->leave_out("holes of shapes are filled");
     }
     std::string left_out;
     auto mesh = pbrt_shape(d, text_.folder(), left_out);
@@ -312,6 +317,7 @@ class PbrtImporter {
   std::map<std::string, mat4x3> systems_;
   std::optional<mat4x3> camera_to_world_;
   std::string camera_kind_;
+  std::vector<std::string> of_camera_;  // what is not read of it
   float fov_ = 90.0f, aspect_ = 1280.0f / 720.0f;
   std::optional<SceneMaker> maker_;
   std::optional<PbrtMaterials> materials_of_;

@@ -100,6 +100,16 @@ TEST_F(PbrtImportTest, ARoomIsAsItsFileSays) {
   EXPECT_THAT(room.left_out, testing::ElementsAre(testing::HasSubstr("coat")));
 }
 
+TEST_F(PbrtImportTest, WhatIsNotReadIsNamed) {
+  const ImportedScene scene = imported(
+      "\xef\xbb\xbfOption \"disablepixeljitter\" true Option \"integer seed\" 5\n"
+      "Camera \"perspective\" \"float lensradius\" 0.1\nWorldBegin\n"
+      "Material \"diffuse\" \"float sigma\" 20\nShape \"sphere\" \"float radius\" 10 \"float phi\" 2");
+  EXPECT_THAT(scene.left_out, testing::UnorderedElementsAre("Camera perspective: its lensradius is not read",
+                                                            "Material diffuse: its sigma is not read",
+                                                            "Shape sphere: its phi is not read"));
+}
+
 // What is seen at the picture's right stays there, whichever way the axes turn.
 TEST_F(PbrtImportTest, TheRightIsTheRight) {
   const auto rightness = [&](const std::string& before_camera) {

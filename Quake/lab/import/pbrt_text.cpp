@@ -15,7 +15,8 @@
 namespace fb::lab {
 namespace {
 
-constexpr std::size_t kMostIncluded = 32;  // files in one another
+constexpr std::size_t kMostIncluded = 32;   // files in one another
+constexpr std::size_t kMostFiles = 100000;  // all together
 
 // How many names stand between a directive and its parameters.
 struct Shape {
@@ -86,8 +87,17 @@ const std::string& PbrtDirective::text(std::size_t i) const {
 }
 
 const PbrtParameter* PbrtDirective::find(std::string_view wanted) const {
+  asked.emplace(wanted);
   const auto found = std::ranges::find(parameters, wanted, &PbrtParameter::name);
   return found == parameters.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> PbrtDirective::unread() const {
+  std::vector<std::string> sentences;
+  const std::string kind = texts.empty() ? name : fmt::format("{} {}", name, texts.back());
+  for (const PbrtParameter& p : parameters)
+    if (!asked.contains(p.name)) sentences.push_back(fmt::format("{}: its {} is not read", kind, p.name));
+  return sentences;
 }
 
 float PbrtDirective::number(std::string_view wanted, float otherwise) const {
@@ -129,11 +139,13 @@ Result<PbrtText> PbrtText::open(const std::string& path) {
 
 Status PbrtText::push(const std::string& path) {
   if (files_.size() >= kMostIncluded) return error(fmt::format("files include each other {} deep", kMostIncluded));
+  if (++included_ > kMostFiles) return error(fmt::format("more than {} files are included", kMostFiles));
   auto data = fs::read_whole_file(path);
   if (!data) return files_.empty() ? data.error() : error(data.error().message);
   File file;
   file.path = path;
   file.data = std::move(*data);
+  if (file.data.text().starts_with("\xef\xbb\xbf")) file.at = 3;  // UTF-8's mark
   files_.push_back(std::move(file));
   return ok_status();
 }
@@ -237,10 +249,11 @@ Result<bool> PbrtText::next(PbrtDirective& directive) {
       } else if (part->kind == Kind::kText) {
         PbrtParameter parameter;
         const std::size_t first = part->text.find_first_of(" \t"), last = part->text.find_last_of(" \t");
-        if (first == std::string_view::npos || first == 0 || last + 1 >= part->text.size())
+        const bool bare = first == std::string_view::npos && directive.name == "Option";  // has no type
+        if (!bare && (first == std::string_view::npos || first == 0 || last + 1 >= part->text.size()))
           return error(fmt::format("\"{}\" is no parameter's type and name", part->text));
-        parameter.type = part->text.substr(0, first);
-        parameter.name = part->text.substr(last + 1);
+        if (!bare) parameter.type = part->text.substr(0, first);
+        parameter.name = bare ? part->text : part->text.substr(last + 1);
         take();
         const auto some = read_values(parameter);
         if (!some) return some.error();

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,10 +29,13 @@ struct PbrtDirective {
   std::vector<std::string> texts;
   std::vector<PbrtParameter> parameters;
   std::string place;  // "FILE: line N", for errors
+  mutable std::set<std::string, std::less<>> asked;
 
   Error error(const std::string& what) const { return Error{place + ": " + name + ": " + what}; }
   const std::string& text(std::size_t i) const;  // empty if there are fewer
   const PbrtParameter* find(std::string_view name) const;
+  // A sentence for each parameter that nobody has asked for.
+  std::vector<std::string> unread() const;
   float number(std::string_view name, float otherwise) const;
   std::string word(std::string_view name, std::string_view otherwise) const;
   vec3 vector(std::string_view name, const vec3& otherwise) const;
@@ -71,6 +76,7 @@ class PbrtText {
 
   std::filesystem::path folder_;
   std::vector<File> files_;
+  std::size_t included_ = 0;  // files, all together
 };
 
 }  // namespace fb::lab
