@@ -33,6 +33,7 @@ from unless_passed import KNOWN, PASSED, read_passed, write_passed
 
 SECONDS = pathlib.Path(__file__).with_name("test_seconds.csv")
 DATA = "LibreQuake"
+LINES_OF_A_FAILURE = 40
 
 
 def estimated_minutes(seconds: dict[str, float], names: list[str], jobs: int, processors: int) -> float:
@@ -69,8 +70,25 @@ def skips_of(case: ET.Element) -> list[tuple[str, str]]:
     return found
 
 
+def failures_of(case: ET.Element) -> list[tuple[str, str]]:
+    """GoogleTest's cases that failed in one test of the JUnit file, or in which its program ended, each with what it said."""
+    found = []
+    name, said = "", []
+    for line in [*(case.findtext("system-out") or "").splitlines(), "[ RUN      ] "]:
+        begins = re.match(r"\[ RUN      \] (\S*)$", line)
+        ends = re.match(r"\[( +OK|  SKIPPED|  FAILED ) \] (\S+) \(\d+ ms\)$", line)
+        failed = ends and "FAILED" in ends[1]
+        if name and (begins or failed):
+            found.append((name, "\n".join(said[-LINES_OF_A_FAILURE:])))
+        if begins or ends:
+            name, said = begins[1] if begins else "", []
+        else:
+            said.append(line)
+    return found
+
+
 def summary(cases: list[ET.Element]) -> str:
-    """What was skipped, by reason, what is known to pass, and what failed; empty where there is none of them."""
+    """What was skipped, by reason, what is known to pass, and what failed, with what it said; empty where there is none of them."""
     reasons = collections.defaultdict(list)
     for case in cases:
         for what, why in skips_of(case):
@@ -87,9 +105,11 @@ def summary(cases: list[ET.Element]) -> str:
     known = [case.get("name") for case in cases if (case.findtext("system-out") or "").startswith(KNOWN)]
     if known:
         lines.append("Known to pass with the same files, and not run (FULLBRIGHT_RUN_AGAIN=1 runs them): " + ", ".join(sorted(known)))
-    failed = [case.get("name") for case in cases if case.get("status") == "fail"]
+    failed = {case.get("name"): failures_of(case) for case in cases if case.get("status") == "fail"}
+    for name, text in [part for parts in failed.values() for part in parts]:
+        lines += [f"{name}:", text]
     if failed:
-        lines.append("Failed: " + ", ".join(failed))
+        lines.append("Failed: " + ", ".join(name + (f" ({', '.join(part for part, _ in parts)})" if parts else "") for name, parts in failed.items()))
     return "\n".join(lines)
 
 

@@ -28,6 +28,21 @@ no LibreQuake in nowhere: FULLBRIGHT_TEST_DATA names the folder
 [  SKIPPED ] Maps.Spawn
 TEXT
 """
+FAILS_IN_PARTS = r"""
+cat <<'TEXT'
+[ RUN      ] Maps.Parse
+[       OK ] Maps.Parse (1 ms)
+[ RUN      ] Maps.Spawn
+maps_test.cpp:20: Failure
+1 where 2 was expected
+[  FAILED  ] Maps.Spawn (0 ms)
+[ RUN      ] Maps.Skip
+[  SKIPPED ] Maps.Skip (0 ms)
+[ RUN      ] Maps.Crash
+the last that it said
+TEXT
+exit 3
+"""
 TESTS = {
     "passes": "echo all is well",
     "maps": GOOGLETEST,
@@ -71,6 +86,15 @@ class RunTestsTest(unittest.TestCase):
         self.assertIn("2 tests, ", again.stdout.splitlines()[0])
         self.assertNotIn("display", again.stdout)
         self.assertEqual((self.folder / "maps.sh.ran").read_text(), "runs all\nruns Maps.Parse:Maps.Spawn\n")
+
+    def test_failures_come_last_with_what_they_said(self):
+        TESTS["parts"] = FAILS_IN_PARTS
+        self.addCleanup(TESTS.pop, "parts")
+        done = self.run_it(["parts", "passes"])
+        self.assertNotEqual(done.returncode, 0)
+        self.assertEqual(done.stdout.strip().splitlines()[-6:],
+                         ["Maps.Spawn:", "maps_test.cpp:20: Failure", "1 where 2 was expected", "Maps.Crash:", "the last that it said",
+                          "Failed: parts (Maps.Spawn, Maps.Crash)"])
 
     def test_says_nothing_where_all_is_well(self):
         done = self.run_it(["passes"])

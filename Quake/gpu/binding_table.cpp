@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -180,6 +181,7 @@ void BindingTable::Impl::write_addresses() {
 }
 
 BindingTable::BindingTable(Device& device) : impl_(std::make_unique<Impl>(device)) {
+  std::memset(impl_->unset_uniform.mapped(), 0, kLargestUniform);  // what is not set is 0, and no chance
   impl_->make_layout();
   impl_->make_sets();
   for (std::uint32_t set = 0; set < kSetCount; ++set)
