@@ -51,16 +51,32 @@ def replaced(words: list[str], option: str, value: str) -> list[str]:
 
 def compile_shader(build: pathlib.Path, root: pathlib.Path, name: str, source: pathlib.Path, like: str, query: bool) -> str:
     """Every variant of a shader, with the commands of another; its row in the table of shaders."""
-    for variant in ("bound", "address", "query") if query else ("bound", "address"):
-        words = command_of(build, f"shaders/{like}_{variant}.spv.h")
-        words = replaced(words, "-o", str(root / f"{name}_{variant}.spv.h"))
-        words = replaced(words, "--vn", f"{name}_{variant}_spv")
+    variants = ("bound", "address", "query") if query else ("bound", "address")
+    for variant in variants:
+        words = command_of(build, f"shaders/{like}_{variant}.spv")
+        words = replaced(words, "-o", str(root / f"{name}_{variant}.spv"))
         words = replaced(words, "--depfile", str(root / "depfile"))
         words = [word for word in words if word not in ("-Os",)]  # as good, and sooner
         words[-1] = str(source)
         run(*words[:-1], f"-I{root}/Shaders", words[-1], cwd=build)
-    third = f"{name}_query_spv" if query else "{}"
-    return f'    fb::render::CompiledShader{{"{name}", {name}_bound_spv, {name}_address_spv, {third}}},\n'
+    codes = [f"FB_CODE({name}_{variant})" for variant in variants]
+    return f'      {{"{name}", {", ".join((codes + ["{}"])[:3])}}},\n'
+
+
+def compile_table(build: pathlib.Path, root: pathlib.Path, rows: str) -> list[str]:
+    """Objects of the table of shaders: BUILD's, and what was compiled here."""
+    code, names = (build / "shaders/compiled_shaders.S").read_text(), ""
+    for path in sorted(root.glob("*.spv")):
+        code += f'code {path.stem}, "{path}"\n'
+        names += f"FB_DECLARE_CODE({path.stem})\n"
+    (root / "compiled_shaders.S").write_text(code)
+    table = (build / "shaders/compiled_shaders.inc").read_text()
+    table = table.replace("\ninline const", f"{names}\ninline const", 1).replace("table{\n", "table{\n" + rows, 1)
+    (root / "compiled_shaders.inc").write_text(table)
+    source = pathlib.Path(__file__).resolve().parent.parent / "Quake/render/passes/shader_code.cpp"
+    compiler = command_of(build, "Quake/render/CMakeFiles/fb_render.dir/passes/shader_code.cpp.o")[0]
+    run(compiler, "-c", str(root / "compiled_shaders.S"), "-o", str(root / "code.o"), cwd=root)
+    return [str(root / "code.o"), compile_source(build, root, source, "passes/shader_code")]
 
 
 def compile_source(build: pathlib.Path, root: pathlib.Path, path: pathlib.Path, like: str) -> str:
@@ -117,14 +133,9 @@ def main() -> int:
             write(source, root, name)
             check_frames(root, name)
             rows += compile_all(build, root, name)
-        table = (build / "shaders/compiled_shaders.spv.h").read_text()
-        includes = "".join(f'#include "{path.name}"\n' for path in sorted(root.glob("*.spv.h")))
-        table = table.replace("inline const", includes + "\ninline const", 1)
-        (root / "compiled_shaders.spv.h").write_text(table.replace("kCompiledShaders{\n", "kCompiledShaders{\n" + rows, 1))
-
         host = root / "Quake/render/techniques"
         objects = [compile_source(build, root, host / f"{name}.cpp", "techniques/techniques") for name in (*DRAWN, "techniques")]
-        objects.append(compile_source(build, root, source / "Quake/render/passes/shader_code.cpp", "passes/shader_code"))
+        objects += compile_table(build, root, rows)
         words = command_of(build, "fullbright-lab")
         lab = str(root / "fullbright-lab")
         words = replaced(words, "-o", lab)

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release >/dev/null
-cmake --build --preset release --target fb_shader_headers >/dev/null
+cmake --build --preset release --target fb_shader_files >/dev/null
 files=("$@")
 if [[ ${#files[@]} -eq 0 ]]; then
   base=${BASE:-$(git merge-base HEAD origin/HEAD 2>/dev/null || git rev-parse 'HEAD~1')}

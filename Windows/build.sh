@@ -45,7 +45,7 @@ if [[ -z $up_to ]]; then
   say "1 of 3: shaders and the base game, in build/ (log: build-windows/host.log)"
   [[ -f build/build.ninja ]] || cmake --preset release >"$out/host.log" 2>&1 ||
     { cat "$out/host.log" >&2; fail "build/ cannot be configured"; }
-  ninja -C build -j "$jobs" fb_shader_headers gpu_test_shaders basegame >"$out/host.log" 2>&1 ||
+  ninja -C build -j "$jobs" fb_shader_files gpu_test_shaders basegame >"$out/host.log" 2>&1 ||
     { tail -n 20 "$out/host.log" >&2; fail "shaders and the base game cannot be made, see build-windows/host.log"; }
   shaders=$PWD/build
 fi

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compiles a shader as glslang would, or takes what it wrote before for the same text.
 
-usage: compile_shader.py GLSLANG OPTION ... --vn NAME --depfile FILE -o FILE SOURCE
+usage: compile_shader.py GLSLANG OPTION ... [--vn NAME] --depfile FILE -o FILE SOURCE
 
 What is kept is found by a hash of the source and of all files that it may include, without their comments, of the options and
 of the compiler. glslang's own preprocessor would tell more texts to be equal, but takes a quarter of a second each, a fifth of
@@ -17,7 +17,7 @@ import sys
 import zlib
 
 LIMIT = 256 << 20
-FORMAT = b"1"  # of the key and of the files
+FORMAT = b"2"  # of the key and of the files
 WITH_VALUE = ("--vn", "--depfile", "-o", "--target-env")
 COMMENT = re.compile(r'("(?:\\.|[^"\\\n])*")|//(?:\\\n|[^\n])*|/\*.*?\*/', re.DOTALL)
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include\b[ \t]*(?:["<]([^">\n]+)[">])?', re.MULTILINE)
@@ -76,7 +76,7 @@ def texts_of(source: str, folders: list[str]) -> dict[str, str]:
 
 def key_of(arguments: Arguments, texts: dict[str, str]) -> str:
     compiler = os.stat(arguments.compiler)
-    told = [FORMAT, f"{compiler.st_size} {compiler.st_mtime_ns}".encode(), arguments.value.get("--target-env", "").encode(),
+    told = [FORMAT, b"text" if "--vn" in arguments.value else b"words", f"{compiler.st_size} {compiler.st_mtime_ns}".encode(), arguments.value.get("--target-env", "").encode(),
             *(option.encode() for option in arguments.options), os.path.splitext(arguments.source)[1].encode()]
 
     def place(path: str) -> str:  # the same in every checkout
@@ -151,7 +151,7 @@ def escaped(path: str) -> str:
 
 def main(words: list[str]) -> int:
     arguments = Arguments(words)
-    out, name = arguments.value["-o"], arguments.value["--vn"].encode()
+    out, name = arguments.value["-o"], arguments.value.get("--vn", "").encode()
     folder = folder_of_cache()
     try:
         texts = texts_of(arguments.source, arguments.folders) if folder else {}
@@ -161,7 +161,7 @@ def main(words: list[str]) -> int:
     text = read_kept(kept) if kept else None
     if text is not None:
         with open(out, "wb") as file:
-            file.write(text.replace(NAME, name))
+            file.write(text.replace(NAME, name) if name else text)
         with open(arguments.value["--depfile"], "w", encoding="utf-8") as file:
             file.write(f"{escaped(out)}: " + " ".join(map(escaped, sorted(texts))) + "\n")
         return 0
@@ -171,7 +171,8 @@ def main(words: list[str]) -> int:
     sys.stdout.buffer.write(done.stdout)
     if kept and done.returncode == 0 and not done.stdout:  # a warning is to be seen each time
         with open(out, "rb") as file:
-            keep(kept, file.read().replace(name, NAME))
+            text = file.read()
+        keep(kept, text.replace(name, NAME) if name else text)
     return done.returncode
 
 

@@ -42,8 +42,8 @@ class CompileShader(unittest.TestCase):
 
     def words(self, *options: str, name: str = "word_spv", folder: str = "a b") -> list[str]:
         root = self.root / folder
-        return [GLSLANG, "-V", "--quiet", "--target-env", "vulkan1.2", f"-I{root}", *(options or ["-DWORD=1u"]), "--vn", name, "--depfile",
-                str(self.root / "out.d"), "-o", str(self.root / "out.h"), str(root / "shader.comp")]
+        return [GLSLANG, "-V", "--quiet", "--target-env", "vulkan1.2", f"-I{root}", *(options or ["-DWORD=1u"]), *(["--vn", name] if name else []),
+                "--depfile", str(self.root / "out.d"), "-o", str(self.root / "out.h"), str(root / "shader.comp")]
 
     def compiled(self, *options: str, cache: pathlib.Path | str | None = None, **others: str) -> bool:
         """Whether it was compiled, and not taken from the cache; what is written is glslang's in either case."""
@@ -53,10 +53,10 @@ class CompileShader(unittest.TestCase):
         environment = dict(os.environ, FULLBRIGHT_SHADER_CACHE=str(self.cache if cache is None else cache))
         done = subprocess.run([sys.executable, str(script), *words], env=environment, capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        found = [(self.root / name).read_text() for name in ("out.h", "out.d")]
+        found, depfile = (self.root / "out.h").read_bytes(), (self.root / "out.d").read_text()
         subprocess.run(words, check=True, capture_output=True)
-        self.assertEqual(found[0], (self.root / "out.h").read_text())
-        self.assertEqual(self.paths(found[1]), self.paths((self.root / "out.d").read_text()))
+        self.assertEqual(found, (self.root / "out.h").read_bytes())
+        self.assertEqual(self.paths(depfile), self.paths((self.root / "out.d").read_text()))
         return self.kept() != before
 
     @staticmethod
@@ -71,6 +71,12 @@ class CompileShader(unittest.TestCase):
         self.assertTrue(self.compiled())
         self.assertFalse(self.compiled())
         self.assertFalse(self.compiled(name="another_spv"))
+
+    def test_code_as_bytes_is_no_text(self):
+        self.compiled()
+        self.assertTrue(self.compiled(name=""))
+        self.assertFalse(self.compiled(name=""))
+        self.assertEqual((self.root / "out.h").read_bytes()[:4], b"\x03\x02\x23\x07")
 
     def test_comments_and_the_place_of_the_checkout_change_nothing(self):
         self.compiled()

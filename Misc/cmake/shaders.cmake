@@ -1,6 +1,7 @@
 # fb_shader(NAME SOURCE [TRACES] [QUICK]) compiles SOURCE with glslang to SPIR-V for Vulkan 1.2 and embeds every variant of it:
 # arrays bound or by address (Shaders/lib/arrays.glsl), and, where it TRACES, through ray query as well (by address:
-# devices with ray query have addresses). fb_shader_table(FILE) then writes a header whose kCompiledShaders lists all.
+# devices with ray query have addresses). fb_shader_table() then writes compiled_shaders.S, which holds them all, and compiled_shaders.inc, whose
+# compiled_shader_table() lists them. No compiler reads them as text: they are 190 MB of it.
 # Of QUICK ones a build with FULLBRIGHT_QUICK_SHADERS optimises the first variant alone.
 #
 # compile_shader.py takes what is compiled already from a cache (FULLBRIGHT_SHADER_CACHE); without Python all is compiled.
@@ -44,27 +45,31 @@ else()
   endif()
 endif()
 
-function(fb_compile_shader name source optimize)
-  set(out ${FB_SHADER_DIR}/${name}.spv.h)
+function(fb_compile_shader out source optimize)
   if(FULLBRIGHT_SHADERS_FROM)
     if(NOT EXISTS ${out})
       message(FATAL_ERROR "FULLBRIGHT_SHADERS_FROM: there is no ${out}: build that folder first")
     endif()
     return()
   endif()
-  list(TRANSFORM ARGN PREPEND -D)
+  cmake_parse_arguments(S "" "VARIABLE" "" ${ARGN})
+  set(options ${S_UNPARSED_ARGUMENTS})
+  list(TRANSFORM options PREPEND -D)
+  if(S_VARIABLE)
+    list(APPEND options --vn ${S_VARIABLE})
+  endif()
+  get_filename_component(name ${out} NAME_WE)
   add_custom_command(
     OUTPUT ${out}
-    COMMAND ${FB_SHADER_LAUNCHER} ${GLSLANG} -V --quiet ${optimize} --target-env vulkan1.2 -I${CMAKE_SOURCE_DIR}/Shaders ${ARGN}
-            --vn ${name}_spv --depfile ${out}.d -o ${out} ${source}
+    COMMAND ${FB_SHADER_LAUNCHER} ${GLSLANG} -V --quiet ${optimize} --target-env vulkan1.2 -I${CMAKE_SOURCE_DIR}/Shaders ${options}
+            --depfile ${out}.d -o ${out} ${source}
     DEPFILE ${out}.d
     DEPENDS ${source} ${FB_SHADER_CACHE}
     COMMENT "glslang ${name}" VERBATIM)
-  set_property(GLOBAL APPEND PROPERTY FB_SHADER_HEADERS ${out})
 endfunction()
 
 function(fb_test_shader name source)
-  fb_compile_shader(${name} ${CMAKE_CURRENT_SOURCE_DIR}/${source} "${FB_SHADER_OPTIMIZE}")
+  fb_compile_shader(${FB_SHADER_DIR}/${name}.spv.h ${CMAKE_CURRENT_SOURCE_DIR}/${source} "${FB_SHADER_OPTIMIZE}" VARIABLE ${name}_spv)
 endfunction()
 
 function(fb_shader name source)
@@ -74,31 +79,58 @@ function(fb_shader name source)
   if(S_QUICK AND FULLBRIGHT_QUICK_SHADERS)
     set(others "")
   endif()
-  fb_compile_shader(${name}_bound ${source} "${FB_SHADER_OPTIMIZE}" INTERSECTOR_QUERY=0 ARRAYS_BY_ADDRESS=0 ${S_UNPARSED_ARGUMENTS})
-  fb_compile_shader(${name}_address ${source} "${others}" INTERSECTOR_QUERY=0 ARRAYS_BY_ADDRESS=1 ${S_UNPARSED_ARGUMENTS})
+  set(made ${FB_SHADER_DIR}/${name})
+  set(codes ${name}_bound ${name}_address)
+  fb_compile_shader(${made}_bound.spv ${source} "${FB_SHADER_OPTIMIZE}" INTERSECTOR_QUERY=0 ARRAYS_BY_ADDRESS=0 ${S_UNPARSED_ARGUMENTS})
+  fb_compile_shader(${made}_address.spv ${source} "${others}" INTERSECTOR_QUERY=0 ARRAYS_BY_ADDRESS=1 ${S_UNPARSED_ARGUMENTS})
   set(query "{}")
   if(S_TRACES)
-    fb_compile_shader(${name}_query ${source} "${others}" INTERSECTOR_QUERY=1 ARRAYS_BY_ADDRESS=1 ${S_UNPARSED_ARGUMENTS})
-    set(query ${name}_query_spv)
-    set_property(GLOBAL APPEND_STRING PROPERTY FB_SHADER_INCLUDES "#include \"${name}_query.spv.h\"\n")
+    fb_compile_shader(${made}_query.spv ${source} "${others}" INTERSECTOR_QUERY=1 ARRAYS_BY_ADDRESS=1 ${S_UNPARSED_ARGUMENTS})
+    list(APPEND codes ${name}_query)
+    set(query "FB_CODE(${name}_query)")
   endif()
-  set_property(GLOBAL APPEND_STRING PROPERTY FB_SHADER_INCLUDES
-               "#include \"${name}_address.spv.h\"\n#include \"${name}_bound.spv.h\"\n")
+  foreach(code ${codes})
+    set_property(GLOBAL APPEND PROPERTY FB_SHADER_FILES ${FB_SHADER_DIR}/${code}.spv)
+    set_property(GLOBAL APPEND_STRING PROPERTY FB_SHADER_BYTES "code ${code}, \"${FB_SHADER_DIR}/${code}.spv\"\n")
+    set_property(GLOBAL APPEND_STRING PROPERTY FB_SHADER_NAMES "FB_DECLARE_CODE(${code})\n")
+  endforeach()
   set_property(GLOBAL APPEND_STRING PROPERTY FB_SHADER_ROWS
-               "    fb::render::CompiledShader{\"${name}\", ${name}_bound_spv, ${name}_address_spv, ${query}},\n")
+               "      {\"${name}\", FB_CODE(${name}_bound), FB_CODE(${name}_address), ${query}},\n")
 endfunction()
 
-function(fb_shader_table file)
-  get_property(includes GLOBAL PROPERTY FB_SHADER_INCLUDES)
+function(fb_shader_table)
+  get_property(bytes GLOBAL PROPERTY FB_SHADER_BYTES)
+  get_property(names GLOBAL PROPERTY FB_SHADER_NAMES)
   get_property(rows GLOBAL PROPERTY FB_SHADER_ROWS)
-  file(CONFIGURE OUTPUT ${FB_SHADER_DIR}/${file} @ONLY CONTENT
+  file(CONFIGURE OUTPUT ${FB_SHADER_DIR}/compiled_shaders.S @ONLY CONTENT
+"// Written by CMake from Shaders/CMakeLists.txt: the code of every shader of the renderer.
+#ifdef __ELF__
+  .section .note.GNU-stack, \"\", %progbits
+  .section .rodata
+#else
+  .section .rdata, \"dr\"
+#endif
+  .macro code name, file
+  .balign 4
+  .globl fb_code_\\name, fb_code_end_\\name
+fb_code_\\name:
+  .incbin \"\\file\"
+fb_code_end_\\name:
+  .endm
+@bytes@")
+  file(CONFIGURE OUTPUT ${FB_SHADER_DIR}/compiled_shaders.inc @ONLY CONTENT
 "// Written by CMake from Shaders/CMakeLists.txt: every shader of the renderer. Include it once.
-#include <array>
+#include <vector>
 
 #include \"render/passes/shader_code.h\"
 
-@includes@
-inline const std::array kCompiledShaders{
-@rows@};
+#define FB_DECLARE_CODE(name) extern \"C\" const std::uint32_t fb_code_##name[], fb_code_end_##name[];
+#define FB_CODE(name) {fb_code_##name, fb_code_end_##name}
+@names@
+inline const std::vector<fb::render::CompiledShader>& compiled_shader_table() {
+  static const std::vector<fb::render::CompiledShader> table{
+@rows@  };
+  return table;
+}
 ")
 endfunction()

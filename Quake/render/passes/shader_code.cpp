@@ -5,15 +5,16 @@
 #include <string>
 
 #include "base/check.h"
-#include "compiled_shaders.spv.h"
+#include "compiled_shaders.inc"
 
 namespace fb::render {
 namespace {
 
 const CompiledShader& find_shader(std::string_view name) {
-  const auto found = std::find_if(kCompiledShaders.begin(), kCompiledShaders.end(),
-                                  [&](const CompiledShader& shader) { return shader.name == name; });
-  if (found == kCompiledShaders.end()) fatal(__FILE__, __LINE__, "no shader named " + std::string(name));
+  const std::span<const CompiledShader> all = compiled_shaders();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const CompiledShader& shader) { return shader.name == name; });
+  if (found == all.end()) fatal(__FILE__, __LINE__, "no shader named " + std::string(name));
   return *found;
 }
 
@@ -26,7 +27,7 @@ int lavapipe_version(const gpu::Device& device) {
 
 }  // namespace
 
-std::span<const CompiledShader> compiled_shaders() { return kCompiledShaders; }
+std::span<const CompiledShader> compiled_shaders() { return compiled_shader_table(); }
 
 bool arrays_by_address(const gpu::Device& device, std::optional<bool> asked) {
   // Before Mesa 24, lavapipe loads lane by lane; since, a load by address is one gather instruction, and one through a
