@@ -4,6 +4,7 @@
 #define FB_LIB_SKY
 #include "lib/frame_bindings.glsl"
 #include "lib/texture.glsl"
+#include "shared/sun_disc.h"
 
 // Quake's projection of its layers: a flattened dome, 128 texels a repeat, scrolling.
 vec2 layer_uv(vec3 d, float texels_per_second) {
@@ -60,7 +61,8 @@ vec3 sky_radiance(vec3 direction) {
   if (has_feature(kFeatureSuns) && frame.sun_count > 0u) {
     uint i = 0u;
     do {
-      if (dot(direction, frame.sun_direction[i].xyz) >= frame.sun_direction[i].w) color += frame.sun_radiance[i].rgb;
+      if (within_sun(direction, frame.sun_direction[i].xyz, frame.sun_direction[i].w))
+        color += frame.sun_radiance[i].rgb;
     } while (++i < frame.sun_count);
   }
   return color;

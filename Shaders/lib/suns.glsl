@@ -4,15 +4,16 @@
 #define FB_LIB_SUNS
 #include "lib/interaction.glsl"
 #include "shared/bent_sun.h"
+#include "shared/sun_disc.h"
 
-// One sun of all, each as often; 0: outside of all discs. 1 - cos of a small disc is exact.
+// One sun of all, each as often; 0: outside of all discs.
 float sun_pdf(vec3 direction) {
   if (frame.sun_count == 0u) return 0.0;
   float p = 0.0;
   uint i = 0u;
   do {
     vec4 sun = frame.sun_direction[i];
-    if (dot(direction, sun.xyz) >= sun.w) p += 1.0 / (2.0 * kPiShared * (1.0 - sun.w));
+    if (within_sun(direction, sun.xyz, sun.w)) p += 1.0 / sun_solid_angle(sun.w);
   } while (++i < frame.sun_count);
   return p / float(frame.sun_count);
 }
@@ -33,11 +34,11 @@ bool mirrors_suns(Vertex v) {
 
 BentSun refracted_sun_of(Vertex v, uint i) {
   vec4 sun = frame.sun_direction[i];
-  return refracted_sun(sun.xyz, 1.0 - sun.w, medium_index(v.liquid), wave_slope());
+  return refracted_sun(sun.xyz, sun.w, medium_index(v.liquid), wave_slope());
 }
 BentSun mirrored_sun_of(uint i) {
   vec4 sun = frame.sun_direction[i];
-  return mirrored_sun(sun.xyz, 1.0 - sun.w, wave_slope());
+  return mirrored_sun(sun.xyz, sun.w, wave_slope());
 }
 
 float refracted_density(Vertex v, vec3 direction) {
@@ -57,14 +58,14 @@ float mirrored_density(vec3 direction) {
 
 // A direction in a sun's disc, uniform for u in [0, 1)^2; and what u it has.
 vec3 in_disc(vec4 sun, vec2 u) {
-  float k = u.x * (1.0 - sun.w), phi = 2.0 * kPiShared * u.y;  // k: 1 - cos
+  float k = u.x * sun.w, phi = 2.0 * kPiShared * u.y;  // k: 1 - cos
   float r = sqrt(k * (2.0 - k));
   return frame_about(sun.xyz) * vec3(r * cos(phi), r * sin(phi), 1.0 - k);
 }
 vec2 place_in_disc(vec4 sun, vec3 direction) {
   vec3 local = direction * frame_about(sun.xyz);
   float square = dot(local.xy, local.xy), k = square / (1.0 + sqrt(max(1.0 - square, 0.0)));
-  return vec2(clamp(k / (1.0 - sun.w), 0.0, 1.0), fract(atan(local.y, local.x) / (2.0 * kPiShared) + 1.0));
+  return vec2(clamp(k / sun.w, 0.0, 1.0), fract(atan(local.y, local.x) / (2.0 * kPiShared) + 1.0));
 }
 
 // Towards a sun, straight or, where the vertex bends them, refracted; zero: there is none. `radiance`: sum of the

@@ -28,7 +28,7 @@ struct FrameConstants {
   vec4 prev_camera_up;
   vec4 sky_color;         // factor or radiance; w: time in seconds, modulo what keeps it exact
   vec4 sky_even;          // radiance besides, that the camera does not see
-  vec4 sun_direction[4];  // w: cosine of the angular radius
+  vec4 sun_direction[4];  // w: 1 - cosine of the angular radius
   vec4 sun_radiance[4];   // w: sum of the channels, with the sky's factor
   vec4 ambient;           // rgb: radiance from everywhere, of what the camera sees alone; w: factor on what the medium
                           // scatters to the camera before the sky

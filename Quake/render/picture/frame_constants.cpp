@@ -8,6 +8,7 @@
 #include "shared/picture_warp.h"
 #include "shared/rng.h"
 #include "shared/scene_gpu.h"
+#include "shared/sun_disc.h"
 #include "shared/waves.h"
 
 namespace fb::render {
@@ -132,12 +133,12 @@ shared::FrameConstants frame_constants(const scene::FrameSnapshot& snapshot, con
     const scene::Sun& sun = sky.suns[i];
     const float radius = radians(std::clamp(sun.angular_radius, 0.05f, 90.0f));
     const float half = std::sin(radius * 0.5f);
-    const float solid_angle = 4.0f * kPi * half * half;  // 2 pi (1 - cos), without the cancellation
-    c.sun_direction[i] = vec4(sun.direction, std::cos(radius));
+    const float disc = 2.0f * half * half;  // 1 - cos, without the cancellation
+    c.sun_direction[i] = vec4(sun.direction, disc);
     // The sky's own factor reaches suns through the material of sky surfaces; taken out here so that r_emit_sun is
     // alone.
     const float sky_factor = settings.emit_sky > 0 ? settings.emit_sky : 1.0f;
-    const vec3 radiance = sun.irradiance * (settings.emit_sun / solid_angle / sky_factor);
+    const vec3 radiance = sun.irradiance * (settings.emit_sun / shared::sun_solid_angle(disc) / sky_factor);
     c.sun_radiance[i] = vec4(radiance, (radiance.x + radiance.y + radiance.z) * sky_factor);
   }
   c.ambient = vec4(snapshot.ambient, std::clamp(snapshot.medium.before_sky, 0.0f, 1.0f));

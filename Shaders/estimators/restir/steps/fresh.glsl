@@ -43,9 +43,9 @@ LightSample sample_met(Segment way, inout uint rng, out float seen) {
       uint number = 0u, i = 0u;
       do {
         vec4 sun = frame.sun_direction[i];
-        bool within = dot(way.direction, sun.xyz) >= sun.w;
+        bool within = within_sun(way.direction, sun.xyz, sun.w);
         if (within && left >= 0.0) number = i;
-        left -= within ? 1.0 / (2.0 * kPiShared * (1.0 - sun.w)) : 0.0;
+        left -= within ? 1.0 / sun_solid_angle(sun.w) : 0.0;
       } while (++i < frame.sun_count);
       return LightSample(kKindSun | number, packed_place(place_in_disc(frame.sun_direction[number], way.direction)));
     }
