@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/test_device.h"
 #include "scene/in_code/code_scene_parts.h"
 #include "scene/in_code/scenes_of_rooms.h"
 #include "scene/in_code/scenes_in_code.h"
+#include "scene/in_code/scene_of_kinds.h"
 
 namespace fb::render {
 namespace {
@@ -65,6 +67,29 @@ TEST_F(DdgiStatistics, ACornellBoxIsNearAllReflections) {
     RecordProperty(c.name, std::to_string(bias) + " +- " + std::to_string(1.96 * error));
     EXPECT_LT(std::abs(bias), c.most + 3 * error) << c.name;
     EXPECT_LT(error, 0.01) << c.name << ": the test can see little";
+  }
+}
+
+// A control variate and a guide change a picture's noise, not its mean: the same probes' light as without.
+TEST_F(DdgiStatistics, AControlVariateAndAGuideLeaveTheMean) {
+  const std::pair<const char*, scene::FrameSnapshot> scenes[] = {{"box", scene::cornell_box()},
+                                                                 {"kinds", scene::light_of_every_kind()}};
+  for (const auto& [name, snapshot] : scenes) {
+    FrameMeans plain;
+    for (const auto& [control, guide] :
+         {std::pair(0, 0.0f), std::pair(1, 0.0f), std::pair(0, 0.5f), std::pair(1, 0.95f)}) {
+      RenderSettings s = bias_settings("ddgi_plus", 3);
+      s.ddgi_control = control;
+      s.ddgi_guide = guide;
+      auto renderer = make_renderer(s, 40, 40);
+      const FrameMeans found = means_of(*renderer, snapshot, s, 40, 16);
+      if (control == 0 && guide == 0) plain = found;
+      const double off = found.mean / plain.mean - 1, error = std::hypot(found.error, plain.error) / plain.mean;
+      RecordProperty(std::string(name) + " control " + std::to_string(control) + " guide " + std::to_string(guide),
+                     std::to_string(off) + " +- " + std::to_string(1.96 * error));
+      EXPECT_LT(std::abs(off), 4 * error + 0.002) << name << " " << control << " " << guide;
+      EXPECT_LT(error, 0.01) << name << ": the test can see little";
+    }
   }
 }
 

@@ -79,6 +79,19 @@ TEST_F(DdgiSequences, AFurnaceHasItsClosedForm) {
   }
 }
 
+// Nor does a control variate change what a furnace is, nor the density by which directions are drawn: what probes know
+// to be reflected is most of its light.
+TEST_F(DdgiSequences, AFurnaceKeepsItsClosedFormWithAControlVariateAndAGuide) {
+  const scene::FrameSnapshot scene = scene::furnace(kProbeAlbedo, kProbeEmission, true);
+  for (const auto& [control, guide] : {std::pair(1, 0.0f), std::pair(0, 0.5f), std::pair(1, 0.5f)}) {
+    RenderSettings s = probe_settings("ddgi_plus");
+    s.ddgi_control = control;
+    s.ddgi_guide = guide;
+    auto renderer = make_renderer(s, 48, 36);
+    EXPECT_NEAR(mean_after(*renderer, scene, s, 28), kProbeLight, 0.01 * kProbeLight) << control << " " << guide;
+  }
+}
+
 // A coat under even light reflects what a surface of its directional albedo does, so a furnace with one is as bright
 // whatever of it probes stand for; divided by 2 pi, as Eq. 6 is printed, gloss is half of what it should be.
 TEST_F(DdgiSequences, GlossIsAsBrightAsWhatIsMirrored) {
@@ -106,6 +119,8 @@ TEST_F(DdgiSequences, AlbedosAtTheirEnds) {
   for (const char* estimator : kProbeEstimators) {
     for (const float emission : {0.0f, 1.0f}) {
       RenderSettings s = probe_settings(estimator);
+      s.ddgi_control = 1;
+      s.ddgi_guide = 0.5f;
       auto renderer = make_renderer(s, 48, 36);
       EXPECT_NEAR(mean_after(*renderer, scene::furnace(0, emission, true), s, 4), static_cast<double>(emission), 1e-5);
       if (emission == 0) {
@@ -216,6 +231,8 @@ TEST_F(DdgiSequences, CutsSizesAndSettingsLeaveAFurnaceAsItIs) {
       {"no visibility", [](RenderSettings& s) { s.ddgi_visibility = 0; }},
       {"none moves or sleeps", [](RenderSettings& s) { s.ddgi_relocate = s.ddgi_sleep = 0; }},
       {"no looking", [](RenderSettings& s) { s.ddgi_looking = 0; }},
+      {"a control variate", [](RenderSettings& s) { s.ddgi_control = 1; }},
+      {"a guide", [](RenderSettings& s) { s.ddgi_guide = 0.95f; }},
   };
   const scene::FrameSnapshot scene = scene::furnace(kProbeAlbedo, kProbeEmission, true);
   for (const char* estimator : kProbeEstimators) {
@@ -297,8 +314,11 @@ TEST_F(DdgiSequences, LightThatGoesIsForgotten) {
 
 TEST_F(DdgiSequences, TheSamePicturesAgain) {
   const scene::FrameSnapshot scene = scene::light_of_every_kind();
-  for (const char* estimator : kProbeEstimators) {
+  for (const auto& [estimator, control] :
+       {std::pair("ddgi", 0), std::pair("ddgi_plus", 0), std::pair("ddgi_plus", 1), std::pair("ddgi_restir", 0)}) {
     RenderSettings s = probe_settings(estimator);
+    s.ddgi_control = control;
+    s.ddgi_guide = control ? 0.5f : 0.0f;
     s.deterministic = 1;
     s.ddgi_rays = 1024;
     s.ddgi_probe_rays = 64;

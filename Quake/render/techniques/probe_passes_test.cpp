@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -106,7 +107,8 @@ class ProbePassesTest : public DeviceTest {
       const vec3 d = shared::ddgi_turned(shared::ddgi_sphere_point(i, constants_.rays), turned);
       const ProbeRay ray = around(d);
       rays.emplace_back(d, ray.distance);
-      rays.emplace_back(ray.light * static_cast<float>(4 * kPassPi), 0);
+      const vec3 stands_for = ray.light * static_cast<float>(4 * kPassPi);
+      rays.emplace_back(stands_for, std::bit_cast<float>(shared::pack_rgb9e5(stands_for, 0.5f)));
     }
     gpu::upload_now(*device_, array(shared::kDdgiRays), std::span<const vec4>(rays));
     ++constants_.frame_number;
@@ -114,7 +116,7 @@ class ProbePassesTest : public DeviceTest {
     run("ddgi_blend", 1);
   }
   vec3 light(std::uint32_t texel) {
-    const auto words = gpu::read_now<std::uint32_t>(*device_, array(shared::kDdgiLight), shared::kDdgiLightTexels);
+    const auto words = gpu::read_now<std::uint32_t>(*device_, array(shared::kDdgiLight), texel + 1);
     return shared::unpack_rgb9e5(words[texel]);
   }
   // Mean and mean square of distances, units.
@@ -141,6 +143,30 @@ TEST_F(ProbePassesTest, LightIsTheMeanOverTheCosine) {
     EXPECT_NEAR(light(texel).x, expected, 0.012f) << texel;
     EXPECT_NEAR(light(texel).y, 2 * expected, 0.024f) << texel;
   }
+}
+
+// Where it is asked for, what is reflected from the directions of each texel, by their own solid angle.
+TEST_F(ProbePassesTest, ReflectedLightIsKeptByDirection) {
+  make(1, 1, 1024);
+  constants_.ddgi_control = 1;
+  memory_->set_count(shared::kDdgiLight, 2);
+  memory_->make();
+  const vec3 axis(0.3f, -0.4f, 0.5f);
+  for (int i = 0; i < 30; ++i)
+    turn(
+        [&](const vec3& d) {
+          return ProbeRay{vec3(1, 2, 0.5f) * (1 + dot(axis, d)), 50};
+        },
+        {static_cast<float>(i) / 30, std::fmod(0.3f * static_cast<float>(i), 1.0f), 0.2f});
+  double off = 0;
+  for (std::uint32_t texel = 0; texel < shared::kDdgiLightTexels; ++texel) {
+    const float expected = 1 + dot(axis, shared::ddgi_direction(texel, shared::kDdgiLightSide));
+    // Some 480 directions of turned lattices, 180 in the least texel.
+    EXPECT_NEAR(light(shared::kDdgiLightTexels + texel).y, 2 * expected, 0.4f * expected) << texel;
+    off +=
+        static_cast<double>(light(shared::kDdgiLightTexels + texel).y / (2 * expected) - 1) / shared::kDdgiLightTexels;
+  }
+  EXPECT_NEAR(off, 0, 0.02);
 }
 
 // Distances in a box about its middle: a texel's moments are those over the 50th power of the cosine about it.

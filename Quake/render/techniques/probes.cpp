@@ -29,6 +29,9 @@ shared::DdgiConstants Probes::prepare(const TechniqueFrame& frame, SeenGrid& see
   turns_ = std::max(std::min({table_.standing(), affordable, kMostGroups}), 1u);
   for (const std::uint32_t array : {shared::kDdgiProbes, shared::kDdgiLight, shared::kDdgiDepth, shared::kDdgiTurns})
     memory_.set_count(array, grid.probes());
+  // Of a first vertex' light only ddgi_plus asks from where it comes.
+  const bool keeps = plus_ && shared::ddgi_keeps_sent(s.ddgi_control, s.ddgi_guide);
+  if (keeps) memory_.set_count(shared::kDdgiLight, 2 * std::uint64_t{grid.probes()});
   memory_.set_count(shared::kDdgiRays, std::uint64_t{turns_} * rays_);
   memory_.set_count(shared::kDdgiTable, table_.elements());
   fresh_ = memory_.begin_frame();
@@ -37,6 +40,10 @@ shared::DdgiConstants Probes::prepare(const TechniqueFrame& frame, SeenGrid& see
 
   shared::DdgiConstants c{};
   copy_settings(s, c);
+  if (!keeps) {
+    c.ddgi_control = 0;
+    c.ddgi_guide = 0;
+  }
   c.origin = vec4(grid.origin, kFarthest * glm::length(grid.spacing));
   c.spacing = vec4(grid.spacing, std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z}));
   c.first_x = grid.first[0], c.first_y = grid.first[1], c.first_z = grid.first[2];

@@ -21,14 +21,17 @@ FB_CONST uint kDdgiLightTexels = 64u, kDdgiDepthTexels = 256u;
 FB_CONST uint kDdgiUpdates = 0xffffu, kDdgiMoves = 0x10000u, kDdgiMostMoves = 8u, kDdgiAsleep = 0x80000000u;
 
 // Arrays: X(constant, binding, what there is one element of, bytes of one, two halves, name). Light: radiance averaged
-// over directions in proportion to the cosine about a texel's, irradiance over pi, pack_rgb9e5. Distances: mean and
+// over directions in proportion to the cosine about a texel's, irradiance over pi, pack_rgb9e5; where ddgi_keeps_sent
+// says so, after all of these as many texels of each probe of the mean radiance within the texel that is reflected to
+// it, not emitted. Distances: mean and
 // mean square about a texel's direction, of the largest that is told apart, packUnorm2x16. Rays, vec4[2]: direction,
-// and distance, negative at a back face; the light that it stands for. Turns: the probe that has each, then how urgent
-// probes are. The table is written by the host (render/techniques/probe_table.h), DdgiConstants says where each part of
-// it begins: of each probe uvec4, where it stands off its place in the grid (3 floats) and kDdgiNowhere, else the two
-// doors nearest to it, kDdgiDoor each, from 1; uvec4[2] a door, its box; uvec4[2] a node of the map's tree, its plane,
-// and where its two sides go on: a node, or ~leaf, open leafs being numbered from 1; of each cube between eight probes
-// the node that has all of it; of each probe a row of bits, of the leafs that may ask it.
+// and distance, negative at a back face; the light that it stands for, and what of it is reflected, pack_rgb9e5. Turns:
+// the probe that has each, then how urgent probes are. The table is written by the host
+// (render/techniques/probe_table.h), DdgiConstants says where each part of it begins: of each probe uvec4, where it
+// stands off its place in the grid (3 floats) and kDdgiNowhere, else the two doors nearest to it, kDdgiDoor each, from
+// 1; uvec4[2] a door, its box; uvec4[2] a node of the map's tree, its plane, and where its two sides go on: a node, or
+// ~leaf, open leafs being numbered from 1; of each cube between eight probes the node that has all of it; of each probe
+// a row of bits, of the leafs that may ask it.
 #define FB_DDGI_ARRAYS(X)                                                            \
   X(kDdgiProbes, 0u, kProbe, 32u, false, "probes")                                   \
   X(kDdgiLight, 1u, kProbe, 4u * kDdgiLightTexels, false, "light of probes")         \
@@ -45,6 +48,7 @@ FB_DDGI_ARRAYS(FB_ARRAY_CONSTANT)
   X(kDdgiRest, 5u, kPixel, 16u, false, "light that no reservoir has")
 FB_DDGI_RESERVOIR_ARRAYS(FB_ARRAY_CONSTANT)
 
+FB_CONST uint kDdgiNoProbe = 0xffffffffu;
 FB_CONST uint kDdgiNowhere = 0x80000000u, kDdgiDoor = 0xffu;  // kDdgiDoor doors at most
 
 // Specialisation constants of the passes over probes.
@@ -69,6 +73,8 @@ FB_CONST uint kSpecDdgiRanks = kSpecTechnique;  // of the pass `turns`: its seco
   X(float, ddgi_looking, "r_ddgi_looking", 0.25f, 0, 0.75f, "ddgi_plus, ddgi_restir: share of a probe's rays that look for lights") \
   X(float, ddgi_footprint, "r_ddgi_footprint", 0.2f, 0, 1000, "ddgi_plus: ratio of a path's footprint to the pixel's from which on probes stand for what is mirrored, too (c)") \
   X(float, ddgi_geometry, "r_ddgi_geometry", 0.000645f, 0, 1e6f, "ddgi_restir: largest geometry term of light that reservoirs have, per square unit; what is beyond scattered rays bring; 0: there is no bound. The paper's 1 is per square metre") \
+  X(int, ddgi_control, "r_ddgi_control", 0, 0, 1, "ddgi_plus: 1 what a probe near the first vertex knows to be reflected from each direction is a control variate there: the same mean, by another noise") \
+  X(float, ddgi_guide, "r_ddgi_guide", 0, 0, 0.95f, "ddgi_plus: share of the first vertex's directions that are drawn by what a probe near it knows to be reflected from each; the others are of its own scattering") \
   X(int, ddgi_form, "r_ddgi_form", 0, 0, 1, "ddgi_plus, ddgi_restir, for tests: 1 what is mirrored is divided by 2 pi as Eq. 6 is printed: half as bright as it should be")
 // clang-format on
 
@@ -140,6 +146,40 @@ FB_FN DdgiTaps ddgi_taps(vec3 d, int side) {
   t.weight = vec4((1.0f - u) * (1.0f - v), u * (1.0f - v), (1.0f - u) * v, u * v);
   return t;
 }
+
+// The texel that a direction lies in, and its solid angle, by the mean of 16 points.
+FB_FN uint ddgi_texel_about(vec3 d, int side) {
+  vec2 p = (octahedral_from_direction(d) * 0.5f + 0.5f) * float(side);
+  return uint(clamp(int(p.y), 0, side - 1) * side + clamp(int(p.x), 0, side - 1));
+}
+FB_FN float ddgi_texel_angle(uint texel, int side) {
+  int fine = 4 * side, x = 4 * (int(texel) % side), y = 4 * (int(texel) / side);
+  float mean = 0.0f;
+  for (int i = 0; i < 16; ++i) {
+    vec3 d = ddgi_direction(uint((y + i / 4) * fine + x + i % 4), fine);
+    float sum = abs(d.x) + abs(d.y) + abs(d.z);  // 1 / the length of the octahedron's point there
+    mean += sum * sum * sum / 16.0f;
+  }
+  return 4.0f * mean / float(side * side);
+}
+
+// --- Cells of a hemisphere that have the same share of the cosine (for Section 5.1) ---
+// What is even within each of them has the mean over cells as its mean over the cosine, exactly. They are those of the
+// unit square that sample_cosine_hemisphere makes a hemisphere of.
+FB_CONST uint kDdgiRings = 4u, kDdgiSectors = 8u, kDdgiCells = 32u;
+FB_FN uint ddgi_cosine_cell(vec3 local) {
+  float ring = (local.x * local.x + local.y * local.y) * float(kDdgiRings);
+  // An octant begins where a coordinate is zero or both are alike.
+  uint quarter = local.y >= 0.0f ? (local.x >= 0.0f ? 0u : 1u) : (local.x < 0.0f ? 2u : 3u);
+  bool steep = abs(local.y) > abs(local.x), second = (quarter & 1u) == 0u ? steep : !steep;
+  return min(uint(ring), kDdgiRings - 1u) * kDdgiSectors + 2u * quarter + (second ? 1u : 0u);
+}
+// A point of the unit square in a cell's part of it, for `u` in [0, 1)^2.
+FB_FN vec2 ddgi_cell_place(uint cell, vec2 u) {
+  return vec2((float(cell / kDdgiSectors) + u.x) / float(kDdgiRings),
+              (float(cell % kDdgiSectors) + u.y) / float(kDdgiSectors));
+}
+FB_FN bool ddgi_keeps_sent(int control, float guide) { return control != 0 || guide > 0.0f; }
 
 // --- The grid ---
 // A probe keeps its cell while the volume moves on: its place in the arrays is its cell modulo the volume's size.

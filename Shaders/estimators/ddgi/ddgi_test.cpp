@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/rng.h"
+#include "shared/bsdf.h"
 
 namespace fb::shared {
 namespace {
@@ -149,6 +150,66 @@ TEST(DdgiRays, RotationsAreUniform) {
   const double error = 4.5 / std::sqrt(static_cast<double>(kTurns));
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(mean[axis], 0, error * std::sqrt(1.0 / 3));
   for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(second[k], k < 3 ? 1.0 / 3 : 0, error * std::sqrt(4.0 / 45));
+}
+
+// As ddgi_sphere_point, in double: a float has too few digits for the turn of so many points.
+vec3 lattice_point(uint i, uint n) {
+  const double phi = 2 * kDdgiPi * std::fmod(i * 0.6180339887498949, 1.0), z = 1 - (2.0 * i + 1) / n;
+  const double r = std::sqrt(std::max(0.0, 1 - z * z));
+  return vec3(r * std::cos(phi), r * std::sin(phi), z);
+}
+
+TEST(DdgiMap, TexelsCoverTheSphere) {
+  std::vector<int> found(kDdgiLightTexels);
+  double sum = 0;
+  for (uint i = 0; i < 200000; ++i) ++found[ddgi_texel_about(lattice_point(i, 200000), kDdgiLightSide)];
+  for (uint texel = 0; texel < kDdgiLightTexels; ++texel) {
+    const double angle = static_cast<double>(ddgi_texel_angle(texel, kDdgiLightSide));
+    sum += angle;
+    EXPECT_NEAR(found[texel] / 200000.0 * 4 * kDdgiPi, angle, 0.12 * angle) << texel;
+    EXPECT_EQ(ddgi_texel_about(ddgi_direction(texel, kDdgiLightSide), kDdgiLightSide), texel);
+  }
+  EXPECT_NEAR(sum, 4 * kDdgiPi, 0.02 * 4 * kDdgiPi);
+}
+
+// Directions that are drawn by the cells' weights against the density that is told of them, by the chi-squared of bins
+// of the sphere's own (not of the cells): the density's integral over each is counted over a lattice.
+TEST(DdgiCells, DirectionsAreDrawnByTheirDensity) {
+  Rng rng(7);
+  std::array<double, kDdgiCells> weight{};
+  double all = 0;
+  for (double& w : weight) all += w = static_cast<double>(rng.uniform()) + 0.1;
+  constexpr int kSide = 6;
+  std::vector<double> expected(kSide * kSide), seen(kSide * kSide);
+  constexpr uint kPoints = 400000, kDraws = 200000;
+  for (uint i = 0; i < kPoints; ++i) {
+    const vec3 d = lattice_point(i, kPoints);
+    if (d.z > 0)
+      expected[ddgi_texel_about(d, kSide)] += weight[ddgi_cosine_cell(d)] / all * kDdgiCells *
+                                              static_cast<double>(d.z) / kDdgiPi * (4 * kDdgiPi / kPoints) * kDraws;
+  }
+  for (uint i = 0; i < kDraws; ++i) {
+    double pick = static_cast<double>(rng.uniform()) * all;
+    uint cell = 0;
+    while (cell + 1 < kDdgiCells && pick >= weight[cell]) pick -= weight[cell++];
+    const vec3 d = sample_cosine_hemisphere(ddgi_cell_place(cell, {rng.uniform(), rng.uniform()}));
+    ++seen[ddgi_texel_about(d, kSide)];
+  }
+  double chi = 0, total = 0;
+  int bins = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    total += expected[i];
+    if (expected[i] < 50) {
+      EXPECT_LT(seen[i], 120) << "nothing is drawn where no density is";
+      continue;
+    }
+    chi += (seen[i] - expected[i]) * (seen[i] - expected[i]) / expected[i];
+    ++bins;
+  }
+  EXPECT_NEAR(total / kDraws, 1, 0.002);
+  EXPECT_GE(bins, 12);
+  // Mean bins - 1, variance twice that: five of its deviations.
+  EXPECT_LT(chi, bins - 1 + 5 * std::sqrt(2.0 * (bins - 1)));
 }
 
 // A path that a matte surface scattered straight back to where it came from, as far, has a footprint of a quarter of

@@ -32,11 +32,15 @@ void main() {
   // Of distances: a column for each of the lane's texels.
   vec3 a = ddgi_direction(lane, kDdgiDepthSide), b = ddgi_direction(lane + 64u, kDdgiDepthSide);
   vec3 c = ddgi_direction(lane + 128u, kDdgiDepthSide), d = ddgi_direction(lane + 192u, kDdgiDepthSide);
+  bool keeps = ddgi_keeps_sent(ddgi.ddgi_control, ddgi.ddgi_guide);
+  vec3 sent = vec3(0.0);
   vec4 weights = vec4(0.0), sums = vec4(0.0), squares = vec4(0.0);
   uint i = 0u;
   do {
     vec4 ray = uintBitsToFloat(texelFetch(ddgi_ray_texels, int(first + 2u * i)));
-    light += uintBitsToFloat(texelFetch(ddgi_ray_texels, int(first + 2u * i + 1u)).rgb) * max(dot(ray.xyz, about), 0.0);
+    uvec4 brings = texelFetch(ddgi_ray_texels, int(first + 2u * i + 1u));
+    light += uintBitsToFloat(brings.rgb) * max(dot(ray.xyz, about), 0.0);
+    if (keeps && ddgi_texel_about(ray.xyz, kDdgiLightSide) == lane) sent += unpack_rgb9e5(brings.w);
     float far = ray.w / ddgi.origin.w;
     far = far < 0.0 ? -kInWall * far : far;
     // Rays that look for lights know no distances.
@@ -52,6 +56,12 @@ void main() {
   uint at = probe * kDdgiLightTexels + lane, rng = rng_seed(at, frame.frame, 0u, frame.seed ^ 0x14057b7eu);
   vec3 before = unpack_rgb9e5(ddgi_light.at[at]);
   ddgi_light.at[at] = pack_rgb9e5(mix(before, light / (kPiShared * float(ddgi.rays)), share), rng_uniform(rng));
+  if (keeps) {
+    // Of an estimate of the integral over the texel.
+    sent /= float(ddgi.rays) * ddgi_texel_angle(lane, kDdgiLightSide);
+    uint kept = ddgi.probes * kDdgiLightTexels + at;
+    ddgi_light.at[kept] = pack_rgb9e5(mix(unpack_rgb9e5(ddgi_light.at[kept]), sent, share), rng_uniform(rng));
+  }
   uint depth = probe * kDdgiDepthTexels + lane;
   blend_depth(depth, weights.x, sums.x, squares.x, share);
   blend_depth(depth + 64u, weights.y, sums.y, squares.y, share);

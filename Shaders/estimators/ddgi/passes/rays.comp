@@ -38,7 +38,7 @@ float further_fade(uint probe, vec3 direction, Segment way, bool sky) {
 vec3 reflected_light(Segment way, inout uint rng) {
   Surface s = load_surface(way.hit, way.direction, kFilterNearest, false, false);
   Vertex v = end_of_segment(way, s);
-  SurfaceLight known = light_of_surface(v, way.hit.t, PLUS && ddgi.ddgi_view_bias != 0, PLUS, true, false, rng);
+  SurfaceLight known = light_of_surface(v, way.hit.t, PLUS && ddgi.ddgi_view_bias != 0, PLUS, true, false, 0.0, rng);
   vec3 light = known.diffuse + known.glossy;
   if (PLUS) return light * way.left;
   v.scatter.bsdf =
@@ -88,12 +88,14 @@ void main() {
     bool sky = missed || is_sky(way.hit);
     light = weight > 0.0 ? emission * (weight * further_fade(probe, direction, way, sky)) : vec3(0.0);
   }
-  if (!looks && !missed && !back) light += reflected_light(way, rng) / (turns.scattering * kEven);
+  vec3 sent = vec3(0.0);  // of it what is reflected
+  if (!looks && !missed && !back) sent = reflected_light(way, rng) / (turns.scattering * kEven);
+  light += sent;
   if (any(isnan(light)) || any(isinf(light))) {
     atomicAdd(counters.at[kCounterNan], 1u);
-    light = vec3(0.0);
+    light = sent = vec3(0.0);
   }
   float distance = missed ? ddgi.origin.w : clamp(way.distance, 1e-3, ddgi.origin.w);
-  ddgi_rays.at[2u * gl_GlobalInvocationID.x] = vec4(direction, back ? -distance : distance);
-  ddgi_rays.at[2u * gl_GlobalInvocationID.x + 1u] = vec4(light, 0.0);
+  ddgi_rays.at[2u * gl_GlobalInvocationID.x] = floatBitsToUint(vec4(direction, back ? -distance : distance));
+  ddgi_rays.at[2u * gl_GlobalInvocationID.x + 1u] = uvec4(floatBitsToUint(light), pack_rgb9e5(sent, 0.5));
 }

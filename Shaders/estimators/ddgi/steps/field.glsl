@@ -19,6 +19,7 @@ struct Field {
   bool ends;     // a path that arrives here ends
   vec3 diffuse;  // light that its Lambert part sends
   vec3 all;      // that a path which ends here brings
+  uint probe;    // of which steps/cells.glsl asks from where light is reflected to here; kDdgiNoProbe: none
 };
 
 Field field_at(Vertex v, inout Path path) {
@@ -31,14 +32,18 @@ Field field_at(Vertex v, inout Path path) {
   bool asks = kPlus ? !first || ddgi.ddgi_vertex == 1 : path.own.kind != kDirect;
   // r_fog_bounces 1: light straight from what glows alone.
   asks = asks && !(IN_MEDIUM && ONE_BOUNCE);
+  // Where the first vertex' light is not that of probes, one of them may still say from where light comes.
+  bool draws = kPlus && !IN_MEDIUM && first && !asks && ddgi_keeps_sent(ddgi.ddgi_control, ddgi.ddgi_guide);
+  float pick = draws ? rng_uniform(path.own.rng) : 0.0;
   bool wide = !first && path.own.width * path.own.width > ddgi.ddgi_footprint * path.own.seen_area;
-  SurfaceLight light =
-      light_of_surface(v, length_of_ray, kPlus && ddgi.ddgi_view_bias != 0, kPlus, asks, true, path.own.rng);
+  SurfaceLight light = light_of_surface(v, length_of_ray, kPlus && ddgi.ddgi_view_bias != 0, kPlus, asks || draws, true,
+                                        pick, path.own.rng);
   Field f;
-  f.known = light.known;
+  f.known = light.known && asks;
   f.diffuse = light.diffuse;
   f.all = light.diffuse + light.glossy;
-  f.ends = kPlus ? light.known && (wide || !has_coat(v)) : path.own.kind == kDirect;
+  f.ends = kPlus ? f.known && (wide || !has_coat(v)) : path.own.kind == kDirect;
+  f.probe = draws ? light.drawn : kDdgiNoProbe;
   return f;
 }
 

@@ -11,7 +11,7 @@ FB_TECHNIQUE_ARRAY(kDdgiProbes, 16, , DdgiProbeArray, uvec4, ddgi_probes)
 FB_TECHNIQUE_ARRAY(kDdgiLight, 4, , DdgiLightArray, uint, ddgi_light)
 FB_TECHNIQUE_ARRAY(kDdgiDepth, 4, , DdgiDepthArray, uint, ddgi_depth)
 FB_TECHNIQUE_ARRAY(kDdgiTurns, 4, , DdgiTurnArray, uint, ddgi_turns)
-FB_TECHNIQUE_ARRAY(kDdgiRays, 16, , DdgiRayArray, vec4, ddgi_rays)
+FB_TECHNIQUE_ARRAY(kDdgiRays, 16, , DdgiRayArray, uvec4, ddgi_rays)
 FB_TECHNIQUE_ARRAY(kDdgiTable, 4, , DdgiTableArray, uint, ddgi_table)
 layout(set = kSetScene,
        binding = kBindTexelBuffers + kTexelsTechnique + kDdgiTable) uniform usamplerBuffer ddgi_table_texels;
@@ -109,19 +109,21 @@ struct ProbeLight {
   bool known;
   vec3 about_normal;  // irradiance over pi
   vec3 about_other;   // the same about another direction: coarsely, the radiance from there
+  uint drawn;         // one of the probes, by its weight; kDdgiNoProbe: none
 };
 
 // `point`: on a surface of this normal; `asked`: off it, where probes are asked whether they see it; `in_air`: off it,
 // with no surface in between, which says its leaf. `other`: a direction, or zero: nothing is asked about it. `notes`:
-// these probes are in sight. Not `asks`: nothing is known.
-ProbeLight light_of_probes(vec3 point, vec3 asked, vec3 in_air, vec3 normal, vec3 other, bool asks, bool notes) {
+// these probes are in sight. Not `asks`: nothing is known. `pick`, in [0, 1), draws one of the probes.
+ProbeLight light_of_probes(vec3 point, vec3 asked, vec3 in_air, vec3 normal, vec3 other, bool asks, bool notes,
+                           float pick) {
   ivec3 first = ddgi_first(), count = ddgi_count();
   vec3 at = (asked - ddgi.origin.xyz) / ddgi.spacing.xyz - vec3(first) - 0.5;
   bool within = asks && all(greaterThan(at, vec3(-1.0))) && all(lessThan(at, vec3(count)));
   ivec3 base = ivec3(floor(clamp(at, vec3(0.0), vec3(max(count - 2, ivec3(0))))));
   vec3 along = clamp(at - vec3(base), 0.0, 1.0);
   bool turned = dot(other, other) > 0.0;
-  ProbeLight sum = ProbeLight(false, vec3(0.0), vec3(0.0));
+  ProbeLight sum = ProbeLight(false, vec3(0.0), vec3(0.0), kDdgiNoProbe);
   float weights = 0.0;
   uint leaf = leaf_at(in_air);
   uint i = 0u, corners = within ? 8u : 0u;
@@ -146,6 +148,10 @@ ProbeLight light_of_probes(vec3 point, vec3 asked, vec3 in_air, vec3 normal, vec
       sum.about_normal += light_of_probe(probe, normal) * weight;
       if (turned) sum.about_other += light_of_probe(probe, other) * weight;
       weights += weight;
+      float share = weight / weights;
+      bool takes = pick < share;
+      pick = takes ? pick / share : (pick - share) / (1.0 - share);
+      sum.drawn = takes ? probe : sum.drawn;
     }
   } while (++i < corners);
   sum.known = weights > kDdgiLeastKnown;

@@ -2,13 +2,17 @@
 // the rest.
 #ifndef FB_DDGI_PROPOSAL
 #define FB_DDGI_PROPOSAL
+#include "estimators/ddgi/steps/cells.glsl"
 #include "estimators/ddgi/steps/field.glsl"
+#include "lib/frozen.glsl"
 #include "lib/look_for_light.glsl"
 
 struct Guidance {
   uint kind;
   float direct_share;  // how often a direction is drawn that sees what falls straight on the vertex
   float pdf;
+  FrozenDirections around;  // what a probe says of the directions about the vertex
+  bool controlled, guided;  // and what that is for
 };
 
 // The part of a vertex that directions are drawn of.
@@ -35,19 +39,30 @@ void prepare(Vertex v, Field here, inout Path path, inout uint rng, out Guidance
       if (rng_uniform(rng) >= g.direct_share) g.kind = kMirrored;
     }
   }
+  g.around = directions_about(v, here.probe, path.own.rng);
+  g.controlled = ddgi.ddgi_control != 0 && g.around.luminance > 0.0;
+  g.guided = ddgi.ddgi_guide > 0.0 && g.around.luminance > 0.0;
   path.own.kind = g.kind;
   path.own.entered = true;
   path.own.from = v.position;
 }
 
 Proposal propose(Vertex v, inout Guidance g, inout uint rng) {
-  Proposal p = propose_scattered(drawn_part(v, g), rng);
+  Proposal p;
+  if (g.guided) {
+    FrozenProposal q = propose_frozen(v, g.around, true, 1.0 - ddgi.ddgi_guide, rng);
+    p = proposed(q.direction, q.f, q.pdf, q.flags);
+  } else {
+    p = propose_scattered(drawn_part(v, g), rng);
+  }
   if (g.kind == kEnds) p.weight = vec3(0.0);
   if (g.kind == kMirrored) p.weight /= 1.0 - g.direct_share;
   g.pdf = p.pdf;
   return p;
 }
-float proposal_pdf(Vertex v, Guidance g, vec3 direction, float scatter_pdf) { return scatter_pdf * g.direct_share; }
+float proposal_pdf(Vertex v, Guidance g, vec3 direction, float scatter_pdf) {
+  return proposed_pdf(g.around, g.guided, 1.0 - ddgi.ddgi_guide, direction, scatter_pdf) * g.direct_share;
+}
 
 const bool kLooksForLight = true;
 
@@ -67,10 +82,21 @@ float met_share(Vertex v, Segment way, Proposal p, vec3 emission, inout Path pat
 
 Direct last_light(Vertex v, inout Path path, inout uint rng) { return light_in_turns(v, rng); }
 
+vec3 lambert_part(Vertex v) {
+  return diffuse_reflectance(v.scatter.bsdf, max(dot(v.view, v.scatter.shading_normal), 0.0));
+}
+
 const bool kHasControl = true;
 
+// A control variate (Section 5.1) is the Lambert part's reflection of light that is even within cells of the
+// hemisphere.
 vec3 control_mean(Vertex v, Guidance g, Field here) {
+  if (g.controlled) return lambert_part(v) * g.around.mean;
   return g.kind == kWhole ? vec3(0.0) : g.kind == kEnds ? here.all : here.diffuse;
 }
-vec3 control_at(Vertex v, Guidance g, Field here, vec3 direction) { return vec3(0.0); }
+vec3 control_at(Vertex v, Guidance g, Field here, vec3 direction) {
+  if (!g.controlled) return vec3(0.0);
+  return lambert_part(v) * light_about(g.around, direction) *
+         (max(dot(direction, v.scatter.shading_normal), 0.0) / kPiShared);
+}
 #endif

@@ -128,7 +128,7 @@ vec3 sent_light(Vertex v, Segment way, inout uint rng) {
   vec3 light = sun ? vec3(0.0) : s.emission;
   if (way.hit.instance == kNoIndex || s.sky) return light;
   Vertex y = end_of_segment(way, s);
-  SurfaceLight known = light_of_surface(y, way.distance, ddgi.ddgi_view_bias != 0, true, true, true, rng);
+  SurfaceLight known = light_of_surface(y, way.distance, ddgi.ddgi_view_bias != 0, true, true, true, 0.0, rng);
   return light + known.diffuse + known.glossy;
 }
 #endif
